@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "draw/drawing.h"
+#include "gl/context.h"
+#include "image/image.h"
+
+namespace contactscope::gl {
+
+/// Paints drawings into an off-screen framebuffer of a fixed size and reads it back. Everything is
+/// screen-space triangles with coverage computed in the fragment shader, so pixels do not depend on
+/// a driver's wide lines or sample patterns.
+///
+/// Steps of a frame: begin() clears; paint() draws primitives in order with as few draw calls as the
+/// glyph atlas allows; others may draw into framebuffer() (panels do); read() copies out, top row
+/// first.
+class Rasterizer {
+ public:
+  Rasterizer(Context& context, int width, int height);
+  ~Rasterizer();
+  Rasterizer(const Rasterizer&) = delete;
+  Rasterizer& operator=(const Rasterizer&) = delete;
+
+  void begin(const draw::Color& background);
+  void paint(const draw::Drawing& drawing);
+  Image read();
+
+  unsigned framebuffer() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace contactscope::gl

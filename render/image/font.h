@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace contactscope {
+
+enum class FontWeight { Regular, Bold };
+
+/// The TrueType file that the build embedded (Roboto). The same bytes serve labels and panels.
+std::span<const unsigned char> font_data(FontWeight weight);
+
+/// Coverage of one glyph, and where it goes: the bitmap's top left corner lies at (left, top) from
+/// the pen on the baseline, pixels, y down.
+struct GlyphBitmap {
+  int width = 0, height = 0;
+  int left = 0, top = 0;
+  std::vector<std::uint8_t> coverage;  // width * height
+};
+
+/// Text metrics and glyph coverage from the embedded font. `size` is pixels from ascender to
+/// descender. Bytes that are no UTF-8 count as U+FFFD. Kerning is left out: digits stay tabular.
+float text_width(std::string_view utf8, float size, FontWeight weight);
+/// Height in pixels of the font's ascender, and depth of its descender (positive), at `size`.
+float ascent(float size, FontWeight weight);
+float descent(float size, FontWeight weight);
+/// Advance of one code point in pixels.
+float advance(char32_t code_point, float size, FontWeight weight);
+/// Coverage of a glyph whose pen stands at `subpixel_x` in [0, 1) right of a pixel's left edge,
+/// grown by a soft border of `halo` pixels (0 for the letter itself).
+GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, float subpixel_x,
+                            float halo);
+/// Code points of UTF-8 text.
+std::vector<char32_t> code_points(std::string_view utf8);
+
+}  // namespace contactscope

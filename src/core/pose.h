@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/vec3.h"
+
+namespace contactscope {
+
+/// Rigid placement of a local frame in a parent frame: x_parent = R x_local + p.
+/// `rotation` is a unit quaternion, `position` in metres. The name of a variable says the frames:
+/// `b_in_a` maps from b's frame to a's.
+template <class S>
+struct Pose {
+  Quat<S> rotation = Quat<S>::Identity();
+  Vec3<S> position = Vec3<S>::Zero();
+
+  /// Point, local to parent.
+  Vec3<S> transform(const Vec3<S>& point) const { return rotation * point + position; }
+  /// Direction, local to parent.
+  Vec3<S> rotate(const Vec3<S>& direction) const { return rotation * direction; }
+  /// Point, parent to local.
+  Vec3<S> inverse_transform(const Vec3<S>& point) const {
+    return rotation.conjugate() * Vec3<S>(point - position);
+  }
+  /// Direction, parent to local.
+  Vec3<S> inverse_rotate(const Vec3<S>& direction) const {
+    return rotation.conjugate() * direction;
+  }
+
+  template <class T>
+  Pose<T> cast() const {
+    return {rotation.template cast<T>(), position.template cast<T>()};
+  }
+};
+
+/// The pose of b in a's frame, from both poses in one parent frame. The positions are subtracted
+/// before anything else, so that two near bodies far from the origin lose nothing more than their
+/// coordinates already have.
+template <class S>
+Pose<S> relative_pose(const Pose<S>& a, const Pose<S>& b) {
+  return {a.rotation.conjugate() * b.rotation, a.inverse_transform(b.position)};
+}
+
+/// The pose of c in the parent of b, from c in b and b in its parent.
+template <class S>
+Pose<S> compose(const Pose<S>& b, const Pose<S>& c_in_b) {
+  return {b.rotation * c_in_b.rotation, b.transform(c_in_b.position)};
+}
+
+}  // namespace contactscope

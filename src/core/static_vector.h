@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <type_traits>
+
+namespace contactscope {
+
+/// Sequence of at most `N` values without a heap allocation. Elements beyond size() are left
+/// uninitialised, so a large capacity costs nothing but stack.
+template <class T, std::size_t N>
+class StaticVector {
+  static_assert(std::is_trivially_destructible_v<T>);
+
+ public:
+  // Not "= default" in class: an empty body keeps `StaticVector v{}` from clearing the storage.
+  StaticVector() {}  // NOLINT(modernize-use-equals-default)
+  StaticVector(const StaticVector& other) { *this = other; }
+  StaticVector& operator=(const StaticVector& other) {
+    size_ = other.size_;
+    for (std::size_t i = 0; i < size_; ++i) items_[i] = other.items_[i];
+    return *this;
+  }
+
+  static constexpr std::size_t capacity() { return N; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+
+  void push_back(const T& value) {
+    assert(size_ < N);
+    items_[size_++] = value;
+  }
+  /// Shrinks to the first `size` elements.
+  void truncate(std::size_t size) {
+    assert(size <= size_);
+    size_ = size;
+  }
+
+  T& operator[](std::size_t i) {
+    assert(i < size_);
+    return items_[i];
+  }
+  const T& operator[](std::size_t i) const {
+    assert(i < size_);
+    return items_[i];
+  }
+  T& back() { return (*this)[size_ - 1]; }
+  const T& back() const { return (*this)[size_ - 1]; }
+
+  T* data() { return items_.data(); }
+  const T* data() const { return items_.data(); }
+  T* begin() { return items_.data(); }
+  T* end() { return items_.data() + size_; }
+  const T* begin() const { return items_.data(); }
+  const T* end() const { return items_.data() + size_; }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<T, N> items_;
+};
+
+}  // namespace contactscope

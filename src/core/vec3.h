@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace contactscope {
+
+/// Column vector of three. Eigen's type, so that its algebra is at hand; functions of this project
+/// take and return these by name, never Eigen expressions.
+template <class S>
+using Vec3 = Eigen::Matrix<S, 3, 1>;
+
+/// 3x3 matrix, columns are the images of the axes.
+template <class S>
+using Mat3 = Eigen::Matrix<S, 3, 3>;
+
+/// Unit quaternion. Unaligned, so that every build takes the same scalar code path and containers
+/// need no special allocator.
+template <class S>
+using Quat = Eigen::Quaternion<S, Eigen::DontAlign>;
+
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+using Quatd = Quat<double>;
+
+/// A unit vector at right angles to `v`, |v| > 0. Depends continuously on `v` but for the switch of
+/// the helper axis, which is the coordinate axis that `v` leans on least.
+template <class S>
+Vec3<S> any_perpendicular(const Vec3<S>& v) {
+  int axis = 0;
+  v.cwiseAbs().minCoeff(&axis);
+  const Vec3<S> perpendicular = v.cross(Vec3<S>::Unit(axis));
+  return perpendicular.normalized();
+}
+
+}  // namespace contactscope

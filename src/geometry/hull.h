@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "core/plane.h"
+#include "core/vec3.h"
+
+namespace contactscope {
+
+/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e is the half-edges
+/// 2e and 2e + 1.
+struct HalfEdge {
+  int origin;  // vertex that it leaves
+  int next;    // next half-edge around the same face, counter-clockwise seen from outside
+  int face;    // face on its left
+};
+
+/// Convex polyhedron with half-edges, local frame, metres. Made by the hull builder only, which
+/// keeps these promises: faces are planar within rounding and merged when coplanar, every vertex is
+/// used, V - E + F = 2, twins run opposite, no face has more than kMaxFaceVertices vertices.
+template <class S>
+struct Hull {
+  std::vector<Vec3<S>> vertices;
+  std::vector<HalfEdge> half_edges;  // two for each edge, twins adjacent
+  std::vector<int> vertex_edges;     // for each vertex one half-edge that leaves it
+  std::vector<int> face_edges;       // for each face one of its half-edges
+  std::vector<Plane<S>> planes;      // for each face, normal outward
+  Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density
+  S radius = 0;                        // largest distance of a vertex from the centroid
+
+  int vertex_count() const { return static_cast<int>(vertices.size()); }
+  int edge_count() const { return static_cast<int>(half_edges.size() / 2); }
+  int face_count() const { return static_cast<int>(planes.size()); }
+
+  static constexpr int twin(int half_edge) { return half_edge ^ 1; }
+  const Vec3<S>& origin(int half_edge) const {
+    return vertices[static_cast<std::size_t>(half_edges[static_cast<std::size_t>(half_edge)].origin)];
+  }
+  const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
+};
+
+/// The same hull in another scalar. Vertices, planes and centroid are rounded once each from the
+/// input, topology is copied.
+template <class T, class S>
+Hull<T> hull_cast(const Hull<S>& hull);
+
+/// Index of a vertex farthest along `direction` (any length > 0, local frame); the lowest index
+/// among equals.
+template <class S>
+int support_vertex(const Hull<S>& hull, const Vec3<S>& direction);
+
+/// Vertex indices of a face, counter-clockwise seen from outside, starting at its face_edges entry.
+template <class S>
+std::vector<int> face_vertices(const Hull<S>& hull, int face);
+
+}  // namespace contactscope

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pose.h"
+#include "core/preference.h"
+#include "geometry/hull.h"
+
+namespace contactscope {
+
+/// Position and rotation at a time; what a keyframe leaves out is taken from the keyframe before it,
+/// the first from the shape's own pose.
+struct Keyframe {
+  double time = 0;  // seconds
+  Pose<double> pose;
+};
+
+/// Scripted motion: keyframes (positions linear, rotations slerp, ends held), or constant velocities
+/// from the shape's own pose. Velocities in world space, m/s and rad/s about the shape's origin.
+struct Motion {
+  std::vector<Keyframe> keyframes;
+  Vec3d velocity = Vec3d::Zero();
+  Vec3d angular_velocity = Vec3d::Zero();
+};
+
+struct ScenarioShape {
+  std::string name;
+  std::string type;  // "box", "hull", "cylinder", "cone"
+  std::shared_ptr<const Hull<double>> hull;
+  Pose<double> pose;
+  Motion motion;
+};
+
+enum class Scalar { Float, Double };
+
+struct PipelineSettings {
+  Scalar scalar = Scalar::Float;
+  std::string reducer = "area";
+  int max_points = 4;
+  double margin = 0;  // metres
+  bool cache = true;
+  Preference preference = Preference::Relative;
+};
+
+/// Two shapes to collide, by index into Scenario::shapes, with the settings for this pair: those of
+/// [pipeline], overridden by the keys of the [[pairs]] entry.
+struct ScenarioPair {
+  int a = 0;
+  int b = 0;
+  std::string label;  // tells apart entries that name the same two shapes
+  PipelineSettings pipeline;
+};
+
+/// What a view reveals over a sequence.
+enum class Story {
+  None,       // every frame shows all of its layers
+  ClipSteps,  // frame k shows the first k side planes and what they cut
+};
+
+enum class Focus { Contact, Shapes };
+
+struct View {
+  std::string name = "main";
+  std::optional<Vec3d> eye;     // metres; default: fitted
+  std::optional<Vec3d> target;
+  std::optional<double> fov_degrees;
+  std::optional<double> orthographic_height;  // metres
+  Focus focus = Focus::Contact;
+  Story story = Story::None;
+  std::vector<std::string> layers;
+  std::vector<std::string> panels;
+};
+
+enum class ExpectedState { Touching, Separated };
+
+/// One [[expect]] entry: what `check` asks of a pair over a range of frames.
+struct Expectation {
+  int first_frame = 0;
+  int last_frame = 0;  // inclusive
+  int a = 0;
+  int b = 0;
+  std::string label;
+  std::optional<ExpectedState> state;
+  std::optional<int> points;
+  std::optional<std::string> axis;    // "face_a", "face_b", "edge_edge"
+  std::optional<Vec3d> normal;
+  std::optional<double> separation;   // metres, deepest point
+  double tolerance = 1e-5;            // metres, and for each component of the normal
+  int line = 0;                       // in the file, for messages
+};
+
+/// Which frames `check` stores, and in what size.
+struct SnapshotSettings {
+  std::vector<int> frames;  // default: first, middle, last
+  int width = 640;
+  int height = 360;
+};
+
+struct Scenario {
+  std::string name;  // "<group>/<idea>", from the path
+  std::string path;
+  std::string title;
+  std::string source;
+  std::vector<std::string> tags;
+  std::string up = "y";
+  int frames = 1;
+  double dt = 1.0 / 60.0;  // seconds
+  std::vector<ScenarioShape> shapes;
+  std::vector<ScenarioPair> pairs;
+  std::vector<View> views;  // at least one
+  std::vector<Expectation> expectations;
+  SnapshotSettings snapshots;
+};
+
+/// Names that a file may use; kept here so that `list` and the parser agree.
+const std::vector<std::string>& known_layers();
+const std::vector<std::string>& known_panels();
+
+/// Reads a scenario file. Throws InputError with line, column and remedy; FORMATS.md lists what is
+/// wrong with a file. Relative file names in it are relative to its folder.
+Scenario load_scenario(const std::string& path);
+
+/// The same from text already read; `path` serves messages and relative file names.
+Scenario parse_scenario(const std::string& text, const std::string& path);
+
+/// Pose of a shape at a time in seconds.
+Pose<double> pose_at(const ScenarioShape& shape, double time);
+
+}  // namespace contactscope

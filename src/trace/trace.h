@@ -1,0 +1,131 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pose.h"
+#include "core/vec3.h"
+
+/// The facts that each stage of the pipeline decided: world space, metres, double. Float results are
+/// held exactly. No algorithms here; an optional stage that did not run, or that nobody asked for, is
+/// empty. FORMATS.md, "Trace", gives the JSON of each of these.
+namespace contactscope::trace {
+
+using Polygon = std::vector<Vec3d>;
+
+/// A shape as far as a drawing needs it, in its local frame.
+struct Shape {
+  std::string name;
+  std::string type;  // "box", "hull", "cylinder", "cone"
+  std::vector<Vec3d> vertices;
+  std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
+  Vec3d center_of_mass = Vec3d::Zero();
+};
+
+/// A contact point: separation in metres along the normal, negative = overlap.
+struct Point {
+  Vec3d position = Vec3d::Zero();
+  double separation = 0;
+  std::string id;  // "a:e3 b:e7"
+};
+
+struct Manifold {
+  Vec3d normal = Vec3d::Zero();  // unit, from a to b
+  std::string axis;              // "face_a", "face_b", "edge_edge", ...
+  std::optional<int> triangle;   // mesh triangle that the manifold belongs to
+  std::vector<Point> points;
+};
+
+/// Best axis of one face query of the separating axis test.
+struct FaceAxis {
+  int face = -1;
+  double separation = 0;
+  Vec3d normal = Vec3d::Zero();   // unit, from a to b
+  Vec3d support = Vec3d::Zero();  // deepest vertex of the other shape
+};
+
+/// Best axis of the edge query.
+struct EdgeAxis {
+  int a = -1;  // edge of a
+  int b = -1;  // edge of b
+  double separation = 0;
+  Vec3d normal = Vec3d::Zero();   // unit, from a to b
+  Vec3d point_a = Vec3d::Zero();  // closest points of the two edges
+  Vec3d point_b = Vec3d::Zero();
+};
+
+struct Sat {
+  std::optional<FaceAxis> face_a;
+  std::optional<FaceAxis> face_b;
+  std::optional<EdgeAxis> edge;
+  std::string chosen;     // "face_a", "face_b", "edge_edge"; what separates, or what makes the contact
+  std::string preference; // "relative" or "none"
+};
+
+struct ClipFace {
+  std::string shape;
+  int face = -1;
+  Vec3d normal = Vec3d::Zero();  // outward, unit
+  Polygon polygon;
+};
+
+/// One side plane and the polygon that is left after it.
+struct ClipStep {
+  Vec3d normal = Vec3d::Zero();  // outward, unit; points with normal . x > offset are cut away
+  double offset = 0;
+  Polygon polygon;
+};
+
+struct DroppedPoint {
+  Vec3d position = Vec3d::Zero();
+  std::string reason;  // "above the reference face"
+};
+
+struct Clip {
+  ClipFace reference;
+  ClipFace incident;
+  std::vector<ClipStep> steps;  // in order; step k is the side plane of the reference polygon's edge k
+  std::vector<DroppedPoint> dropped;
+};
+
+struct Reduction {
+  std::string method;
+  std::vector<Point> points;  // all, before
+  std::vector<int> kept;      // indices into points, in the order of choice
+  double area = 0;            // square metres, of the convex hull of the kept points in the plane
+  double best_area = 0;       // largest that as many points can span
+};
+
+struct Pair {
+  std::string a;
+  std::string b;
+  std::string label;       // set when a scenario runs one pair with several settings
+  std::string kind;        // "hull-hull"
+  std::string state;       // "touching" or "separated"
+  double separation = 0;   // deepest point when touching, best axis when separated
+  std::vector<Manifold> manifolds;
+  std::optional<Sat> sat;
+  std::optional<Clip> clip;
+  std::optional<Reduction> reduction;
+};
+
+struct Frame {
+  int frame = 0;
+  double time = 0;  // seconds
+  std::vector<std::pair<std::string, Pose<double>>> poses;  // in the order of the shapes
+  std::vector<Pair> pairs;
+};
+
+struct Header {
+  std::string scenario;  // "hull/face_contact"
+  std::string title;
+  std::string source;
+  std::string scalar;  // "float" or "double"
+  std::string up;      // "y" or "z"
+  int frames = 0;      // frames of the scenario, also when fewer were asked for
+  std::vector<Shape> shapes;
+};
+
+}  // namespace contactscope::trace
