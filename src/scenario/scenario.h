@@ -9,6 +9,7 @@
 
 #include "core/pose.h"
 #include "core/preference.h"
+#include "core/view.h"
 #include "geometry/hull.h"
 
 namespace contactscope {
@@ -54,26 +55,6 @@ struct ScenarioPair {
   int b = 0;
   std::string label;  // tells apart entries that name the same two shapes
   PipelineSettings pipeline;
-};
-
-/// What a view reveals over a sequence.
-enum class Story {
-  None,       // every frame shows all of its layers
-  ClipSteps,  // frame k shows the first k side planes and what they cut
-};
-
-enum class Focus { Contact, Shapes };
-
-struct View {
-  std::string name = "main";
-  std::optional<Vec3d> eye;     // metres; default: fitted
-  std::optional<Vec3d> target;
-  std::optional<double> fov_degrees;
-  std::optional<double> orthographic_height;  // metres
-  Focus focus = Focus::Contact;
-  Story story = Story::None;
-  std::vector<std::string> layers;
-  std::vector<std::string> panels;
 };
 
 enum class ExpectedState { Touching, Separated };

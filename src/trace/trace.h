@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ struct Shape {
   std::string type;  // "box", "hull", "cylinder", "cone"
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
+  std::vector<std::array<int, 2>> edges;  // vertex indices; ids such as "a:e3" count in this list
   Vec3d center_of_mass = Vec3d::Zero();
 };
 

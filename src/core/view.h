@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.h"
+
+namespace contactscope {
+
+/// What a view reveals over a sequence.
+enum class Story {
+  None,       // every frame shows all of its layers
+  ClipSteps,  // frame k shows the first k side planes and what they cut
+};
+
+/// What the automatic camera frames.
+enum class Focus { Contact, Shapes };
+
+/// One camera on a scenario, and what it shows.
+struct View {
+  std::string name = "main";
+  std::optional<Vec3d> eye;  // metres; default: fitted
+  std::optional<Vec3d> target;
+  std::optional<double> fov_degrees;
+  std::optional<double> orthographic_height;  // metres
+  Focus focus = Focus::Contact;
+  Story story = Story::None;
+  std::vector<std::string> layers;
+  std::vector<std::string> panels;
+};
+
+}  // namespace contactscope
