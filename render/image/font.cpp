@@ -1,0 +1,119 @@
+#include "image/font.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+// Static, and not Debian's shared object: our compile flags make the same glyphs everywhere.
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
+
+namespace contactscope {
+namespace {
+
+stbtt_fontinfo load(FontWeight weight) {
+  stbtt_fontinfo info;
+  const unsigned char* data = font_data(weight).data();
+  if (!stbtt_InitFont(&info, data, stbtt_GetFontOffsetForIndex(data, 0))) {
+    std::abort();  // the build embedded something that is no font
+  }
+  return info;
+}
+
+const stbtt_fontinfo& font(FontWeight weight) {
+  static const stbtt_fontinfo regular = load(FontWeight::Regular);
+  static const stbtt_fontinfo bold = load(FontWeight::Bold);
+  return weight == FontWeight::Bold ? bold : regular;
+}
+
+float scale_of(float size, FontWeight weight) {
+  return stbtt_ScaleForPixelHeight(&font(weight), size);
+}
+
+/// Dilation of a coverage bitmap by a disc: each pixel takes the largest coverage within reach,
+/// faded over the pixel where the disc ends. Along a straight edge the result is exact: a pixel k
+/// places outwards of a covered one holds halo - (k - 1) of the halo, clamped.
+GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
+  const int reach = static_cast<int>(std::ceil(halo));
+  GlyphBitmap out;
+  out.width = glyph.width + 2 * reach;
+  out.height = glyph.height + 2 * reach;
+  out.left = glyph.left - reach;
+  out.top = glyph.top - reach;
+  out.coverage.assign(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height),
+                      0);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const float distance = std::sqrt(static_cast<float>(dx * dx + dy * dy));
+      const float weight = std::clamp(halo + 1.0f - distance, 0.0f, 1.0f);
+      if (weight == 0) continue;
+      for (int y = 0; y < glyph.height; ++y) {
+        const std::uint8_t* from =
+            &glyph.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(glyph.width)];
+        std::uint8_t* to = &out.coverage[static_cast<std::size_t>(y + dy + reach) *
+                                             static_cast<std::size_t>(out.width) +
+                                         static_cast<std::size_t>(dx + reach)];
+        for (int x = 0; x < glyph.width; ++x) {
+          const float faded = static_cast<float>(from[x]) * weight;
+          to[x] = std::max(to[x], static_cast<std::uint8_t>(faded + 0.5f));
+        }
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+float ascent(float size, FontWeight weight) {
+  int up = 0, down = 0, gap = 0;
+  stbtt_GetFontVMetrics(&font(weight), &up, &down, &gap);
+  return static_cast<float>(up) * scale_of(size, weight);
+}
+
+float descent(float size, FontWeight weight) {
+  int up = 0, down = 0, gap = 0;
+  stbtt_GetFontVMetrics(&font(weight), &up, &down, &gap);
+  return static_cast<float>(-down) * scale_of(size, weight);
+}
+
+bool has_glyph(char32_t code_point, FontWeight weight) {
+  return stbtt_FindGlyphIndex(&font(weight), static_cast<int>(code_point)) != 0;
+}
+
+float advance(char32_t code_point, float size, FontWeight weight) {
+  int width = 0, bearing = 0;
+  stbtt_GetCodepointHMetrics(&font(weight), static_cast<int>(code_point), &width, &bearing);
+  return static_cast<float>(width) * scale_of(size, weight);
+}
+
+float text_width(std::string_view utf8, float size, FontWeight weight) {
+  float width = 0;
+  for (const char32_t code : code_points(utf8)) width += advance(code, size, weight);
+  return width;
+}
+
+GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, float subpixel_x,
+                            float halo) {
+  assert(size > 0 && subpixel_x >= 0 && subpixel_x < 1 && halo >= 0);
+  const stbtt_fontinfo& info = font(weight);
+  const float scale = scale_of(size, weight);
+  const int glyph = stbtt_FindGlyphIndex(&info, static_cast<int>(code_point));
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph, scale, scale, subpixel_x, 0, &x0, &y0, &x1, &y1);
+  GlyphBitmap out;
+  if (x1 <= x0 || y1 <= y0) return out;  // a space
+  out.width = x1 - x0;
+  out.height = y1 - y0;
+  out.left = x0;
+  out.top = y0;
+  out.coverage.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  stbtt_MakeGlyphBitmapSubpixel(&info, out.coverage.data(), out.width, out.height, out.width, scale,
+                                scale, subpixel_x, 0, glyph);
+  return halo > 0 ? dilated(out, halo) : out;
+}
+
+}  // namespace contactscope

@@ -28,6 +28,8 @@ float ascent(float size, FontWeight weight);
 float descent(float size, FontWeight weight);
 /// Advance of one code point in pixels.
 float advance(char32_t code_point, float size, FontWeight weight);
+/// Whether the font has a glyph for a code point; where not, the font's empty box is drawn.
+bool has_glyph(char32_t code_point, FontWeight weight);
 /// Coverage of a glyph whose pen stands at `subpixel_x` in [0, 1) right of a pixel's left edge,
 /// grown by a soft border of `halo` pixels (0 for the letter itself).
 GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, float subpixel_x,

@@ -1,0 +1,162 @@
+#include "image/compare.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+namespace contactscope {
+namespace {
+
+std::size_t index(int width, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(x);
+}
+
+/// Where two pictures differ, on a canvas that holds both.
+struct DifferenceMask {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> differs;
+  int count = 0;
+  int largest_channel_difference = 0;
+};
+
+int channel_difference(const Image& a, const Image& b, int x, int y) {
+  const std::uint8_t* pixel_a = &a.rgb[3 * index(a.width, x, y)];
+  const std::uint8_t* pixel_b = &b.rgb[3 * index(b.width, x, y)];
+  int largest = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    largest = std::max(largest, std::abs(pixel_a[channel] - pixel_b[channel]));
+  }
+  return largest;
+}
+
+DifferenceMask find_differences(const Image& a, const Image& b) {
+  DifferenceMask mask;
+  mask.width = std::max(a.width, b.width);
+  mask.height = std::max(a.height, b.height);
+  mask.differs.resize(index(mask.width, 0, mask.height));
+  const int both_wide = std::min(a.width, b.width), both_high = std::min(a.height, b.height);
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      const bool in_both = x < both_wide && y < both_high;
+      const int difference = in_both ? channel_difference(a, b, x, y) : 255;
+      mask.largest_channel_difference = std::max(mask.largest_channel_difference, difference);
+      if (difference > kChannelTolerance) {
+        mask.differs[index(mask.width, x, y)] = 1;
+        ++mask.count;
+      }
+    }
+  }
+  return mask;
+}
+
+struct Cluster {
+  int size = 0;
+  PixelBox box;
+};
+
+/// Takes the 8-connected group of (x, y) out of the mask.
+Cluster take_cluster(DifferenceMask& mask, int x, int y) {
+  struct Pixel {
+    int x, y;
+  };
+  Cluster cluster{0, {x, y, x + 1, y + 1}};
+  std::vector<Pixel> open{{x, y}};
+  mask.differs[index(mask.width, x, y)] = 0;
+  while (!open.empty()) {
+    const Pixel at = open.back();
+    open.pop_back();
+    ++cluster.size;
+    cluster.box.left = std::min(cluster.box.left, at.x);
+    cluster.box.top = std::min(cluster.box.top, at.y);
+    cluster.box.right = std::max(cluster.box.right, at.x + 1);
+    cluster.box.bottom = std::max(cluster.box.bottom, at.y + 1);
+    for (int ny = std::max(at.y - 1, 0); ny <= std::min(at.y + 1, mask.height - 1); ++ny) {
+      for (int nx = std::max(at.x - 1, 0); nx <= std::min(at.x + 1, mask.width - 1); ++nx) {
+        std::uint8_t& differs = mask.differs[index(mask.width, nx, ny)];
+        if (!differs) continue;
+        differs = 0;
+        open.push_back({nx, ny});
+      }
+    }
+  }
+  return cluster;
+}
+
+/// The first of the largest groups in reading order.
+Cluster largest_cluster(DifferenceMask mask) {
+  Cluster largest;
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      if (!mask.differs[index(mask.width, x, y)]) continue;
+      const Cluster cluster = take_cluster(mask, x, y);
+      if (cluster.size > largest.size) largest = cluster;
+    }
+  }
+  return largest;
+}
+
+void set_pixel(Image& image, int x, int y, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
+  std::uint8_t* pixel = &image.rgb[3 * index(image.width, x, y)];
+  pixel[0] = r;
+  pixel[1] = g;
+  pixel[2] = b;
+}
+
+/// A frame of `thickness` pixels that leaves `gap` pixels free around the box.
+void draw_frame(Image& image, const PixelBox& box, int gap, int thickness) {
+  const int outer = gap + thickness;
+  for (int y = box.top - outer; y < box.bottom + outer; ++y) {
+    for (int x = box.left - outer; x < box.right + outer; ++x) {
+      const bool inside =
+          x >= box.left - gap && x < box.right + gap && y >= box.top - gap && y < box.bottom + gap;
+      if (!inside) set_pixel(image, x, y, 0x00, 0x72, 0xB2);
+    }
+  }
+}
+
+}  // namespace
+
+PixelComparison compare_pixels(const Image& expected, const Image& actual) {
+  PixelComparison result;
+  if (expected.width != actual.width || expected.height != actual.height) {
+    result.verdict = PixelVerdict::SizeDiffers;
+    return result;
+  }
+  if (expected.rgb == actual.rgb) return result;
+  DifferenceMask mask = find_differences(expected, actual);
+  result.differing = mask.count;
+  result.largest_channel_difference = mask.largest_channel_difference;
+  const Cluster cluster = largest_cluster(std::move(mask));
+  result.largest_cluster = cluster.size;
+  result.largest_cluster_at = cluster.box;
+  const bool fails = cluster.size >= kClusterLimit || result.differing > kTotalLimit;
+  result.verdict = fails ? PixelVerdict::Different : PixelVerdict::WithinTolerance;
+  return result;
+}
+
+Image difference_image(const Image& expected, const Image& actual) {
+  DifferenceMask mask = find_differences(expected, actual);
+  Image out(mask.width, mask.height);
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      if (mask.differs[index(mask.width, x, y)]) {
+        set_pixel(out, x, y, 0xD5, 0x5E, 0x00);
+        continue;
+      }
+      const std::uint8_t* pixel = &expected.rgb[3 * index(expected.width, x, y)];
+      // Rec. 601 luma, then a third of the contrast on white.
+      const int luma = (299 * pixel[0] + 587 * pixel[1] + 114 * pixel[2] + 500) / 1000;
+      const std::uint8_t ghost = static_cast<std::uint8_t>(255 - (255 - luma) / 3);
+      set_pixel(out, x, y, ghost, ghost, ghost);
+    }
+  }
+  const Cluster cluster = largest_cluster(std::move(mask));
+  if (cluster.size > 0) draw_frame(out, cluster.box, 4, 2);
+  return out;
+}
+
+}  // namespace contactscope

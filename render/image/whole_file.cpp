@@ -1,0 +1,53 @@
+#include "image/whole_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+namespace contactscope {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw std::filesystem::filesystem_error("cannot write", path,
+                                          std::error_code(error, std::generic_category()));
+}
+
+/// 0, or the errno of what failed.
+int write_all(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return errno;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  static std::atomic<unsigned> counter{0};  // encoders write from several threads
+  const std::filesystem::path target(path);
+  std::ostringstream name;
+  name << '.' << target.filename().string() << '.' << ::getpid() << '.' << counter++ << ".part";
+  const std::string aside = (target.parent_path() / name.str()).string();
+
+  const int file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) fail(path, errno);
+  int error = write_all(file, bytes);
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(aside.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(aside.c_str());
+    fail(path, error);
+  }
+}
+
+}  // namespace contactscope
