@@ -7,8 +7,8 @@
 
 namespace contactscope {
 
-/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e is the half-edges
-/// 2e and 2e + 1.
+/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e is the
+/// half-edges 2e and 2e + 1.
 struct HalfEdge {
   int origin;  // vertex that it leaves
   int next;    // next half-edge around the same face, counter-clockwise seen from outside
@@ -21,10 +21,10 @@ struct HalfEdge {
 template <class S>
 struct Hull {
   std::vector<Vec3<S>> vertices;
-  std::vector<HalfEdge> half_edges;  // two for each edge, twins adjacent
-  std::vector<int> vertex_edges;     // for each vertex one half-edge that leaves it
-  std::vector<int> face_edges;       // for each face one of its half-edges
-  std::vector<Plane<S>> planes;      // for each face, normal outward
+  std::vector<HalfEdge> half_edges;    // two for each edge, twins adjacent
+  std::vector<int> vertex_edges;       // for each vertex one half-edge that leaves it
+  std::vector<int> face_edges;         // for each face one of its half-edges
+  std::vector<Plane<S>> planes;        // for each face, normal outward
   Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density
   S radius = 0;                        // largest distance of a vertex from the centroid
 
@@ -34,7 +34,8 @@ struct Hull {
 
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
   const Vec3<S>& origin(int half_edge) const {
-    return vertices[static_cast<std::size_t>(half_edges[static_cast<std::size_t>(half_edge)].origin)];
+    return vertices[static_cast<std::size_t>(
+        half_edges[static_cast<std::size_t>(half_edge)].origin)];
   }
   const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
 };

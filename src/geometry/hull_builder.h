@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "core/vec3.h"
+#include "geometry/hull.h"
+#include "geometry/hull_error.h"
+
+namespace contactscope {
+
+struct HullOptions {
+  /// Points with equal coordinates count once. Off, they are an error that names two of them: in a
+  /// hand-written list a repeated vertex is a slip of the pen. File formats that repeat vertices on
+  /// purpose turn it on (or weld while reading, as load_obj_vertices does).
+  bool weld_duplicates = false;
+};
+
+/// Convex hull of `points` (metres, any frame, any order; points inside or on the surface are left
+/// out). Faces are merged where they are coplanar or concave within hull_tolerance(points): a
+/// vertex lies on its faces' planes, and no vertex above any plane, within a small multiple of it.
+/// Vertices keep their coordinates and their order; the same points always give the same hull.
+///
+/// Throws HullError: TooFewPoints, NotFinite, Duplicate or TooFewDistinct, Coincident, Collinear,
+/// Coplanar, FaceTooLarge, and Unresolved should no tolerance give a convex hull.
+///
+/// Source: Gregorius, "Implementing Quickhull", GDC 2014.
+Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options = {});
+
+/// How far a point may be off a plane and still count as on it, metres: what single precision
+/// leaves uncertain about points of this extent. hull_builder.cpp says why.
+double hull_tolerance(std::span<const Vec3d> points);
+
+}  // namespace contactscope

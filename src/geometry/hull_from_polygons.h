@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+#include "geometry/hull.h"
+#include "geometry/hull_error.h"
+
+namespace contactscope {
+
+/// Half-edge hull from the polygons that bound it: `faces` are vertex indices, counter-clockwise
+/// seen from outside. Vertices and faces keep their order, face_edges[f] leaves faces[f][0], and
+/// edges are numbered in the order in which the faces first name them. Planes by Newell's method
+/// through the mean of all vertices of the face; centroid and radius from the solid.
+///
+/// Topology is checked, convexity and planarity are the caller's promise. Throws HullError:
+/// NotClosed when the polygons do not bound one solid without handles or leave a vertex unused,
+/// FaceTooLarge.
+Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
+                                const std::vector<std::vector<int>>& faces);
+
+/// Unit normal of a polygon by Newell's method and the plane through the mean of its vertices.
+/// `vertices` are the polygon's own corners in order, at least three and not all on one line.
+Plane<double> newell_plane(const std::vector<Vec3d>& vertices);
+
+}  // namespace contactscope
