@@ -1,0 +1,165 @@
+#include "house/include_order.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace contactscope::house {
+namespace {
+
+struct Folder {
+  std::string_view name;
+  std::string_view parent;  // "src" or "render"
+};
+
+// DESIGN.md: "A folder uses only folders to its left".
+constexpr Folder kOrder[] = {
+    {"core", "src"},       {"trace", "src"},      {"geometry", "src"},  {"query", "src"},
+    {"broadphase", "src"}, {"reduce", "src"},     {"manifold", "src"},  {"dynamics", "src"},
+    {"scenario", "src"},   {"study", "src"},      {"image", "render"},  {"draw", "render"},
+    {"gl", "render"},      {"overlay", "render"}, {"vector", "render"}, {"snapshot", "render"},
+    {"app", "src"},
+};
+
+const Folder* find_folder(std::string_view name) {
+  const Folder* found = std::find_if(std::begin(kOrder), std::end(kOrder),
+                                     [&](const Folder& folder) { return folder.name == name; });
+  return found == std::end(kOrder) ? nullptr : found;
+}
+
+bool may_use(const Folder& user, const Folder& used) {
+  if (user.name == used.name) return true;
+  if (&used > &user) return false;
+  if (used.parent == "src" && user.name == "image") return false;
+  if (used.parent == "src" && user.name == "draw") {
+    return used.name == "core" || used.name == "trace";
+  }
+  return true;
+}
+
+std::vector<std::string> components(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
+  return parts;
+}
+
+/// The folder of "src/core/pose.h"; null, with the reason in `why`, when it lies in none.
+const Folder* folder_of(const std::string& path, std::string& why) {
+  const std::vector<std::string> parts = components(path);
+  if (parts.size() < 3) {
+    why = path + ": lies in no folder";
+    return nullptr;
+  }
+  const Folder* folder = find_folder(parts[1]);
+  if (!folder || folder->parent != parts[0]) {
+    why = path + ": " + parts[0] + "/" + parts[1] + " is no folder of DESIGN.md";
+    return nullptr;
+  }
+  return folder;
+}
+
+bool is_source(const std::string& path) {
+  return path.ends_with(".h") || path.ends_with(".cpp");
+}
+
+void check_include(const SourceFile& file, int line, const std::string& included,
+                   const Folder& folder, const std::set<std::string>& known,
+                   std::vector<std::string>& violations) {
+  const std::string where = file.path + ":" + std::to_string(line) + ": ";
+  // The compiler looks beside the including file first, then in src and render.
+  const std::string beside = file.path.substr(0, file.path.rfind('/') + 1) + included;
+  if (known.contains(beside)) return;
+  if (!known.contains("src/" + included) && !known.contains("render/" + included)) {
+    violations.push_back(where + "\"" + included + "\" is no file of src or render");
+    return;
+  }
+  const Folder* used = find_folder(components(included).front());
+  if (used && !may_use(folder, *used)) {
+    violations.push_back(where + std::string(folder.name) + " must not use " +
+                         std::string(used->name));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> include_violations(const std::vector<SourceFile>& files) {
+  std::set<std::string> known;
+  for (const SourceFile& file : files) known.insert(file.path);
+
+  static const std::regex include_line(R"re(^\s*#\s*include\s*"([^"]*)")re");
+  std::vector<std::string> violations;
+  for (const SourceFile& file : files) {
+    std::string why;
+    const Folder* folder = folder_of(file.path, why);
+    if (!folder) {
+      // src/CMakeLists.txt and its like tie the folders together.
+      if (is_source(file.path) || components(file.path).size() > 2) violations.push_back(why);
+      continue;
+    }
+    if (!is_source(file.path)) continue;
+    std::istringstream lines(file.text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      std::smatch match;
+      if (std::regex_search(line, match, include_line)) {
+        check_include(file, number, match[1], *folder, known, violations);
+      }
+    }
+  }
+  return violations;
+}
+
+std::vector<std::string> link_violations(const std::vector<SourceFile>& files) {
+  static const std::regex call(R"(contactscope_folder\(\s*(\w+)([^)]*)\))");
+  static const std::regex comment("#[^\n]*");
+  std::vector<std::string> violations;
+  for (const SourceFile& file : files) {
+    if (!file.path.ends_with("CMakeLists.txt")) continue;
+    const std::string text = std::regex_replace(file.text, comment, "");
+    for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
+      const Folder* folder = find_folder((*it)[1].str());
+      if (!folder) {
+        violations.push_back(file.path + ": " + (*it)[1].str() + " is no folder of DESIGN.md");
+        continue;
+      }
+      std::istringstream words((*it)[2].str());
+      bool linking = false;
+      for (std::string word; words >> word;) {
+        if (word == "SOURCES") linking = false;
+        if (word == "LINK" || word == "PRIVATE_LINK") linking = true;
+        const Folder* used = linking ? find_folder(word) : nullptr;
+        if (used && !may_use(*folder, *used)) {
+          violations.push_back(file.path + ": " + std::string(folder->name) + " must not link " +
+                               word);
+        }
+      }
+    }
+  }
+  return violations;
+}
+
+std::vector<SourceFile> read_house(const std::string& root) {
+  namespace fs = std::filesystem;
+  std::vector<SourceFile> files;
+  for (const char* top : {"src", "render"}) {
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(root) / top)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream stream(entry.path(), std::ios::binary);
+      std::ostringstream text;
+      text << stream.rdbuf();
+      files.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  return files;
+}
+
+}  // namespace contactscope::house

@@ -1,0 +1,92 @@
+#include "house/include_order.h"
+
+#include <gmock/gmock.h>
+
+namespace contactscope::house {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(IncludeOrder, EveryFileUsesOnlyFoldersToItsLeft) {
+  const std::vector<SourceFile> files = read_house(CONTACTSCOPE_SOURCE_DIR);
+  ASSERT_GT(files.size(), 20u);
+  EXPECT_THAT(include_violations(files), IsEmpty());
+}
+
+TEST(IncludeOrder, EveryFolderLinksOnlyFoldersToItsLeft) {
+  EXPECT_THAT(link_violations(read_house(CONTACTSCOPE_SOURCE_DIR)), IsEmpty());
+}
+
+TEST(IncludeOrder, UsingAFolderToTheRightIsCaught) {
+  EXPECT_THAT(
+      include_violations({{"src/core/pose.h", "#pragma once\n#include \"geometry/hull.h\"\n"},
+                          {"src/geometry/hull.h", "#include \"core/pose.h\"\n"}}),
+      ElementsAre("src/core/pose.h:2: core must not use geometry"));
+}
+
+TEST(IncludeOrder, SpacesAndTabsHideNoInclude) {
+  EXPECT_THAT(include_violations({{"src/core/pose.h", " \t# \tinclude\t \"query/sat.h\""},
+                                  {"src/query/sat.h", ""}}),
+              ElementsAre("src/core/pose.h:1: core must not use query"));
+}
+
+TEST(IncludeOrder, OnlyTheProgramUsesRender) {
+  const SourceFile image{"render/image/image.h", ""};
+  EXPECT_THAT(include_violations({{"src/app/main.cpp", "#include \"image/image.h\""}, image}),
+              IsEmpty());
+  EXPECT_THAT(include_violations({{"src/study/plot.cpp", "#include \"image/image.h\""}, image}),
+              ElementsAre("src/study/plot.cpp:1: study must not use image"));
+}
+
+TEST(IncludeOrder, ImageUsesNothingOfSrc) {
+  EXPECT_THAT(include_violations(
+                  {{"render/image/image.h", "#include \"core/vec3.h\""}, {"src/core/vec3.h", ""}}),
+              ElementsAre("render/image/image.h:1: image must not use core"));
+}
+
+TEST(IncludeOrder, DrawUsesCoreTraceAndImageAlone) {
+  EXPECT_THAT(include_violations({{"render/draw/a.cpp",
+                                   "#include \"core/vec3.h\"\n#include \"trace/trace.h\"\n"
+                                   "#include \"image/font.h\"\n#include \"geometry/hull.h\"\n"},
+                                  {"src/core/vec3.h", ""},
+                                  {"src/trace/trace.h", ""},
+                                  {"render/image/font.h", ""},
+                                  {"src/geometry/hull.h", ""}}),
+              ElementsAre("render/draw/a.cpp:4: draw must not use geometry"));
+}
+
+TEST(IncludeOrder, AnIncludeOfNoFileIsCaught) {
+  EXPECT_THAT(include_violations({{"src/core/pose.h", "#include \"core/pse.h\""}}),
+              ElementsAre("src/core/pose.h:1: \"core/pse.h\" is no file of src or render"));
+}
+
+TEST(IncludeOrder, AFileBesideItsUserIsFound) {
+  EXPECT_THAT(
+      include_violations({{"src/core/pose.cpp", "#include \"pose.h\""}, {"src/core/pose.h", ""}}),
+      IsEmpty());
+}
+
+TEST(IncludeOrder, AFileOutsideTheFoldersIsCaught) {
+  EXPECT_THAT(include_violations({{"src/loose.cpp", ""},
+                                  {"src/CMakeLists.txt", ""},
+                                  {"src/util/misc.h", ""},
+                                  {"src/gl/context.h", ""}}),
+              ElementsAre("src/loose.cpp: lies in no folder",
+                          "src/util/misc.h: src/util is no folder of DESIGN.md",
+                          "src/gl/context.h: src/gl is no folder of DESIGN.md"));
+}
+
+TEST(IncludeOrder, LinkingAFolderToTheRightIsCaught) {
+  EXPECT_THAT(link_violations(
+                  {{"src/core/CMakeLists.txt",
+                    "contactscope_folder(core\n  SOURCES a.cpp query.cpp\n  LINK Eigen3::Eigen "
+                    "manifold)"},
+                   {"render/draw/CMakeLists.txt",
+                    "contactscope_folder(draw SOURCES a.cpp LINK core PRIVATE_LINK scenario)"}}),
+              ElementsAre("src/core/CMakeLists.txt: core must not link manifold",
+                          "render/draw/CMakeLists.txt: draw must not link scenario"));
+}
+
+}  // namespace
+}  // namespace contactscope::house
