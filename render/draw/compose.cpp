@@ -1,0 +1,217 @@
+#include "draw/compose.h"
+
+#include <cmath>
+
+#include "draw/labels.h"
+#include "draw/palette.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kDotRadius = 5.5;
+constexpr double kDotHalo = 1.8;
+constexpr double kRingInner = 9.0;
+constexpr double kRingOuter = 11.2;
+constexpr double kCrossReach = 4.5;
+
+float distance(const Point2& a, const Point2& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+class Composer {
+ public:
+  Composer(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing)
+      : sketch_(sketch),
+        camera_(camera),
+        layout_(layout),
+        out_(drawing),
+        placer_(layout.view),
+        hidden_(camera, sketch.occluders) {}
+
+  void run() {
+    for (const Surface& surface : depth_ordered(sketch_.surfaces, camera_)) {
+      std::vector<Point2> polygon = project_polygon(camera_, surface.polygon);
+      if (!polygon.empty()) out_.primitives.push_back(Fill{std::move(polygon), surface.color});
+    }
+    for (const Line& line : sketch_.lines) draw_line(line);
+    for (const Arrow& arrow : sketch_.arrows) draw_arrow(arrow);
+    for (const Mark& mark : sketch_.marks) draw_mark(mark);
+    for (const Label& label : sketch_.labels) draw_label(label);
+  }
+
+ private:
+  float px(double at_720) const { return layout_.px(at_720); }
+
+  void stroke(const Vec3d& from, const Vec3d& to, float width, const Color& color, float dash,
+              float gap, float phase) {
+    const std::optional<Segment2> seen = project_segment(camera_, from, to);
+    if (!seen) return;
+    Stroke result{seen->from, seen->to, px(width), color, Cap::Round};
+    // Translucent strokes end flat, for round ends would add up where they meet.
+    if (gap > 0 || color.a < 1) result.cap = Cap::Butt;
+    result.dash = px(dash);
+    result.gap = px(gap);
+    result.phase = phase;
+    out_.primitives.push_back(result);
+  }
+
+  void draw_line(const Line& line) {
+    const LineStyle& style = line.style;
+    if (style.hidden == LineStyle::Hidden::Same) {
+      stroke(line.from, line.to, style.width, style.color, style.dashed ? 10.0f : 0.0f,
+             style.dashed ? 6.0f : 0.0f, 0);
+      return;
+    }
+    for (const Span& span : hidden_.split(line.from, line.to)) {
+      const Vec3d from = line.from + span.from * (line.to - line.from);
+      const Vec3d to = line.from + span.to * (line.to - line.from);
+      if (span.hidden) {
+        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, 0);
+      } else {
+        stroke(from, to, style.width, style.color, 0, 0, 0);
+      }
+    }
+  }
+
+  void head(const Point2& tip, const Point2& from, double size, const Color& color) {
+    const float length = distance(from, tip);
+    if (length <= 0) return;
+    const float ux = (tip.x - from.x) / length;
+    const float uy = (tip.y - from.y) / length;
+    const float s = px(size);
+    const float half = 0.42f * s;
+    const Point2 base{tip.x - s * ux, tip.y - s * uy};
+    const Point2 left{base.x - half * uy, base.y + half * ux};
+    const Point2 right{base.x + half * uy, base.y - half * ux};
+    out_.primitives.push_back(Fill{{tip, left, right}, color});
+    for (const auto& [a, b] :
+         {std::pair{tip, left}, std::pair{left, right}, std::pair{right, tip}}) {
+      out_.primitives.push_back(Stroke{a, b, px(1), color, Cap::Round});
+    }
+  }
+
+  void draw_arrow(const Arrow& arrow) {
+    Vec3d end = arrow.from;
+    if (arrow.to) {
+      end = *arrow.to;
+    } else {
+      end += arrow.pixels * layout_.scale / camera_.pixels_per_metre(arrow.from) * arrow.direction;
+    }
+    const std::optional<Point2> a = camera_.project(arrow.from);
+    const std::optional<Point2> b = camera_.project(end);
+    if (!a || !b || !layout_.view.contains(*a) || !layout_.view.contains(*b)) return;
+    const float length = distance(*a, *b);
+    if (length < px(1)) return;
+    // Short arrows keep their shape: the heads shrink before the shaft is lost.
+    const double size = std::min<double>(arrow.head, 0.45 * length / layout_.scale);
+    const float ux = (b->x - a->x) / length;
+    const float uy = (b->y - a->y) / length;
+    const float inset = px(0.9 * size);
+    const Point2 shaft_end{b->x - inset * ux, b->y - inset * uy};
+    const Point2 shaft_begin =
+        arrow.double_headed ? Point2{a->x + inset * ux, a->y + inset * uy} : *a;
+    if (arrow.halo) {
+      out_.primitives.push_back(
+          Stroke{*a, *b, px(arrow.width + 4), with_alpha(kWhite, 0.85f), Cap::Round});
+    }
+    out_.primitives.push_back(
+        Stroke{shaft_begin, shaft_end, px(arrow.width), arrow.color, Cap::Butt});
+    head(*b, *a, size, arrow.color);
+    if (arrow.double_headed) head(*a, *b, size, arrow.color);
+    placer_.block(*a, *b, px(arrow.width + 6));
+  }
+
+  void draw_mark(const Mark& mark) {
+    const std::optional<Point2> at = camera_.project(mark.at);
+    if (!at || !layout_.view.contains(*at)) return;
+    const auto disc = [&](double inner, double outer, const Color& color) {
+      out_.primitives.push_back(Disc{*at, px(inner), px(outer), color});
+    };
+    switch (mark.kind) {
+      case MarkKind::Dot:
+        disc(0, kDotRadius + kDotHalo, kWhite);
+        disc(0, kDotRadius, mark.color);
+        placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::Hollow:
+        disc(0, kDotRadius + kDotHalo, kWhite);
+        disc(kDotRadius - 2.2, kDotRadius, mark.color);
+        placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::Ring:
+        disc(kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
+        disc(kRingInner, kRingOuter, mark.color);
+        placer_.block(*at, px(kRingOuter));
+        break;
+      case MarkKind::Cross: {
+        const float r = px(kCrossReach);
+        for (const float width : {5.0f, 2.2f}) {
+          const Color color = width > 3 ? with_alpha(kWhite, 0.9f) : mark.color;
+          out_.primitives.push_back(
+              Stroke{{at->x - r, at->y - r}, {at->x + r, at->y + r}, px(width), color, Cap::Round});
+          out_.primitives.push_back(
+              Stroke{{at->x - r, at->y + r}, {at->x + r, at->y - r}, px(width), color, Cap::Round});
+        }
+        placer_.block(*at, r + px(2));
+        break;
+      }
+    }
+  }
+
+  Point2 wanted_direction(const Label& label, const Point2& at) const {
+    std::optional<Point2> other;
+    Point2 direction{0, -1};
+    if (label.direction) {
+      const double step = 20 / camera_.pixels_per_metre(label.at);
+      other = camera_.project(label.at + step * *label.direction);
+      if (other) direction = {other->x - at.x, other->y - at.y};
+    } else {
+      other = camera_.project(sketch_.center);
+      if (other) direction = {at.x - other->x, at.y - other->y};
+    }
+    const float length = std::hypot(direction.x, direction.y);
+    if (length < 1) return {0, -1};
+    return {direction.x / length, direction.y / length};
+  }
+
+  void draw_label(const Label& label) {
+    const std::optional<Point2> at = camera_.project(label.at);
+    if (!at || !layout_.view.contains(*at)) return;
+    const float size = px(label.size);
+    const FontWeight weight = label.bold ? FontWeight::Bold : FontWeight::Regular;
+    const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
+    const std::optional<LabelPlacer::Place> place =
+        placer_.place(*at, text_width(label.text, size, weight), up, descent(size, weight),
+                      px(label.clearance), wanted_direction(label, *at));
+    if (!place) return;
+    if (place->needs_leader) {
+      out_.primitives.push_back(
+          Stroke{*at, place->leader_end, px(3.5), with_alpha(kWhite, 0.8f), Cap::Butt});
+      out_.primitives.push_back(Stroke{*at, place->leader_end, px(1), label.color, Cap::Butt});
+    }
+    Text text;
+    text.text = label.text;
+    text.at = place->left_baseline;
+    text.size = size;
+    text.weight = label.bold ? Weight::Bold : Weight::Regular;
+    text.color = label.color;
+    text.halo = px(2.5);
+    out_.primitives.push_back(text);
+  }
+
+  const Sketch& sketch_;
+  const Camera& camera_;
+  const Layout& layout_;
+  Drawing& out_;
+  LabelPlacer placer_;
+  HiddenLines hidden_;
+};
+
+}  // namespace
+
+void compose(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing) {
+  Composer(sketch, camera, layout, drawing).run();
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "draw/palette.h"
+#include "draw/quantity.h"
+#include "draw/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+Vec3d middle_of(const std::vector<trace::Point>& points) {
+  Vec3d sum = Vec3d::Zero();
+  for (const trace::Point& point : points) sum += point.position;
+  return sum / static_cast<double>(points.size());
+}
+
+// From the point to the surface that it overlaps: towards the incident face, or to both sides of an
+// edge contact's midpoint.
+void draw_whisker(const Scene& scene, const trace::Manifold& manifold, const trace::Point& point,
+                  Sketch& sketch) {
+  const Vec3d overlap = scene.depth_factor * point.separation * manifold.normal;
+  Vec3d from = point.position;
+  Vec3d to = point.position + overlap;
+  if (manifold.axis == "face_b") to = point.position - overlap;
+  if (manifold.axis == "edge_edge") {
+    from = point.position - 0.5 * overlap;
+    to = point.position + 0.5 * overlap;
+  }
+  sketch.lines.push_back({from, to, {5.0f, with_alpha(kWhite, 0.85f)}});
+  sketch.lines.push_back({from, to, {2.5f, kContact}});
+}
+
+}  // namespace
+
+// Gregorius 2015, "Contact Points", "Contact Manifolds" and "Contact Point Reduction".
+void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::string factor = scene.depth_factor == 1
+                                 ? "whisker = overlap"
+                                 : "whisker = overlap × " + spell_number(scene.depth_factor);
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (manifold.points.empty()) continue;
+    if (scene.shows("normals")) {
+      Arrow normal;
+      normal.from = middle_of(manifold.points);
+      normal.direction = manifold.normal;
+      normal.pixels = 78;
+      normal.width = 3;
+      normal.head = 13;
+      normal.color = kNormal;
+      sketch.arrows.push_back(normal);
+      sketch.explain(LegendKind::Normal, "normal, from A to B");
+    }
+  }
+  if (pair.manifolds.empty() || pair.manifolds.front().points.empty()) return;
+
+  const trace::Manifold& manifold = pair.manifolds.front();
+  const bool reduced = scene.shows("reduced") && pair.reduction &&
+                       pair.reduction->kept.size() < pair.reduction->points.size();
+  const std::vector<trace::Point>& all = pair.reduction ? pair.reduction->points : manifold.points;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::size_t choice = i;
+    bool kept = true;
+    if (pair.reduction) {
+      const std::vector<int>& chosen = pair.reduction->kept;
+      const auto found = std::find(chosen.begin(), chosen.end(), static_cast<int>(i));
+      kept = found != chosen.end();
+      choice = static_cast<std::size_t>(found - chosen.begin());
+    }
+    if (reduced && !kept) {
+      sketch.marks.push_back({MarkKind::Cross, all[i].position, kDropped});
+      sketch.explain(LegendKind::Reduced, "reduced away");
+      continue;
+    }
+    if (scene.shows("contacts")) {
+      draw_whisker(scene, manifold, all[i], sketch);
+      sketch.marks.push_back({MarkKind::Dot, all[i].position, kContact});
+      sketch.explain(LegendKind::Contact, "contact point, " + factor);
+    }
+    if (reduced) {
+      sketch.marks.push_back({MarkKind::Ring, all[i].position, kContact});
+      sketch.labels.push_back({.at = all[i].position,
+                               .text = std::to_string(choice + 1),
+                               .color = kContact,
+                               .size = 20,
+                               .bold = true,
+                               .clearance = 14,
+                               .direction = std::nullopt});
+      sketch.explain(LegendKind::Kept, "kept, in order of choice");
+    }
+    if (scene.shows("ids")) {
+      sketch.labels.push_back({.at = all[i].position,
+                               .text = all[i].id,
+                               .color = kText,
+                               .size = 14,
+                               .bold = false,
+                               .clearance = 12,
+                               .direction = std::nullopt});
+    }
+  }
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+#include "draw/camera.h"
+
+namespace contactscope::draw {
+
+/// Flat convex polygons that hide what is behind them, world metres.
+using Occluders = std::vector<std::vector<Vec3d>>;
+
+/// Part of a segment, as parameters along it.
+struct Span {
+  double from = 0, to = 1;
+  bool hidden = false;
+};
+
+/// Decides which parts of lines are hidden. What a convex polygon hides is a convex cone cut off by
+/// its plane, so it hides one interval of a segment (Cyrus and Beck 1978); the union of these
+/// intervals over all occluders is hidden, the rest is seen.
+class HiddenLines {
+ public:
+  HiddenLines(const Camera& camera, const Occluders& occluders);
+
+  /// Seen and hidden parts in order, covering [0, 1].
+  std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
+
+ private:
+  struct HalfSpace {
+    Vec3d normal;
+    double offset;
+  };
+  struct Shadow {
+    std::vector<HalfSpace> bounds;  // inside where normal . x <= offset for all
+  };
+  std::vector<Shadow> shadows_;
+  double border_ = 0;  // metres
+};
+
+}  // namespace contactscope::draw

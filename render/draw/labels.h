@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "draw/camera.h"
+#include "draw/drawing.h"
+
+namespace contactscope::draw {
+
+/// Finds places for labels: never over a mark, another label or the border of the view.
+///
+/// Places are tried on rings around the anchor, nearest ring first and on each ring from the wanted
+/// direction outwards; the first free one is taken. A label that found no free place on any ring is
+/// left out rather than drawn over something.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Rect& view) : view_(view) {}
+
+  /// Keeps labels off a disc, or off a line of some width; pixels.
+  void block(const Point2& center, float radius);
+  void block(const Point2& from, const Point2& to, float width);
+
+  struct Place {
+    Point2 left_baseline;  // where the text begins
+    bool needs_leader = false;
+    Point2 leader_end;  // point of the label's box nearest to the anchor
+  };
+
+  /// `ascent`, `descent`, `width`: size of the text; `direction`: unit, y down.
+  std::optional<Place> place(const Point2& anchor, float width, float ascent, float descent,
+                             float clearance, const Point2& direction);
+
+ private:
+  bool is_free(const Rect& box) const;
+
+  Rect view_;
+  std::vector<Rect> taken_;
+};
+
+}  // namespace contactscope::draw

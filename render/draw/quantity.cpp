@@ -1,0 +1,47 @@
+#include "draw/quantity.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace contactscope::draw {
+namespace {
+
+std::string with_minus_sign(const std::string& text) {
+  return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string printed(const char* format, int precision, double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, precision, value);
+  return buffer.data();
+}
+
+}  // namespace
+
+std::string spell_number(double value) {
+  return with_minus_sign(printed("%.*g", 4, value));
+}
+
+std::string spell_length(double metres) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  constexpr std::array<Unit, 5> kUnits{
+      {{1e3, "km"}, {1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}};
+  const double magnitude = std::abs(metres);
+  if (magnitude == 0) return "0 m";
+  for (const Unit& unit : kUnits) {
+    // From 0.1 m on metres, below that millimetres: what a person would say.
+    const double least = unit.size == 1.0 ? 0.1 : unit.size;
+    if (magnitude < least * 0.9995 && unit.size > 1e-9) continue;
+    const double value = metres / unit.size;
+    const int whole = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    const int decimals = whole >= 3 ? 0 : whole <= 0 ? 3 : 3 - whole;
+    return with_minus_sign(printed("%.*f", decimals, value)) + " " + unit.name;
+  }
+  return "0 m";
+}
+
+}  // namespace contactscope::draw

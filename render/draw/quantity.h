@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace contactscope::draw {
+
+/// A plain number with at most four significant digits and a real minus sign.
+std::string spell_number(double value);
+
+/// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
+std::string spell_length(double metres);
+
+}  // namespace contactscope::draw

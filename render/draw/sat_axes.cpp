@@ -1,0 +1,78 @@
+#include "draw/palette.h"
+#include "draw/quantity.h"
+#include "draw/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+// A two-headed arrow from the support point towards the plane it is measured from, as long as the
+// separation.
+void draw_separation(const Scene& scene, const Vec3d& support, const Vec3d& normal,
+                     double separation, const std::string& name, bool chosen, Sketch& sketch) {
+  const double factor = separation > 0 ? 1.0 : scene.depth_factor;
+  Arrow arrow;
+  arrow.from = support;
+  arrow.to = support - factor * separation * normal;
+  arrow.double_headed = true;
+  arrow.width = chosen ? 3.5f : 2.0f;
+  arrow.head = chosen ? 10.0f : 8.0f;
+  arrow.color = kAxis;
+  sketch.arrows.push_back(arrow);
+  sketch.labels.push_back({.at = 0.5 * (support + *arrow.to),
+                           .text = name + ": " + spell_length(separation) +
+                                   (!chosen          ? ""
+                                    : separation > 0 ? ", the gap"
+                                                     : ", chosen"),
+                           .color = kAxisText,
+                           .size = chosen ? 18.0f : 15.0f,
+                           .bold = chosen,
+                           .clearance = 12,
+                           .direction = std::nullopt});
+}
+
+void draw_face_axis(const Scene& scene, const trace::Pair& pair, const trace::FaceAxis& axis,
+                    bool of_a, Sketch& sketch) {
+  const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
+  if (shape == nullptr) return;
+  const bool chosen = pair.sat->chosen == (of_a ? "face_a" : "face_b");
+  const std::vector<Vec3d> polygon = shape->polygon(axis.face);
+  sketch.surfaces.push_back({polygon, with_alpha(kAxis, chosen ? 0.30f : 0.14f)});
+  sketch.outline(polygon, {chosen ? 2.5f : 1.5f, kAxis});
+  // The separation is measured along the face's outward normal, which for B opposes the axis.
+  const Vec3d outward = of_a ? axis.normal : Vec3d(-axis.normal);
+  draw_separation(scene, axis.support, outward, axis.separation, of_a ? "face of A" : "face of B",
+                  chosen, sketch);
+}
+
+}  // namespace
+
+// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the best axis of each query.
+void draw_sat_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.sat) return;
+  const trace::Sat& sat = *pair.sat;
+  if (sat.face_a) draw_face_axis(scene, pair, *sat.face_a, true, sketch);
+  if (sat.face_b) draw_face_axis(scene, pair, *sat.face_b, false, sketch);
+  if (sat.edge) {
+    const bool chosen = sat.chosen == "edge_edge";
+    const auto highlight = [&](const std::string& name, int edge) {
+      const PlacedShape* shape = scene.find(name);
+      if (shape == nullptr || edge < 0) return;
+      const std::array<int, 2>& ends = shape->mesh->shape->edges[static_cast<std::size_t>(edge)];
+      sketch.lines.push_back({shape->vertices[static_cast<std::size_t>(ends[0])],
+                              shape->vertices[static_cast<std::size_t>(ends[1])],
+                              {chosen ? 5.0f : 3.5f, kAxis}});
+    };
+    highlight(pair.a, sat.edge->a);
+    highlight(pair.b, sat.edge->b);
+    draw_separation(scene, sat.edge->point_b, sat.edge->normal, sat.edge->separation, "edges",
+                    chosen, sketch);
+  }
+  const bool apart = pair.state == "separated";
+  sketch.explain(LegendKind::Axis,
+                 apart ? "separating axis and gap"
+                 : scene.depth_factor == 1
+                     ? "best axis of a query, its overlap"
+                     : "best axis of a query, its overlap × " + spell_number(scene.depth_factor));
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/view.h"
+#include "draw/camera.h"
+#include "draw/sketch.h"
+#include "trace/trace.h"
+
+namespace contactscope::draw {
+
+/// A shape of the trace with what drawing derives from it once: edges with their faces.
+struct ShapeMesh {
+  struct Edge {
+    int from = 0, to = 0;       // vertices
+    int left = -1, right = -1;  // faces; -1 when open
+    bool smooth = false;        // neighbouring facets of a tessellated surface
+  };
+  const trace::Shape* shape = nullptr;
+  std::vector<Edge> edges;
+  std::vector<Vec3d> normals;  // of the faces, local, outward, unit
+  double radius = 0;           // metres, about the centre of mass
+};
+
+ShapeMesh make_mesh(const trace::Shape& shape);
+
+/// A shape placed in the world in one frame.
+struct PlacedShape {
+  const ShapeMesh* mesh = nullptr;
+  Pose<double> pose;
+  std::vector<Vec3d> vertices;  // world
+  bool is_a = true;             // colour: the role in the first pair that names it
+
+  Vec3d normal(int face) const {
+    return pose.rotate(mesh->normals[static_cast<std::size_t>(face)]);
+  }
+  std::vector<Vec3d> polygon(int face) const;
+};
+
+/// All that the layers look at in one frame.
+struct Scene {
+  const View& view;
+  const trace::Header& header;
+  const trace::Frame& frame;
+  std::vector<PlacedShape> shapes;
+  const Camera& camera;
+  double depth_factor = 1;  // overlaps are drawn this many times as long
+
+  bool shows(const char* layer) const;
+  const PlacedShape* find(const std::string& name) const;
+};
+
+std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
+                                      const trace::Frame& frame);
+
+// The layers, one file each, named after what they show.
+void draw_shapes(const Scene& scene, Sketch& sketch);
+void draw_reference_and_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_sat_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_coherent_points(const trace::Pair& pair, Sketch& sketch);
+
+}  // namespace contactscope::draw

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.h"
+#include "draw/depth_order.h"
+#include "draw/drawing.h"
+#include "draw/hidden_lines.h"
+
+/// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
+/// compose() turns it into a Drawing. Lengths in metres where they belong to the scene, in pixels
+/// at 720 lines where they belong to the picture.
+namespace contactscope::draw {
+
+struct LineStyle {
+  float width = 1;  // pixels
+  Color color;
+  bool dashed = false;
+  enum class Hidden { Same, Faint } hidden = Hidden::Same;
+};
+
+struct Line {
+  Vec3d from, to;
+  LineStyle style;
+};
+
+/// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
+struct Arrow {
+  Vec3d from;
+  Vec3d direction = Vec3d::Zero();  // unit
+  float pixels = 0;
+  std::optional<Vec3d> to;
+  bool double_headed = false;
+  float width = 2;
+  float head = 9;  // pixels
+  Color color;
+  bool halo = true;
+};
+
+enum class MarkKind { Dot, Hollow, Ring, Cross };
+
+/// Something of a fixed size on the screen.
+struct Mark {
+  MarkKind kind = MarkKind::Dot;
+  Vec3d at;
+  Color color;
+};
+
+/// Text that wants to stand near a point and finds its own place.
+struct Label {
+  Vec3d at;
+  std::string text;
+  Color color;
+  float size = 14;
+  bool bold = false;
+  double clearance = 8;  // pixels between the point and the text
+  // Places are tried starting in this direction (world); none: away from the sketch's centre.
+  std::optional<Vec3d> direction;
+};
+
+/// What the legend can explain, in drawing order.
+enum class LegendKind {
+  ShapeA,
+  ShapeB,
+  ReferenceFace,
+  SidePlane,
+  IncidentFace,
+  ClipPolygon,
+  Dropped,
+  Reduced,
+  BeforeMove,
+  Contact,
+  Kept,
+  Normal,
+  Axis,
+};
+
+struct LegendEntry {
+  LegendKind kind;
+  std::string text;
+};
+
+struct Sketch {
+  std::vector<Surface> surfaces;
+  Occluders occluders;
+  std::vector<Line> lines;
+  std::vector<Arrow> arrows;
+  std::vector<Mark> marks;
+  std::vector<Label> labels;
+  std::vector<LegendEntry> legend;
+  Vec3d center = Vec3d::Zero();  // labels stand away from it
+
+  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], style});
+    }
+  }
+  /// Adds an entry unless it stands there already.
+  void explain(LegendKind kind, const std::string& text);
+};
+
+}  // namespace contactscope::draw

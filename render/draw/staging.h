@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "core/view.h"
+#include "draw/camera.h"
+#include "draw/layout.h"
+#include "draw/scene.h"
+#include "trace/trace.h"
+
+namespace contactscope::draw {
+
+/// What a whole sequence shares, so that only what changes moves: layout, camera, and the factor by
+/// which overlaps are exaggerated.
+struct Staging {
+  const trace::Header* header = nullptr;  // outlives the staging
+  View view;
+  std::vector<ShapeMesh> meshes;
+  Layout layout;
+  Camera camera;
+  double depth_factor = 1;
+};
+
+/// Looks through all frames once. The view's own eye, target and lens are used where it names them;
+/// the rest is fitted: to the contact patches, seen from 30 degrees above the contact plane and
+/// about half as wide as the view, or to all shapes when nothing touches or the view asks for it.
+Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
+              const View& view, int width, int height);
+
+}  // namespace contactscope::draw
