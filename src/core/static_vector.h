@@ -1,14 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cassert>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 
 namespace contactscope {
 
 /// Sequence of at most `N` values without a heap allocation. Elements beyond size() are left
-/// uninitialised, so a large capacity costs nothing but stack.
+/// uninitialised, also when `T` has default member initialisers, so a large capacity costs nothing
+/// but stack.
 template <class T, std::size_t N>
 class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>);
@@ -19,7 +20,7 @@ class StaticVector {
   StaticVector(const StaticVector& other) { *this = other; }
   StaticVector& operator=(const StaticVector& other) {
     size_ = other.size_;
-    for (std::size_t i = 0; i < size_; ++i) items_[i] = other.items_[i];
+    for (std::size_t i = 0; i < size_; ++i) std::construct_at(items_ + i, other.items_[i]);
     return *this;
   }
 
@@ -30,7 +31,8 @@ class StaticVector {
 
   void push_back(const T& value) {
     assert(size_ < N);
-    items_[size_++] = value;
+    std::construct_at(items_ + size_, value);
+    ++size_;
   }
   /// Shrinks to the first `size` elements.
   void truncate(std::size_t size) {
@@ -49,16 +51,19 @@ class StaticVector {
   T& back() { return (*this)[size_ - 1]; }
   const T& back() const { return (*this)[size_ - 1]; }
 
-  T* data() { return items_.data(); }
-  const T* data() const { return items_.data(); }
-  T* begin() { return items_.data(); }
-  T* end() { return items_.data() + size_; }
-  const T* begin() const { return items_.data(); }
-  const T* end() const { return items_.data() + size_; }
+  T* data() { return items_; }
+  const T* data() const { return items_; }
+  T* begin() { return items_; }
+  T* end() { return items_ + size_; }
+  const T* begin() const { return items_; }
+  const T* end() const { return items_ + size_; }
 
  private:
   std::size_t size_ = 0;
-  std::array<T, N> items_;
+  // In a union nothing constructs the elements: push_back and assignment do, one by one.
+  union {
+    T items_[N];
+  };
 };
 
 }  // namespace contactscope
