@@ -1,0 +1,63 @@
+#include "query/sat.h"
+
+#include "query/tolerance.h"
+
+namespace contactscope {
+namespace {
+
+/// Talk: "the minimizing feature defines the contact type". Faces of A before faces of B before
+/// edges: strictly by depth without a preference, within its tolerance with it.
+template <class S>
+AxisKind choose(const SatResult<S>& queries, S tolerance) {
+  const S least = queries.separation(queries.deepest) - tolerance;
+  if (queries.face_a.separation >= least) return AxisKind::FaceA;
+  if (queries.face_b.separation >= least) return AxisKind::FaceB;
+  return AxisKind::EdgeEdge;
+}
+
+template <class S>
+AxisKind deepest_axis(const SatResult<S>& queries) {
+  AxisKind kind = AxisKind::FaceA;
+  if (queries.face_b.separation > queries.separation(kind)) kind = AxisKind::FaceB;
+  const bool has_edge = queries.edge.edge_a >= 0;
+  if (has_edge && queries.edge.separation > queries.separation(kind)) kind = AxisKind::EdgeEdge;
+  return kind;
+}
+
+}  // namespace
+
+template <class S>
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
+  const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
+  SatResult<S> result;
+
+  result.face_a = query_faces(pair.a, pair.b, tie);
+  result.queries_run = 1;
+  result.chosen = result.deepest = AxisKind::FaceA;
+  if (result.face_a.separation > margin) return result;  // we found a separating axis
+
+  result.face_b = query_faces(pair.b, pair.a, tie);
+  result.queries_run = 2;
+  result.chosen = result.deepest = AxisKind::FaceB;
+  if (result.face_b.separation > margin) return result;  // we found a separating axis
+
+  result.edge = query_edges(pair, tie);
+  result.queries_run = 3;
+  result.chosen = result.deepest = AxisKind::EdgeEdge;
+  const bool has_edge = result.edge.edge_a >= 0;
+  if (has_edge && result.edge.separation > margin) return result;  // we found a separating axis
+
+  // No separating axis: the hulls overlap, or are within the margin of each other.
+  result.status = SatStatus::Touching;
+  result.deepest = deepest_axis(result);
+  const S tolerance = preference == Preference::Relative
+                          ? preference_tolerance(result.separation(result.deepest), pair.min_radius)
+                          : S(0);
+  result.chosen = choose(result, tolerance);
+  return result;
+}
+
+template SatResult<float> sat(const HullPair<float>&, float, Preference);
+template SatResult<double> sat(const HullPair<double>&, double, Preference);
+
+}  // namespace contactscope

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/manifold.h"
-#include "core/pose.h"
-#include "geometry/hull.h"
+#include "core/preference.h"
+#include "query/hull_pair.h"
 
+/// The separating axis test between two hulls. Source: Gregorius 2015, "Hull vs Hull: The
+/// Separating Axis Test" and the slides after it. Everything is in A's frame, metres.
 namespace contactscope {
 
 /// Best face of one hull against the other hull. Separation in metres: the distance of the other
@@ -12,7 +14,7 @@ template <class S>
 struct FaceQuery {
   int face = -1;
   int support = -1;  // vertex of the other hull, deepest below the face
-  S separation;
+  S separation = 0;
 };
 
 /// Best edge pair that forms a face of the Minkowski difference.
@@ -20,13 +22,55 @@ template <class S>
 struct EdgeQuery {
   int edge_a = -1;  // half-edges; -1 when no pair of edges forms a Minkowski face
   int edge_b = -1;
-  S separation;
-  Vec3<S> normal;  // unit, from A to B, in A's frame
+  S separation = 0;                   // metres, negative in overlap
+  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame
 };
 
 enum class SatStatus {
-  Separated,  // `chosen` names the first axis found with separation > margin
+  Separated,  // `chosen` names the first query that found a separation > margin
   Touching,   // `chosen` names the axis that makes the contact
 };
+
+/// What the queries found. Queries run in the order face A, face B, edges and stop at the first
+/// whose best axis separates; the results of those that did not run keep their initial values.
+template <class S>
+struct SatResult {
+  SatStatus status = SatStatus::Separated;
+  AxisKind chosen = AxisKind::FaceA;   // see SatStatus
+  AxisKind deepest = AxisKind::FaceA;  // the axis of largest separation, whatever is preferred
+  int queries_run = 0;                 // 1 to 3
+  FaceQuery<S> face_a;
+  FaceQuery<S> face_b;
+  EdgeQuery<S> edge;
+
+  /// Metres, negative in overlap. `kind` must have run; an edge query without a pair has none.
+  S separation(AxisKind kind) const {
+    switch (kind) {
+      case AxisKind::FaceA:
+        return face_a.separation;
+      case AxisKind::FaceB:
+        return face_b.separation;
+      case AxisKind::EdgeEdge:
+        break;
+    }
+    return edge.separation;
+  }
+};
+
+/// The face of `reference` that is farthest from `other`. A face must beat an earlier one by more
+/// than `tie` (metres, >= 0) to replace it.
+template <class S>
+FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& other, S tie);
+
+/// The edge pair of largest separation among those that form a face of the Minkowski difference. A
+/// pair must beat an earlier one by more than `tie` (metres, >= 0) to replace it. Nearly parallel
+/// edges, whose cross product says little, are measured with support points (see tolerance.h).
+template <class S>
+EdgeQuery<S> query_edges(const HullPair<S>& pair, S tie);
+
+/// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
+/// more than `margin` (metres, >= 0) apart.
+template <class S>
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference);
 
 }  // namespace contactscope

@@ -1,0 +1,129 @@
+#include "query/hull_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contactscope {
+namespace {
+
+/// Directions are taken in the hull's own frame, before the position is added: there the vertices
+/// are as exact as they were given.
+template <class S>
+void gather_edges(const Hull<S>& hull, VectorLanes<S, 192>& directions) {
+  for (int e = 0; e < directions.count(); ++e) {
+    directions.set(e, Vec3<S>(hull.target(2 * e) - hull.origin(2 * e)));
+  }
+  directions.fill_padding(Vec3<S>::UnitX());
+}
+
+template <class S>
+void normalize(VectorLanes<S, 192>& directions) {
+  S* __restrict x = directions.x();
+  S* __restrict y = directions.y();
+  S* __restrict z = directions.z();
+  const int count = directions.padded_count();
+  for (int i = 0; i < count; ++i) {
+    const S scale = S(1) / std::sqrt(dot(x[i], y[i], z[i], x[i], y[i], z[i]));
+    x[i] *= scale;
+    y[i] *= scale;
+    z[i] *= scale;
+  }
+}
+
+template <class S, int N>
+void rotate(const Mat3<S>& rotation, VectorLanes<S, N>& vectors) {
+  S* __restrict x = vectors.x();
+  S* __restrict y = vectors.y();
+  S* __restrict z = vectors.z();
+  const S xx = rotation(0, 0), xy = rotation(0, 1), xz = rotation(0, 2);
+  const S yx = rotation(1, 0), yy = rotation(1, 1), yz = rotation(1, 2);
+  const S zx = rotation(2, 0), zy = rotation(2, 1), zz = rotation(2, 2);
+  const int count = vectors.padded_count();
+  for (int i = 0; i < count; ++i) {
+    const S px = x[i], py = y[i], pz = z[i];
+    x[i] = dot(xx, xy, xz, px, py, pz);
+    y[i] = dot(yx, yy, yz, px, py, pz);
+    z[i] = dot(zx, zy, zz, px, py, pz);
+  }
+}
+
+template <class S, int N>
+void translate(const Vec3<S>& by, VectorLanes<S, N>& points) {
+  const int count = points.padded_count();
+  for (int i = 0; i < count; ++i) points.x()[i] += by.x();
+  for (int i = 0; i < count; ++i) points.y()[i] += by.y();
+  for (int i = 0; i < count; ++i) points.z()[i] += by.z();
+}
+
+template <class S>
+void gather(const Hull<S>& hull, PlacedHull<S>& placed) {
+  for (int i = 0; i < hull.vertex_count(); ++i) {
+    placed.vertices.set(i, hull.vertices[static_cast<std::size_t>(i)]);
+  }
+  placed.vertices.fill_padding(Vec3<S>::Zero());
+  for (int i = 0; i < hull.face_count(); ++i) {
+    const Plane<S>& plane = hull.planes[static_cast<std::size_t>(i)];
+    placed.normals.set(i, plane.normal);
+    placed.offsets[i] = plane.offset;
+  }
+  placed.normals.fill_padding(Vec3<S>::Zero());
+  // A padding face lies infinitely deep, so that no query picks it.
+  for (int i = hull.face_count(); i < padded(hull.face_count()); ++i) {
+    placed.offsets[i] = std::numeric_limits<S>::infinity();
+  }
+  gather_edges(hull, placed.directions);
+}
+
+}  // namespace
+
+template <class S>
+PlacedHull<S>::PlacedHull(const Hull<S>& placed)
+    : hull(placed),
+      vertices(placed.vertex_count()),
+      normals(placed.face_count()),
+      offsets(padded(placed.face_count())),
+      directions(placed.edge_count()) {
+  gather(placed, *this);
+  normalize(directions);
+}
+
+template <class S>
+PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& rotation, const Vec3<S>& position)
+    : hull(placed),
+      vertices(placed.vertex_count()),
+      normals(placed.face_count()),
+      offsets(padded(placed.face_count())),
+      directions(placed.edge_count()) {
+  gather(placed, *this);
+  rotate(rotation, vertices);
+  translate(position, vertices);
+  rotate(rotation, normals);
+  const int faces = normals.padded_count();
+  for (int i = 0; i < faces; ++i) {
+    offsets[i] += dot(normals.x()[i], normals.y()[i], normals.z()[i], position.x(), position.y(),
+                      position.z());
+  }
+  rotate(rotation, directions);
+  normalize(directions);
+}
+
+template <class S>
+HullPair<S>::HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a)
+    : HullPair(hull_a, hull_b, b_in_a.rotation.toRotationMatrix(), b_in_a.position) {}
+
+template <class S>
+HullPair<S>::HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Mat3<S>& rotation,
+                      const Vec3<S>& position)
+    : a(hull_a),
+      b(hull_b, rotation, position),
+      scale(hull_a.centroid.norm() + hull_a.radius + hull_b.centroid.norm() + hull_b.radius +
+            position.norm()),
+      min_radius(std::min(hull_a.radius, hull_b.radius)) {}
+
+template struct PlacedHull<float>;
+template struct PlacedHull<double>;
+template struct HullPair<float>;
+template struct HullPair<double>;
+
+}  // namespace contactscope

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/plane.h"
+#include "core/pose.h"
+#include "geometry/hull.h"
+#include "query/lanes.h"
+
+namespace contactscope {
+
+/// A hull placed in the frame in which a pair is worked on, laid out for the loops of the queries.
+/// Topology stays in `hull`, which must outlive this. No heap up to 64 vertices, 192 edges and 128
+/// faces.
+template <class S>
+struct PlacedHull {
+  /// `hull_in_frame`: rotation and position of the hull's own frame in the common one.
+  PlacedHull(const Hull<S>& placed, const Mat3<S>& rotation, const Vec3<S>& position);
+  /// The hull whose own frame is the common one.
+  explicit PlacedHull(const Hull<S>& placed);
+
+  Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
+  /// Unit vector along a half-edge, from its origin to its target.
+  Vec3<S> direction(int half_edge) const {
+    const Vec3<S> along = directions[half_edge / 2];
+    return half_edge % 2 == 0 ? along : Vec3<S>(-along);
+  }
+  const HalfEdge& half_edge(int index) const {
+    return hull.half_edges[static_cast<std::size_t>(index)];
+  }
+  Vec3<S> origin(int half_edge_index) const { return vertices[half_edge(half_edge_index).origin]; }
+
+  const Hull<S>& hull;
+  VectorLanes<S, 64> vertices;
+  VectorLanes<S, 128> normals;     // of the faces, outward, unit
+  Scratch<S, 128> offsets;         // of the face planes; padding lies behind every point
+  VectorLanes<S, 192> directions;  // unit, of half-edge 2e for edge e
+};
+
+/// Two hulls in A's frame. Working there, near the origin, costs a pair far from the world's origin
+/// no more than its poses have lost already.
+template <class S>
+struct HullPair {
+  HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a);
+
+  PlacedHull<S> a;
+  PlacedHull<S> b;
+  /// Metres: no coordinate, nor any intermediate value of one, is larger than this.
+  S scale;
+  /// Metres: the smaller of the two radii.
+  S min_radius;
+
+ private:
+  HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Mat3<S>& rotation,
+           const Vec3<S>& position);
+};
+
+}  // namespace contactscope
