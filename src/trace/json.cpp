@@ -1,0 +1,159 @@
+#include "trace/json.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace contactscope::trace {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order of FORMATS.md
+
+/// The library would write nan and infinity as null, and nobody would notice.
+Json number(double value, const char* key) {
+  if (!std::isfinite(value))
+    throw std::domain_error(std::string("trace: '") + key +
+                            "' is not a finite number, which JSON cannot hold");
+  return value;
+}
+
+Json vector(const Vec3d& v, const char* key) {
+  return Json::array({number(v.x(), key), number(v.y(), key), number(v.z(), key)});
+}
+
+Json vectors(const std::vector<Vec3d>& items, const char* key) {
+  Json list = Json::array();
+  for (const Vec3d& item : items) list.push_back(vector(item, key));
+  return list;
+}
+
+Json shape(const Shape& s) {
+  return {{"type", s.type},
+          {"vertices", vectors(s.vertices, "vertices")},
+          {"faces", s.faces},
+          {"edges", s.edges},
+          {"center_of_mass", vector(s.center_of_mass, "center_of_mass")}};
+}
+
+Json point(const Point& p) {
+  return {{"position", vector(p.position, "position")},
+          {"separation", number(p.separation, "separation")},
+          {"id", p.id}};
+}
+
+Json points(const std::vector<Point>& items) {
+  Json list = Json::array();
+  for (const Point& item : items) list.push_back(point(item));
+  return list;
+}
+
+Json manifold(const Manifold& m) {
+  return {{"normal", vector(m.normal, "normal")},
+          {"axis", m.axis},
+          {"triangle", m.triangle ? Json(*m.triangle) : Json(nullptr)},
+          {"points", points(m.points)}};
+}
+
+Json face_axis(const FaceAxis& axis) {
+  return {{"face", axis.face},
+          {"separation", number(axis.separation, "separation")},
+          {"normal", vector(axis.normal, "normal")},
+          {"support", vector(axis.support, "support")}};
+}
+
+Json edge_axis(const EdgeAxis& axis) {
+  return {{"a", axis.a},
+          {"b", axis.b},
+          {"separation", number(axis.separation, "separation")},
+          {"normal", vector(axis.normal, "normal")},
+          {"point_a", vector(axis.point_a, "point_a")},
+          {"point_b", vector(axis.point_b, "point_b")}};
+}
+
+Json sat(const Sat& s) {
+  Json json = Json::object();
+  if (s.face_a) json["face_a"] = face_axis(*s.face_a);
+  if (s.face_b) json["face_b"] = face_axis(*s.face_b);
+  if (s.edge) json["edge"] = edge_axis(*s.edge);
+  json["chosen"] = s.chosen;
+  json["preference"] = s.preference;
+  return json;
+}
+
+Json clip(const Clip& c) {
+  Json steps = Json::array();
+  for (const ClipStep& step : c.steps)
+    steps.push_back(
+        {{"plane",
+          {{"normal", vector(step.normal, "normal")}, {"offset", number(step.offset, "offset")}}},
+         {"polygon", vectors(step.polygon, "polygon")}});
+  Json dropped = Json::array();
+  for (const DroppedPoint& d : c.dropped)
+    dropped.push_back({{"position", vector(d.position, "position")}, {"reason", d.reason}});
+  const auto face = [](const ClipFace& f) -> Json {
+    return {{"shape", f.shape},
+            {"face", f.face},
+            {"normal", vector(f.normal, "normal")},
+            {"polygon", vectors(f.polygon, "polygon")}};
+  };
+  return {{"reference", face(c.reference)},
+          {"incident", face(c.incident)},
+          {"steps", std::move(steps)},
+          {"dropped", std::move(dropped)}};
+}
+
+Json reduction(const Reduction& r) {
+  return {{"method", r.method},
+          {"points", points(r.points)},
+          {"kept", r.kept},
+          {"area", number(r.area, "area")},
+          {"best_area", number(r.best_area, "best_area")}};
+}
+
+Json pair(const Pair& p) {
+  Json json = {{"a", p.a}, {"b", p.b}};
+  if (!p.label.empty()) json["label"] = p.label;
+  json["kind"] = p.kind;
+  json["state"] = p.state;
+  json["separation"] = number(p.separation, "separation");
+  json["manifolds"] = Json::array();
+  for (const Manifold& m : p.manifolds) json["manifolds"].push_back(manifold(m));
+  if (p.sat) json["sat"] = sat(*p.sat);
+  if (p.clip) json["clip"] = clip(*p.clip);
+  if (p.reduction) json["reduction"] = reduction(*p.reduction);
+  return json;
+}
+
+Json pose(const Pose<double>& p) {
+  const Quatd& q = p.rotation;
+  return {{"position", vector(p.position, "position")},
+          {"quat_wxyz", Json::array({number(q.w(), "quat_wxyz"), number(q.x(), "quat_wxyz"),
+                                     number(q.y(), "quat_wxyz"), number(q.z(), "quat_wxyz")})}};
+}
+
+}  // namespace
+
+std::string to_json_line(const Header& header) {
+  Json shapes = Json::object();
+  for (const Shape& s : header.shapes) shapes[s.name] = shape(s);
+  const Json json = {{"schema", kSchema},       {"scenario", header.scenario},
+                     {"title", header.title},   {"source", header.source},
+                     {"scalar", header.scalar}, {"up", header.up},
+                     {"frames", header.frames}, {"shapes", std::move(shapes)}};
+  return json.dump();
+}
+
+std::string to_json_line(const Frame& frame) {
+  Json poses = Json::object();
+  for (const auto& [name, p] : frame.poses) poses[name] = pose(p);
+  Json pairs = Json::array();
+  for (const Pair& p : frame.pairs) pairs.push_back(pair(p));
+  const Json json = {{"frame", frame.frame},
+                     {"time", number(frame.time, "time")},
+                     {"poses", std::move(poses)},
+                     {"pairs", std::move(pairs)}};
+  return json.dump();
+}
+
+}  // namespace contactscope::trace

@@ -1,0 +1,296 @@
+#include <cmath>
+#include <istream>
+#include <limits>
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "core/input_error.h"
+#include "trace/json.h"
+
+namespace contactscope::trace {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keeps the order of shapes and poses
+
+/// What is wrong inside of a line that is JSON; read_trace adds file and line.
+struct Complaint {
+  std::string message;
+};
+
+/// A JSON value and the place in its line, "pairs[0].sat.face_a", which complaints name.
+class Node {
+ public:
+  Node(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw Complaint{"'" + place_ + "' " + message};
+  }
+
+  Node at(const char* key) const {
+    if (auto found = find(key)) return *found;
+    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
+    throw Complaint{where + " has no key '" + key + "'; a trace needs it"};
+  }
+  /// Nothing when the key is missing or null: null is how some writers say "not there".
+  std::optional<Node> find(const char* key) const {
+    if (!json_->is_object()) wrong_type("an object");
+    const auto found = json_->find(key);
+    if (found == json_->end() || found->is_null()) return std::nullopt;
+    return Node(*found, place_.empty() ? key : place_ + "." + key);
+  }
+  std::vector<Node> items() const {
+    if (!json_->is_array()) wrong_type("an array");
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < json_->size(); ++i)
+      nodes.emplace_back((*json_)[i], place_ + "[" + std::to_string(i) + "]");
+    return nodes;
+  }
+  std::vector<std::pair<std::string, Node>> members() const {
+    if (!json_->is_object()) wrong_type("an object");
+    std::vector<std::pair<std::string, Node>> nodes;
+    for (const auto& [key, value] : json_->items())
+      nodes.emplace_back(key, Node(value, place_ + "." + key));
+    return nodes;
+  }
+
+  std::string string() const {
+    if (!json_->is_string()) wrong_type("a string");
+    return json_->get<std::string>();
+  }
+  double number() const {
+    if (!json_->is_number()) wrong_type("a number");
+    return json_->get<double>();
+  }
+  int integer() const {
+    if (!json_->is_number_integer()) wrong_type("an integer");
+    constexpr auto kMax = std::numeric_limits<int>::max();
+    // Unsigned first: the signed reading of a number beyond 2^63 would wrap.
+    const bool huge = json_->is_number_unsigned() &&
+                      json_->get<std::uint64_t>() > static_cast<std::uint64_t>(kMax);
+    if (huge || json_->get<std::int64_t>() < -1) fail("is out of range");
+    return json_->get<int>();
+  }
+  /// An index into `count` things.
+  int index(std::size_t count, const char* things) const {
+    const int value = integer();
+    if (value < 0 || static_cast<std::size_t>(value) >= count)
+      fail("is " + std::to_string(value) + ", but there are " + std::to_string(count) + " " +
+           things);
+    return value;
+  }
+  Vec3d vector() const {
+    const std::vector<Node> parts = items();
+    if (parts.size() != 3) fail("must have three numbers");
+    return {parts[0].number(), parts[1].number(), parts[2].number()};
+  }
+  std::vector<Vec3d> vectors() const {
+    std::vector<Vec3d> list;
+    for (const Node& item : items()) list.push_back(item.vector());
+    return list;
+  }
+
+  std::string string_or_empty(const char* key) const {
+    const auto found = find(key);
+    return found ? found->string() : std::string();
+  }
+  Vec3d vector_or_zero(const char* key) const {
+    const auto found = find(key);
+    return found ? found->vector() : Vec3d(Vec3d::Zero());
+  }
+
+ private:
+  [[noreturn]] void wrong_type(const char* wanted) const {
+    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
+    throw Complaint{where + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
+  }
+
+  const Json* json_;
+  std::string place_;
+};
+
+/// Undirected edges in the order in which the faces first run along them.
+std::vector<std::array<int, 2>> edges_of(const std::vector<std::vector<int>>& faces) {
+  std::vector<std::array<int, 2>> edges;
+  std::map<std::array<int, 2>, bool> seen;
+  for (const std::vector<int>& face : faces)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const int from = face[i];
+      const int to = face[(i + 1) % face.size()];
+      if (seen.emplace(std::array<int, 2>{std::min(from, to), std::max(from, to)}, true).second)
+        edges.push_back({from, to});
+    }
+  return edges;
+}
+
+Shape read_shape(const std::string& name, const Node& node) {
+  Shape shape;
+  shape.name = name;
+  shape.type = node.string_or_empty("type");
+  shape.vertices = node.at("vertices").vectors();
+  for (const Node& face : node.at("faces").items()) {
+    std::vector<int> loop;
+    for (const Node& index : face.items())
+      loop.push_back(index.index(shape.vertices.size(), "vertices"));
+    shape.faces.push_back(std::move(loop));
+  }
+  if (const auto edges = node.find("edges")) {
+    for (const Node& edge : edges->items()) {
+      const std::vector<Node> ends = edge.items();
+      if (ends.size() != 2) edge.fail("must have two vertex indices");
+      shape.edges.push_back({ends[0].index(shape.vertices.size(), "vertices"),
+                             ends[1].index(shape.vertices.size(), "vertices")});
+    }
+  } else {
+    shape.edges = edges_of(shape.faces);
+  }
+  shape.center_of_mass = node.vector_or_zero("center_of_mass");
+  return shape;
+}
+
+Header read_header(const Node& node) {
+  const Node schema = node.at("schema");
+  if (schema.string() != kSchema)
+    schema.fail("is '" + schema.string() + "'; '" + kSchema + "' is what can be read here");
+  Header header;
+  header.scenario = node.at("scenario").string();
+  header.title = node.string_or_empty("title");
+  header.source = node.string_or_empty("source");
+  header.scalar = node.at("scalar").string();
+  header.up = node.at("up").string();
+  header.frames = node.at("frames").integer();
+  for (const auto& [name, shape] : node.at("shapes").members())
+    header.shapes.push_back(read_shape(name, shape));
+  return header;
+}
+
+std::vector<Point> read_points(const Node& node) {
+  std::vector<Point> points;
+  for (const Node& item : node.items())
+    points.push_back(
+        {item.at("position").vector(), item.at("separation").number(), item.string_or_empty("id")});
+  return points;
+}
+
+FaceAxis read_face_axis(const Node& node) {
+  return {node.at("face").integer(), node.at("separation").number(), node.vector_or_zero("normal"),
+          node.vector_or_zero("support")};
+}
+
+Sat read_sat(const Node& node) {
+  Sat sat;
+  if (const auto axis = node.find("face_a")) sat.face_a = read_face_axis(*axis);
+  if (const auto axis = node.find("face_b")) sat.face_b = read_face_axis(*axis);
+  if (const auto axis = node.find("edge"))
+    sat.edge = EdgeAxis{axis->at("a").integer(),         axis->at("b").integer(),
+                        axis->at("separation").number(), axis->vector_or_zero("normal"),
+                        axis->vector_or_zero("point_a"), axis->vector_or_zero("point_b")};
+  sat.chosen = node.at("chosen").string();
+  sat.preference = node.string_or_empty("preference");
+  return sat;
+}
+
+ClipFace read_clip_face(const Node& node) {
+  return {node.at("shape").string(), node.at("face").integer(), node.vector_or_zero("normal"),
+          node.at("polygon").vectors()};
+}
+
+Clip read_clip(const Node& node) {
+  Clip clip;
+  clip.reference = read_clip_face(node.at("reference"));
+  clip.incident = read_clip_face(node.at("incident"));
+  for (const Node& step : node.at("steps").items()) {
+    const Node plane = step.at("plane");
+    clip.steps.push_back(
+        {plane.at("normal").vector(), plane.at("offset").number(), step.at("polygon").vectors()});
+  }
+  for (const Node& dropped : node.at("dropped").items())
+    clip.dropped.push_back({dropped.at("position").vector(), dropped.at("reason").string()});
+  return clip;
+}
+
+Reduction read_reduction(const Node& node) {
+  Reduction reduction;
+  reduction.method = node.at("method").string();
+  reduction.points = read_points(node.at("points"));
+  for (const Node& kept : node.at("kept").items())
+    reduction.kept.push_back(kept.index(reduction.points.size(), "points"));
+  reduction.area = node.at("area").number();
+  reduction.best_area = node.at("best_area").number();
+  return reduction;
+}
+
+Pair read_pair(const Node& node) {
+  Pair pair;
+  pair.a = node.at("a").string();
+  pair.b = node.at("b").string();
+  pair.label = node.string_or_empty("label");
+  pair.kind = node.at("kind").string();
+  pair.state = node.at("state").string();
+  pair.separation = node.at("separation").number();
+  for (const Node& item : node.at("manifolds").items()) {
+    Manifold manifold;
+    manifold.normal = item.at("normal").vector();
+    manifold.axis = item.at("axis").string();
+    if (const auto triangle = item.find("triangle")) manifold.triangle = triangle->integer();
+    manifold.points = read_points(item.at("points"));
+    pair.manifolds.push_back(std::move(manifold));
+  }
+  if (const auto sat = node.find("sat")) pair.sat = read_sat(*sat);
+  if (const auto clip = node.find("clip")) pair.clip = read_clip(*clip);
+  if (const auto reduction = node.find("reduction")) pair.reduction = read_reduction(*reduction);
+  return pair;
+}
+
+Frame read_frame(const Node& node) {
+  Frame frame;
+  frame.frame = node.at("frame").integer();
+  frame.time = node.at("time").number();
+  for (const auto& [name, pose] : node.at("poses").members()) {
+    const std::vector<Node> q = pose.at("quat_wxyz").items();
+    if (q.size() != 4) pose.fail("needs four numbers in 'quat_wxyz'");
+    frame.poses.emplace_back(
+        name, Pose<double>{Quatd(q[0].number(), q[1].number(), q[2].number(), q[3].number()),
+                           pose.at("position").vector()});
+  }
+  for (const Node& pair : node.at("pairs").items()) frame.pairs.push_back(read_pair(pair));
+  return frame;
+}
+
+}  // namespace
+
+Trace read_trace(std::istream& in, const std::string& name) {
+  Trace trace;
+  bool has_header = false;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      const Json json = Json::parse(line);
+      const Node node(json, "");
+      if (has_header) {
+        trace.frames.push_back(read_frame(node));
+      } else {
+        trace.header = read_header(node);
+        has_header = true;
+      }
+    } catch (const nlohmann::json::parse_error& error) {
+      throw InputError(name, number, static_cast<int>(error.byte),
+                       "this line is no JSON; a trace has one object on each line (" +
+                           std::string(error.what()) + ")");
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError(name, number, 1, error.what());
+    } catch (const Complaint& complaint) {
+      throw InputError(name, number, 1, complaint.message);
+    }
+  }
+  if (!has_header)
+    throw InputError(name, 0, 0,
+                     std::string("the trace is empty; its first line must be a header with "
+                                 "\"schema\":\"") +
+                         kSchema + "\"");
+  return trace;
+}
+
+}  // namespace contactscope::trace

@@ -1,0 +1,146 @@
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "core/input_error.h"
+#include "trace/json.h"
+#include "trace/sample_trace.h"
+
+namespace contactscope::trace {
+namespace {
+
+using nlohmann::ordered_json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// what() of the InputError that reading `text` ends in.
+std::string complaint(const std::string& text) {
+  std::istringstream in(text);
+  try {
+    read_trace(in, "run.jsonl");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+std::string header_line() {
+  return to_json_line(sample_header()) + "\n";
+}
+
+/// The sample frame with the value at a JSON pointer replaced.
+std::string frame_with(const char* pointer, const ordered_json& value) {
+  ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
+  frame.at(ordered_json::json_pointer(pointer)) = value;
+  return header_line() + frame.dump();
+}
+
+std::string frame_without(const char* parent, const char* key) {
+  ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
+  frame.at(ordered_json::json_pointer(parent)).erase(key);
+  return header_line() + frame.dump();
+}
+
+TEST(ReadTrace, BrokenJsonIsNamedByLineAndColumn) {
+  EXPECT_THAT(complaint(header_line() + "{\"frame\":0,,}"), StartsWith("run.jsonl:2:12: "));
+  EXPECT_THAT(complaint("garbage"), StartsWith("run.jsonl:1:1: this line is no JSON"));
+  EXPECT_THAT(complaint(to_json_line(sample_header()).substr(0, 40)),
+              StartsWith("run.jsonl:1:41: "));
+  EXPECT_THAT(complaint(header_line() + "\xff\xfe"), StartsWith("run.jsonl:2:1: "));
+  EXPECT_THAT(complaint(std::string(100000, '[')), StartsWith("run.jsonl:1:100001: "));
+  EXPECT_THAT(complaint("{\"schema\": 1e999}"), StartsWith("run.jsonl:1:1: "));
+}
+
+TEST(ReadTrace, AnEmptyFileAsksForItsHeader) {
+  EXPECT_THAT(complaint(""), HasSubstr("run.jsonl: the trace is empty"));
+  EXPECT_THAT(complaint("\n  \n"), HasSubstr("contactscope.trace/1"));
+}
+
+TEST(ReadTrace, AnotherSchemaIsRefused) {
+  ordered_json header = ordered_json::parse(to_json_line(sample_header()));
+  header["schema"] = "contactscope.trace/2";
+  EXPECT_THAT(complaint(header.dump()),
+              HasSubstr("'schema' is 'contactscope.trace/2'; 'contactscope.trace/1' is"));
+  EXPECT_THAT(complaint(to_json_line(sample_frame())), HasSubstr("has no key 'schema'"));
+}
+
+TEST(ReadTrace, AMissingKeyIsNamedWithItsPlace) {
+  EXPECT_THAT(complaint(frame_without("/pairs/0/manifolds/1", "normal")),
+              HasSubstr("run.jsonl:2:1: 'pairs[0].manifolds[1]' has no key 'normal'"));
+  EXPECT_THAT(complaint(frame_without("", "poses")), HasSubstr("has no key 'poses'"));
+}
+
+TEST(ReadTrace, AWrongTypeIsNamedWithItsPlace) {
+  EXPECT_THAT(complaint(frame_with("/pairs/0/sat/face_b/separation", "deep")),
+              HasSubstr("'pairs[0].sat.face_b.separation' is of type string; a number"));
+  EXPECT_THAT(complaint(frame_with("/frame", 1.5)), HasSubstr("'frame' is of type number"));
+  EXPECT_THAT(complaint(frame_with("/frame", 18446744073709551615u)),
+              HasSubstr("'frame' is out of range"));
+  EXPECT_THAT(complaint(frame_with("/frame", -5000000000)), HasSubstr("'frame' is out of range"));
+  EXPECT_THAT(complaint(frame_with("/pairs", ordered_json::object())),
+              HasSubstr("'pairs' is of type object; an array"));
+  EXPECT_THAT(complaint(frame_with("/poses/zebra", 3)), HasSubstr("'poses.zebra' is of type"));
+  EXPECT_THAT(complaint(frame_with("/poses/zebra/quat_wxyz", {1, 0, 0})),
+              HasSubstr("needs four numbers"));
+  EXPECT_THAT(complaint(frame_with("/pairs/0/manifolds/0/normal", {0, 1})),
+              HasSubstr("must have three numbers"));
+  EXPECT_THAT(complaint(header_line() + "[]"), HasSubstr("the line is of type array"));
+}
+
+TEST(ReadTrace, AnIndexThatPointsNowhereIsRefused) {
+  EXPECT_THAT(complaint(frame_with("/pairs/0/reduction/kept/0", 2)),
+              HasSubstr("'pairs[0].reduction.kept[0]' is 2, but there are 2 points"));
+  ordered_json header = ordered_json::parse(to_json_line(sample_header()));
+  header["shapes"]["apple"]["faces"][0][0] = 4;
+  EXPECT_THAT(complaint(header.dump()), HasSubstr("is 4, but there are 4 vertices"));
+  header["shapes"]["apple"]["faces"][0][0] = -1;
+  EXPECT_THAT(complaint(header.dump()), HasSubstr("is -1, but there are 4 vertices"));
+}
+
+TEST(ReadTrace, ATraceWithUnknownKeysIsRead) {
+  ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
+  frame["engine"] = "another";
+  frame["pairs"][0]["gjk"] = {{"iterations", 7}};
+  std::istringstream in(header_line() + frame.dump());
+  const Trace trace = read_trace(in, "run.jsonl");
+  ASSERT_EQ(trace.frames.size(), 1u);
+  EXPECT_EQ(to_json_line(trace.frames[0]), to_json_line(sample_frame()));
+}
+
+// Another engine writes what FORMATS.md lists and nothing that was added since.
+TEST(ReadTrace, OnlyTheKeysOfTheFormatAreNeeded) {
+  ordered_json header = ordered_json::parse(to_json_line(sample_header()));
+  for (const char* key : {"title", "source"}) header.erase(key);
+  for (const char* key : {"type", "edges", "center_of_mass"})
+    for (const char* shape : {"zebra", "apple"}) header["shapes"][shape].erase(key);
+  ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
+  ordered_json& sat = frame["pairs"][0]["sat"];
+  sat.erase("preference");
+  for (const char* key : {"normal", "support"}) sat["face_a"].erase(key);
+  for (const char* key : {"normal", "point_a", "point_b"}) sat["edge"].erase(key);
+  std::istringstream in(header.dump() + "\n\n" + frame.dump() + "\r\n");
+  const Trace trace = read_trace(in, "run.jsonl");
+  ASSERT_EQ(trace.header.shapes.size(), 2u);
+  EXPECT_EQ(trace.header.shapes[0].edges.size(), 6u);  // of the tetrahedron's faces
+  EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->face_a->normal, Vec3d(0, 0, 0));
+  EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->edge->separation, -0.125);
+}
+
+TEST(ReadTrace, FramesKeepTheirOrder) {
+  Frame frame = sample_frame();
+  std::string text = header_line();
+  for (const int number : {7, 3, 5}) {
+    frame.frame = number;
+    text += to_json_line(frame) + "\n";
+  }
+  std::istringstream in(text);
+  const Trace trace = read_trace(in, "run.jsonl");
+  ASSERT_EQ(trace.frames.size(), 3u);
+  EXPECT_EQ(trace.frames[0].frame, 7);
+  EXPECT_EQ(trace.frames[1].frame, 3);
+  EXPECT_EQ(trace.frames[2].frame, 5);
+}
+
+}  // namespace
+}  // namespace contactscope::trace

@@ -1,0 +1,66 @@
+#include "trace/sample_trace.h"
+
+#include <limits>
+
+namespace contactscope::trace {
+namespace {
+
+Shape sample_shape(std::string name, std::string type) {
+  Shape shape;
+  shape.name = std::move(name);
+  shape.type = std::move(type);
+  shape.vertices = {{0, 0, 0}, {double(0.1f), 0, -0.0}, {0, 1e-300, 0}, {0, 0, 1.0 / 3.0}};
+  shape.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  shape.edges = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+  shape.center_of_mass = {0.025, 0.25, 1.0 / 12.0};
+  return shape;
+}
+
+}  // namespace
+
+Header sample_header() {
+  Header header{"hull/face_contact",
+                "Tetrahedron \"above\" a floor \u2014 \u00e9",
+                "Gregorius 2015",
+                "float",
+                "z",
+                24,
+                {}};
+  // Not sorted by name: shapes stay in file order.
+  header.shapes = {sample_shape("zebra", "hull"), sample_shape("apple", "box")};
+  return header;
+}
+
+Frame sample_frame() {
+  Frame frame;
+  frame.frame = 12;
+  frame.time = 12 / 60.0;
+  frame.poses.emplace_back("zebra", Pose<double>{Quatd(0.5, -0.5, 0.5, -0.5),
+                                                 {1, std::numeric_limits<double>::max(), 3}});
+  frame.poses.emplace_back("apple", Pose<double>{});
+
+  Pair pair{"zebra", "apple", "preference on", "hull-hull", "touching", double(-0.005f), {}, {},
+            {},      {}};
+  Manifold manifold{{0, -1, -0.0}, "face_b", {}, {}};
+  manifold.points = {{{0.1, 0.2, 0.3}, -0.005, "a:e3 b:e7"}, {{1e-300, 4, 5}, -0.0, "a:e1 a:e2"}};
+  pair.manifolds.push_back(manifold);
+  manifold.triangle = 17;
+  pair.manifolds.push_back(manifold);
+  pair.sat =
+      Sat{FaceAxis{1, -0.5, {0, 1, 0}, {6, 7, 8}}, FaceAxis{2, -0.25, {1, 0, 0}, {9, 10, 11}},
+          EdgeAxis{3, 4, -0.125, {0, 0, 1}, {1, 2, 3}, {4, 5, 6}}, "face_b", "relative"};
+  Clip clip;
+  clip.reference = {"apple", 2, {0, 1, 0}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}};
+  clip.incident = {"zebra", 3, {0, -1, 0}, {{0, 1, 0}, {1, 1, 0}, {1, 1, 1}}};
+  clip.steps.push_back({{1, 0, 0}, 0.75, {{0, 0, 0}, {0.75, 0, 0}, {0.5, 0, 0.5}}});
+  clip.steps.push_back({{0, 0, 1}, -0.75, {}});
+  clip.dropped.push_back({{3, 2, 1}, "above the reference face"});
+  pair.clip = clip;
+  pair.reduction = Reduction{"area", manifold.points, {1, 0}, 0.0625, 0.125};
+  frame.pairs.push_back(pair);
+
+  frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});
+  return frame;
+}
+
+}  // namespace contactscope::trace
