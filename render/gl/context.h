@@ -25,8 +25,19 @@ struct RouteReport {
   std::string failure;   // why not, and the remedy
 };
 
+/// The shared objects that are opened at run time, as dlopen() takes them.
+struct Libraries {
+  std::string egl = "libEGL.so.1";
+  std::string osmesa = "libOSMesa.so.8";
+};
+
 /// An OpenGL 3.3 core context without a display, current on the thread that made it. The library is
-/// opened at run time; it is closed no earlier than the process ends, for drivers leave threads in it.
+/// opened at run time; it is closed no earlier than the process ends, for drivers leave threads in
+/// it.
+///
+/// A thread has one current context. make_current() first releases the thread's other one, for
+/// two routes share Mesa's dispatch table and mix up otherwise; it costs nothing where the context
+/// is current already. Destroy a context on the thread where it is current, or after release().
 class Context {
  public:
   virtual ~Context() = default;
@@ -37,10 +48,11 @@ class Context {
 };
 
 /// Opens a context and makes it current. Auto tries EGL (surfaceless, then each device), then
-/// OSMesa. Throws ContextError.
-std::unique_ptr<Context> open_context(Backend backend);
+/// OSMesa. Throws ContextError; then no context is current on this thread.
+std::unique_ptr<Context> open_context(Backend backend, const Libraries& libraries = {});
 
-/// Tries every route, one after the other.
-std::vector<RouteReport> probe_routes();
+/// Tries every route, one after the other: a route works when a cleared pixel reads back. Leaves no
+/// context current on this thread.
+std::vector<RouteReport> probe_routes(const Libraries& libraries = {});
 
 }  // namespace contactscope::gl

@@ -12,9 +12,12 @@ namespace contactscope::gl {
 /// screen-space triangles with coverage computed in the fragment shader, so pixels do not depend on
 /// a driver's wide lines or sample patterns.
 ///
-/// Steps of a frame: begin() clears; paint() draws primitives in order with as few draw calls as the
-/// glyph atlas allows; others may draw into framebuffer() (panels do); read() copies out, top row
-/// first.
+/// Steps of a frame: begin() clears; paint() draws primitives in order with as few draw calls as
+/// the glyph atlas allows; others may draw into framebuffer() (panels do); read() copies out, top
+/// row first. Colours mix in sRGB as the bytes stand. The framebuffer's row 0 is the picture's top.
+///
+/// The context outlives the rasterizer and is made current on each call. The constructor throws
+/// std::runtime_error where the driver refuses the size or a shader; read() where drawing failed.
 class Rasterizer {
  public:
   Rasterizer(Context& context, int width, int height);

@@ -1,0 +1,59 @@
+#include "gl/glyph_atlas.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+namespace contactscope::gl {
+
+const GlyphPlace& GlyphAtlas::find(const GlyphKey& key) {
+  const auto found = places_.find(key);
+  if (found != places_.end()) return found->second;
+  const float subpixel = static_cast<float>(key.quarter) / 4;
+  const GlyphBitmap bitmap =
+      rasterize_glyph(key.code_point, key.size, key.weight, subpixel, key.halo);
+  return places_.emplace(key, store(bitmap)).first->second;
+}
+
+/// Shelf packing: glyphs stand side by side on a shelf as high as its highest; a new shelf starts
+/// below when the row is full. Labels have few sizes, so that little is wasted.
+GlyphPlace GlyphAtlas::store(const GlyphBitmap& bitmap) {
+  GlyphPlace place;
+  place.width = bitmap.width;
+  place.height = bitmap.height;
+  place.left = bitmap.left;
+  place.top = bitmap.top;
+  if (bitmap.coverage.empty()) return place;
+  if (bitmap.width > kSide || bitmap.height > kSide) {
+    throw std::length_error("a glyph is larger than a page of the atlas");
+  }
+  const auto fits = [&bitmap](const Page& page) {
+    return page.shelf_top + std::max(page.shelf_height, bitmap.height) <= kSide;
+  };
+  if (!pages_.empty() && pages_.back().shelf_x + bitmap.width > kSide) {
+    Page& page = pages_.back();
+    page.shelf_top += page.shelf_height;
+    page.shelf_height = page.shelf_x = 0;
+  }
+  if (pages_.empty() || !fits(pages_.back())) {
+    pages_.emplace_back();
+    pages_.back().coverage.resize(static_cast<std::size_t>(kSide) * kSide);
+  }
+  Page& page = pages_.back();
+  place.page = static_cast<int>(pages_.size()) - 1;
+  place.x = page.shelf_x;
+  place.y = page.shelf_top;
+  for (int row = 0; row < bitmap.height; ++row) {
+    std::copy_n(
+        bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(row) * bitmap.width, bitmap.width,
+        page.coverage.begin() + static_cast<std::ptrdiff_t>(place.y + row) * kSide + place.x);
+  }
+  page.shelf_x += bitmap.width;
+  page.shelf_height = std::max(page.shelf_height, bitmap.height);
+  const bool clean = page.changed_from == page.changed_to;
+  page.changed_from = clean ? place.y : std::min(page.changed_from, place.y);
+  page.changed_to = std::max(clean ? 0 : page.changed_to, place.y + bitmap.height);
+  return place;
+}
+
+}  // namespace contactscope::gl
