@@ -14,8 +14,8 @@ namespace contactscope {
 using KeptIndices = StaticVector<int, kMaxManifoldPoints>;
 
 /// A manifold reducer. `points` share a plane with unit `normal`; at most `max_points` (>= 1) of
-/// them are kept. The input is untouched and the same input gives the same answer. Fewer points than
-/// max_points are all kept, in their order.
+/// them are kept. The input is untouched and the same input gives the same answer. Fewer points
+/// than max_points are all kept, in their order.
 template <class S>
 using Reducer = KeptIndices (*)(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                                 int max_points);

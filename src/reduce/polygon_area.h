@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "core/vec3.h"
+
+namespace contactscope {
+
+/// Area in square metres of the convex hull of `points`, seen along unit `normal`. 0 for fewer than
+/// three points, or points on one line.
+double convex_area(std::span<const Vec3d> points, const Vec3d& normal);
+
+/// The largest such area that any `max_points` of the points can span: what a reducer is measured
+/// against. Exact but for rounding.
+double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int max_points);
+
+}  // namespace contactscope
