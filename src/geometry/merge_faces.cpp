@@ -1,0 +1,74 @@
+#include "geometry/merge_faces.h"
+
+// Face merging after Gregorius, "Implementing Quickhull", GDC 2014.
+//
+// Two neighbours are convex when the centroid of each lies below the plane of the other by more
+// than the tolerance; else they are coplanar or concave and become one face. Steps:
+//   1. each new face merges where the larger face of a pair says that the smaller one's centroid is
+//      not below it: the larger plane is the better one, and slivers, whose planes mean nothing,
+//      disappear into it;
+//   2. what only the smaller face's plane calls concave is put off, and judged by both planes once
+//      the slivers are gone.
+// A merge changes planes, so that each face is looked at again after each of its merges.
+
+namespace contactscope::quickhull {
+namespace {
+
+enum class Judge { LargerFace, BothFaces };
+
+/// Merges one pair along the loop of `face`; false when there is none left.
+bool merge_once(Mesh& mesh, int face, Judge judge, double tolerance, std::vector<int>& touched) {
+  const int first = mesh.face(face).edge;
+  int e = first;
+  do {
+    const Face& here = mesh.face(face);
+    const Face& across = mesh.face(mesh.neighbour(e));
+    const bool across_is_concave = here.plane.distance(across.centroid) > -tolerance;
+    const bool here_is_concave = across.plane.distance(here.centroid) > -tolerance;
+    const bool here_is_larger = here.area > across.area;
+    const bool larger_says_so = here_is_larger ? across_is_concave : here_is_concave;
+    const bool either_says_so = across_is_concave || here_is_concave;
+    if (judge == Judge::BothFaces ? either_says_so : larger_says_so) {
+      if (mesh.merge_across(e, touched)) return true;
+    } else if (either_says_so) {
+      mesh.face(face).suspect = true;
+    }
+    e = mesh.edge(e).next;
+  } while (e != first);
+  return false;
+}
+
+bool merge_face(Mesh& mesh, int face, Judge judge, double tolerance, std::vector<int>& touched) {
+  bool any = false;
+  while (!mesh.broken() && !mesh.face(face).gone &&
+         merge_once(mesh, face, judge, tolerance, touched)) {
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+void merge_cone(Mesh& mesh, const std::vector<int>& fresh, double tolerance,
+                std::vector<int>& touched) {
+  for (const int face : fresh) merge_face(mesh, face, Judge::LargerFace, tolerance, touched);
+  for (const int face : fresh) {
+    if (mesh.face(face).gone || !mesh.face(face).suspect) continue;
+    mesh.face(face).suspect = false;
+    merge_face(mesh, face, Judge::BothFaces, tolerance, touched);
+  }
+}
+
+void merge_all(Mesh& mesh, double tolerance) {
+  std::vector<int> touched;
+  bool any = true;
+  while (any && !mesh.broken()) {
+    any = false;
+    for (int face = 0; face < mesh.face_count(); ++face) {
+      touched.clear();
+      if (merge_face(mesh, face, Judge::BothFaces, tolerance, touched)) any = true;
+    }
+  }
+}
+
+}  // namespace contactscope::quickhull

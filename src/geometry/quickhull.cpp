@@ -1,0 +1,198 @@
+#include "geometry/quickhull.h"
+
+// Quickhull after Gregorius, "Implementing Quickhull", GDC 2014 (Barber, Dobkin and Huhdanpaa 1996
+// with half-edges and face merging in the way of Lloyd). Steps:
+//   1. initial tetrahedron; every other point goes to the conflict list of the face that it is
+//      farthest above, or is inside for good;
+//   2. take the point farthest above its face, of all faces (bold steps first: few slivers);
+//   3. the faces that it sees, and the horizon around them;
+//   4. a cone of triangles from the horizon to the point takes their place;
+//   5. merge the coplanar and the concave, see merge_faces.cpp;
+//   6. the points of all faces that went or changed find a new face among those that came or
+//   changed.
+// Deviations: faces are taken from a heap; the points of changed faces are dealt out again, too,
+// since the plane under them moved; and the outcome is checked instead of trusted.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "geometry/horizon.h"
+#include "geometry/initial_simplex.h"
+#include "geometry/merge_faces.h"
+#include "geometry/quickhull_mesh.h"
+
+namespace contactscope::quickhull {
+namespace {
+
+class Builder {
+ public:
+  Builder(std::span<const Vec3d> points, double tolerance) : mesh_(points), tolerance_(tolerance) {}
+
+  void start(const std::array<int, 4>& simplex) {
+    const auto [a, b, c, d] = simplex;
+    const int base = mesh_.add_triangle(a, b, c);
+    const int before = mesh_.edge(base).previous;
+    std::vector<int> faces = add_cone({base, before, mesh_.edge(before).previous}, d);
+    faces.push_back(mesh_.edge(base).face);
+    std::vector<int> others;
+    for (int i = 0; i < mesh_.point_count(); ++i) {
+      if (std::find(simplex.begin(), simplex.end(), i) == simplex.end()) others.push_back(i);
+    }
+    deal_out(others, faces);
+  }
+
+  void grow() {
+    while (!queue_.empty() && !mesh_.broken()) {
+      const auto [distance, minus_face, eye] = queue_.top();
+      queue_.pop();
+      const int face = -minus_face;
+      if (!mesh_.face(face).gone && mesh_.face(face).farthest == eye) add_point(eye, face);
+    }
+    if (!mesh_.broken()) merge_all(mesh_, tolerance_);
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+ private:
+  void add_point(int eye, int face) {
+    const Horizon horizon = find_horizon(mesh_, face, eye, tolerance_);
+    std::vector<int> touched = horizon.visible;
+    if (horizon.edges.empty()) {
+      // Above everything within tolerance: noise of a hull as thin as the tolerance. Left out, and
+      // the check at the end decides whether that matters.
+      touched = {face};
+    } else {
+      std::vector<int> rim;
+      for (const int e : horizon.edges) rim.push_back(mesh_.edge(e).twin);
+      const std::vector<int> fresh = add_cone(rim, eye);
+      for (const int seen : horizon.visible) mesh_.face(seen).gone = true;
+      touched.insert(touched.end(), fresh.begin(), fresh.end());
+      merge_cone(mesh_, fresh, tolerance_, touched);
+    }
+    std::vector<int> orphans;
+    std::vector<int> homes;
+    for (const int i : touched) {
+      Face& changed = mesh_.face(i);
+      orphans.insert(orphans.end(), changed.conflicts.begin(), changed.conflicts.end());
+      changed.conflicts.clear();
+      changed.farthest = -1;
+      if (!changed.gone) homes.push_back(i);
+    }
+    std::erase(orphans, eye);
+    deal_out(orphans, homes);
+  }
+
+  /// Triangles between `apex` and the rim of a hole. `rim` are the edges of the faces around the
+  /// hole that lost what was across, in the order in which the triangles follow each other: each
+  /// starts where the one after it ends.
+  std::vector<int> add_cone(const std::vector<int>& rim, int apex) {
+    std::vector<int> faces;
+    int first = -1;
+    int last = -1;
+    for (const int outside : rim) {
+      const int from = mesh_.edge(mesh_.edge(outside).next).origin;
+      const int inside = mesh_.add_triangle(from, mesh_.edge(outside).origin, apex);
+      mesh_.sew(inside, outside);
+      if (last >= 0) mesh_.sew(mesh_.edge(inside).previous, mesh_.edge(last).next);
+      if (first < 0) first = inside;
+      last = inside;
+      faces.push_back(mesh_.edge(inside).face);
+    }
+    mesh_.sew(mesh_.edge(first).previous, mesh_.edge(last).next);
+    return faces;
+  }
+
+  /// Gives each point to the face that it is farthest above; points above none are inside.
+  void deal_out(const std::vector<int>& points, const std::vector<int>& faces) {
+    for (const int point : points) {
+      int best = -1;
+      double best_distance = tolerance_;
+      for (const int face : faces) {
+        const double distance = mesh_.distance(face, point);
+        if (distance > best_distance) {
+          best = face;
+          best_distance = distance;
+        }
+      }
+      if (best < 0) continue;
+      Face& home = mesh_.face(best);
+      home.conflicts.push_back(point);
+      if (home.farthest < 0 || best_distance > home.farthest_distance) {
+        home.farthest = point;
+        home.farthest_distance = best_distance;
+      }
+    }
+    for (const int face : faces) {
+      const Face& home = mesh_.face(face);
+      if (home.farthest >= 0) queue_.push({home.farthest_distance, -face, home.farthest});
+    }
+  }
+
+  using Entry = std::tuple<double, int, int>;  // distance, minus the face (older first), point
+
+  Mesh mesh_;
+  double tolerance_;
+  std::priority_queue<Entry> queue_;
+};
+
+/// Largest product of points and faces for which every point is held against every plane, about 10
+/// ms of work. A larger hull is checked at each edge only, which for a closed surface means the
+/// same but for points that were left out by mistake.
+constexpr double kFullCheckLimit = 1e7;
+
+bool is_convex(const Mesh& mesh, std::span<const Vec3d> points, double slack) {
+  std::vector<int> kept;
+  for (int face = 0; face < mesh.face_count(); ++face) {
+    if (!mesh.face(face).gone) kept.push_back(face);
+  }
+  const bool full =
+      static_cast<double>(kept.size()) * static_cast<double>(points.size()) <= kFullCheckLimit;
+  for (const int face : kept) {
+    const Plane<double>& plane = mesh.face(face).plane;
+    if (mesh.face(face).area <= 0) return false;
+    for (const int vertex : mesh.loop(face)) {
+      if (std::abs(plane.distance(mesh.point(vertex))) > slack) return false;
+    }
+    int e = mesh.face(face).edge;
+    do {
+      for (const int vertex : mesh.loop(mesh.neighbour(e))) {
+        if (plane.distance(mesh.point(vertex)) > slack) return false;
+      }
+      e = mesh.edge(e).next;
+    } while (e != mesh.face(face).edge);
+    if (!full) continue;
+    for (const Vec3d& point : points) {
+      if (plane.distance(point) > slack) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Result run(std::span<const Vec3d> points, double tolerance) {
+  Result result;
+  const Simplex simplex = initial_simplex(points, tolerance);
+  if (simplex.status != Status::Done) {
+    result.status = simplex.status;
+    return result;
+  }
+  Builder builder(points, tolerance);
+  builder.start(simplex.points);
+  builder.grow();
+  const Mesh& mesh = builder.mesh();
+  if (mesh.broken() || !is_convex(mesh, points, kSlack * tolerance)) {
+    result.status = Status::Unresolved;
+    return result;
+  }
+  for (int face = 0; face < mesh.face_count(); ++face) {
+    if (!mesh.face(face).gone) result.faces.push_back(mesh.loop(face));
+  }
+  return result;
+}
+
+}  // namespace contactscope::quickhull

@@ -1,0 +1,188 @@
+#include "geometry/quickhull_mesh.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace contactscope::quickhull {
+
+Mesh::Mesh(std::span<const Vec3d> points)
+    : points_(points), leaving_(points.size(), -1), stamps_(points.size(), 0) {}
+
+std::vector<int> Mesh::loop(int face_index) const {
+  std::vector<int> vertices;
+  const int first = face(face_index).edge;
+  int e = first;
+  do {
+    vertices.push_back(edge(e).origin);
+    e = edge(e).next;
+  } while (e != first);
+  return vertices;
+}
+
+int Mesh::add_triangle(int a, int b, int c) {
+  const int first = static_cast<int>(edges_.size());
+  const int index = face_count();
+  const int corners[] = {a, b, c};
+  for (int i = 0; i < 3; ++i) {
+    edges_.push_back({corners[i], first + (i + 1) % 3, first + (i + 2) % 3, -1, index});
+    leaving(corners[i]) = first + i;
+  }
+  Face triangle;
+  triangle.edge = first;
+  triangle.vertex_count = 3;
+  faces_.push_back(std::move(triangle));
+  measure(index);
+  return first;
+}
+
+void Mesh::sew(int one, int other) {
+  at(one).twin = other;
+  at(other).twin = one;
+}
+
+void Mesh::follow(int first, int second) {
+  at(first).next = second;
+  at(second).previous = first;
+}
+
+void Mesh::measure(int face_index) {
+  Face& measured = face(face_index);
+  // Newell's method about the mean of the vertices: every edge adds its share to the area vector,
+  // so that the normal of a merged face does not hang on three of its vertices.
+  measured.centroid = Vec3d::Zero();
+  int e = measured.edge;
+  do {
+    measured.centroid += point(edge(e).origin);
+    e = edge(e).next;
+  } while (e != measured.edge);
+  measured.centroid /= measured.vertex_count;
+
+  Vec3d area = Vec3d::Zero();
+  do {
+    const Vec3d from = point(edge(e).origin) - measured.centroid;
+    e = edge(e).next;
+    const Vec3d to = point(edge(e).origin) - measured.centroid;
+    area += from.cross(to);
+  } while (e != measured.edge);
+  const double length = area.norm();
+  measured.area = 0.5 * length;
+  // A face without area has no normal. Zero puts every point on its plane, so that it merges.
+  measured.plane.normal = length > 0 ? Vec3d(area / length) : Vec3d::Zero();
+  measured.plane.offset = measured.plane.normal.dot(measured.centroid);
+}
+
+bool Mesh::meet_in_one_edge(int one, int other) {
+  ++stamp_;
+  const auto mark = [this](int vertex) -> int& {
+    return stamps_[static_cast<std::size_t>(vertex)];
+  };
+  int e = face(one).edge;
+  do {
+    mark(edge(e).origin) = stamp_;
+    e = edge(e).next;
+  } while (e != face(one).edge);
+  int common = 0;
+  e = face(other).edge;
+  do {
+    if (mark(edge(e).origin) == stamp_) ++common;
+    e = edge(e).next;
+  } while (e != face(other).edge);
+  return common == 2;
+}
+
+bool Mesh::merge_across(int e, std::vector<int>& touched) {
+  const int t = edge(e).twin;
+  const int kept = edge(e).face;
+  const int swallowed = edge(t).face;
+  if (!meet_in_one_edge(kept, swallowed)) return false;
+
+  //    kept  |  swallowed        The two loops become one: what led into e goes on after t,
+  //      ----v----               and what led into t goes on after e.
+  //        e | t
+  //      ----u----
+  const int u = edge(e).origin;
+  const int v = edge(t).origin;
+  for (int i = edge(t).next; i != t; i = edge(i).next) at(i).face = kept;
+  const int after_e = edge(e).next;
+  const int after_t = edge(t).next;
+  follow(edge(e).previous, after_t);
+  follow(edge(t).previous, after_e);
+  leaving(u) = after_t;
+  leaving(v) = after_e;
+  face(kept).edge = after_e;
+  face(kept).vertex_count += face(swallowed).vertex_count - 2;
+  face(swallowed).gone = true;
+
+  std::vector<int> changed = {kept, swallowed};
+  restore_invariants({u, v}, changed);
+  for (const int i : changed) {
+    if (!face(i).gone) measure(i);
+    if (std::find(touched.begin(), touched.end(), i) == touched.end()) touched.push_back(i);
+  }
+  return true;
+}
+
+void Mesh::restore_invariants(std::vector<int> vertices, std::vector<int>& changed) {
+  while (!vertices.empty() && !broken_) {
+    const int vertex = vertices.back();
+    vertices.pop_back();
+    const int first = leaving(vertex);
+    if (first < 0) continue;
+    const int second = edge(edge(first).twin).next;
+    const int third = edge(edge(second).twin).next;
+    if (second == first) {
+      broken_ = true;
+    } else if (third == first) {
+      remove_vertex(vertex, vertices, changed);
+    }
+  }
+}
+
+void Mesh::remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int>& changed) {
+  //       face(in)             `in` and `out` meet at the vertex on one side, their twins on the
+  //   --in--> x --out-->       other. `in` is stretched to where `out` ended, and the twin of `out`
+  //   <------ x <-------       to where `in` began; the other two half-edges go with the vertex.
+  //       face(back)
+  const int out = leaving(vertex);
+  const int in = edge(out).previous;
+  const int back = edge(out).twin;
+  const int one = edge(in).face;
+  const int other = edge(back).face;
+  if (one == other) {
+    broken_ = true;
+    return;
+  }
+  const int after_back = edge(edge(in).twin).next;
+  follow(in, edge(out).next);
+  follow(back, after_back);
+  sew(in, back);
+  leaving(vertex) = -1;
+  face(one).edge = in;
+  face(other).edge = back;
+  for (const int i : {one, other}) {
+    --face(i).vertex_count;
+    changed.push_back(i);
+  }
+  for (const int i : {one, other}) {
+    if (face(i).vertex_count == 2 && !broken_) remove_two_gon(i, vertices);
+  }
+}
+
+void Mesh::remove_two_gon(int face_index, std::vector<int>& vertices) {
+  const int x = face(face_index).edge;
+  const int y = edge(x).next;
+  const int outside_x = edge(x).twin;
+  const int outside_y = edge(y).twin;
+  if (edge(outside_x).face == edge(outside_y).face || outside_x == y) {
+    broken_ = true;
+    return;
+  }
+  sew(outside_x, outside_y);
+  leaving(edge(x).origin) = outside_y;
+  leaving(edge(y).origin) = outside_x;
+  face(face_index).gone = true;
+  vertices.push_back(edge(x).origin);
+  vertices.push_back(edge(y).origin);
+}
+
+}  // namespace contactscope::quickhull
