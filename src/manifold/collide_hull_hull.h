@@ -18,8 +18,9 @@ struct CollideOptions {
 };
 
 /// Gregorius 2015, "Hull vs Hull": separating axis test, then a face contact by clipping or an edge
-/// contact by closest points, then reduction. Poses place the hulls in the world, where the manifold
-/// is given. Empty when the hulls are apart by more than the margin; never empty when they overlap.
+/// contact by closest points, then reduction. Poses place the hulls in the world, where the
+/// manifold is given. Empty when the hulls are apart by more than the margin; never empty when they
+/// overlap.
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions<S>& options);

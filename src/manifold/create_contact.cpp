@@ -1,0 +1,80 @@
+#include "manifold/create_contact.h"
+
+#include "manifold/edge_contact.h"
+#include "manifold/recorder.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// The separation that a manifold's deepest point must not exceed.
+template <class S>
+S deep_enough(const HullPair<S>& pair, S deepest_axis, Preference preference) {
+  const S preferred = preference == Preference::Relative
+                          ? preference_tolerance(deepest_axis, pair.min_radius)
+                          : S(0);
+  return deepest_axis + preferred + depth_rounding(pair.scale);
+}
+
+template <class S, class Recorder>
+S face_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin, Contact<S>& contact,
+               Recorder& recorder) {
+  if (contact.axis == AxisKind::FaceA) {
+    contact.normal = pair.a.normals[axes.face_a.face];
+    return create_face_contact(pair, Owner::A, axes.face_a, margin, contact.points, recorder);
+  }
+  contact.normal = -pair.b.normals[axes.face_b.face];
+  return create_face_contact(pair, Owner::B, axes.face_b, margin, contact.points, recorder);
+}
+
+template <class S>
+void edge_contact(const HullPair<S>& pair, const SatResult<S>& axes, Contact<S>& contact) {
+  contact.normal = axes.edge.normal;
+  contact.points.clear();
+  contact.points.push_back(create_edge_contact(pair, axes.edge));
+}
+
+}  // namespace
+
+template <class S, class Recorder>
+void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
+                    Preference preference, Contact<S>& contact, Recorder& recorder) {
+  contact.axis = axes.chosen;
+  if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
+
+  const S deepest_axis = axes.separation(axes.deepest);
+  const S limit = deep_enough(pair, deepest_axis, preference);
+  S deepest = face_contact(pair, axes, margin, contact, recorder);
+  const bool overlap = deepest_axis <= S(0);
+  if (!overlap || deepest <= limit) return;
+
+  // The face's support vertex hangs over its side, which only a face that is not the deepest axis
+  // allows beyond rounding.
+  if (contact.axis != axes.deepest) {
+    recorder.clip_abandoned();
+    contact.axis = axes.deepest;
+    if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
+    deepest = face_contact(pair, axes, margin, contact, recorder);
+    if (deepest <= limit) return;
+  }
+  const bool on_a = contact.axis == AxisKind::FaceA;
+  const ContactPoint<S> support =
+      support_contact(pair, on_a ? Owner::A : Owner::B, on_a ? axes.face_a : axes.face_b, recorder);
+  if (contact.points.size() < contact.points.capacity()) contact.points.push_back(support);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
+  template void create_contact(const HullPair<S>&, const SatResult<S>&, S, Preference, \
+                               Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,137 @@
+#include "manifold/face_contact.h"
+
+#include <limits>
+#include <utility>
+
+#include "manifold/recorder.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+template <class S>
+const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
+  return owner == Owner::A ? pair.a : pair.b;
+}
+
+/// Clips against every side plane of the reference face, in the order of its edges. Polygons go to
+/// and fro between `polygon` and `spare`; the result is the one returned.
+template <class S, class Recorder>
+const ClipPolygon<S>& clip_against_sides(const PlacedHull<S>& hull, Owner reference, int face,
+                                         S thickness, ClipPolygon<S>& polygon,
+                                         ClipPolygon<S>& spare, Recorder& recorder) {
+  ClipPolygon<S>* current = &polygon;
+  ClipPolygon<S>* other = &spare;
+  const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
+  int edge = start;
+  do {
+    const Plane<S> side = side_plane(hull, edge);
+    const EdgeRef side_edge{reference, static_cast<std::uint32_t>(edge / 2)};
+    if (clip(*current, side, side_edge, thickness, *other)) std::swap(current, other);
+    recorder.clip_step(side, *current);
+    edge = hull.half_edge(edge).next;
+    // A record shows every side plane, also after nothing is left.
+    if (!Recorder::kRecords && current->empty()) break;
+  } while (edge != start);
+  return *current;
+}
+
+/// The two edges of a face that meet at one of its vertices.
+template <class S>
+FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex) {
+  int arriving = hull.hull.face_edges[static_cast<std::size_t>(face)];
+  while (hull.half_edge(Hull<S>::twin(arriving)).origin != vertex) {
+    arriving = hull.half_edge(arriving).next;
+  }
+  const int leaving = hull.half_edge(arriving).next;
+  return FeatureId::of({owner, static_cast<std::uint32_t>(arriving / 2)},
+                       {owner, static_cast<std::uint32_t>(leaving / 2)});
+}
+
+}  // namespace
+
+template <class S>
+int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& reference_normal) {
+  const int start = hull.hull.vertex_edges[static_cast<std::size_t>(support)];
+  int edge = start;
+  int best = hull.half_edge(start).face;
+  S least = std::numeric_limits<S>::infinity();
+  do {
+    const int face = hull.half_edge(edge).face;
+    const S along = reference_normal.dot(hull.normals[face]);
+    if (along < least) {
+      least = along;
+      best = face;
+    }
+    edge = hull.half_edge(Hull<S>::twin(edge)).next;
+  } while (edge != start);
+  return best;
+}
+
+template <class S, class Recorder>
+S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
+                      PointSet<S>& points, Recorder& recorder) {
+  const PlacedHull<S>& hull = hull_of(pair, reference);
+  const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
+  const Plane<S> plane = hull.plane(query.face);
+  const int incident = incident_face(other_hull, query.support, plane.normal);
+
+  ClipPolygon<S> polygon;
+  ClipPolygon<S> spare;
+  face_polygon(other_hull, other(reference), incident, polygon);
+  if constexpr (Recorder::kRecords) {
+    face_polygon(hull, reference, query.face, spare);
+    recorder.clip_begins(pair, reference, query.face, incident, spare, polygon);
+  }
+  const ClipPolygon<S>& clipped = clip_against_sides(
+      hull, reference, query.face, clip_thickness(pair.scale), polygon, spare, recorder);
+
+  points.clear();
+  S deepest = std::numeric_limits<S>::infinity();
+  for (const ClipVertex<S>& vertex : clipped) {
+    const S separation = plane.distance(vertex.position);
+    if (separation <= margin) {
+      const Vec3<S> moved = vertex.position - separation * plane.normal;
+      points.push_back({moved, separation, vertex.id});
+      deepest = separation < deepest ? separation : deepest;
+    } else {
+      recorder.dropped(vertex.position, "above the reference face");
+    }
+  }
+  return deepest;
+}
+
+template <class S, class Recorder>
+ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
+                                Recorder& recorder) {
+  const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
+  const Plane<S> plane = hull_of(pair, reference).plane(query.face);
+  const int incident = incident_face(other_hull, query.support, plane.normal);
+  const Vec3<S> support = other_hull.vertices[query.support];
+  recorder.dropped(support, "cut off by the side planes; kept as the deepest point");
+
+  const Owner owner = other(reference);
+  const FeatureId id = corner_id(other_hull, owner, incident, query.support);
+  return {support - query.separation * plane.normal, query.separation, id};
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                                     \
+  template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, PointSet<S>&, \
+                                 Recorder<S>&);                                                   \
+  template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
+                                           Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+template int incident_face(const PlacedHull<float>&, int, const Vec3<float>&);
+template int incident_face(const PlacedHull<double>&, int, const Vec3<double>&);
+
+}  // namespace contactscope

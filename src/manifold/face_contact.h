@@ -1,0 +1,36 @@
+#pragma once
+
+#include "manifold/clip.h"
+#include "query/sat.h"
+
+namespace contactscope {
+
+/// Contact points while they are worked on: as in Manifold, but positions in A's frame.
+template <class S>
+using PointSet = StaticVector<ContactPoint<S>, kMaxManifoldPoints>;
+
+/// The face of `hull` that is most anti-parallel to `reference_normal`, among those that meet at
+/// its vertex `support`, the deepest below the reference face. The talk looks through all faces.
+/// That is the same face unless the deepest vertex is a sharp one that sticks out beside it (a
+/// pencil standing on its tip, a box with a spike): then the talk's face does not have the deepest
+/// point, and the manifold would miss the overlap.
+template <class S>
+int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& reference_normal);
+
+/// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". The
+/// incident face, clipped against the side planes of the reference face but not against the
+/// reference face itself; points up to `margin` (metres) above it are kept and moved onto it.
+/// `reference` says whose face `query.face` is. Fills `points` (emptied first) and returns the
+/// separation of the deepest in metres; +infinity when nothing is left.
+template <class S, class Recorder>
+S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
+                      PointSet<S>& points, Recorder& recorder);
+
+/// The contact point of the support vertex of `query`: moved onto the reference face, its id from
+/// the two edges of the incident face that meet there. For overlaps whose deepest point the
+/// clipping lost.
+template <class S, class Recorder>
+ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
+                                Recorder& recorder);
+
+}  // namespace contactscope

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/manifold.h"
+#include "core/plane.h"
+#include "core/preference.h"
+#include "manifold/clip.h"
+#include "query/sat.h"
+#include "reduce/reducer.h"
+
+namespace contactscope {
+
+/// The pipeline is a template on its recorder and calls these at the end of each stage. This one
+/// records nothing: every call is empty and disappears, so that a pipeline that nobody watches is
+/// the pipeline without a recorder. TraceRecorder is the other.
+///
+/// What is only worked out for the record stands behind `if constexpr (Recorder::kRecords)`.
+template <class S>
+struct NoRecorder {
+  static constexpr bool kRecords = false;
+
+  void axes(const HullPair<S>&, const SatResult<S>&, Preference) {}
+  void clip_begins(const HullPair<S>&, Owner, int, int, const ClipPolygon<S>&,
+                   const ClipPolygon<S>&) {}
+  void clip_step(const Plane<S>&, const ClipPolygon<S>&) {}
+  void dropped(const Vec3<S>&, const char*) {}
+  void clip_abandoned() {}
+  void contact_axis(AxisKind) {}
+  void reduction(std::span<const ContactPoint<S>>, const Vec3<S>&, int, const KeptIndices&) {}
+  void manifold(const Manifold<S>&) {}
+};
+
+}  // namespace contactscope

@@ -1,0 +1,156 @@
+#include "manifold/trace_recorder.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "manifold/edge_contact.h"
+#include "reduce/polygon_area.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+trace::Point trace_point(const ContactPoint<S>& point) {
+  return {point.position.template cast<double>(), static_cast<double>(point.separation),
+          to_string(point.id)};
+}
+
+template <class S>
+std::vector<trace::Point> trace_points(std::span<const ContactPoint<S>> points) {
+  std::vector<trace::Point> result;
+  result.reserve(points.size());
+  for (const ContactPoint<S>& point : points) result.push_back(trace_point(point));
+  return result;
+}
+
+trace::Reduction measured(const std::string& method, std::vector<trace::Point> points,
+                          std::vector<int> kept, const Vec3d& normal, int max_points) {
+  std::vector<Vec3d> all;
+  std::vector<Vec3d> chosen;
+  for (const trace::Point& point : points) all.push_back(point.position);
+  for (const int index : kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
+  const double area = convex_area(chosen, normal);
+  const double best_area = best_convex_area(all, normal, max_points);
+  return {method, std::move(points), std::move(kept), area, best_area};
+}
+
+}  // namespace
+
+template <class S>
+TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name,
+                                trace::Pair& pair)
+    : to_world_(to_world), reducer_name_(reducer_name), pair_(pair) {
+  pair_.kind = "hull-hull";
+  pair_.manifolds.clear();
+  pair_.sat.reset();
+  pair_.clip.reset();
+  pair_.reduction.reset();
+}
+
+template <class S>
+Vec3d TraceRecorder<S>::point(const Vec3<S>& in_a) const {
+  return to_world_.point(in_a).template cast<double>();
+}
+
+template <class S>
+Vec3d TraceRecorder<S>::direction(const Vec3<S>& in_a) const {
+  return to_world_.direction(in_a).template cast<double>();
+}
+
+template <class S>
+trace::Polygon TraceRecorder<S>::polygon(const ClipPolygon<S>& in_a) const {
+  trace::Polygon result;
+  result.reserve(in_a.size());
+  for (const ClipVertex<S>& vertex : in_a) result.push_back(point(vertex.position));
+  return result;
+}
+
+template <class S>
+void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
+                            Preference preference) {
+  axis_separation_ = axes.separation(axes.chosen);
+  trace::Sat& sat = pair_.sat.emplace();
+  sat.chosen = to_string(axes.chosen);
+  sat.preference = to_string(preference);
+  if (axes.queries_run >= 1) {
+    const FaceQuery<S>& query = axes.face_a;
+    sat.face_a =
+        trace::FaceAxis{query.face, query.separation, direction(pair.a.normals[query.face]),
+                        point(pair.b.vertices[query.support])};
+  }
+  if (axes.queries_run >= 2) {
+    const FaceQuery<S>& query = axes.face_b;
+    sat.face_b = trace::FaceAxis{query.face, query.separation,
+                                 direction(Vec3<S>(-pair.b.normals[query.face])),
+                                 point(pair.a.vertices[query.support])};
+  }
+  if (axes.queries_run >= 3 && axes.edge.edge_a >= 0) {
+    const EdgeQuery<S>& query = axes.edge;
+    const ClosestPoints<S> closest = closest_points(pair, query);
+    sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
+                               direction(query.normal), point(closest.on_a), point(closest.on_b)};
+  }
+}
+
+template <class S>
+void TraceRecorder<S>::clip_begins(const HullPair<S>& pair, Owner reference, int reference_face,
+                                   int incident_face, const ClipPolygon<S>& reference_polygon,
+                                   const ClipPolygon<S>& incident_polygon) {
+  const bool on_a = reference == Owner::A;
+  const PlacedHull<S>& hull = on_a ? pair.a : pair.b;
+  const PlacedHull<S>& other_hull = on_a ? pair.b : pair.a;
+  trace::Clip& clip = pair_.clip.emplace();
+  clip.reference = {on_a ? pair_.a : pair_.b, reference_face,
+                    direction(hull.normals[reference_face]), polygon(reference_polygon)};
+  clip.incident = {on_a ? pair_.b : pair_.a, incident_face,
+                   direction(other_hull.normals[incident_face]), polygon(incident_polygon)};
+}
+
+template <class S>
+void TraceRecorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
+  const Plane<double> plane = to_world_.plane(side).template cast<double>();
+  pair_.clip->steps.push_back({plane.normal, plane.offset, polygon(left)});
+}
+
+template <class S>
+void TraceRecorder<S>::dropped(const Vec3<S>& position, const char* reason) {
+  pair_.clip->dropped.push_back({point(position), reason});
+}
+
+template <class S>
+void TraceRecorder<S>::clip_abandoned() {
+  pair_.clip.reset();
+}
+
+template <class S>
+void TraceRecorder<S>::contact_axis(AxisKind kind) {
+  pair_.sat->chosen = to_string(kind);
+}
+
+template <class S>
+void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+                                 int max_points, const KeptIndices& kept) {
+  pair_.reduction = measured(reducer_name_, trace_points(points), {kept.begin(), kept.end()},
+                             normal.template cast<double>(), max_points);
+}
+
+template <class S>
+void TraceRecorder<S>::manifold(const Manifold<S>& result) {
+  pair_.state = result.points.empty() ? "separated" : "touching";
+  pair_.separation = axis_separation_;
+  if (result.points.empty()) return;
+
+  trace::Manifold& manifold = pair_.manifolds.emplace_back();
+  manifold.normal = result.normal.template cast<double>();
+  manifold.axis = to_string(result.axis);
+  manifold.points = trace_points(std::span<const ContactPoint<S>>(result.points));
+  pair_.separation = std::numeric_limits<double>::infinity();
+  for (const trace::Point& kept : manifold.points) {
+    pair_.separation = std::min(pair_.separation, kept.separation);
+  }
+}
+
+template class TraceRecorder<float>;
+template class TraceRecorder<double>;
+
+}  // namespace contactscope
