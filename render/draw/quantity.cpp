@@ -1,8 +1,10 @@
 #include "draw/quantity.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace contactscope::draw {
 namespace {
@@ -30,15 +32,16 @@ std::string spell_length(double metres) {
   };
   constexpr std::array<Unit, 5> kUnits{
       {{1e3, "km"}, {1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}};
-  const double magnitude = std::abs(metres);
-  if (magnitude == 0) return "0 m";
+  if (metres == 0) return "0 m";
+  // Rounded first, so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
+  const double rounded = std::strtod(printed("%.*e", 2, metres).c_str(), nullptr);
   for (const Unit& unit : kUnits) {
     // From 0.1 m on metres, below that millimetres: what a person would say.
     const double least = unit.size == 1.0 ? 0.1 : unit.size;
-    if (magnitude < least * 0.9995 && unit.size > 1e-9) continue;
-    const double value = metres / unit.size;
-    const int whole = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-    const int decimals = whole >= 3 ? 0 : whole <= 0 ? 3 : 3 - whole;
+    if (std::abs(rounded) < least * (1 - 1e-9) && unit.size > 1e-9) continue;
+    const double value = rounded / unit.size;
+    const int whole = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)) + 1;
+    const int decimals = std::clamp(3 - whole, 0, 3);
     return with_minus_sign(printed("%.*f", decimals, value)) + " " + unit.name;
   }
   return "0 m";

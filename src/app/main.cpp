@@ -1,1 +1,128 @@
-int main(){return 0;}
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "app/options.h"
+#include "app/verbs.h"
+#include "core/input_error.h"
+
+namespace contactscope::app {
+namespace {
+
+struct Command {
+  Options options;
+  std::string size, frames, update = "never", backend = "auto";
+};
+
+void add_common(CLI::App& verb, Command& command) {
+  verb.add_option("--scenarios", command.options.scenario_root,
+                  "Folder where scenario names are looked up")
+      ->capture_default_str();
+  verb.add_flag("--quiet", command.options.quiet, "Print results and errors only");
+  verb.add_flag("--verbose", command.options.verbose,
+                "Say what ran, how long it took, and what was left out");
+}
+
+void add_selection(CLI::App& verb, Command& command) {
+  verb.add_option("--frames", command.frames, "Frames A:B[:STEP], B inclusive");
+  verb.add_option("--reducer", command.options.reducer, "Reducer for every pair");
+}
+
+void add_rendering(CLI::App& verb, Command& command) {
+  verb.add_option("--out", command.options.out, "Folder to write to")->capture_default_str();
+  verb.add_option("--backend", command.backend, "auto, egl or osmesa")
+      ->envname("CONTACTSCOPE_BACKEND")
+      ->check(CLI::IsMember({"auto", "egl", "osmesa"}));
+  verb.add_option("--view", command.options.view, "Only this view");
+  verb.add_option("--jobs", command.options.jobs, "Encoder threads; 0: one a processor")
+      ->check(CLI::Range(0, 256));
+}
+
+void finish(Command& command) {
+  Options& options = command.options;
+  if (!command.size.empty()) options.size = parse_size(command.size);
+  if (!command.frames.empty()) options.frames = parse_frame_range(command.frames);
+  if (command.backend == "egl") options.backend = gl::Backend::Egl;
+  if (command.backend == "osmesa") options.backend = gl::Backend::Osmesa;
+  if (command.update == "failed") options.update = Update::Failed;
+  if (command.update == "all") options.update = Update::All;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Draws and checks contact manifolds of physics engines, without a display.",
+                   "contactscope");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", std::string("contactscope ") + CONTACTSCOPE_VERSION);
+  Command command;
+  Options& options = command.options;
+
+  CLI::App* render_verb = program.add_subcommand("render", "Write PNG sequences");
+  render_verb
+      ->add_option("SCENARIO", options.scenarios, "Files, folders, or names as hull/face_contact")
+      ->required();
+  render_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  render_verb->add_flag("--timing", options.timing,
+                        "Show the measured time of the pipeline in the summary panel");
+  add_selection(*render_verb, command);
+  add_rendering(*render_verb, command);
+  add_common(*render_verb, command);
+
+  CLI::App* trace_verb =
+      program.add_subcommand("trace", "Print the pipeline's facts as JSON lines");
+  trace_verb->add_option("SCENARIO", options.scenarios, "A file or a name")
+      ->required()
+      ->expected(1);
+  trace_verb->add_flag("--json", options.json, "Accepted; a trace is always JSON lines");
+  add_selection(*trace_verb, command);
+  add_common(*trace_verb, command);
+
+  CLI::App* check_verb = program.add_subcommand("check", "Compare with the stored snapshots");
+  check_verb->add_option("SCENARIO", options.scenarios, "Default: all scenarios");
+  check_verb->add_option("--snapshots", options.snapshot_root, "Folder of the stored snapshots")
+      ->capture_default_str();
+  check_verb
+      ->add_option("--update", command.update, "Rewrite what failed, or --update=all everything")
+      ->expected(0, 1)
+      ->default_str("failed")
+      ->check(CLI::IsMember({"never", "failed", "all"}));
+  check_verb->add_flag("--json", options.json, "Print the verdicts as JSON");
+  add_rendering(*check_verb, command);
+  add_common(*check_verb, command);
+
+  CLI::App* doctor_verb = program.add_subcommand("doctor", "Say what each route to OpenGL answers");
+  doctor_verb->add_flag("--json", options.json, "Print as JSON");
+
+  CLI::App* list_verb = program.add_subcommand("list", "List what a scenario may name");
+  list_verb->add_option("WHAT", options.what, "scenarios, reducers, layers or panels")
+      ->check(CLI::IsMember({"scenarios", "reducers", "layers", "panels"}));
+  list_verb->add_flag("--json", options.json, "Print as JSON");
+  add_common(*list_verb, command);
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version come through here too, with code 0.
+    return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Trouble);
+  }
+  finish(command);
+  if (*render_verb) return static_cast<int>(render(options));
+  if (*trace_verb) return static_cast<int>(trace(options));
+  if (*check_verb) return static_cast<int>(check(options));
+  if (*doctor_verb) return static_cast<int>(doctor(options));
+  return static_cast<int>(list(options));
+}
+
+}  // namespace
+}  // namespace contactscope::app
+
+int main(int argc, char** argv) {
+  using contactscope::InputError;
+  try {
+    return contactscope::app::run(argc, argv);
+  } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';  // begins with the file, so that editors can jump to it
+  } catch (const std::exception& error) {
+    std::cerr << "contactscope: " << error.what() << '\n';
+  }
+  return static_cast<int>(contactscope::app::ExitCode::Trouble);
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "draw/drawing.h"
+
+namespace contactscope::overlay {
+
+/// A colour of the palette as Dear ImGui packs it.
+inline ImU32 packed(const draw::Color& color) {
+  return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, color.a});
+}
+
+/// A heading in the panel's bold font and a thin rule under it.
+void heading(const char* text, float scale);
+
+/// Text centred at a point.
+void centered_text(ImDrawList* list, ImVec2 at, const draw::Color& color, const char* text);
+
+}  // namespace contactscope::overlay

@@ -1,0 +1,94 @@
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "draw/palette.h"
+#include "draw/quantity.h"
+#include "overlay/paint.h"
+#include "overlay/panels.h"
+
+namespace contactscope::overlay {
+namespace {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+std::string spoken(const std::string& axis) {
+  if (axis == "face_a") return "face of A";
+  if (axis == "face_b") return "face of B";
+  if (axis == "edge_edge") return "edge of A, edge of B";
+  return axis;
+}
+
+std::string counted(const trace::Pair& pair) {
+  std::size_t kept = 0;
+  for (const trace::Manifold& manifold : pair.manifolds) kept += manifold.points.size();
+  std::string text = std::to_string(kept);
+  if (pair.reduction && pair.reduction->points.size() > kept) {
+    text +=
+        " of " + std::to_string(pair.reduction->points.size()) + ", by " + pair.reduction->method;
+  }
+  return text;
+}
+
+Rows rows_of(const trace::Pair& pair) {
+  Rows rows;
+  rows.emplace_back("pair", pair.kind);
+  rows.emplace_back("state", pair.state);
+  if (pair.sat) rows.emplace_back("axis", spoken(pair.sat->chosen));
+  rows.emplace_back(pair.state == "separated" ? "gap" : "separation",
+                    draw::spell_length(pair.separation));
+  if (pair.state != "separated") rows.emplace_back("points", counted(pair));
+  return rows;
+}
+
+Rows time_rows(const PanelFacts& facts) {
+  const trace::Frame& frame = facts.frames[facts.current];
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", frame.time);
+  Rows rows{{"time", text.data()}};
+  if (facts.pipeline_nanoseconds) {
+    std::snprintf(text.data(), text.size(), "%.2f µs", *facts.pipeline_nanoseconds / 1000);
+    rows.emplace_back("pipeline", text.data());
+  }
+  return rows;
+}
+
+std::string title_of(const trace::Pair& pair) {
+  const std::string names = pair.a + ", " + pair.b;
+  return pair.label.empty() ? names : pair.label + ": " + names;
+}
+
+void show(const Rows& rows, float scale) {
+  for (const auto& [name, value] : rows) {
+    ImGui::TextColored(ImColor(packed(draw::kQuietText)), "%s", name.c_str());
+    ImGui::SameLine(96 * scale);
+    ImGui::TextUnformatted(value.c_str());
+  }
+}
+
+}  // namespace
+
+float summary_height(const PanelFacts& facts) {
+  const trace::Frame& frame = facts.frames[facts.current];
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  // The rows of a touching pair, so that panels below keep their place when a pair comes apart.
+  const float height =
+      2 * ImGui::GetStyle().WindowPadding.y + 7.2f * line * static_cast<float>(frame.pairs.size());
+  return height + line * static_cast<float>(time_rows(facts).size());
+}
+
+void summary_panel(const PanelFacts& facts) {
+  const float scale = facts.staging.layout.scale;
+  for (const trace::Pair& pair : facts.frames[facts.current].pairs) {
+    heading(title_of(pair).c_str(), scale);
+    show(rows_of(pair), scale);
+    ImGui::Dummy({0, 0.4f * ImGui::GetTextLineHeight()});
+  }
+  show(time_rows(facts), scale);
+}
+
+}  // namespace contactscope::overlay

@@ -1,0 +1,73 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/catalogue.h"
+#include "app/verbs.h"
+#include "reduce/reducer.h"
+
+namespace contactscope::app {
+namespace {
+
+struct Item {
+  std::string name;
+  std::string summary;
+};
+
+std::vector<Item> scenario_items(const Options& options) {
+  std::vector<Item> items;
+  for (const std::string& file : scenario_files(options.scenario_root)) {
+    const Scenario scenario = load_scenario(file);
+    items.push_back({scenario.name, scenario.title});
+  }
+  return items;
+}
+
+std::vector<Item> plain(const std::vector<std::string>& names) {
+  std::vector<Item> items;
+  for (const std::string& name : names) items.push_back({name, ""});
+  return items;
+}
+
+std::vector<Item> items_of(const std::string& what, const Options& options) {
+  if (what == "scenarios") return scenario_items(options);
+  if (what == "layers") return plain(known_layers());
+  if (what == "panels") return plain(known_panels());
+  std::vector<Item> items;
+  for (const ReducerInfo& info : reducers()) items.push_back({info.name, info.summary});
+  return items;
+}
+
+}  // namespace
+
+ExitCode list(const Options& options) {
+  std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels"};
+  if (!options.what.empty()) kinds = {options.what};
+  nlohmann::ordered_json json;
+  for (const std::string& kind : kinds) {
+    const std::vector<Item> items = items_of(kind, options);
+    if (options.json) {
+      json[kind] = nlohmann::ordered_json::array();
+      for (const Item& item : items) {
+        nlohmann::ordered_json entry{{"name", item.name}};
+        if (!item.summary.empty()) entry["summary"] = item.summary;
+        json[kind].push_back(entry);
+      }
+      continue;
+    }
+    if (kinds.size() > 1) std::cout << kind << ":\n";
+    const char* indent = kinds.size() > 1 ? "  " : "";
+    std::size_t width = 0;
+    for (const Item& item : items) width = std::max(width, item.name.size());
+    for (const Item& item : items) {
+      std::cout << indent << item.name;
+      if (!item.summary.empty()) {
+        std::cout << std::string(width - item.name.size() + 2, ' ') << item.summary;
+      }
+      std::cout << '\n';
+    }
+  }
+  if (options.json) std::cout << json.dump() << '\n';
+  return ExitCode::Same;
+}
+
+}  // namespace contactscope::app

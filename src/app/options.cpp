@@ -1,0 +1,71 @@
+#include "app/options.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace contactscope::app {
+namespace {
+
+// All of `text` as a whole number, or nothing.
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t at = text.find(separator);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+}  // namespace
+
+std::vector<int> FrameRange::select(int frames) const {
+  std::vector<int> selected;
+  for (int f = first; f <= std::min(last, frames - 1); f += step) selected.push_back(f);
+  return selected;
+}
+
+FrameRange parse_frame_range(const std::string& text) {
+  const std::vector<std::string_view> parts = split(text, ':');
+  std::vector<int> numbers;
+  for (const std::string_view part : parts) {
+    const std::optional<int> number = whole_number(part);
+    if (!number || *number < 0) {
+      throw UsageError("--frames '" + text + "' is no range; write A:B or A:B:STEP, as 0:23:4");
+    }
+    numbers.push_back(*number);
+  }
+  FrameRange range;
+  range.first = numbers[0];
+  range.last = numbers.size() > 1 ? numbers[1] : numbers[0];
+  range.step = numbers.size() > 2 ? numbers[2] : 1;
+  if (numbers.size() > 3 || range.step < 1 || range.last < range.first) {
+    throw UsageError("--frames '" + text +
+                     "' is no range; write A:B or A:B:STEP with A <= B and STEP >= 1");
+  }
+  return range;
+}
+
+Size parse_size(const std::string& text) {
+  constexpr int kLeast = 64, kMost = 8192;  // what every OpenGL 3.3 driver can hold
+  const std::vector<std::string_view> parts = split(text, 'x');
+  if (parts.size() == 2) {
+    const std::optional<int> width = whole_number(parts[0]);
+    const std::optional<int> height = whole_number(parts[1]);
+    if (width && height && std::min(*width, *height) >= kLeast &&
+        std::max(*width, *height) <= kMost) {
+      return {*width, *height};
+    }
+  }
+  throw UsageError("--size '" + text +
+                   "' is no size; write WxH with both between 64 and 8192, as 1280x720");
+}
+
+}  // namespace contactscope::app

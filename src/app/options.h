@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gl/context.h"
+
+namespace contactscope::app {
+
+/// "A:B[:STEP]", B inclusive; "A" alone is one frame.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+  int step = 1;
+
+  /// The frames of a sequence of `frames` that the range names.
+  std::vector<int> select(int frames) const;
+};
+
+/// Parses a --frames argument. Throws UsageError.
+FrameRange parse_frame_range(const std::string& text);
+
+struct Size {
+  int width = 1280;
+  int height = 720;
+};
+
+/// Parses a --size argument, "WxH". Throws UsageError.
+Size parse_size(const std::string& text);
+
+enum class Update { Never, Failed, All };
+
+/// The command line, parsed.
+struct Options {
+  std::vector<std::string> scenarios;
+  std::string out = "out";
+  std::string scenario_root = "scenarios";
+  std::string snapshot_root = "snapshots";
+  gl::Backend backend = gl::Backend::Auto;
+  std::optional<Size> size;
+  std::optional<FrameRange> frames;
+  std::string view;
+  std::string reducer;
+  std::string what;  // of `list`
+  Update update = Update::Never;
+  int jobs = 0;  // 0: as many as there are processors
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool timing = false;
+};
+
+/// The command line is wrong; what() says how and what would be right. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class ExitCode { Same = 0, Different = 1, Trouble = 2 };
+
+}  // namespace contactscope::app

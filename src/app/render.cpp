@@ -1,0 +1,97 @@
+#include <filesystem>
+#include <iostream>
+
+#include "app/catalogue.h"
+#include "app/encoder_pool.h"
+#include "app/ledger.h"
+#include "app/progress.h"
+#include "app/sequence.h"
+#include "app/studio.h"
+#include "app/verbs.h"
+#include "draw/staging.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+std::vector<std::size_t> selected_frames(const Options& options, const Scenario& scenario) {
+  const FrameRange all{0, scenario.frames - 1, 1};
+  std::vector<std::size_t> which;
+  for (const int frame : options.frames.value_or(all).select(scenario.frames)) {
+    which.push_back(static_cast<std::size_t>(frame));
+  }
+  return which;
+}
+
+// What this scene did without, for --verbose.
+void account_for_absences(const Scenario& scenario, Ledger& ledger) {
+  bool panels = false, sat = false, clip = false;
+  for (const View& view : scenario.views) {
+    panels = panels || !view.panels.empty();
+    for (const std::string& layer : view.layers) {
+      sat = sat || layer == "sat_axes";
+      clip = clip || layer == "clip_polygons" || layer == "side_planes";
+    }
+  }
+  if (!panels) ledger.left_out("Dear ImGui: no view names a panel");
+  if (!sat) ledger.left_out("layer sat_axes: no view names it");
+  if (!clip) ledger.left_out("clip layers: no view names them");
+  ledger.left_out("bounding volume tree: all shapes are convex");
+  ledger.left_out("solver: no shape is dynamic");
+}
+
+}  // namespace
+
+ExitCode render(const Options& options) {
+  Ledger total;
+  std::vector<Scenario> scenarios;
+  {
+    const Timed timed(total, "read scenarios");
+    scenarios = load_scenarios(options);
+  }
+  int pictures = 0;
+  for (const Scenario& scenario : scenarios) {
+    pictures += static_cast<int>(selected_frames(options, scenario).size() * scenario.views.size());
+  }
+
+  const auto begin = std::chrono::steady_clock::now();
+  Studio studio(options.backend, total);
+  EncoderPool encoders(options.jobs);
+  {
+    Progress progress(pictures, options.quiet);
+    for (const Scenario& scenario : scenarios) {
+      const Sequence sequence = run_sequence(scenario, options.timing, total);
+      account_for_absences(scenario, total);
+      for (const View& view : scenario.views) {
+        const Size size = options.size.value_or(Size{});
+        const draw::Staging staging =
+            draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
+        const std::string view_folder = scenario.views.size() > 1 ? view.name : "";
+        studio.render(staging, sequence.frames, selected_frames(options, scenario),
+                      sequence.nanoseconds, [&](std::size_t frame, Image image) {
+                        encoders.submit(
+                            snapshot::picture_path(options.out, scenario.name, view_folder,
+                                                   static_cast<int>(frame)),
+                            std::move(image));
+                        progress.advance(scenario.name);
+                      });
+      }
+    }
+    encoders.finish();
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  total.add("encode, beside the rest",
+            std::chrono::duration_cast<std::chrono::nanoseconds>(encoders.busy()), pictures);
+  if (options.verbose) {
+    total.note(std::to_string(encoders.threads()) + " encoder thread(s), " +
+               std::to_string(pictures / seconds.count()) + " pictures a second");
+    total.print(std::cerr, "render");
+  }
+  if (!options.quiet) {
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << options.out
+              << '\n';
+  }
+  return ExitCode::Same;
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,81 @@
+#include "app/studio.h"
+
+#include "draw/illustrate.h"
+#include "gl/context.h"
+#include "gl/rasterizer.h"
+#include "overlay/imgui_renderer.h"
+
+namespace contactscope::app {
+
+struct Studio::Impl {
+  gl::Backend backend;
+  Ledger& ledger;
+  std::unique_ptr<gl::Context> context;
+  std::unique_ptr<gl::Rasterizer> rasterizer;
+  int width = 0, height = 0;
+
+  gl::Rasterizer& canvas(int w, int h) {
+    if (!context) {
+      const Timed timed(ledger, "open OpenGL");
+      context = gl::open_context(backend);
+      ledger.note("OpenGL through " + context->route());
+    }
+    if (!rasterizer || w != width || h != height) {
+      const Timed timed(ledger, "make a canvas");
+      rasterizer = std::make_unique<gl::Rasterizer>(*context, w, h);
+      width = w;
+      height = h;
+    }
+    return *rasterizer;
+  }
+};
+
+Studio::Studio(gl::Backend backend, Ledger& ledger)
+    : impl_(new Impl{backend, ledger, nullptr, nullptr, 0, 0}) {}
+
+Studio::~Studio() = default;
+
+void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
+                    const std::vector<std::size_t>& which, const std::vector<double>& nanoseconds,
+                    const std::function<void(std::size_t, Image)>& sink) {
+  Ledger& ledger = impl_->ledger;
+  const int width = staging.layout.width;
+  const int height = staging.layout.height;
+  gl::Rasterizer& canvas = impl_->canvas(width, height);
+
+  // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
+  std::unique_ptr<overlay::PanelRenderer> panels;
+  if (!staging.view.panels.empty()) {
+    const Timed timed(ledger, "start Dear ImGui");
+    panels = std::make_unique<overlay::PanelRenderer>(*impl_->context, width, height,
+                                                      staging.layout.scale);
+  }
+  for (const std::size_t index : which) {
+    draw::Drawing drawing;
+    {
+      const Timed timed(ledger, "illustrate");
+      drawing = draw::illustrate(staging, frames[index]);
+    }
+    {
+      const Timed timed(ledger, "paint");
+      canvas.begin(drawing.background);
+      canvas.paint(drawing);
+    }
+    if (panels) {
+      const Timed timed(ledger, "panels");
+      overlay::PanelFacts facts{staging, frames, index, std::nullopt};
+      if (index < nanoseconds.size()) facts.pipeline_nanoseconds = nanoseconds[index];
+      panels->begin_frame();
+      overlay::draw_panels(facts);
+      panels->end_frame_and_draw();
+    }
+    Image image;
+    {
+      const Timed timed(ledger, "read back");
+      image = canvas.read();
+    }
+    sink(index, std::move(image));
+  }
+}
+
+}  // namespace contactscope::app

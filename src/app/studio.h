@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/ledger.h"
+#include "app/options.h"
+#include "draw/staging.h"
+#include "image/image.h"
+#include "overlay/panels.h"
+#include "trace/trace.h"
+
+namespace contactscope::app {
+
+/// Turns sequences into pictures. OpenGL is opened with the first picture, Dear ImGui with the
+/// first view that has panels, so that a run without pictures opens neither.
+class Studio {
+ public:
+  Studio(gl::Backend backend, Ledger& ledger);
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  /// Renders the frames of a staged sequence whose indices are given and hands each picture to
+  /// `sink` with its index. `nanoseconds` holds measured pipeline times for the summary panel, one
+  /// a frame, or is empty.
+  void render(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
+              const std::vector<std::size_t>& which, const std::vector<double>& nanoseconds,
+              const std::function<void(std::size_t, Image)>& sink);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace contactscope::app

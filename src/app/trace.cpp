@@ -1,0 +1,29 @@
+#include <iostream>
+#include <numeric>
+
+#include "app/catalogue.h"
+#include "app/verbs.h"
+#include "scenario/run.h"
+#include "trace/json.h"
+
+namespace contactscope::app {
+
+// Prints the facts and opens no OpenGL library.
+ExitCode trace(const Options& options) {
+  const std::vector<Scenario> scenarios = load_scenarios(options);
+  if (scenarios.size() != 1) throw UsageError("trace takes one scenario");
+  const Scenario& scenario = scenarios.front();
+  std::cout << trace::to_json_line(trace_header(scenario)) << '\n';
+  const FrameRange all{0, scenario.frames - 1, 1};
+  for (const int frame : options.frames.value_or(all).select(scenario.frames)) {
+    std::cout << trace::to_json_line(run_frame(scenario, frame)) << '\n';
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    std::cerr << "contactscope: standard output could not be written\n";
+    return ExitCode::Trouble;
+  }
+  return ExitCode::Same;
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,72 @@
+#include "draw/hidden_lines.h"
+
+#include <gtest/gtest.h>
+
+namespace contactscope::draw {
+namespace {
+
+const Rect kViewport{0, 0, 400, 400};
+const std::vector<Vec3d> kSquare = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+
+Camera from_front() {
+  return Camera::orthographic({0, 0, 10}, {0, 0, 0}, Vec3d::UnitY(), 4, kViewport);
+}
+
+double hidden_length(const std::vector<Span>& spans) {
+  double sum = 0;
+  for (const Span& span : spans) sum += span.hidden ? span.to - span.from : 0;
+  return sum;
+}
+
+TEST(HiddenLines, MiddleOfALineBehindASquareIsHidden) {
+  const HiddenLines lines(from_front(), {kSquare});
+  const std::vector<Span> spans = lines.split({-2, 0, -1}, {2, 0, -1});
+  ASSERT_EQ(spans.size(), 3u);
+  EXPECT_FALSE(spans[0].hidden);
+  EXPECT_TRUE(spans[1].hidden);
+  EXPECT_NEAR(spans[1].from, 0.25, 1e-3);
+  EXPECT_NEAR(spans[1].to, 0.75, 1e-3);
+  EXPECT_FALSE(spans[2].hidden);
+}
+
+TEST(HiddenLines, LineInFrontIsSeen) {
+  const HiddenLines lines(from_front(), {kSquare});
+  EXPECT_EQ(hidden_length(lines.split({-2, 0, 1}, {2, 0, 1})), 0);
+}
+
+TEST(HiddenLines, EdgesOfTheOccluderItselfAreSeen) {
+  const HiddenLines lines(from_front(), {kSquare});
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(hidden_length(lines.split(kSquare[i], kSquare[(i + 1) % 4])), 0);
+  }
+}
+
+TEST(HiddenLines, LinePiercingASquareIsHiddenFromTheCrossingOn) {
+  const HiddenLines lines(from_front(), {kSquare});
+  const std::vector<Span> spans = lines.split({0, 0, 1}, {0.5, 0, -1});
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_FALSE(spans[0].hidden);
+  EXPECT_NEAR(spans[0].to, 0.5, 1e-3);
+  EXPECT_TRUE(spans[1].hidden);
+}
+
+TEST(HiddenLines, NoGapBetweenTheShadowsOfNeighbours) {
+  const std::vector<Vec3d> left = {{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0}};
+  const std::vector<Vec3d> right = {{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0}};
+  const HiddenLines lines(from_front(), {left, right});
+  const std::vector<Span> spans = lines.split({-0.9, 0.1, -1}, {0.9, 0.2, -1});
+  ASSERT_EQ(spans.size(), 1u);
+  EXPECT_TRUE(spans[0].hidden);
+}
+
+TEST(HiddenLines, PerspectiveShadowWidensBehindTheOccluder) {
+  const Camera camera = Camera::perspective({0, 0, 10}, {0, 0, 0}, Vec3d::UnitY(), 0.6, kViewport);
+  const HiddenLines lines(camera, {kSquare});
+  // Ten metres behind, the shadow of the half metre is twice as wide.
+  const std::vector<Span> spans = lines.split({-4, 0, -10}, {4, 0, -10});
+  ASSERT_EQ(spans.size(), 3u);
+  EXPECT_NEAR(8 * (spans[1].to - spans[1].from), 4, 1e-2);
+}
+
+}  // namespace
+}  // namespace contactscope::draw

@@ -1,0 +1,31 @@
+#include "draw/quantity.h"
+
+#include <gtest/gtest.h>
+
+namespace contactscope::draw {
+namespace {
+
+TEST(SpellLength, PicksTheUnitThatFits) {
+  EXPECT_EQ(spell_length(-0.005), "−5.00 mm");
+  EXPECT_EQ(spell_length(0.25), "0.250 m");
+  EXPECT_EQ(spell_length(0.1), "0.100 m");
+  EXPECT_EQ(spell_length(0.0999), "99.9 mm");
+  EXPECT_EQ(spell_length(12.345), "12.3 m");
+  EXPECT_EQ(spell_length(-3.2e-6), "−3.20 µm");
+  EXPECT_EQ(spell_length(12000), "12.0 km");
+  EXPECT_EQ(spell_length(0), "0 m");
+  EXPECT_EQ(spell_length(4e-9), "4.00 nm");
+}
+
+TEST(SpellLength, RoundingUpDoesNotPrintFourDigitsOfTheSmallerUnit) {
+  EXPECT_EQ(spell_length(0.09999), "0.100 m");
+  EXPECT_EQ(spell_length(0.0009999), "1.00 mm");
+}
+
+TEST(SpellNumber, HasARealMinusSign) {
+  EXPECT_EQ(spell_number(-20), "−20");
+  EXPECT_EQ(spell_number(0.5), "0.5");
+}
+
+}  // namespace
+}  // namespace contactscope::draw
