@@ -1,19 +1,47 @@
 #pragma once
 
+#include <variant>
+#include <vector>
+
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
 namespace contactscope {
 
-/// The trace's first line: shapes and settings. `scalar` is that of the first pair's settings.
+/// Runs the frames of one scenario. Hulls are rounded to the scenario's scalar once, here. Holds on
+/// to the scenario, which must outlive it and keep its shapes; settings of pairs may change between
+/// frames. Frames are independent of each other, and may run on several threads at once.
+class Runner {
+ public:
+  explicit Runner(const Scenario& scenario);
+  explicit Runner(Scenario&&) = delete;
+
+  /// The trace's first line: shapes and settings. Vertices are those that the pipeline sees,
+  /// rounded to its scalar. A reducer or scalar of a pair is not among the settings: stages name
+  /// theirs.
+  trace::Header header() const;
+
+  /// Poses and recorded pairs of one frame (0 <= frame, also beyond the last). Poses are evaluated
+  /// in double and rounded to the scalar, and are written as the pipeline saw them. Pairs are in
+  /// the scenario's order.
+  trace::Frame frame(int frame) const;
+
+  /// The same pipeline with nothing recorded but the manifolds themselves, in the way a physics
+  /// engine would call it: `sat`, `clip` and `reduction` are empty. `separation` is that of the
+  /// deepest point, and 0 when separated: how far apart, only a recorded frame says.
+  trace::Frame frame_unrecorded(int frame) const;
+
+ private:
+  template <class S>
+  trace::Frame run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const;
+
+  const Scenario* scenario_;
+  std::variant<std::vector<Hull<float>>, std::vector<Hull<double>>> hulls_;  // one a shape
+};
+
+/// For one call; whoever runs a sequence keeps a Runner.
 trace::Header trace_header(const Scenario& scenario);
-
-/// Poses and recorded pairs of one frame; frames are independent of each other.
 trace::Frame run_frame(const Scenario& scenario, int frame);
-
-/// The manifolds of one frame with nothing recorded but the manifolds themselves: the same pipeline
-/// as run_frame, in the way a physics engine would call it. One entry a pair, `sat`, `clip` and
-/// `reduction` empty.
 trace::Frame run_frame_unrecorded(const Scenario& scenario, int frame);
 
 }  // namespace contactscope

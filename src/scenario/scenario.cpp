@@ -1,0 +1,113 @@
+#include "scenario/scenario.h"
+
+#include <filesystem>
+
+#include "scenario/expectations.h"
+#include "scenario/pairs.h"
+#include "scenario/shapes.h"
+#include "scenario/text_checks.h"
+#include "scenario/toml_reader.h"
+#include "scenario/views.h"
+
+namespace contactscope {
+namespace {
+
+namespace fs = std::filesystem;
+using toml_reader::Table;
+using toml_reader::Value;
+
+constexpr int kMaxFrames = 100000;
+constexpr double kLongestStep = 1e6;  // seconds
+
+/// "<group>/<idea>": the file and the folder that it is in.
+std::string name_of(const std::string& path) {
+  std::error_code error;
+  fs::path whole = fs::absolute(path, error);
+  if (error) whole = path;
+  whole = whole.lexically_normal();
+  const std::string group = whole.parent_path().filename().string();
+  const std::string idea = whole.stem().string();
+  return group.empty() ? idea : group + "/" + idea;
+}
+
+void read_time(const Value& value, Scenario& scenario) {
+  const Table table = value.table({"frames", "dt"});
+  if (const auto frames = table.find("frames")) scenario.frames = frames->integer(1, kMaxFrames);
+  if (const auto dt = table.find("dt")) {
+    scenario.dt = dt->positive("seconds");
+    if (scenario.dt > kLongestStep) dt->fail("'dt' is longer than 1e6 seconds; lower it");
+  }
+}
+
+std::vector<std::string> read_tags(const Value& value) {
+  std::vector<std::string> tags;
+  for (const Value& item : value.array()) tags.push_back(item.non_empty_string());
+  return tags;
+}
+
+// Dynamic shapes alone use these two tables, and there are none yet; a mistake is one all the same.
+
+void check_world(const Value& value) {
+  const Table table = value.table({"gravity", "friction"});
+  if (const auto gravity = table.find("gravity")) gravity->vector3();
+  if (const auto friction = table.find("friction")) friction->not_negative();
+}
+
+void check_solver(const Value& value) {
+  constexpr int kMaxIterations = 10000;
+  const Table table = value.table({"iterations", "position_correction", "warm_start"});
+  if (const auto iterations = table.find("iterations")) iterations->integer(1, kMaxIterations);
+  if (const auto correction = table.find("position_correction"))
+    correction->one_of({"baumgarte", "projection", "soft"}, "position correction");
+  if (const auto warm_start = table.find("warm_start")) warm_start->boolean();
+}
+
+}  // namespace
+
+Scenario parse_scenario(const std::string& text, const std::string& path) {
+  using namespace scenario_file;
+  check_scenario_text(text, path);
+  const toml::table document = toml_reader::parse_document(text, path);
+  const Table file(path, document, "",
+                   {"title", "source", "tags", "up", "time", "shapes", "pairs", "pipeline", "world",
+                    "solver", "views", "expect", "snapshots"});
+
+  Scenario scenario;
+  scenario.name = name_of(path);
+  scenario.path = path;
+  scenario.title = file.require("title", "title = \"What the scene shows\"").non_empty_string();
+  if (const auto source = file.find("source")) scenario.source = source->string();
+  if (const auto tags = file.find("tags")) scenario.tags = read_tags(*tags);
+  if (const auto up = file.find("up")) scenario.up = up->one_of({"y", "z"}, "up axis");
+  if (const auto time = file.find("time")) read_time(*time, scenario);
+
+  const Value shapes = file.require("shapes", "a shape as [shapes.NAME]");
+  scenario.shapes =
+      read_shapes(shapes, fs::path(path).parent_path(), (scenario.frames - 1) * scenario.dt);
+  PipelineSettings settings;
+  if (const auto pipeline = file.find("pipeline")) settings = read_pipeline(*pipeline);
+  if (const auto pairs = file.find("pairs"))
+    scenario.pairs = read_pairs(*pairs, scenario.shapes, settings);
+  else
+    scenario.pairs = every_pair(scenario.shapes, settings, shapes);
+  scenario.scalar = settings.scalar;
+
+  if (const auto world = file.find("world")) check_world(*world);
+  if (const auto solver = file.find("solver")) check_solver(*solver);
+  if (const auto views = file.find("views"))
+    scenario.views = read_views(*views);
+  else
+    scenario.views = {default_view()};
+  if (const auto expect = file.find("expect"))
+    scenario.expectations = read_expectations(*expect, scenario);
+  scenario.snapshots = default_snapshots(scenario.frames);
+  if (const auto snapshots = file.find("snapshots"))
+    scenario.snapshots = read_snapshots(*snapshots, scenario.frames);
+  return scenario;
+}
+
+Scenario load_scenario(const std::string& path) {
+  return parse_scenario(read_scenario_text(path), path);
+}
+
+}  // namespace contactscope

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,17 +10,46 @@
 #include "core/view.h"
 #include "geometry/hull.h"
 
+/// The scenario format of FORMATS.md, and what it has grown since:
+///
+///     [pipeline]
+///     preference = "relative"          # or "none": the axis of true minimum penetration
+///
+///     [[pairs]]                        # several settings for the same two shapes, told apart by
+///     label a = "crate" b = "floor" label = "preference off"         # once a second entry names
+///     the same two shapes preference = "none"              # and any other key of [pipeline] but
+///     scalar
+///
+///     [[views]]
+///     focus = "contact"                # or "shapes": what the fitted camera frames
+///     story = "clip_steps"             # frame k shows k side planes; "none": every frame shows
+///     all
+///
+///     [[expect]]
+///     label = "preference off"         # of the pair
+///     axis  = "face_b"                 # or "face_a", "edge_edge"
+///
+///     [snapshots]
+///     frames = [0, 11, 23]             # that `check` stores; default first, middle, last
+///     size   = [640, 360]              # pixels
+///
+/// Lengths may be 1e-9 to 1e9 metres, frames up to 100000, segments 3 to 64, max_points 1 to 64,
+/// pairs up to 4096, points of a hull up to 100000, the file up to 16 MiB. `segments` has no
+/// default. A view's name becomes a folder: letters, digits, '_' and '-'. Keys that serve what is
+/// not built yet (sphere, capsule, mesh, plane, dynamic shapes, incremental manifolds) are checked
+/// and then refused; [world] and [solver] are checked and have no effect on scripted shapes.
 namespace contactscope {
 
-/// Position and rotation at a time; what a keyframe leaves out is taken from the keyframe before it,
-/// the first from the shape's own pose.
+/// Position and rotation at a time; what a keyframe leaves out is taken from the keyframe before
+/// it, the first from the shape's own pose.
 struct Keyframe {
   double time = 0;  // seconds
   Pose<double> pose;
 };
 
-/// Scripted motion: keyframes (positions linear, rotations slerp, ends held), or constant velocities
-/// from the shape's own pose. Velocities in world space, m/s and rad/s about the shape's origin.
+/// Scripted motion: keyframes (positions linear, rotations slerp, ends held), or constant
+/// velocities from the shape's own pose. Velocities in world space, m/s and rad/s about the shape's
+/// origin.
 struct Motion {
   std::vector<Keyframe> keyframes;
   Vec3d velocity = Vec3d::Zero();
@@ -68,11 +95,11 @@ struct Expectation {
   std::string label;
   std::optional<ExpectedState> state;
   std::optional<int> points;
-  std::optional<std::string> axis;    // "face_a", "face_b", "edge_edge"
+  std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge"
   std::optional<Vec3d> normal;
-  std::optional<double> separation;   // metres, deepest point
-  double tolerance = 1e-5;            // metres, and for each component of the normal
-  int line = 0;                       // in the file, for messages
+  std::optional<double> separation;  // metres, deepest point
+  double tolerance = 1e-5;           // metres, and for each component of the normal
+  int line = 0;                      // in the file, for messages
 };
 
 /// Which frames `check` stores, and in what size.
@@ -92,6 +119,7 @@ struct Scenario {
   int frames = 1;
   double dt = 1.0 / 60.0;  // seconds
   std::vector<ScenarioShape> shapes;
+  Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
   std::vector<ScenarioPair> pairs;
   std::vector<View> views;  // at least one
   std::vector<Expectation> expectations;

@@ -1,0 +1,107 @@
+#include "scenario/expect.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace contactscope {
+namespace {
+
+/// Shortest spelling that reads back to the same number.
+std::string spell(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+std::string spell(const Vec3d& v) {
+  return std::string("[") + spell(v.x()) + ", " + spell(v.y()) + ", " + spell(v.z()) + "]";
+}
+
+std::string spell_points(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " point" : " points");
+}
+
+/// Axis and normal of a pair.
+struct Direction {
+  std::string axis;
+  Vec3d normal;
+};
+
+/// One for each manifold, or of the separating axis; none when nothing says.
+std::vector<Direction> directions_of(const trace::Pair& pair) {
+  std::vector<Direction> directions;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    directions.push_back({manifold.axis, manifold.normal});
+  if (!directions.empty() || !pair.sat) return directions;
+  const trace::Sat& sat = *pair.sat;
+  if (sat.chosen == "face_a" && sat.face_a) directions.push_back({sat.chosen, sat.face_a->normal});
+  if (sat.chosen == "face_b" && sat.face_b) directions.push_back({sat.chosen, sat.face_b->normal});
+  if (sat.chosen == "edge_edge" && sat.edge) directions.push_back({sat.chosen, sat.edge->normal});
+  return directions;
+}
+
+/// What `pair` does not meet, without the place that each sentence begins with.
+std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& pair) {
+  std::vector<std::string> sentences;
+  if (expected.state) {
+    const std::string state = *expected.state == ExpectedState::Touching ? "touching" : "separated";
+    if (pair.state != state)
+      sentences.push_back("expected " + state + ", got " + pair.state + " with separation " +
+                          spell(pair.separation) + " m");
+  }
+  if (expected.points) {
+    std::size_t count = 0;
+    for (const trace::Manifold& manifold : pair.manifolds) count += manifold.points.size();
+    if (count != static_cast<std::size_t>(*expected.points))
+      sentences.push_back("expected " + spell_points(static_cast<std::size_t>(*expected.points)) +
+                          ", got " + std::to_string(count));
+  }
+  const std::vector<Direction> directions = directions_of(pair);
+  if (expected.axis && directions.empty())
+    sentences.push_back("expected axis " + *expected.axis + ", got none");
+  if (expected.normal && directions.empty())
+    sentences.push_back("expected normal " + spell(*expected.normal) + ", got none");
+  for (const Direction& direction : directions) {
+    if (expected.axis && direction.axis != *expected.axis)
+      sentences.push_back("expected axis " + *expected.axis + ", got " + direction.axis);
+    // Written so that nan is never within the tolerance.
+    if (expected.normal &&
+        !((direction.normal - *expected.normal).cwiseAbs().array() <= expected.tolerance).all())
+      sentences.push_back("expected normal " + spell(*expected.normal) + ", got " +
+                          spell(direction.normal) + " (tolerance " + spell(expected.tolerance) +
+                          ")");
+  }
+  if (expected.separation &&
+      !(std::abs(pair.separation - *expected.separation) <= expected.tolerance))
+    sentences.push_back("expected separation " + spell(*expected.separation) + " m, got " +
+                        spell(pair.separation) + " m (tolerance " + spell(expected.tolerance) +
+                        ")");
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> unmet_expectations(const Scenario& scenario, const trace::Frame& frame) {
+  std::vector<std::string> sentences;
+  for (const Expectation& expected : scenario.expectations) {
+    if (frame.frame < expected.first_frame || frame.frame > expected.last_frame) continue;
+    const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
+    const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
+    const std::string place = scenario.path + ":" + std::to_string(expected.line) + ": frame " +
+                              std::to_string(frame.frame) + ", " + a + "-" + b +
+                              (expected.label.empty() ? "" : " (" + expected.label + ")") + ": ";
+    const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& p) {
+      return p.a == a && p.b == b && p.label == expected.label;
+    });
+    if (pair == frame.pairs.end()) {
+      sentences.push_back(place + "the frame has no such pair");
+      continue;
+    }
+    for (const std::string& sentence : unmet(expected, *pair))
+      sentences.push_back(place + sentence);
+  }
+  return sentences;
+}
+
+}  // namespace contactscope

@@ -1,0 +1,106 @@
+#include "scenario/expectations.h"
+
+#include <cmath>
+
+#include "scenario/pairs.h"
+
+namespace contactscope::scenario_file {
+namespace {
+
+using toml_reader::Table;
+using toml_reader::Value;
+
+constexpr int kMostPoints = 4096;  // more than any manifold holds; catches a slip of the pen
+
+/// Refuses an expectation of a pair that does not run; `at` is the key that names its shape a.
+void require_pair(const Expectation& expectation, const Scenario& scenario, const Value& at) {
+  const auto name = [&](int shape) {
+    return "'" + scenario.shapes[static_cast<std::size_t>(shape)].name + "'";
+  };
+  std::vector<std::string> labels;
+  bool swapped = false;
+  for (const ScenarioPair& pair : scenario.pairs) {
+    if (pair.a == expectation.a && pair.b == expectation.b) {
+      if (pair.label == expectation.label) return;
+      labels.push_back(pair.label);
+    }
+    swapped = swapped || (pair.a == expectation.b && pair.b == expectation.a);
+  }
+  const std::string both = name(expectation.a) + " and " + name(expectation.b);
+  if (!labels.empty()) {
+    const bool plain = labels.size() == 1 && labels[0].empty();
+    at.fail("the pair " + both + " has no entry with " +
+            (expectation.label.empty() ? "no label" : "the label '" + expectation.label + "'") +
+            "; " +
+            (plain ? "it has no label"
+                   : "labels: " + toml_reader::quoted_list(toml_reader::as_keys(labels))));
+  }
+  if (swapped)
+    at.fail("the pair is a = " + name(expectation.b) + ", b = " + name(expectation.a) +
+            "; swap them here, the normal points from a to b");
+  at.fail("the pair " + both + " is not run; list it in [[pairs]]");
+}
+
+Expectation read_expectation(const Value& value, const Scenario& scenario) {
+  const Table table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "normal",
+                                   "separation", "tolerance"});
+  Expectation expectation;
+  expectation.line = value.line();
+  expectation.last_frame = scenario.frames - 1;
+  if (const auto frames = table.find("frames")) {
+    const std::vector<Value> range = frames->array();
+    if (range.size() != 2)
+      frames->fail("'frames' is the first and the last frame, such as [0, 23]");
+    expectation.first_frame = range[0].integer(0, scenario.frames - 1);
+    expectation.last_frame = range[1].integer(0, scenario.frames - 1);
+    if (expectation.last_frame < expectation.first_frame)
+      range[1].fail("'frames' ends before it begins; write the first frame first");
+  }
+  const Value a = table.require("a", "a = \"NAME\" of a shape");
+  const Value b = table.require("b", "b = \"NAME\" of a shape");
+  expectation.a = shape_named(a, scenario.shapes);
+  expectation.b = shape_named(b, scenario.shapes);
+  if (expectation.a == expectation.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
+  if (const auto label = table.find("label")) expectation.label = label->non_empty_string();
+  require_pair(expectation, scenario, a);
+
+  if (const auto state = table.find("state"))
+    expectation.state = state->one_of({"touching", "separated"}, "state") == "touching"
+                            ? ExpectedState::Touching
+                            : ExpectedState::Separated;
+  if (const auto points = table.find("points")) {
+    expectation.points = points->integer(0, kMostPoints);
+    if (expectation.state &&
+        (*expectation.state == ExpectedState::Touching) == (*expectation.points == 0))
+      points->fail(
+          "'points' contradicts 'state'; a touching pair has points, a separated has none");
+  }
+  if (const auto axis = table.find("axis"))
+    expectation.axis = axis->one_of({"face_a", "face_b", "edge_edge"}, "axis");
+  if (const auto normal = table.find("normal")) {
+    expectation.normal = normal->vector3();
+    // Loose enough for three written digits; a vector that was never normalised is far off.
+    if (!(std::abs(expectation.normal->norm() - 1) <= 1e-2))
+      normal->fail("'normal' has length " + std::to_string(expectation.normal->norm()) +
+                   "; give a unit vector from a to b");
+  }
+  if (const auto separation = table.find("separation"))
+    expectation.separation = separation->number("metres");
+  if (const auto tolerance = table.find("tolerance"))
+    expectation.tolerance = tolerance->not_negative("metres");
+  if (!expectation.state && !expectation.points && !expectation.axis && !expectation.normal &&
+      !expectation.separation)
+    value.fail("this entry expects nothing; add state, points, axis, normal or separation");
+  return expectation;
+}
+
+}  // namespace
+
+std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario) {
+  std::vector<Expectation> expectations;
+  for (const Value& item : value.array_of_tables())
+    expectations.push_back(read_expectation(item, scenario));
+  return expectations;
+}
+
+}  // namespace contactscope::scenario_file

@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include "scenario/scenario.h"
+
+namespace contactscope {
+namespace {
+
+/// Between two keyframes: positions linear, rotations slerp (Shoemake 1985, "Animating Rotation
+/// with Quaternion Curves") the shortest way round, at constant angular velocity.
+Pose<double> interpolate(const Keyframe& from, const Keyframe& to, double time) {
+  const double t = (time - from.time) / (to.time - from.time);
+  Pose<double> pose;
+  pose.position = (1 - t) * from.pose.position + t * to.pose.position;
+  pose.rotation = from.pose.rotation.slerp(t, to.pose.rotation);
+  pose.rotation.normalize();
+  return pose;
+}
+
+Pose<double> along_keyframes(const std::vector<Keyframe>& keyframes, double time) {
+  const auto later = std::ranges::upper_bound(keyframes, time, {}, &Keyframe::time);
+  if (later == keyframes.begin()) return keyframes.front().pose;
+  const Keyframe& from = *std::prev(later);
+  // A keyframe's own time gives its own numbers, untouched by the interpolation's rounding.
+  if (later == keyframes.end() || time == from.time) return from.pose;
+  return interpolate(from, *later, time);
+}
+
+}  // namespace
+
+/// With constant angular velocity w the rotation is exp(w t) R0, which is exact at every time; the
+/// frames of a sequence do not add up rounding.
+Pose<double> pose_at(const ScenarioShape& shape, double time) {
+  const Motion& motion = shape.motion;
+  if (!motion.keyframes.empty()) return along_keyframes(motion.keyframes, time);
+  Pose<double> pose = shape.pose;
+  pose.position += time * motion.velocity;
+  const double speed = motion.angular_velocity.stableNorm();  // rad/s
+  if (speed > 0) {
+    const Vec3d axis = motion.angular_velocity / speed;
+    pose.rotation = Quatd(Eigen::AngleAxisd(speed * time, axis)) * shape.pose.rotation;
+    pose.rotation.normalize();
+  }
+  return pose;
+}
+
+}  // namespace contactscope

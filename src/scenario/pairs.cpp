@@ -1,0 +1,115 @@
+#include "scenario/pairs.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "reduce/reducer.h"
+#include "scenario/placement.h"
+
+namespace contactscope::scenario_file {
+namespace {
+
+using toml_reader::Keys;
+using toml_reader::Table;
+using toml_reader::Value;
+
+// More points than a solver takes from one manifold.
+constexpr int kMaxPoints = 64;
+
+std::vector<std::string> reducer_names() {
+  std::vector<std::string> names;
+  for (const ReducerInfo& info : reducers()) names.push_back(info.name);
+  return names;
+}
+
+/// The settings that [pipeline] and a [[pairs]] entry share.
+PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
+  if (const auto manifold = table.find("manifold");
+      manifold && manifold->one_of({"one-shot", "incremental"}, "manifold") == "incremental")
+    manifold->fail("incremental manifolds are parsed but cannot be built yet; use \"one-shot\"");
+  if (const auto reducer = table.find("reducer"))
+    settings.reducer = reducer->one_of(reducer_names(), "reducer");
+  if (const auto max_points = table.find("max_points"))
+    settings.max_points = max_points->integer(1, kMaxPoints);
+  if (const auto margin = table.find("margin")) {
+    settings.margin = margin->not_negative("metres");
+    if (settings.margin > kLargestLength)
+      margin->fail("'margin' is larger than 1e9 metres; lower it");
+  }
+  if (const auto cache = table.find("cache")) settings.cache = cache->boolean();
+  if (const auto preference = table.find("preference"))
+    settings.preference = preference->one_of({"relative", "none"}, "preference") == "none"
+                              ? Preference::None
+                              : Preference::Relative;
+  return settings;
+}
+
+}  // namespace
+
+PipelineSettings read_pipeline(const Value& value) {
+  const Table table =
+      value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference"});
+  PipelineSettings settings;
+  if (const auto scalar = table.find("scalar"))
+    settings.scalar =
+        scalar->one_of({"float", "double"}, "scalar") == "double" ? Scalar::Double : Scalar::Float;
+  return read_settings(table, settings);
+}
+
+int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes) {
+  const std::string name = value.string();
+  const auto found = std::ranges::find(shapes, name, &ScenarioShape::name);
+  if (found != shapes.end()) return static_cast<int>(found - shapes.begin());
+  Keys names;
+  for (const ScenarioShape& shape : shapes) names.push_back(shape.name);
+  const std::string near = toml_reader::nearest(name, names);
+  constexpr std::size_t kMostListed = 16;
+  const bool all = names.size() <= kMostListed;
+  if (!all) names.resize(kMostListed);
+  value.fail("there is no shape '" + name + "'; " +
+             (near.empty() ? "" : "did you mean '" + near + "'? ") + "the file has " +
+             toml_reader::quoted_list(names) + (all ? "" : " and more"));
+}
+
+std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,
+                                     const PipelineSettings& settings) {
+  std::vector<ScenarioPair> pairs;
+  std::set<std::tuple<int, int, std::string>> seen;
+  const std::vector<Value> items = value.array_of_tables();
+  if (items.size() > kMaxPairs)
+    value.fail("there are " + std::to_string(items.size()) + " pairs; at most " +
+               std::to_string(kMaxPairs) + " can be run");
+  for (const Value& item : items) {
+    const Table table = item.table({"a", "b", "label", "scalar", "manifold", "reducer",
+                                    "max_points", "margin", "cache", "preference"});
+    ScenarioPair pair;
+    pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
+    const Value b = table.require("b", "b = \"NAME\" of a shape");
+    pair.b = shape_named(b, shapes);
+    if (pair.a == pair.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
+    if (const auto label = table.find("label")) pair.label = label->non_empty_string();
+    if (const auto scalar = table.find("scalar"))
+      scalar->fail("one scalar serves the whole file; set 'scalar' in [pipeline]");
+    pair.pipeline = read_settings(table, settings);
+    if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
+      item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
+                                     const PipelineSettings& settings, const Value& at) {
+  const std::size_t count = shapes.size() * (shapes.size() - 1) / 2;
+  if (count > kMaxPairs)
+    at.fail(std::to_string(shapes.size()) + " shapes make " + std::to_string(count) +
+            " pairs; list those to run, at most " + std::to_string(kMaxPairs) + ", as [[pairs]]");
+  std::vector<ScenarioPair> pairs;
+  const int shape_count = static_cast<int>(shapes.size());
+  for (int a = 0; a < shape_count; ++a)
+    for (int b = a + 1; b < shape_count; ++b) pairs.push_back({a, b, "", settings});
+  return pairs;
+}
+
+}  // namespace contactscope::scenario_file

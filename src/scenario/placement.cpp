@@ -1,0 +1,163 @@
+#include "scenario/placement.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace contactscope::scenario_file {
+namespace {
+
+using toml_reader::Keys;
+using toml_reader::Table;
+using toml_reader::Value;
+
+// Quaternions are written with three to four digits at least; what is farther from length one is no
+// rotation but a slip, often another order of the components.
+constexpr double kQuaternionTolerance = 1e-3;
+// Matrices come from other programs' single-precision output, six digits and better.
+constexpr double kMatrixTolerance = 1e-4;
+
+Quatd unit_quaternion(double w, double x, double y, double z, const Value& at) {
+  const double length = std::hypot(std::hypot(w, x), std::hypot(y, z));
+  if (!(std::abs(length - 1) <= kQuaternionTolerance))
+    at.fail("'" + at.name() + "' has length " + std::to_string(length) +
+            "; a rotation is a quaternion of length 1 (within 0.001)");
+  return Quatd(w / length, x / length, y / length, z / length);
+}
+
+Quatd from_axis(const Table& table) {
+  const Value axis_value = table.require("axis", "axis = [x, y, z]");
+  const Vec3d axis = axis_value.vector3();
+  const double largest = axis.cwiseAbs().maxCoeff();
+  if (largest == 0) axis_value.fail("'axis' is zero; give a direction, such as [0, 1, 0]");
+  const auto degrees = table.find("degrees");
+  const auto radians = table.find("radians");
+  if (degrees && radians) radians->fail("give 'degrees' or 'radians', not both");
+  if (!degrees && !radians)
+    table.fail("the rotation about 'axis' has no angle; add degrees = or radians =");
+  const double angle =
+      degrees ? degrees->number("degrees") / 180 * std::numbers::pi : radians->number("radians");
+  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
+  const Vec3d unit = Vec3d(axis / largest).normalized();
+  return Quatd(Eigen::AngleAxisd(angle, unit));
+}
+
+Quatd from_matrix(const Value& value) {
+  const std::vector<Value> rows = value.array();
+  if (rows.size() != 3) value.fail("'matrix' needs three rows of three numbers each");
+  Mat3<double> matrix;
+  for (int i = 0; i < 3; ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)].vector3();
+  // Also refuses what is too large to square: no comparison with nan holds.
+  const Mat3<double> gram = matrix * matrix.transpose();
+  const double error = (gram - Mat3<double>::Identity()).cwiseAbs().maxCoeff();
+  if (!(error <= kMatrixTolerance))
+    value.fail(
+        "'matrix' is no rotation: its rows are not unit vectors at right angles (within 0.0001)");
+  if (matrix.determinant() < 0)
+    value.fail("'matrix' is no rotation: it mirrors (determinant -1); change the sign of one row");
+  Quatd rotation(matrix);
+  rotation.normalize();
+  return rotation;
+}
+
+std::vector<Keyframe> read_keyframes(const Value& value, const Pose<double>& start) {
+  std::vector<Keyframe> keyframes;
+  Pose<double> pose = start;
+  for (const Value& item : value.array_of_tables()) {
+    const Table table = item.table({"time", "position", "rotation"});
+    const Value time = table.require("time", "time = 0.5 (seconds)");
+    pose = read_pose(table, pose);
+    Keyframe keyframe{time.number("seconds"), pose};
+    if (!keyframes.empty() && keyframe.time <= keyframes.back().time)
+      time.fail("keyframes must be in order of time, each later than the one before; " +
+                std::to_string(keyframe.time) + " s comes after " +
+                std::to_string(keyframes.back().time) + " s");
+    keyframes.push_back(keyframe);
+  }
+  if (keyframes.empty())
+    value.fail("'keyframes' is empty; add { time = 0.0, position = [0, 0, 0] } or leave it out");
+  return keyframes;
+}
+
+Vec3d read_velocity(const Table& table, const char* key, const char* unit) {
+  const auto value = table.find(key);
+  if (!value) return Vec3d::Zero();
+  const Vec3d velocity = value->vector3();
+  if (velocity.cwiseAbs().maxCoeff() > kLargestLength)
+    value->fail(std::string("'") + key + "' is too fast; at most 1e9 " + unit);
+  return velocity;
+}
+
+}  // namespace
+
+double read_length(const Value& value) {
+  const double length = value.positive("metres");
+  if (length < kSmallestLength || length > kLargestLength)
+    value.fail("'" + value.name() + "' is out of range; lengths may be 1e-9 to 1e9 metres");
+  return length;
+}
+
+Vec3d read_position(const Value& value) {
+  const Vec3d position = value.vector3();
+  if (position.cwiseAbs().maxCoeff() > kLargestLength)
+    value.fail("'" + value.name() + "' is too far away; coordinates may be up to 1e9 metres");
+  return position;
+}
+
+Quatd read_rotation(const Value& value) {
+  const Table table =
+      value.table({"axis", "degrees", "radians", "quat_wxyz", "quat_xyzw", "matrix"});
+  const bool about_axis = table.find("axis") || table.find("degrees") || table.find("radians");
+  const auto wxyz = table.find("quat_wxyz");
+  const auto xyzw = table.find("quat_xyzw");
+  const auto matrix = table.find("matrix");
+  const int forms = (about_axis ? 1 : 0) + (wxyz ? 1 : 0) + (xyzw ? 1 : 0) + (matrix ? 1 : 0);
+  if (forms != 1)
+    value.fail(std::string(forms == 0 ? "the rotation is empty" : "the rotation is given twice") +
+               "; give one of axis with degrees or radians, quat_wxyz, quat_xyzw, matrix");
+  if (wxyz) {
+    const std::vector<double> q = wxyz->numbers(4);
+    return unit_quaternion(q[0], q[1], q[2], q[3], *wxyz);
+  }
+  if (xyzw) {
+    const std::vector<double> q = xyzw->numbers(4);
+    return unit_quaternion(q[3], q[0], q[1], q[2], *xyzw);
+  }
+  return matrix ? from_matrix(*matrix) : from_axis(table);
+}
+
+Pose<double> read_pose(const Table& table, const Pose<double>& otherwise) {
+  Pose<double> pose = otherwise;
+  if (const auto position = table.find("position")) pose.position = read_position(*position);
+  if (const auto rotation = table.find("rotation")) pose.rotation = read_rotation(*rotation);
+  return pose;
+}
+
+Motion read_motion(const Value& value, const Pose<double>& start, double end_time) {
+  const Table table = value.table({"keyframes", "velocity", "angular_velocity", "dynamic", "mass"});
+  Motion motion;
+  const auto keyframes = table.find("keyframes");
+  if (keyframes) motion.keyframes = read_keyframes(*keyframes, start);
+  for (const char* key : {"velocity", "angular_velocity"})
+    if (const auto velocity = table.find(key); velocity && keyframes)
+      velocity->fail(std::string("'") + key +
+                     "' and 'keyframes' both move the shape; leave one of them out");
+  motion.velocity = read_velocity(table, "velocity", "m/s");
+  motion.angular_velocity = read_velocity(table, "angular_velocity", "rad/s");
+  const Vec3d end = start.position + end_time * motion.velocity;
+  if (end.cwiseAbs().maxCoeff() > kLargestLength)
+    table.require("velocity", "velocity")
+        .fail(
+            "'velocity' carries the shape farther than 1e9 metres by the last frame; lower it, "
+            "or 'frames' or 'dt' in [time]");
+
+  const auto mass = table.find("mass");
+  if (mass) mass->positive("kilograms");
+  if (const auto dynamic = table.find("dynamic"); dynamic && dynamic->boolean())
+    dynamic->fail(
+        "shapes moved by the solver are parsed but cannot be simulated yet; script the motion "
+        "with 'keyframes' or 'velocity'");
+  if (mass) mass->fail("'mass' serves dynamic shapes only; leave it out of a scripted motion");
+  return motion;
+}
+
+}  // namespace contactscope::scenario_file

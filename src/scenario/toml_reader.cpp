@@ -1,0 +1,258 @@
+#include "scenario/toml_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/input_error.h"
+
+namespace contactscope::toml_reader {
+namespace {
+
+/// "a string", "an array of two values", for messages.
+std::string describe(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array: {
+      const std::size_t size = node.as_array()->size();
+      if (size == 0) return "an empty array";
+      return "an array of " + std::to_string(size) + (size == 1 ? " value" : " values");
+    }
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number with a fraction";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string with_unit(const char* unit) {
+  return unit == nullptr ? "number" : std::string("number in ") + unit;
+}
+
+/// Levenshtein distance; both words are short.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+/// What to say of a key that nobody knows. Some misspellings deserve their reason.
+std::string unknown_key(std::string_view key, const Keys& keys) {
+  const std::string found = "unknown key '" + std::string(key) + "'";
+  const auto known = [&](std::string_view k) { return std::ranges::find(keys, k) != keys.end(); };
+  if (key == "quat" || key == "quaternion") {
+    const bool nested = known("rotation");
+    return std::string("'") + std::string(key) +
+           "' does not say the order of its components; write " +
+           (nested ? "rotation = { quat_wxyz = [w, x, y, z] } or rotation = { quat_xyzw = [x, y, "
+                     "z, w] }"
+                   : "quat_wxyz = [w, x, y, z] or quat_xyzw = [x, y, z, w]");
+  }
+  if (key == "angle" && known("degrees"))
+    return found + ", which does not say its unit; write 'degrees' or 'radians'";
+  const std::string near = nearest(key, keys);
+  if (!near.empty()) return found + "; did you mean '" + near + "'?";
+  return found + "; known here: " + quoted_list(keys);
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, const Keys& candidates) {
+  // Up to a third of the letters wrong: "half_extent" is near "half_extents", "foo" is near
+  // nothing. Long words are no misspelling of a key and would only cost time.
+  constexpr std::size_t kLongest = 64;
+  if (word.size() > kLongest) return {};
+  std::string best;
+  std::size_t best_distance = 0;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t allowed = std::max(word.size(), candidate.size()) / 3;
+    if (distance > allowed || (!best.empty() && distance >= best_distance)) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::string quoted_list(const Keys& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+    list.append(1, '\'').append(words[i]).append(1, '\'');
+  }
+  return list;
+}
+
+Keys as_keys(const std::vector<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+void Value::fail(const std::string& message) const {
+  throw InputError(*file_, line(), column(), message);
+}
+
+void Value::wrong_type(const std::string& wanted) const {
+  fail("'" + name_ + "' is " + describe(*node_) + "; " + wanted + " is needed");
+}
+
+double Value::number(const char* unit) const {
+  const std::optional<double> value =
+      node_->is_number() ? node_->value<double>() : std::optional<double>();
+  if (!value) wrong_type("a " + with_unit(unit));
+  if (!std::isfinite(*value))
+    fail("'" + name_ + "' is " + (std::isnan(*value) ? "not a number (nan)" : "infinite") +
+         "; a finite " + with_unit(unit) + " is needed");
+  return *value;
+}
+
+double Value::positive(const char* unit) const {
+  const double value = number(unit);
+  if (value <= 0) fail("'" + name_ + "' must be greater than zero; give a " + with_unit(unit));
+  return value;
+}
+
+double Value::not_negative(const char* unit) const {
+  const double value = number(unit);
+  if (value < 0) fail("'" + name_ + "' must not be negative; give zero or a " + with_unit(unit));
+  return value;
+}
+
+int Value::integer(int low, int high) const {
+  const std::string range = std::to_string(low) + " to " + std::to_string(high);
+  if (!node_->is_integer()) wrong_type("an integer from " + range);
+  const std::int64_t value = node_->as_integer()->get();
+  if (value < low || value > high)
+    fail("'" + name_ + "' is " + std::to_string(value) + "; it may be " + range);
+  return static_cast<int>(value);
+}
+
+bool Value::boolean() const {
+  if (!node_->is_boolean()) wrong_type("true or false");
+  return node_->as_boolean()->get();
+}
+
+std::string Value::string() const {
+  if (!node_->is_string()) wrong_type("a string");
+  return node_->as_string()->get();
+}
+
+std::string Value::non_empty_string() const {
+  std::string text = string();
+  if (text.empty()) fail("'" + name_ + "' is an empty string; it needs at least one character");
+  return text;
+}
+
+std::string Value::one_of(const std::vector<std::string>& choices, const char* kind) const {
+  std::string text = string();
+  if (std::ranges::find(choices, text) != choices.end()) return text;
+  const std::string near = nearest(text, as_keys(choices));
+  fail("unknown " + std::string(kind) + " '" + text + "'; " +
+       (near.empty() ? "" : "did you mean '" + near + "'? ") +
+       "known: " + quoted_list(as_keys(choices)));
+}
+
+std::vector<double> Value::numbers(std::size_t count) const {
+  const toml::array* items = node_->as_array();
+  if (items == nullptr || items->size() != count)
+    wrong_type("an array of " + std::to_string(count) + " numbers");
+  std::vector<double> values;
+  for (const Value& item : array()) values.push_back(item.number());
+  return values;
+}
+
+Vec3d Value::vector3() const {
+  const std::vector<double> values = numbers(3);
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<Value> Value::array() const {
+  const toml::array* items = node_->as_array();
+  if (items == nullptr) wrong_type("an array");
+  std::vector<Value> values;
+  values.reserve(items->size());
+  for (std::size_t i = 0; i < items->size(); ++i)
+    values.emplace_back(*file_, *items->get(i), name_ + "[" + std::to_string(i) + "]");
+  return values;
+}
+
+std::vector<Value> Value::array_of_tables() const {
+  const std::string wanted = "an array of tables, written as [[" + name_ + "]],";
+  if (!node_->is_array()) wrong_type(wanted);
+  std::vector<Value> values = array();
+  for (const Value& value : values)
+    if (!value.is_table()) value.wrong_type("a table, written as [[" + name_ + "]],");
+  return values;
+}
+
+Table Value::table(const Keys& keys) const {
+  if (!is_table()) wrong_type("a table with the keys " + quoted_list(keys));
+  return Table(*file_, *node_, name_, keys);
+}
+
+std::vector<Value> Value::members() const {
+  const toml::table* table = node_->as_table();
+  if (table == nullptr) wrong_type("a table");
+  // The library sorts keys by name; where each was written first gives the file's order back.
+  std::vector<std::pair<toml::source_position, Value>> found;
+  for (auto&& [key, node] : *table)
+    found.emplace_back(key.source().begin, Value(*file_, node, std::string(key.str())));
+  std::ranges::stable_sort(found,
+                           [](const auto& one, const auto& two) { return one.first < two.first; });
+  std::vector<Value> values;
+  for (auto& [where, value] : found) values.push_back(std::move(value));
+  return values;
+}
+
+Table::Table(const std::string& file, const toml::node& node, std::string name, const Keys& keys)
+    : value_(file, node, std::move(name)) {
+  const toml::key* first = nullptr;
+  for (auto&& [key, item] : *node.as_table()) {
+    if (std::ranges::find(keys, key.str()) != keys.end()) continue;
+    if (first == nullptr || key.source().begin < first->source().begin) first = &key;
+  }
+  if (first == nullptr) return;
+  const toml::source_position where = first->source().begin;
+  throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column),
+                   unknown_key(first->str(), keys));
+}
+
+std::optional<Value> Table::find(std::string_view key) const {
+  const toml::node* node = value_.node_->as_table()->get(key);
+  if (node == nullptr) return std::nullopt;
+  return Value(*value_.file_, *node, std::string(key));
+}
+
+Value Table::require(std::string_view key, const std::string& example) const {
+  if (std::optional<Value> found = find(key)) return *found;
+  const std::string where = value_.name_.empty() ? "the file" : "'" + value_.name_ + "'";
+  fail("missing key '" + std::string(key) + "' in " + where + "; add " + example);
+}
+
+toml::table parse_document(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(std::string_view(text), std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    const toml::source_position where = error.source().begin;
+    std::string message = "this is no TOML: " + std::string(error.description());
+    if (message.find("redefine") != std::string::npos)
+      message += "; a key or table may be given only once";
+    throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column), message);
+  }
+}
+
+}  // namespace contactscope::toml_reader

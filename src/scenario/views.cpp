@@ -1,0 +1,146 @@
+#include "scenario/views.h"
+
+#include <algorithm>
+#include <set>
+
+#include "scenario/placement.h"
+
+namespace contactscope {
+
+const std::vector<std::string>& known_layers() {
+  static const std::vector<std::string> layers = {
+      "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons", "dropped",
+      "contacts", "reduced",        "normals",       "ids",         "sat_axes",      "coherent"};
+  return layers;
+}
+
+const std::vector<std::string>& known_panels() {
+  static const std::vector<std::string> panels = {"summary", "contact_plane", "axis_history"};
+  return panels;
+}
+
+namespace scenario_file {
+namespace {
+
+using toml_reader::Table;
+using toml_reader::Value;
+
+constexpr int kSmallestSide = 64;   // pixels
+constexpr int kLargestSide = 8192;  // pixels
+// Narrower and wider lenses leave no picture worth looking at.
+constexpr double kNarrowest = 1, kWidest = 150;  // degrees
+
+/// The name of a view is the name of a folder of pictures.
+std::string read_view_name(const Value& value) {
+  std::string name = value.non_empty_string();
+  const bool plain = name.size() <= 64 && std::ranges::all_of(name, [](char c) {
+                       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                              (c >= '0' && c <= '9') || c == '_' || c == '-';
+                     });
+  if (!plain)
+    value.fail("the view's name becomes a folder; use up to 64 letters, digits, '_' and '-'");
+  return name;
+}
+
+/// An array of known names, each once.
+std::vector<std::string> read_names(const Value& value, const std::vector<std::string>& known,
+                                    const char* kind) {
+  std::vector<std::string> names;
+  for (const Value& item : value.array()) {
+    std::string name = item.one_of(known, kind);
+    if (std::ranges::find(names, name) != names.end())
+      item.fail(std::string("the ") + kind + " '" + name + "' is listed twice; once is enough");
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+View read_view(const Value& value) {
+  const Table table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
+                                   "focus", "story", "layers", "panels"});
+  View view = default_view();
+  if (const auto name = table.find("name")) view.name = read_view_name(*name);
+  const auto eye = table.find("eye");
+  if (eye) view.eye = read_position(*eye);
+  if (const auto target = table.find("target")) view.target = read_position(*target);
+  if (view.eye && view.target) {
+    const double extent = std::max(view.eye->norm(), view.target->norm());
+    if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // no direction survives rounding
+      eye->fail("'eye' and 'target' are the same point; move the eye away from what it looks at");
+  }
+  const auto fov = table.find("fov_degrees");
+  const auto height = table.find("orthographic_height");
+  if (fov && height) height->fail("give 'fov_degrees' or 'orthographic_height', not both");
+  if (fov) {
+    view.fov_degrees = fov->positive("degrees");
+    if (*view.fov_degrees < kNarrowest || *view.fov_degrees > kWidest)
+      fov->fail("'fov_degrees' is out of range; it may be 1 to 150");
+  }
+  if (height) view.orthographic_height = read_length(*height);
+  if (const auto focus = table.find("focus"))
+    view.focus =
+        focus->one_of({"contact", "shapes"}, "focus") == "shapes" ? Focus::Shapes : Focus::Contact;
+  if (const auto story = table.find("story"))
+    view.story = story->one_of({"none", "clip_steps"}, "story") == "clip_steps" ? Story::ClipSteps
+                                                                                : Story::None;
+  if (const auto layers = table.find("layers"))
+    view.layers = read_names(*layers, known_layers(), "layer");
+  if (const auto panels = table.find("panels"))
+    view.panels = read_names(*panels, known_panels(), "panel");
+  return view;
+}
+
+}  // namespace
+
+View default_view() {
+  View view;
+  view.layers = {"shapes",   "reference_face", "incident_face", "clip_polygons",
+                 "contacts", "reduced",        "normals"};
+  return view;
+}
+
+std::vector<View> read_views(const Value& value) {
+  std::vector<View> views;
+  std::set<std::string> names;
+  for (const Value& item : value.array_of_tables()) {
+    views.push_back(read_view(item));
+    if (!names.insert(views.back().name).second)
+      item.fail("two views are named '" + views.back().name + "'; give each a 'name' of its own");
+  }
+  if (views.empty()) value.fail("'views' is empty; leave it out for one view of all shapes");
+  return views;
+}
+
+SnapshotSettings default_snapshots(int frames) {
+  SnapshotSettings snapshots;
+  for (const int frame : {0, (frames - 1) / 2, frames - 1})
+    if (snapshots.frames.empty() || frame > snapshots.frames.back())
+      snapshots.frames.push_back(frame);
+  return snapshots;
+}
+
+SnapshotSettings read_snapshots(const Value& value, int frames) {
+  const Table table = value.table({"frames", "size"});
+  SnapshotSettings snapshots = default_snapshots(frames);
+  if (const auto list = table.find("frames")) {
+    snapshots.frames.clear();
+    for (const Value& item : list->array()) {
+      const int frame = item.integer(0, frames - 1);
+      if (!snapshots.frames.empty() && frame <= snapshots.frames.back())
+        item.fail("the frames to store must be in rising order, each once");
+      snapshots.frames.push_back(frame);
+    }
+    if (snapshots.frames.empty())
+      list->fail("'frames' is empty; name at least one frame, or leave it out");
+  }
+  if (const auto size = table.find("size")) {
+    const std::vector<Value> sides = size->array();
+    if (sides.size() != 2) size->fail("'size' is width and height in pixels, such as [640, 360]");
+    snapshots.width = sides[0].integer(kSmallestSide, kLargestSide);
+    snapshots.height = sides[1].integer(kSmallestSide, kLargestSide);
+  }
+  return snapshots;
+}
+
+}  // namespace scenario_file
+}  // namespace contactscope
