@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trace/json.h"
+
+namespace contactscope::snapshot {
+
+/// A frame tells no more than this many differences, then "and N more".
+inline constexpr int kMostSentences = 8;
+
+/// What differs between a stored trace and the one a run just made: sentences such as
+/// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->
+/// -0.0037". Empty when they say the same.
+///
+/// Names, ids, indices and counts compare exactly; so do which frames, pairs and stages there are.
+/// Numbers compare within a few units in the last place of the expected trace's scalar (what of a
+/// pair is recorded in single precision carries no more), at the size and place of the two shapes.
+/// A number that is not finite always differs. Frames belong together by number, shapes by name,
+/// pairs by their names and label.
+std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
+
+}  // namespace contactscope::snapshot

@@ -1,0 +1,121 @@
+#include "snapshot/spelling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace contactscope::snapshot {
+namespace {
+
+std::string format(const char* pattern, int digits, double value) {
+  std::array<char, 512> text;
+  std::snprintf(text.data(), text.size(), pattern, digits, value);
+  return text.data();
+}
+
+/// `value` rounded to `digits` significant digits, without exponent where that is readable.
+std::string significant(double value, int digits) {
+  const bool plain = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e7;
+  const std::string text = plain ? format("%.*f", 0, value) : format("%.*g", digits, value);
+  return text == "-0" ? "0" : text;
+}
+
+std::string fixed(double value, int decimals) {
+  const std::string text = format("%.*f", decimals, value);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+}  // namespace
+
+std::string spell_length(double metres) {
+  struct Unit {
+    const char* name;
+    double metres;
+  };
+  constexpr Unit units[] = {{" m", 1}, {" mm", 1e-3}, {" um", 1e-6}, {" nm", 1e-9}};
+  const double length = std::abs(metres);
+  for (const Unit& unit : units) {
+    // 999.6 um reads 1 mm: three digits would round it up to four.
+    if (!(length < 0.9995 * unit.metres)) return significant(length / unit.metres, 3) + unit.name;
+  }
+  return significant(length / 1e-9, 3) + " nm";
+}
+
+std::string spell_vector(const Vec3d& vector) {
+  std::string text;
+  for (const double component : {vector.x(), vector.y(), vector.z()}) {
+    text += text.empty() ? "(" : ", ";
+    text += significant(component, 3);
+  }
+  return text + ")";
+}
+
+std::string spell_list(std::span<const int> numbers) {
+  std::string text;
+  for (const int number : numbers) {
+    if (!text.empty()) text += ' ';
+    text += std::to_string(number);
+  }
+  return text;
+}
+
+std::string spell_change(double expected, double actual) {
+  const double difference = std::abs(actual - expected);
+  constexpr int kMostDecimals = 15;  // more say nothing about numbers near one
+  int decimals = kMostDecimals + 1;
+  if (std::isfinite(difference) && difference > 0) {
+    decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(difference))));
+  }
+  const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
+  if (decimals > kMostDecimals || large) {
+    return format("%.*g", 17, expected) + " -> " + format("%.*g", 17, actual);
+  }
+  return fixed(expected, decimals) + " -> " + fixed(actual, decimals);
+}
+
+std::string spell_change(const std::string& expected, const std::string& actual) {
+  const auto shown = [](const std::string& text) { return text.empty() ? "(none)" : text; };
+  return shown(expected) + " -> " + shown(actual);
+}
+
+std::string spell_change(int expected, int actual) {
+  return std::to_string(expected) + " -> " + std::to_string(actual);
+}
+
+std::string spell_move(const Vec3d& expected, const Vec3d& actual) {
+  const Vec3d move = actual - expected;
+  const double distance = move.stableNorm();
+  if (!std::isfinite(distance)) {
+    return "moved from " + spell_vector(expected) + " to " + spell_vector(actual);
+  }
+  const Vec3d direction = move / distance;
+  std::string along = spell_vector(direction);
+  // Within about a degree of an axis.
+  constexpr double kAlongAxis = 0.9998;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < kAlongAxis) continue;
+    along = std::string(direction[axis] < 0 ? "-" : "") + "xyz"[axis];
+  }
+  return "moved " + spell_length(distance) + " along " + along;
+}
+
+std::string spell_turn(const Vec3d& expected, const Vec3d& actual) {
+  const double sine = expected.cross(actual).norm(), cosine = expected.dot(actual);
+  const double angle = std::atan2(sine, cosine);
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double stretch = std::abs(actual.norm() - expected.norm());
+  if (!std::isfinite(angle) || stretch > angle) {
+    return "changed " + spell_vector(expected) + " -> " + spell_vector(actual);
+  }
+  if (angle > 179 * kDegree) return "flipped";
+  return "turned by " + spell_angle(angle);
+}
+
+std::string spell_angle(double radians) {
+  return significant(radians * 180 / std::numbers::pi, 2) + " degrees";
+}
+
+}  // namespace contactscope::snapshot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/vec3.h"
+
+/// Quantities as the sentences of a report spell them: fitting units, few digits.
+namespace contactscope::snapshot {
+
+/// "1.3 mm", "12.4 um", "1.25 m", three significant digits; the sign is dropped.
+std::string spell_length(double metres);
+
+/// "(0.7, 0, -0.71)", three significant digits each.
+std::string spell_vector(const Vec3d& vector);
+
+/// "0 3 5 6".
+std::string spell_list(std::span<const int> numbers);
+
+/// Two values with as many decimals as show their difference in two digits: "-0.0050 -> -0.0037".
+std::string spell_change(double expected, double actual);
+std::string spell_change(const std::string& expected, const std::string& actual);
+std::string spell_change(int expected, int actual);
+
+/// "moved 1.3 mm along x", "moved 0.2 m along (0.7, 0, -0.71)"; the points differ.
+std::string spell_move(const Vec3d& expected, const Vec3d& actual);
+
+/// What became of a direction: "flipped", "turned by 3.2 degrees"; the directions differ.
+std::string spell_turn(const Vec3d& expected, const Vec3d& actual);
+
+/// "3.2 degrees", two significant digits.
+std::string spell_angle(double radians);
+
+}  // namespace contactscope::snapshot

@@ -1,0 +1,154 @@
+#include "snapshot/store.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include "image/whole_file.h"
+
+namespace contactscope::snapshot {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kTraceName = "trace.jsonl";
+constexpr const char* kPictureExtension = ".png";
+
+void require_plain(const std::string& name, const std::string& whole) {
+  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
+    throw std::invalid_argument("'" + whole + "' cannot name a snapshot's folder");
+  }
+}
+
+/// The frame of "frame_0012.png"; nothing where a file is not named as frame_stem() names it.
+std::optional<int> frame_of(const fs::path& file) {
+  constexpr std::string_view kPrefix = "frame_";
+  const std::string stem = file.stem().string();
+  if (file.extension() != kPictureExtension || !stem.starts_with(kPrefix)) return {};
+  int frame = 0;
+  const char* end = stem.data() + stem.size();
+  const auto [stopped, error] = std::from_chars(stem.data() + kPrefix.size(), end, frame);
+  if (error != std::errc{} || stopped != end || frame_stem(frame) != stem) return {};
+  return frame;
+}
+
+}  // namespace
+
+std::string to_string(const PictureKey& key) {
+  std::string text = key.scenario + " frame " + std::to_string(key.frame);
+  if (key.view) text += ", view " + *key.view;
+  return text;
+}
+
+std::string frame_stem(int frame) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "frame_%04d", frame);
+  return text.data();
+}
+
+fs::path scenario_folder(const fs::path& root, const std::string& scenario) {
+  const std::size_t slash = scenario.find('/');
+  if (slash == std::string::npos) {
+    throw std::invalid_argument("'" + scenario + "' is no scenario: expected <group>/<idea>");
+  }
+  const std::string group = scenario.substr(0, slash), idea = scenario.substr(slash + 1);
+  require_plain(group, scenario);
+  require_plain(idea, scenario);
+  return root / group / idea;
+}
+
+fs::path picture_folder(const fs::path& root, const std::string& scenario,
+                        const std::optional<std::string>& view) {
+  const fs::path folder = scenario_folder(root, scenario);
+  if (!view) return folder;
+  require_plain(*view, *view);
+  return folder / *view;
+}
+
+fs::path picture_path(const fs::path& root, const PictureKey& key) {
+  return picture_folder(root, key.scenario, key.view) / (frame_stem(key.frame) + kPictureExtension);
+}
+
+fs::path trace_path(const fs::path& root, const std::string& scenario) {
+  return scenario_folder(root, scenario) / kTraceName;
+}
+
+std::vector<std::string> stored_scenarios(const fs::path& root) {
+  std::set<std::string> found;
+  if (!fs::is_directory(root)) return {};
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file()) continue;
+    const fs::path& file = entry.path();
+    if (file.filename() != kTraceName && file.extension() != kPictureExtension) continue;
+    const fs::path inside = file.lexically_relative(root);
+    auto part = inside.begin();
+    if (std::distance(part, inside.end()) < 3) continue;
+    const std::string group = (part++)->string();
+    found.insert(group + "/" + part->string());
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<int> stored_frames(const fs::path& root, const std::string& scenario,
+                               const std::optional<std::string>& view) {
+  std::vector<int> frames;
+  const fs::path folder = picture_folder(root, scenario, view);
+  if (!fs::is_directory(folder)) return frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    if (const std::optional<int> frame = frame_of(entry.path())) frames.push_back(*frame);
+  }
+  std::sort(frames.begin(), frames.end());
+  return frames;
+}
+
+std::vector<fs::path> stale_files(const fs::path& root, const std::string& scenario,
+                                  std::span<const std::string> views, std::span<const int> frames) {
+  std::set<fs::path> stored;
+  const auto store = [&](const std::optional<std::string>& view) {
+    for (const int frame : frames) stored.insert(picture_path(root, {scenario, view, frame}));
+  };
+  for (const std::string& view : views) store(view);
+  if (views.empty()) store({});
+
+  std::vector<fs::path> stale;
+  const fs::path folder = scenario_folder(root, scenario);
+  if (!fs::is_directory(folder)) return stale;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path& file = entry.path();
+    if (!entry.is_regular_file() || file.extension() != kPictureExtension) continue;
+    if (!stored.contains(file)) stale.push_back(file);
+  }
+  std::sort(stale.begin(), stale.end());
+  return stale;
+}
+
+std::optional<trace::Trace> read_stored_trace(const fs::path& root, const std::string& scenario) {
+  const fs::path path = trace_path(root, scenario);
+  if (!fs::exists(path)) return {};
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw fs::filesystem_error("cannot read", path,
+                               std::make_error_code(std::errc::permission_denied));
+  }
+  return trace::read_trace(stream, path.string());
+}
+
+std::string to_json_lines(const trace::Trace& trace) {
+  std::string text = trace::to_json_line(trace.header) + "\n";
+  for (const trace::Frame& frame : trace.frames) text += trace::to_json_line(frame) + "\n";
+  return text;
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  write_whole_file(path.string(),
+                   {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+}  // namespace contactscope::snapshot
