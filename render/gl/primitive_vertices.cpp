@@ -12,9 +12,9 @@ namespace {
 
 using draw::Point2;
 
-// A pixel whose centre is further than this from a shape has no coverage; see shaders.h. The rest
-// is for the rasterizer's own rounding, to 1/256 of a pixel.
-constexpr float kFringe = 0.5f + 1.0f / 64;
+// A pixel whose centre is further than half a pixel's diagonal from a shape has no coverage. The
+// rest is for the driver's own rounding of corners, to 1/256 of a pixel.
+constexpr float kFringe = 0.7072f + 1.0f / 64;
 
 [[maybe_unused]] bool finite(const Point2& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
@@ -126,7 +126,9 @@ void PrimitiveVertices::append_text(const draw::Text& text, GlyphAtlas& atlas) {
   if (!(text.size > 0)) return;
   const FontWeight weight = font_weight(text.weight);
   const float width = text_width(text.text, text.size, weight);
-  const float start = text.at.x - share_left_of_anchor(text.align) * width;
+  // The run is put on a quarter as a whole, so that a label that moves keeps its spacing.
+  const float anchor = text.at.x - share_left_of_anchor(text.align) * width;
+  const float start = std::floor(anchor * 4 + 0.5f) / 4;
   const int baseline = static_cast<int>(std::floor(text.at.y + 0.5f));
   const std::vector<char32_t> codes = code_points(text.text);
   const auto run = [&](float halo, const draw::Color& color) {
