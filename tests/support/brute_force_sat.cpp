@@ -1,0 +1,102 @@
+#include "support/brute_force_sat.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace contactscope::test {
+namespace {
+
+using Cloud = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+Cloud world_vertices(const Hull<double>& hull, const Pose<double>& pose) {
+  const Mat3<double> rotation = pose.rotation.normalized().toRotationMatrix();
+  Cloud result(hull.vertex_count(), 3);
+  for (int i = 0; i < hull.vertex_count(); ++i) {
+    const Vec3d moved = rotation * hull.vertices[static_cast<std::size_t>(i)] + pose.position;
+    result.row(i) = moved.transpose();
+  }
+  return result;
+}
+
+Vec3d vertex(const Cloud& cloud, int i) {
+  return cloud.row(i).transpose();
+}
+
+/// By the fan of triangles about the first vertex.
+std::vector<Vec3d> face_normals(const Hull<double>& hull, const Cloud& cloud) {
+  std::vector<Vec3d> result;
+  for (int f = 0; f < hull.face_count(); ++f) {
+    const std::vector<int> loop = face_vertices(hull, f);
+    Vec3d sum = Vec3d::Zero();
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+      const Vec3d first = vertex(cloud, loop[k]) - vertex(cloud, loop[0]);
+      const Vec3d second = vertex(cloud, loop[k + 1]) - vertex(cloud, loop[0]);
+      sum += first.cross(second);
+    }
+    result.push_back(sum.normalized());
+  }
+  return result;
+}
+
+std::vector<Vec3d> edge_directions(const Hull<double>& hull, const Cloud& cloud) {
+  std::vector<Vec3d> result;
+  for (int e = 0; e < hull.edge_count(); ++e) {
+    const int from = hull.half_edges[static_cast<std::size_t>(2 * e)].origin;
+    const int to = hull.half_edges[static_cast<std::size_t>(2 * e + 1)].origin;
+    result.push_back((vertex(cloud, to) - vertex(cloud, from)).normalized());
+  }
+  return result;
+}
+
+/// Both signs of an axis at once: B above A, or A above B.
+void try_axis(const Vec3d& axis, const Cloud& a, const Cloud& b, Eigen::VectorXd& on_a,
+              Eigen::VectorXd& on_b, BruteForceAxis& best) {
+  on_a.noalias() = a * axis;
+  on_b.noalias() = b * axis;
+  const double above = on_b.minCoeff() - on_a.maxCoeff();
+  const double below = on_a.minCoeff() - on_b.maxCoeff();
+  if (above > best.separation) best = {above, axis};
+  if (below > best.separation) best = {below, -axis};
+}
+
+}  // namespace
+
+BruteForceAxis brute_force_sat(const Hull<double>& a, const Pose<double>& pose_a,
+                               const Hull<double>& b, const Pose<double>& pose_b) {
+  // Relative to A's position: the world's origin may be far away.
+  const Pose<double> near_a{pose_a.rotation, Vec3d::Zero()};
+  const Pose<double> near_b{pose_b.rotation, pose_b.position - pose_a.position};
+  const Cloud cloud_a = world_vertices(a, near_a);
+  const Cloud cloud_b = world_vertices(b, near_b);
+  Eigen::VectorXd on_a(a.vertex_count());
+  Eigen::VectorXd on_b(b.vertex_count());
+  BruteForceAxis best{-std::numeric_limits<double>::infinity(), Vec3d::UnitX()};
+  for (const Vec3d& axis : face_normals(a, cloud_a)) {
+    try_axis(axis, cloud_a, cloud_b, on_a, on_b, best);
+  }
+  for (const Vec3d& axis : face_normals(b, cloud_b)) {
+    try_axis(axis, cloud_a, cloud_b, on_a, on_b, best);
+  }
+  const std::vector<Vec3d> edges_b = edge_directions(b, cloud_b);
+  for (const Vec3d& edge_a : edge_directions(a, cloud_a)) {
+    for (const Vec3d& edge_b : edges_b) {
+      const Vec3d axis = edge_a.cross(edge_b);
+      const double sine = axis.norm();
+      if (sine < 1e-12) continue;  // parallel: the cross product is all rounding
+      try_axis(axis / sine, cloud_a, cloud_b, on_a, on_b, best);
+    }
+  }
+  return best;
+}
+
+double separation_along(const Vec3d& direction, const Hull<double>& a, const Pose<double>& pose_a,
+                        const Hull<double>& b, const Pose<double>& pose_b) {
+  const Cloud cloud_a = world_vertices(a, {pose_a.rotation, Vec3d::Zero()});
+  const Cloud cloud_b = world_vertices(b, {pose_b.rotation, pose_b.position - pose_a.position});
+  const Eigen::VectorXd on_a = cloud_a * direction;
+  const Eigen::VectorXd on_b = cloud_b * direction;
+  return on_b.minCoeff() - on_a.maxCoeff();
+}
+
+}  // namespace contactscope::test

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "core/pose.h"
+#include "geometry/hull.h"
+
+namespace contactscope::test {
+
+/// Random numbers that are the same with every standard library: the engine is specified to the
+/// bit, the standard distributions are not.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  /// In [low, high).
+  double uniform(double low, double high);
+  /// 10 to a uniform power: every decade is as likely.
+  double decade(double low_exponent, double high_exponent);
+  /// In [0, count).
+  int index(int count);
+  bool chance(double probability) { return uniform(0, 1) < probability; }
+  Vec3d unit_vector();
+  Quatd rotation();
+  /// A rotation by an angle in radians about a random axis.
+  Quatd rotation_by(double angle);
+  /// Any rotation, position within `radius` metres of the origin.
+  Pose<double> pose(double radius);
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Half extents between 1 and `aspect` times shorter than `size` metres, each on its own.
+Hull<double> random_box(Random& random, double size, double aspect);
+
+/// Hull of `vertices` points on an ellipsoid of at most `size` metres whose axes are up to `aspect`
+/// times shorter, turned at random. All faces are triangles, all points are vertices.
+Hull<double> random_hull(Random& random, int vertices, double size, double aspect);
+
+}  // namespace contactscope::test
