@@ -9,9 +9,9 @@
 #include "core/pose.h"
 #include "core/vec3.h"
 
-/// The facts that each stage of the pipeline decided: world space, metres, double. Float results are
-/// held exactly. No algorithms here; an optional stage that did not run, or that nobody asked for, is
-/// empty. FORMATS.md, "Trace", gives the JSON of each of these.
+/// The facts that each stage of the pipeline decided: world space, metres, double. Float results
+/// are held exactly. No algorithms here; an optional stage that did not run, or that nobody asked
+/// for, is empty. FORMATS.md, "Trace", gives the JSON of each of these.
 namespace contactscope::trace {
 
 using Polygon = std::vector<Vec3d>;
@@ -21,7 +21,7 @@ struct Shape {
   std::string name;
   std::string type;  // "box", "hull", "cylinder", "cone"
   std::vector<Vec3d> vertices;
-  std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
+  std::vector<std::vector<int>> faces;    // vertex indices, counter-clockwise seen from outside
   std::vector<std::array<int, 2>> edges;  // vertex indices; ids such as "a:e3" count in this list
   Vec3d center_of_mass = Vec3d::Zero();
 };
@@ -62,8 +62,8 @@ struct Sat {
   std::optional<FaceAxis> face_a;
   std::optional<FaceAxis> face_b;
   std::optional<EdgeAxis> edge;
-  std::string chosen;     // "face_a", "face_b", "edge_edge"; what separates, or what makes the contact
-  std::string preference; // "relative" or "none"
+  std::string chosen;  // "face_a", "face_b", "edge_edge"; what separates, or what makes the contact
+  std::string preference;  // "relative" or "none"
 };
 
 struct ClipFace {
@@ -88,7 +88,8 @@ struct DroppedPoint {
 struct Clip {
   ClipFace reference;
   ClipFace incident;
-  std::vector<ClipStep> steps;  // in order; step k is the side plane of the reference polygon's edge k
+  std::vector<ClipStep>
+      steps;  // in order; step k is the side plane of the reference polygon's edge k
   std::vector<DroppedPoint> dropped;
 };
 
@@ -103,10 +104,10 @@ struct Reduction {
 struct Pair {
   std::string a;
   std::string b;
-  std::string label;       // set when a scenario runs one pair with several settings
-  std::string kind;        // "hull-hull"
-  std::string state;       // "touching" or "separated"
-  double separation = 0;   // deepest point when touching, best axis when separated
+  std::string label;      // set when a scenario runs one pair with several settings
+  std::string kind;       // "hull-hull"
+  std::string state;      // "touching" or "separated"
+  double separation = 0;  // deepest point when touching, best axis when separated
   std::vector<Manifold> manifolds;
   std::optional<Sat> sat;
   std::optional<Clip> clip;
@@ -115,7 +116,7 @@ struct Pair {
 
 struct Frame {
   int frame = 0;
-  double time = 0;  // seconds
+  double time = 0;                                          // seconds
   std::vector<std::pair<std::string, Pose<double>>> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
 };
