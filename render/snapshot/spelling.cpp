@@ -22,6 +22,11 @@ std::string significant(double value, int digits) {
   return text == "-0" ? "0" : text;
 }
 
+/// Of the first significant digit: -3 for 0.0013.
+int exponent(double positive) {
+  return static_cast<int>(std::floor(std::log10(positive)));
+}
+
 std::string fixed(double value, int decimals) {
   const std::string text = format("%.*f", decimals, value);
   const bool zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -67,7 +72,12 @@ std::string spell_change(double expected, double actual) {
   constexpr int kMostDecimals = 15;  // more say nothing about numbers near one
   int decimals = kMostDecimals + 1;
   if (std::isfinite(difference) && difference > 0) {
-    decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(difference))));
+    decimals = std::max(0, 1 - exponent(difference));
+    // -0.005 beside -0.25 should not read 0.00; what is smaller still is as good as zero.
+    const double smaller = std::min(std::abs(expected), std::abs(actual));
+    if (smaller > 0 && -exponent(smaller) <= decimals + 2) {
+      decimals = std::max(decimals, -exponent(smaller));
+    }
   }
   const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
   if (decimals > kMostDecimals || large) {
@@ -87,8 +97,8 @@ std::string spell_change(int expected, int actual) {
 
 std::string spell_move(const Vec3d& expected, const Vec3d& actual) {
   const Vec3d move = actual - expected;
-  const double distance = move.stableNorm();
-  if (!std::isfinite(distance)) {
+  const double distance = move.norm();
+  if (!(distance > 0) || !std::isfinite(distance)) {
     return "moved from " + spell_vector(expected) + " to " + spell_vector(actual);
   }
   const Vec3d direction = move / distance;

@@ -1,0 +1,96 @@
+#include "snapshot/sample_trace.h"
+
+#include <string>
+
+namespace contactscope {
+namespace {
+
+Vec3d rounded(double x, double y, double z) {
+  return Vec3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)).cast<double>();
+}
+
+trace::Shape box(const std::string& name, double half) {
+  trace::Shape shape;
+  shape.name = name;
+  shape.type = "box";
+  for (int i = 0; i < 8; ++i) {
+    shape.vertices.push_back(
+        Vec3d(i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half));
+  }
+  shape.faces = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
+                 {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
+  shape.edges = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
+                 {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  return shape;
+}
+
+trace::Pair contact() {
+  trace::Pair pair;
+  pair.a = "crate";
+  pair.b = "floor";
+  pair.kind = "hull-hull";
+  pair.state = "touching";
+  pair.separation = static_cast<double>(-0.005f);
+
+  trace::Manifold manifold;
+  manifold.normal = Vec3d(0, -1, 0);
+  manifold.axis = "face_b";
+  trace::Polygon patch;
+  for (int i = 0; i < 4; ++i) {
+    trace::Point point;
+    point.position = rounded(i == 1 || i == 2 ? 0.3 : -0.3, 0.5, i >= 2 ? 0.3 : -0.3);
+    point.separation = pair.separation;
+    point.id = "a:e" + std::to_string(i) + " a:e" + std::to_string(i + 4);
+    manifold.points.push_back(point);
+    patch.push_back(point.position);
+  }
+  pair.manifolds.push_back(manifold);
+
+  trace::Sat& sat = pair.sat.emplace();
+  sat.face_a = trace::FaceAxis{3, pair.separation, Vec3d(0, -1, 0), patch[0]};
+  sat.face_b = trace::FaceAxis{2, pair.separation, Vec3d(0, -1, 0), patch[1]};
+  sat.edge = trace::EdgeAxis{2, 9, rounded(0, -0.1, 0).y(), Vec3d(0, -1, 0), patch[2], patch[3]};
+  sat.chosen = "face_b";
+  sat.preference = "relative";
+
+  trace::Clip& clip = pair.clip.emplace();
+  clip.reference = {"floor", 2, Vec3d(0, 1, 0), patch};
+  clip.incident = {"crate", 3, Vec3d(0, -1, 0), patch};
+  clip.steps.push_back({Vec3d(1, 0, 0), 0.5, patch});
+  clip.steps.push_back({Vec3d(0, 0, 1), 0.5, patch});
+  clip.dropped.push_back({rounded(0.2, 0.6, 0.1), "above the reference face"});
+
+  trace::Reduction& reduction = pair.reduction.emplace();
+  reduction.method = "area";
+  reduction.points = manifold.points;
+  reduction.kept = {0, 2, 1, 3};
+  reduction.area = reduction.best_area = static_cast<double>(0.36f);
+  return pair;
+}
+
+}  // namespace
+
+trace::Trace sample_trace() {
+  trace::Trace trace;
+  trace.header.scenario = "hull/face_contact";
+  trace.header.title = "Box on box";
+  trace.header.source = "Gregorius 2015, Hull vs Hull: Face Contact";
+  trace.header.scalar = "float";
+  trace.header.up = std::string("y");
+  trace.header.frames = 24;
+  trace.header.shapes = {box("crate", 0.3f), box("floor", 0.5)};
+  for (const int number : {0, 12}) {
+    trace::Frame frame;
+    frame.frame = number;
+    frame.time = number / 24.0;
+    Pose<double> pose;
+    pose.position = rounded(0, 0.795, 0);
+    pose.rotation = Quatd(0.8, 0, 0.6, 0);
+    frame.poses = {{"crate", pose}, {"floor", Pose<double>{}}};
+    frame.pairs.push_back(contact());
+    trace.frames.push_back(frame);
+  }
+  return trace;
+}
+
+}  // namespace contactscope
