@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -63,6 +62,51 @@ const Folder* folder_of(const std::string& path, std::string& why) {
   return folder;
 }
 
+constexpr std::string_view kBlank = " \t";
+
+/// Takes `word`, and blanks before it, off the front of `text`.
+bool take(std::string_view& text, std::string_view word) {
+  const std::size_t start = text.find_first_not_of(kBlank);
+  if (start == std::string_view::npos || !text.substr(start).starts_with(word)) return false;
+  text.remove_prefix(start + word.size());
+  return true;
+}
+
+/// NAME of a line `#include "NAME"`; empty for any other line.
+std::string included_by(std::string_view line) {
+  if (!take(line, "#") || !take(line, "include") || !take(line, "\"")) return {};
+  return std::string(line.substr(0, line.find('"')));
+}
+
+/// CMake text without its comments.
+std::string without_comments(const std::string& text) {
+  std::string kept;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) kept += line.substr(0, line.find('#')) + "\n";
+  return kept;
+}
+
+/// Checks one call: `words` are the name of the folder and what follows.
+void check_links(const std::string& path, std::istringstream words,
+                 std::vector<std::string>& violations) {
+  std::string name;
+  words >> name;
+  const Folder* folder = find_folder(name);
+  if (!folder) {
+    violations.push_back(path + ": " + name + " is no folder of DESIGN.md");
+    return;
+  }
+  bool linking = false;
+  for (std::string word; words >> word;) {
+    if (word == "SOURCES") linking = false;
+    if (word == "LINK" || word == "PRIVATE_LINK") linking = true;
+    const Folder* used = linking ? find_folder(word) : nullptr;
+    if (used && !may_use(*folder, *used)) {
+      violations.push_back(path + ": " + name + " must not link " + word);
+    }
+  }
+}
+
 bool is_source(const std::string& path) {
   return path.ends_with(".h") || path.ends_with(".cpp");
 }
@@ -91,7 +135,6 @@ std::vector<std::string> include_violations(const std::vector<SourceFile>& files
   std::set<std::string> known;
   for (const SourceFile& file : files) known.insert(file.path);
 
-  static const std::regex include_line(R"re(^\s*#\s*include\s*"([^"]*)")re");
   std::vector<std::string> violations;
   for (const SourceFile& file : files) {
     std::string why;
@@ -106,39 +149,23 @@ std::vector<std::string> include_violations(const std::vector<SourceFile>& files
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
       ++number;
-      std::smatch match;
-      if (std::regex_search(line, match, include_line)) {
-        check_include(file, number, match[1], *folder, known, violations);
-      }
+      const std::string included = included_by(line);
+      if (!included.empty()) check_include(file, number, included, *folder, known, violations);
     }
   }
   return violations;
 }
 
 std::vector<std::string> link_violations(const std::vector<SourceFile>& files) {
-  static const std::regex call(R"(contactscope_folder\(\s*(\w+)([^)]*)\))");
-  static const std::regex comment("#[^\n]*");
+  constexpr std::string_view kCall = "contactscope_folder(";
   std::vector<std::string> violations;
   for (const SourceFile& file : files) {
     if (!file.path.ends_with("CMakeLists.txt")) continue;
-    const std::string text = std::regex_replace(file.text, comment, "");
-    for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
-      const Folder* folder = find_folder((*it)[1].str());
-      if (!folder) {
-        violations.push_back(file.path + ": " + (*it)[1].str() + " is no folder of DESIGN.md");
-        continue;
-      }
-      std::istringstream words((*it)[2].str());
-      bool linking = false;
-      for (std::string word; words >> word;) {
-        if (word == "SOURCES") linking = false;
-        if (word == "LINK" || word == "PRIVATE_LINK") linking = true;
-        const Folder* used = linking ? find_folder(word) : nullptr;
-        if (used && !may_use(*folder, *used)) {
-          violations.push_back(file.path + ": " + std::string(folder->name) + " must not link " +
-                               word);
-        }
-      }
+    const std::string text = without_comments(file.text);
+    for (std::size_t at = text.find(kCall); at != std::string::npos; at = text.find(kCall, at)) {
+      at += kCall.size();
+      check_links(file.path, std::istringstream(text.substr(at, text.find(')', at) - at)),
+                  violations);
     }
   }
   return violations;
