@@ -7,7 +7,7 @@ namespace contactscope::draw {
 namespace {
 
 // Height of a drawn side plane, as a fraction of the reference face's size.
-constexpr double kPlaneHeight = 0.16;
+constexpr double kPlaneHeight = 0.22;
 
 std::size_t steps_to_show(const Scene& scene, const trace::Clip& clip) {
   if (scene.view.story != Story::ClipSteps) return clip.steps.size();
@@ -22,14 +22,14 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Ske
   for (const Vec3d& p : face) size = std::max(size, (p - face[0]).norm());
   const Vec3d rise = 0.5 * kPlaneHeight * size * clip.reference.normal;
   const std::vector<Vec3d> quad = {from - rise, to - rise, to + rise, from + rise};
-  sketch.surfaces.push_back({quad, with_alpha(kSidePlane, is_new ? 0.32f : 0.12f)});
+  sketch.surfaces.push_back({quad, with_alpha(kSidePlane, is_new ? 0.36f : 0.12f)});
   sketch.outline(quad, {is_new ? 1.5f : 1.0f, with_alpha(kSidePlane, is_new ? 1.0f : 0.6f)});
   Arrow outward;
   outward.from = 0.5 * (from + to);
   outward.direction = clip.steps[step].normal;
-  outward.pixels = 22;
+  outward.pixels = 30;
   outward.width = 1.5f;
-  outward.head = 6;
+  outward.head = 8;
   outward.color = with_alpha(kSidePlane, is_new ? 1.0f : 0.6f);
   outward.halo = false;
   sketch.arrows.push_back(outward);

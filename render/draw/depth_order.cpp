@@ -12,16 +12,15 @@ namespace {
 // A vertex this near to a plane, as a fraction of the scene, lies in it. Well above the rounding of
 // poses and clip points in float, well below a pixel.
 constexpr double kOnPlane = 2e-6;
-// Roots tried at each node; more find fewer cuts but cost time.
-constexpr std::size_t kCandidates = 6;
-
 struct Item {
   Surface surface;
   Plane<double> plane;
+  double area = 0;  // twice, square metres
 };
 
 // Newell's normal: right for any flat polygon, also with collinear vertices.
-Plane<double> plane_of(const std::vector<Vec3d>& polygon) {
+Item item_of(Surface surface) {
+  const std::vector<Vec3d>& polygon = surface.polygon;
   Vec3d normal = Vec3d::Zero();
   Vec3d middle = Vec3d::Zero();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -32,9 +31,9 @@ Plane<double> plane_of(const std::vector<Vec3d>& polygon) {
   }
   middle /= static_cast<double>(polygon.size());
   const double length = normal.norm();
-  if (length == 0) return {Vec3d::UnitX(), std::numeric_limits<double>::quiet_NaN()};
-  normal /= length;
-  return {normal, normal.dot(middle)};
+  if (length > 0) normal /= length;
+  const Plane<double> plane{normal, normal.dot(middle)};
+  return {std::move(surface), plane, length};
 }
 
 enum class Side { Front, Back, On, Cut };
@@ -49,7 +48,10 @@ class Orderer {
       result.push_back(std::move(items.front().surface));
       return;
     }
-    const Plane<double> plane = items[choose_root(items)].plane;
+    const Plane<double> plane =
+        std::max_element(items.begin(), items.end(), [](const Item& a, const Item& b) {
+          return a.area < b.area;
+        })->plane;
     std::vector<Item> front, back, on;
     for (Item& item : items) {
       switch (side_of(plane, item.surface.polygon)) {
@@ -115,24 +117,6 @@ class Orderer {
     return result;
   }
 
-  std::size_t choose_root(const std::vector<Item>& items) const {
-    std::size_t best = 0;
-    std::size_t best_cuts = std::numeric_limits<std::size_t>::max();
-    const std::size_t step = std::max<std::size_t>(1, items.size() / kCandidates);
-    for (std::size_t i = 0; i < items.size(); i += step) {
-      std::size_t cuts = 0;
-      for (const Item& item : items) {
-        cuts += side_of(items[i].plane, item.surface.polygon) == Side::Cut;
-      }
-      if (cuts < best_cuts) {
-        best = i;
-        best_cuts = cuts;
-      }
-      if (cuts == 0) break;
-    }
-    return best;
-  }
-
   const Camera& camera_;
   double tolerance_;
 };
@@ -150,9 +134,8 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    const Plane<double> plane = plane_of(surface.polygon);
-    if (std::isnan(plane.offset)) continue;  // no area, nothing to paint
-    items.push_back({std::move(surface), plane});
+    Item item = item_of(std::move(surface));
+    if (item.area > 0) items.push_back(std::move(item));
   }
   const double scale = items.empty() ? 0 : (high - low).maxCoeff();
   std::vector<Surface> result;

@@ -47,7 +47,9 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
   for (const trace::Pair& pair : frame.pairs) {
     draw_reference_and_incident_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
-    if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, sketch);
+    if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
+    if (scene.shows("contact_axis")) draw_sat_axes(scene, pair, false, sketch);
+    if (!pair.label.empty()) draw_pair_label(scene, pair, sketch);
     const bool told = staging.view.story != Story::ClipSteps || !pair.clip ||
                       frame.frame > static_cast<int>(pair.clip->steps.size());
     if (!told) continue;  // the story has not come to the contacts yet

@@ -47,12 +47,13 @@ void draw_face_axis(const Scene& scene, const trace::Pair& pair, const trace::Fa
 }  // namespace
 
 // Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the best axis of each query.
-void draw_sat_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+void draw_sat_axes(const Scene& scene, const trace::Pair& pair, bool all_queries, Sketch& sketch) {
   if (!pair.sat) return;
   const trace::Sat& sat = *pair.sat;
-  if (sat.face_a) draw_face_axis(scene, pair, *sat.face_a, true, sketch);
-  if (sat.face_b) draw_face_axis(scene, pair, *sat.face_b, false, sketch);
-  if (sat.edge) {
+  const auto wanted = [&](const char* axis) { return all_queries || sat.chosen == axis; };
+  if (sat.face_a && wanted("face_a")) draw_face_axis(scene, pair, *sat.face_a, true, sketch);
+  if (sat.face_b && wanted("face_b")) draw_face_axis(scene, pair, *sat.face_b, false, sketch);
+  if (sat.edge && wanted("edge_edge")) {
     const bool chosen = sat.chosen == "edge_edge";
     const auto highlight = [&](const std::string& name, int edge) {
       const PlacedShape* shape = scene.find(name);
@@ -68,11 +69,12 @@ void draw_sat_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                     chosen, sketch);
   }
   const bool apart = pair.state == "separated";
-  sketch.explain(LegendKind::Axis,
-                 apart ? "separating axis and gap"
-                 : scene.depth_factor == 1
-                     ? "best axis of a query, its overlap"
-                     : "best axis of a query, its overlap × " + spell_number(scene.depth_factor));
+  sketch.explain(
+      LegendKind::Axis,
+      apart ? "separating axis and gap"
+            : std::string(all_queries ? "best axis of a query, " : "chosen axis, ") +
+                  (scene.depth_factor == 1 ? "its overlap"
+                                           : "its overlap × " + spell_number(scene.depth_factor)));
 }
 
 }  // namespace contactscope::draw

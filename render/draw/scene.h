@@ -60,7 +60,10 @@ void draw_shapes(const Scene& scene, Sketch& sketch);
 void draw_reference_and_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
-void draw_sat_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// The best axis of every query, or only the one that was chosen.
+void draw_sat_axes(const Scene& scene, const trace::Pair& pair, bool all_queries, Sketch& sketch);
+/// What a scenario calls the pair, above its shapes.
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_coherent_points(const trace::Pair& pair, Sketch& sketch);
 
 }  // namespace contactscope::draw

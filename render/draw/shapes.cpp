@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "draw/palette.h"
 #include "draw/scene.h"
 
@@ -5,7 +7,7 @@ namespace contactscope::draw {
 namespace {
 
 // Light enough for the contact inside to be seen, dense enough for a shape to read as solid.
-constexpr float kShapeAlpha = 0.62f;
+constexpr float kShapeAlpha = 0.52f;
 // Three tones: what looks at the light, what is turned from it, what lies between.
 constexpr float kTones[3] = {0.84f, 0.93f, 1.0f};
 
@@ -52,6 +54,29 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     sketch.explain(shape.is_a ? LegendKind::ShapeA : LegendKind::ShapeB,
                    (shape.is_a ? "A: " : "B: ") + solid.name);
   }
+}
+
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const Vec3d up = scene.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  const PlacedShape* highest = nullptr;
+  for (const std::string& name : {pair.a, pair.b}) {
+    const PlacedShape* shape = scene.find(name);
+    if (shape == nullptr) continue;
+    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0) {
+      highest = shape;
+    }
+  }
+  if (highest == nullptr) return;
+  const Vec3d middle = highest->pose.transform(highest->mesh->shape->center_of_mass);
+  double top = 0;
+  for (const Vec3d& v : highest->vertices) top = std::max(top, up.dot(v - middle));
+  sketch.labels.push_back({.at = middle + top * up,
+                           .text = pair.label,
+                           .color = kText,
+                           .size = 20,
+                           .bold = true,
+                           .clearance = 18,
+                           .direction = up});
 }
 
 }  // namespace contactscope::draw

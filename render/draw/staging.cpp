@@ -15,6 +15,7 @@ constexpr double kFieldOfView = 30;       // degrees; stronger perspective would
 constexpr double kElevation = 30;         // degrees above the contact plane
 constexpr double kPatchShare = 0.46;      // of the view's smaller side
 constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
+constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
 constexpr double kLegibleDepth = 6;       // pixels; PICTURES.md, "Composition"
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
@@ -34,98 +35,145 @@ Vec3d default_direction(const trace::Header& header) {
 }
 
 struct Subject {
-  Vec3d center = Vec3d::Zero();
-  double radius = 0;
-  Vec3d normal = Vec3d::Zero();  // zero when there is no contact
+  std::vector<Vec3d> points;
+  Vec3d normal = Vec3d::Zero();  // of the contact; zero when there is none
 };
 
-Subject bounding(const std::vector<Vec3d>& points) {
-  Subject subject;
-  if (points.empty()) return subject;
+Vec3d center_of(const std::vector<Vec3d>& points) {
   Vec3d low = points.front(), high = points.front();
   for (const Vec3d& p : points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  subject.center = 0.5 * (low + high);
-  for (const Vec3d& p : points) {
-    subject.radius = std::max(subject.radius, (p - subject.center).norm());
-  }
-  return subject;
+  return 0.5 * (low + high);
 }
 
 Subject contact_patches(const std::vector<trace::Frame>& frames,
                         const std::vector<ShapeMesh>& meshes) {
-  std::vector<Vec3d> points;
-  Vec3d normal = Vec3d::Zero();
-  double smallest = std::numeric_limits<double>::max();
+  Subject subject;
+  std::vector<Vec3d>& points = subject.points;
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
       for (const trace::Manifold& manifold : pair.manifolds) {
-        if (normal.isZero()) normal = manifold.normal;
+        if (subject.normal.isZero()) subject.normal = manifold.normal;
         for (const trace::Point& point : manifold.points) points.push_back(point.position);
       }
       if (pair.reduction) {
         for (const trace::Point& point : pair.reduction->points) points.push_back(point.position);
       }
       if (pair.clip) {
-        for (const Vec3d& p : pair.clip->incident.polygon) points.push_back(p);
+        const trace::Polygon& incident = pair.clip->incident.polygon;
+        points.insert(points.end(), incident.begin(), incident.end());
       }
     }
   }
-  for (const ShapeMesh& mesh : meshes) smallest = std::min(smallest, mesh.radius);
-  Subject subject = bounding(points);
   if (points.empty()) return subject;
-  subject.normal = normal;
-  subject.radius = std::max(subject.radius, kLeastContext * smallest);
+  // A point contact has no size: what lies around it counts instead.
+  double smallest = std::numeric_limits<double>::max();
+  for (const ShapeMesh& mesh : meshes) smallest = std::min(smallest, mesh.radius);
+  const Vec3d center = center_of(points);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
+    points.push_back(center + reach);
+    points.push_back(center - reach);
+  }
   return subject;
 }
 
 Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
-  std::vector<Vec3d> points;
+  Subject subject;
   for (const trace::Frame& frame : frames) {
     for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-      points.insert(points.end(), shape.vertices.begin(), shape.vertices.end());
+      subject.points.insert(subject.points.end(), shape.vertices.begin(), shape.vertices.end());
     }
   }
-  return bounding(points);
+  return subject;
 }
 
-Vec3d viewing_direction(const trace::Header& header, const Subject& subject) {
+Vec3d viewing_direction(const trace::Header& header, const Vec3d& contact_normal) {
   const Vec3d usual = default_direction(header);
-  if (subject.normal.isZero()) return usual;
-  const Vec3d normal = subject.normal.dot(usual) < 0 ? Vec3d(-subject.normal) : subject.normal;
+  if (contact_normal.isZero()) return usual;
+  const Vec3d normal = contact_normal.dot(usual) < 0 ? Vec3d(-contact_normal) : contact_normal;
   Vec3d along = usual - usual.dot(normal) * normal;
   along = along.norm() > 1e-3 ? Vec3d(along.normalized()) : any_perpendicular(normal);
   return std::cos(radians(kElevation)) * along + std::sin(radians(kElevation)) * normal;
 }
 
+// Axes of a camera that looks against `direction`.
+struct Frame3 {
+  Vec3d right, up, towards_eye;
+
+  Frame3(const Vec3d& direction, const Vec3d& world_up) : towards_eye(direction) {
+    right = world_up.cross(direction);
+    right = right.norm() > 1e-6 ? Vec3d(right.normalized()) : any_perpendicular(direction);
+    up = direction.cross(right);
+  }
+};
+
+struct Fit {
+  Vec3d target;
+  double distance;  // of the eye from the target
+};
+
+// The nearest eye from which the points fill at most `share` of the view both ways, with the points
+// in the middle unless the target is given. A point at (x, y, z) in the camera's axes is seen at
+// x / (distance - z), so each asks for distance >= z + |x| / (share * tangent of the half angle).
+Fit fit(const std::vector<Vec3d>& points, const Frame3& axes, const std::optional<Vec3d>& target,
+        double half_height, double aspect, double share) {
+  Fit result{target.value_or(center_of(points)), 0};
+  for (int round = 0; round < 4; ++round) {
+    double distance = 0;
+    for (const Vec3d& p : points) {
+      const Vec3d q = p - result.target;
+      const double side = std::max(std::abs(q.dot(axes.up)) / half_height,
+                                   std::abs(q.dot(axes.right)) / (half_height * aspect));
+      distance = std::max(distance, q.dot(axes.towards_eye) + side / share);
+    }
+    result.distance = distance;
+    if (target || distance <= 0) return result;
+    double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
+    for (const Vec3d& p : points) {
+      const Vec3d q = p - result.target;
+      const double depth = std::max(distance - q.dot(axes.towards_eye), 1e-6 * distance);
+      low_x = std::min(low_x, q.dot(axes.right) / depth);
+      high_x = std::max(high_x, q.dot(axes.right) / depth);
+      low_y = std::min(low_y, q.dot(axes.up) / depth);
+      high_y = std::max(high_y, q.dot(axes.up) / depth);
+    }
+    result.target += 0.5 * distance * ((low_x + high_x) * axes.right + (low_y + high_y) * axes.up);
+  }
+  return result;
+}
+
 Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& frames,
                   const std::vector<ShapeMesh>& meshes, const View& view, const Rect& viewport) {
   const Subject everything = all_shapes(frames, meshes);
-  Subject subject = contact_patches(frames, meshes);
-  double share = kPatchShare;
-  if (view.focus == Focus::Shapes || subject.radius <= 0) {
-    const Vec3d normal = subject.normal;
-    subject = everything;
-    subject.normal = normal;
-    share = kShapesShare;
-  }
-  const Vec3d target = view.target.value_or(subject.center);
-  const Vec3d direction =
-      view.eye ? Vec3d((*view.eye - target).normalized()) : viewing_direction(header, subject);
-  const double smaller = std::min(viewport.width, viewport.height);
-  // Height of the picture in metres at the target.
-  const double height = 2 * subject.radius / share * viewport.height / smaller;
-
-  if (view.orthographic_height) {
-    const double away = view.eye ? (*view.eye - target).norm() : 4 * everything.radius;
-    return Camera::orthographic(target + away * direction, target, up_axis(header),
-                                *view.orthographic_height, viewport);
-  }
+  const Subject contact = contact_patches(frames, meshes);
   const double fov = radians(view.fov_degrees.value_or(kFieldOfView));
-  const double away = view.eye ? (*view.eye - target).norm() : 0.5 * height / std::tan(0.5 * fov);
-  return Camera::perspective(target + away * direction, target, up_axis(header), fov, viewport);
+  const double half_height = std::tan(0.5 * fov);
+  const double aspect = viewport.width / viewport.height;
+
+  // Without a target of the view's own, the direction of its eye is from the middle of all.
+  Vec3d direction = viewing_direction(header, contact.normal);
+  if (view.eye) {
+    direction = (*view.eye - view.target.value_or(center_of(everything.points))).normalized();
+  }
+  const Frame3 axes(direction, up_axis(header));
+  Fit best = fit(everything.points, axes, view.target, half_height, aspect, kShapesShare);
+  if (view.focus == Focus::Contact && !contact.points.empty()) {
+    const Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
+    // Not so near that the shapes are lost.
+    if (close.distance < best.distance) {
+      best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
+    }
+  }
+  if (view.eye) best.distance = (*view.eye - best.target).norm();
+  const Vec3d eye = view.eye.value_or(best.target + best.distance * direction);
+  if (view.orthographic_height) {
+    return Camera::orthographic(eye, best.target, up_axis(header), *view.orthographic_height,
+                                viewport);
+  }
+  return Camera::perspective(eye, best.target, up_axis(header), fov, viewport);
 }
 
 // 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible.

@@ -40,13 +40,10 @@ void override_reducer(Scenario& scenario, const std::string& reducer) {
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
 
-void select_view(Scenario& scenario, const std::string& name) {
+void require_view(const Scenario& scenario, const std::string& name) {
   std::string names;
   for (const View& view : scenario.views) {
-    if (view.name == name) {
-      scenario.views = {View(view)};
-      return;
-    }
+    if (view.name == name) return;
     names += (names.empty() ? "" : ", ") + view.name;
   }
   throw UsageError("--view '" + name + "' is no view of " + scenario.name + "; it has " + names);
@@ -66,6 +63,19 @@ std::vector<std::string> scenario_files(const std::string& root) {
   return files;
 }
 
+std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
+  std::vector<View> views;
+  for (const View& view : scenario.views) {
+    if (options.view.empty() || view.name == options.view) views.push_back(view);
+  }
+  return views;
+}
+
+std::optional<std::string> view_folder(const Scenario& scenario, const View& view) {
+  if (scenario.views.size() < 2) return std::nullopt;
+  return view.name;
+}
+
 std::vector<Scenario> load_scenarios(const Options& options) {
   std::vector<std::string> files;
   if (options.scenarios.empty()) {
@@ -83,7 +93,7 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   for (const std::string& file : files) {
     Scenario scenario = load_scenario(file);
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
-    if (!options.view.empty()) select_view(scenario, options.view);
+    if (!options.view.empty()) require_view(scenario, options.view);
     if (options.frames && options.frames->select(scenario.frames).empty()) {
       throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
                        std::to_string(scenario.frames - 1));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,12 @@ std::vector<std::string> scenario_files(const std::string& root);
 /// anything is returned, so that a bad one leaves nothing half done. Throws InputError and
 /// UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
+
+/// The views that --view leaves.
+std::vector<View> selected_views(const Scenario& scenario, const Options& options);
+
+/// The folder of a view's pictures below the scenario's: none when the file has a single view. A
+/// view chosen on the command line stays where it would be among the others.
+std::optional<std::string> view_folder(const Scenario& scenario, const View& view);
 
 }  // namespace contactscope::app

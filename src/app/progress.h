@@ -14,10 +14,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void advance(const std::string& what);
-
- private:
+  /// Takes the bar off the line, before something else is printed.
   void clear() const;
 
+ private:
   int total_;
   int done_ = 0;
   bool shown_;

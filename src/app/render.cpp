@@ -51,7 +51,8 @@ ExitCode render(const Options& options) {
   }
   int pictures = 0;
   for (const Scenario& scenario : scenarios) {
-    pictures += static_cast<int>(selected_frames(options, scenario).size() * scenario.views.size());
+    pictures += static_cast<int>(selected_frames(options, scenario).size() *
+                                 selected_views(scenario, options).size());
   }
 
   const auto begin = std::chrono::steady_clock::now();
@@ -62,17 +63,17 @@ ExitCode render(const Options& options) {
     for (const Scenario& scenario : scenarios) {
       const Sequence sequence = run_sequence(scenario, options.timing, total);
       account_for_absences(scenario, total);
-      for (const View& view : scenario.views) {
+      for (const View& view : selected_views(scenario, options)) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
-        const std::string view_folder = scenario.views.size() > 1 ? view.name : "";
         studio.render(staging, sequence.frames, selected_frames(options, scenario),
                       sequence.nanoseconds, [&](std::size_t frame, Image image) {
-                        encoders.submit(
-                            snapshot::picture_path(options.out, scenario.name, view_folder,
-                                                   static_cast<int>(frame)),
-                            std::move(image));
+                        const snapshot::PictureKey key{scenario.name, view_folder(scenario, view),
+                                                       static_cast<int>(frame)};
+                        const std::filesystem::path path = snapshot::picture_path(options.out, key);
+                        std::filesystem::create_directories(path.parent_path());
+                        encoders.submit(path.string(), std::move(image));
                         progress.advance(scenario.name);
                       });
       }

@@ -1,0 +1,191 @@
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/catalogue.h"
+#include "app/ledger.h"
+#include "app/progress.h"
+#include "app/sequence.h"
+#include "app/studio.h"
+#include "app/verbs.h"
+#include "draw/staging.h"
+#include "scenario/expect.h"
+#include "snapshot/check.h"
+#include "snapshot/report.h"
+
+namespace contactscope::app {
+namespace {
+
+/// What the check found of one scenario.
+struct Outcome {
+  std::string scenario;
+  bool fails = false;
+  std::vector<std::string> sentences;
+  int pictures = 0;
+  int changed = 0;  // files written, rewritten or removed
+};
+
+class Checker {
+ public:
+  explicit Checker(const Options& options)
+      : options_(options), studio_(options.backend, ledger_), report_(options.out) {
+    policy_.ci = snapshot::is_ci(std::getenv("CI"));
+    if (options.update == Update::Failed) policy_.update = snapshot::Update::Failed;
+    if (options.update == Update::All) policy_.update = snapshot::Update::All;
+  }
+
+  Outcome check(const Scenario& scenario) {
+    Outcome outcome{scenario.name, false, {}, 0, 0};
+    const Sequence sequence = run_sequence(scenario, false, ledger_);
+    check_expectations(scenario, sequence, outcome);
+    check_trace(scenario, sequence, outcome);
+    for (const View& view : selected_views(scenario, options_)) {
+      check_pictures(scenario, view, sequence, outcome);
+    }
+    if (options_.view.empty()) check_stale(scenario, outcome);
+    return outcome;
+  }
+
+  /// Stored scenarios that no file describes any more.
+  std::vector<Outcome> check_orphans(const std::vector<Scenario>& scenarios) {
+    std::vector<std::string> names;
+    for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
+    std::vector<Outcome> outcomes;
+    for (const snapshot::StaleFile& file :
+         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_)) {
+      Outcome outcome{file.scenario, false, {}, 0, 0};
+      take(file, outcome);
+      if (file.fails) report_.add(file);
+      outcomes.push_back(std::move(outcome));
+    }
+    return outcomes;
+  }
+
+  std::optional<std::filesystem::path> finish() { return report_.finish(); }
+  const Ledger& ledger() const { return ledger_; }
+
+ private:
+  template <class Checked>
+  static void take(const Checked& checked, Outcome& outcome) {
+    using snapshot::Verdict;
+    outcome.fails = outcome.fails || checked.fails;
+    outcome.sentences.insert(outcome.sentences.end(), checked.sentences.begin(),
+                             checked.sentences.end());
+    outcome.changed += checked.verdict == Verdict::Written || checked.verdict == Verdict::Updated ||
+                       checked.verdict == Verdict::Removed;
+  }
+
+  void check_expectations(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
+    std::vector<std::string> unmet;
+    for (const trace::Frame& frame : sequence.frames) {
+      const std::vector<std::string> more = unmet_expectations(scenario, frame);
+      unmet.insert(unmet.end(), more.begin(), more.end());
+    }
+    if (unmet.empty()) return;
+    outcome.fails = true;
+    outcome.sentences.insert(outcome.sentences.end(), unmet.begin(), unmet.end());
+    report_.add(scenario.name, unmet);
+  }
+
+  void check_trace(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
+    trace::Trace stored{sequence.header, {}};
+    for (const int frame : scenario.snapshots.frames) {
+      stored.frames.push_back(sequence.frames[static_cast<std::size_t>(frame)]);
+    }
+    const snapshot::CheckedTrace checked =
+        snapshot::check_trace(options_.snapshot_root, stored, policy_);
+    take(checked, outcome);
+    if (checked.fails) report_.add(checked);
+  }
+
+  void check_pictures(const Scenario& scenario, const View& view, const Sequence& sequence,
+                      Outcome& outcome) {
+    const draw::Staging staging = draw::stage(sequence.header, sequence.frames, view,
+                                              scenario.snapshots.width, scenario.snapshots.height);
+    std::vector<std::size_t> which(scenario.snapshots.frames.begin(),
+                                   scenario.snapshots.frames.end());
+    studio_.render(staging, sequence.frames, which, {}, [&](std::size_t frame, Image image) {
+      const Timed timed(ledger_, "compare");
+      const snapshot::PictureKey key{scenario.name, view_folder(scenario, view),
+                                     static_cast<int>(frame)};
+      const snapshot::CheckedPicture checked =
+          snapshot::check_picture(options_.snapshot_root, key, image, policy_);
+      ++outcome.pictures;
+      take(checked, outcome);
+      if (checked.fails) report_.add(checked, image);
+    });
+  }
+
+  void check_stale(const Scenario& scenario, Outcome& outcome) {
+    std::vector<std::string> views;
+    if (scenario.views.size() > 1) {
+      for (const View& view : scenario.views) views.push_back(view.name);
+    }
+    for (const snapshot::StaleFile& file : snapshot::check_stale(
+             options_.snapshot_root, scenario.name, views, scenario.snapshots.frames, policy_)) {
+      take(file, outcome);
+      if (file.fails) report_.add(file);
+    }
+  }
+
+  const Options& options_;
+  Ledger ledger_;
+  Studio studio_;
+  snapshot::Report report_;
+  snapshot::Policy policy_;
+};
+
+void print(const Outcome& outcome, const Options& options) {
+  if (options.json) {
+    const nlohmann::ordered_json json{{"scenario", outcome.scenario},
+                                      {"same", !outcome.fails},
+                                      {"pictures", outcome.pictures},
+                                      {"changed_files", outcome.changed},
+                                      {"differences", outcome.sentences}};
+    std::cout << json.dump() << '\n';
+    return;
+  }
+  if (outcome.fails || !options.quiet) {
+    std::cout << (outcome.fails         ? "FAILED  "
+                  : outcome.changed > 0 ? "updated "
+                                        : "same    ")
+              << outcome.scenario << '\n';
+  }
+  for (const std::string& sentence : outcome.sentences) {
+    if (outcome.fails || options.verbose) std::cout << "        " << sentence << '\n';
+  }
+}
+
+}  // namespace
+
+ExitCode check(const Options& options) {
+  const std::vector<Scenario> scenarios = load_scenarios(options);
+  Checker checker(options);
+  int failed = 0;
+  {
+    Progress progress(static_cast<int>(scenarios.size()), options.quiet);
+    for (const Scenario& scenario : scenarios) {
+      const Outcome outcome = checker.check(scenario);
+      progress.advance(scenario.name);
+      progress.clear();
+      failed += outcome.fails;
+      print(outcome, options);
+    }
+  }
+  if (options.scenarios.empty() && options.view.empty()) {
+    for (const Outcome& outcome : checker.check_orphans(scenarios)) {
+      failed += outcome.fails;
+      print(outcome, options);
+    }
+  }
+  const std::optional<std::filesystem::path> page = checker.finish();
+  if (options.verbose) checker.ledger().print(std::cerr, "check");
+  if (!options.quiet) {
+    std::cerr << scenarios.size() << " scenarios, " << failed << " failed";
+    if (page) std::cerr << "; see " << page->string();
+    std::cerr << '\n';
+  }
+  return failed == 0 ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace contactscope::app
