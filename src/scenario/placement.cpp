@@ -68,9 +68,7 @@ std::vector<Keyframe> read_keyframes(const Value& value, const Pose<double>& sta
     pose = read_pose(table, pose);
     Keyframe keyframe{time.number("seconds"), pose};
     if (!keyframes.empty() && keyframe.time <= keyframes.back().time)
-      time.fail("keyframes must be in order of time, each later than the one before; " +
-                std::to_string(keyframe.time) + " s comes after " +
-                std::to_string(keyframes.back().time) + " s");
+      time.fail("keyframes must be in order of time, each later than the one before");
     keyframes.push_back(keyframe);
   }
   if (keyframes.empty())

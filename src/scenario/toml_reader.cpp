@@ -35,20 +35,21 @@ std::string with_unit(const char* unit) {
   return unit == nullptr ? "number" : std::string("number in ") + unit;
 }
 
-/// Levenshtein distance; both words are short.
+/// Edits that turn `a` into `b`: a letter changed, added, left out, or two neighbours swapped
+/// (Damerau 1964, each letter edited at most once). Both words are short.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) edits[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) edits[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+      const std::size_t changed = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
     }
   }
-  return row[b.size()];
+  return edits[a.size()][b.size()];
 }
 
 /// What to say of a key that nobody knows. Some misspellings deserve their reason.
@@ -56,12 +57,13 @@ std::string unknown_key(std::string_view key, const Keys& keys) {
   const std::string found = "unknown key '" + std::string(key) + "'";
   const auto known = [&](std::string_view k) { return std::ranges::find(keys, k) != keys.end(); };
   if (key == "quat" || key == "quaternion") {
-    const bool nested = known("rotation");
-    return std::string("'") + std::string(key) +
-           "' does not say the order of its components; write " +
-           (nested ? "rotation = { quat_wxyz = [w, x, y, z] } or rotation = { quat_xyzw = [x, y, "
-                     "z, w] }"
-                   : "quat_wxyz = [w, x, y, z] or quat_xyzw = [x, y, z, w]");
+    const char* remedy = "quat_wxyz = [w, x, y, z] or quat_xyzw = [x, y, z, w]";
+    if (known("rotation"))
+      remedy = "rotation = { quat_wxyz = [w, x, y, z] } or rotation = { quat_xyzw = [x, y, z, w] }";
+    return std::string("'")
+        .append(key)
+        .append("' does not say the order of its components; write ")
+        .append(remedy);
   }
   if (key == "angle" && known("degrees"))
     return found + ", which does not say its unit; write 'degrees' or 'radians'";

@@ -1,0 +1,242 @@
+#include <gmock/gmock.h>
+
+#include "scenario/broken.h"
+
+namespace contactscope {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class BrokenFile : public ::testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenFile, IsNamedByPlaceAndRemedy) {
+  const std::string message = complaint(GetParam().text);
+  EXPECT_THAT(message, StartsWith(std::string("group/idea.toml:") + GetParam().location + ": "));
+  EXPECT_THAT(message, HasSubstr(GetParam().remedy));
+}
+
+// If the frame of these tests were itself refused, the tables would prove nothing.
+TEST(BrokenFileFrame, IsAGoodFile) {
+  EXPECT_EQ(complaint(two_boxes()), "no complaint");
+}
+
+std::string nested(int depth, const std::string& open, const std::string& close) {
+  std::string text = "deep = ";
+  for (int i = 0; i < depth; ++i) text += open;
+  text += "1";
+  for (int i = 0; i < depth; ++i) text += close;
+  return text;
+}
+
+std::string dotted(int names) {
+  std::string text = "[a";
+  for (int i = 1; i < names; ++i) text += ".a";
+  return text + "]\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, BrokenFile,
+    ::testing::Values(
+        Broken{"Empty", "", "1:1", "the file is empty; a scenario needs a title"},
+        Broken{"OnlyWhiteSpace", " \n\t\r\n", "1:1", "the file is empty"},
+        Broken{"OnlyAComment", "# nothing\n", "1:1", "missing key 'title'"},
+        Broken{"NulByte", std::string("title = \"a\"\nup\0 = \"y\"", 21), "2:3", "NUL byte"},
+        Broken{"NotUtf8", "title = \"caf\xe9\"\n", "1:13", "not UTF-8; save the file in that"},
+        Broken{"Utf16", std::string("\xff\xfet\0i\0", 6), "1:1", "not UTF-8"},
+        Broken{"OverlongUtf8", "title = \"\xc0\xaf\"", "1:10", "not UTF-8"},
+        Broken{"Utf8Surrogate", "title = \"\xed\xa0\x80\"", "1:10", "not UTF-8"},
+        Broken{"TruncatedUtf8", "title = \"\xe2\x82", "1:10", "not UTF-8"},
+        Broken{"NoToml", "this is a novel\n", "1:6", "this is no TOML"},
+        Broken{"Json", "{\"title\": \"a\"}\n", "1:1", "this is no TOML"},
+        Broken{"UnclosedString", "title = \"a\n", "1:11", "this is no TOML"},
+        Broken{"UnclosedArray", "title = \"a\"\ntags = [\"x\"\n", "2:13", "this is no TOML"},
+        Broken{"MissingValue", "title =\n", "1:8", "this is no TOML"},
+        Broken{"DuplicateKey", "title = \"a\"\ntitle = \"b\"\n", "2:9", "may be given only once"},
+        Broken{"DuplicateShape", two_boxes("[shapes.crate]\n"), "8:1", "may be given only once"},
+        Broken{"DeepArrays", nested(10000, "[", "]"), "1:264", "maximum nested value depth"},
+        Broken{"DeepTables", nested(10000, "{a=", "}"), "1:776", "maximum nested value depth"},
+        Broken{"DeepHeader", dotted(100000), "1:33", "joins more than 16 names"},
+        Broken{"DeepQuotedHeader", "['a.b'.\"c\".d.e.f.g.h.i.j.k.l.m.n.o.p.q . r]\n", "1:40",
+               "joins more than 16 names"},
+        Broken{"IntegerBeyond64Bits", two_boxes("[time]\nframes = 99999999999999999999"), "9:30",
+               "64 bits"}),
+    name_of_test);
+
+INSTANTIATE_TEST_SUITE_P(
+    TopLevel, BrokenFile,
+    ::testing::Values(
+        Broken{"MissingTitle", "up = \"y\"\n[shapes.a]\n", "1:1",
+               "missing key 'title' in the file; add title = "},
+        Broken{"EmptyTitle", "title = \"\"\n", "1:9", "'title' is an empty string"},
+        Broken{"TitleOfWrongType", "title = 3\n", "1:9", "'title' is an integer; a string"},
+        Broken{"MissingShapes", "title = \"a\"\n", "1:1", "missing key 'shapes'"},
+        Broken{"EmptyShapes", "title = \"a\"\n[shapes]\n", "2:1", "[shapes] is empty"},
+        Broken{"UnknownTopLevelKey", "titel = \"a\"\n", "1:1",
+               "unknown key 'titel'; did you mean 'title'?"},
+        Broken{"UnknownKeyNearNothing", "zebra = 1\n", "1:1", "unknown key 'zebra'; known here: "},
+        Broken{"UpAlongX", "title = \"a\"\nup = \"x\"\n", "2:6",
+               "unknown up axis 'x'; known: 'y' and 'z'"},
+        Broken{"TagsAreOneString", "title = \"a\"\ntags = \"hull\"\n", "2:8",
+               "'tags' is a string; an array is needed"},
+        Broken{"TagIsANumber", "title = \"a\"\ntags = [\"hull\", 4]\n", "2:17",
+               "'tags[1]' is an integer; a string is needed"},
+        Broken{"EmptyTag", "title = \"a\"\ntags = [\"\"]\n", "2:9", "'tags[0]' is an empty"},
+        Broken{"SourceIsADate", "title = \"a\"\nsource = 2015-03-04\n", "2:10",
+               "'source' is a date or time; a string"},
+        Broken{"HugeFrameCount", two_boxes("[time]\nframes = 1000000000"), "9:10",
+               "'frames' is 1000000000; it may be 1 to 100000"},
+        Broken{"NoFrames", two_boxes("[time]\nframes = 0"), "9:10", "it may be 1 to 100000"},
+        Broken{"FractionalFrames", two_boxes("[time]\nframes = 2.5"), "9:10",
+               "'frames' is a number with a fraction; an integer from 1 to 100000 is needed"},
+        Broken{"ZeroStep", two_boxes("[time]\ndt = 0.0"), "9:6", "'dt' must be greater than zero"},
+        Broken{"NanStep", two_boxes("[time]\ndt = nan"), "9:6",
+               "'dt' is not a number (nan); a finite number in seconds"},
+        Broken{"TimeIsANumber", "title = \"a\"\ntime = 3\n[shapes.a]\n", "2:8",
+               "'time' is an integer; a table with the keys 'frames' and 'dt' is needed"},
+        Broken{"UnknownScalar", two_boxes("[pipeline]\nscalar = \"half\""), "9:10",
+               "unknown scalar 'half'; known: 'float' and 'double'"},
+        Broken{"UnknownReducer", two_boxes("[pipeline]\nreducer = \"aera\""), "9:11",
+               "unknown reducer 'aera'; did you mean 'area'?"},
+        Broken{"IncrementalManifold", two_boxes("[pipeline]\nmanifold = \"incremental\""), "9:12",
+               "cannot be built yet; use \"one-shot\""},
+        Broken{"NoPoints", two_boxes("[pipeline]\nmax_points = 0"), "9:14", "it may be 1 to 64"},
+        Broken{"TooManyPoints", two_boxes("[pipeline]\nmax_points = 65"), "9:14",
+               "'max_points' is 65; it may be 1 to 64"},
+        Broken{"NegativeMargin", two_boxes("[pipeline]\nmargin = -0.01"), "9:10",
+               "'margin' must not be negative"},
+        Broken{"InfiniteMargin", two_boxes("[pipeline]\nmargin = inf"), "9:10",
+               "'margin' is infinite; a finite number in metres"},
+        Broken{"CacheIsAString", two_boxes("[pipeline]\ncache = \"yes\""), "9:9",
+               "'cache' is a string; true or false is needed"},
+        Broken{"UnknownPreference", two_boxes("[pipeline]\npreference = \"faces\""), "9:14",
+               "unknown preference 'faces'; known: 'relative' and 'none'"},
+        Broken{"GravityIsANumber", two_boxes("[world]\ngravity = -9.81"), "9:11",
+               "'gravity' is a number with a fraction; an array of 3 numbers"},
+        Broken{"NegativeFriction", two_boxes("[world]\nfriction = -1"), "9:12",
+               "must not be negative"},
+        Broken{"NoIterations", two_boxes("[solver]\niterations = 0"), "9:14", "it may be 1 to"},
+        Broken{"UnknownCorrection", two_boxes("[solver]\nposition_correction = \"magic\""), "9:23",
+               "known: 'baumgarte', 'projection' and 'soft'"}),
+    name_of_test);
+
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, BrokenFile,
+    ::testing::Values(
+        Broken{"UnknownShape", two_boxes("[[pairs]]\na = \"crat\"\nb = \"floor\""), "9:5",
+               "there is no shape 'crat'; did you mean 'crate'? the file has 'crate' and 'floor'"},
+        Broken{"ShapeWithItself", two_boxes("[[pairs]]\na = \"crate\"\nb = \"crate\""), "10:5",
+               "'a' and 'b' are the same shape"},
+        Broken{"MissingB", two_boxes("[[pairs]]\na = \"crate\""), "8:1", "missing key 'b'"},
+        Broken{"SingleBrackets", two_boxes("[pairs]\na = \"crate\"\nb = \"floor\""), "8:1",
+               "an array of tables, written as [[pairs]]"},
+        Broken{"ArrayOfNames",
+               "title = \"a\"\npairs = [\"crate\", \"floor\"]\n" + two_boxes().substr(20), "2:10",
+               "'pairs[0]' is a string; a table, written as [[pairs]]"},
+        Broken{"SamePairTwice",
+               two_boxes("[[pairs]]\na = \"crate\"\nb = \"floor\"\n"
+                         "[[pairs]]\na = \"floor\"\nb = \"crate\""),
+               "11:1", "give each such entry a 'label' of its own"},
+        Broken{"SameLabelTwice",
+               two_boxes("[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"on\"\n"
+                         "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"on\""),
+               "12:1", "give each such entry a 'label' of its own"},
+        Broken{"ScalarOfOnePair",
+               two_boxes("[[pairs]]\na = \"crate\"\nb = \"floor\"\nscalar = \"double\""), "11:10",
+               "one scalar serves the whole file; set 'scalar' in [pipeline]"},
+        Broken{"UnknownReducerOfOnePair",
+               two_boxes("[[pairs]]\na = \"crate\"\nb = \"floor\"\nreducer = \"magic\""), "11:11",
+               "unknown reducer 'magic'; known: "}),
+    name_of_test);
+
+INSTANTIATE_TEST_SUITE_P(
+    Views, BrokenFile,
+    ::testing::Values(
+        Broken{"UnknownLayer", two_boxes("[[views]]\nlayers = [\"shapes\", \"normal\"]"), "9:21",
+               "unknown layer 'normal'; did you mean 'normals'? known: 'shapes', "},
+        Broken{"LayerTwice", two_boxes("[[views]]\nlayers = [\"ids\", \"ids\"]"), "9:18",
+               "the layer 'ids' is listed twice"},
+        Broken{"UnknownPanel", two_boxes("[[views]]\npanels = [\"graph\"]"), "9:11",
+               "unknown panel 'graph'; known: 'summary', 'contact_plane' and 'axis_history'"},
+        Broken{"EyeIsTarget", two_boxes("[[views]]\neye = [1, 2, 3]\ntarget = [1, 2, 3]"), "9:7",
+               "'eye' and 'target' are the same point"},
+        Broken{"EyeOfTwoNumbers", two_boxes("[[views]]\neye = [1, 2]"), "9:7",
+               "'eye' is an array of 2 values; an array of 3 numbers is needed"},
+        Broken{"TwoLenses", two_boxes("[[views]]\nfov_degrees = 35\northographic_height = 2"),
+               "10:23", "give 'fov_degrees' or 'orthographic_height', not both"},
+        Broken{"WideLens", two_boxes("[[views]]\nfov_degrees = 180"), "9:15", "it may be 1 to 150"},
+        Broken{"FlatView", two_boxes("[[views]]\northographic_height = 0"), "9:23",
+               "must be greater than zero"},
+        Broken{"UnknownFocus", two_boxes("[[views]]\nfocus = \"crate\""), "9:9",
+               "unknown focus 'crate'; known: 'contact' and 'shapes'"},
+        Broken{"UnknownStory", two_boxes("[[views]]\nstory = \"clip_step\""), "9:9",
+               "unknown story 'clip_step'; did you mean 'clip_steps'?"},
+        Broken{"SameNameTwice", two_boxes("[[views]]\n[[views]]"), "9:1",
+               "two views are named 'main'"},
+        Broken{"NameThatLeavesTheFolder", two_boxes("[[views]]\nname = \"../../etc\""), "9:8",
+               "the view's name becomes a folder"},
+        Broken{"NoViews", "views = []\n" + two_boxes(), "1:9", "'views' is empty"},
+        Broken{"SnapshotOutOfRange", two_boxes("[snapshots]\nframes = [0, 1]"), "9:14",
+               "'frames[1]' is 1; it may be 0 to 0"},
+        Broken{"SnapshotTwice", two_boxes("[time]\nframes = 5\n[snapshots]\nframes = [3, 3]"),
+               "11:14", "in rising order, each once"},
+        Broken{"NoSnapshots", two_boxes("[snapshots]\nframes = []"), "9:10", "at least one frame"},
+        Broken{"SmallPicture", two_boxes("[snapshots]\nsize = [640, 63]"), "9:14",
+               "'size[1]' is 63; it may be 64 to 8192"},
+        Broken{"LargePicture", two_boxes("[snapshots]\nsize = [8193, 64]"), "9:9",
+               "it may be 64 to 8192"},
+        Broken{"SizeOfOneNumber", two_boxes("[snapshots]\nsize = [640]"), "9:8",
+               "width and height in pixels"}),
+    name_of_test);
+
+std::string expecting(const std::string& rest) {  // `rest` begins on line 11
+  return two_boxes("[[expect]]\na = \"crate\"\nb = \"floor\"\n" + rest);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Expect, BrokenFile,
+    ::testing::Values(
+        Broken{"ExpectNothing", expecting(""), "8:1", "this entry expects nothing"},
+        Broken{"ExpectUnknownShape", two_boxes("[[expect]]\na = \"crate\"\nb = \"flor\""), "10:5",
+               "there is no shape 'flor'; did you mean 'floor'?"},
+        Broken{"ExpectShapeWithItself", two_boxes("[[expect]]\na = \"floor\"\nb = \"floor\""),
+               "10:5", "'a' and 'b' are the same shape"},
+        Broken{"FramesOutOfRange", expecting("points = 4\nframes = [0, 1]"), "12:14",
+               "'frames[1]' is 1; it may be 0 to 0"},
+        Broken{"FramesBackwards", expecting("points = 4\nframes = [3, 2]\n[time]\nframes = 9"),
+               "12:14", "ends before it begins"},
+        Broken{"OneFrame", expecting("points = 4\nframes = [0]"), "12:10",
+               "the first and the last frame"},
+        Broken{"SwappedPair", two_boxes("[[expect]]\na = \"floor\"\nb = \"crate\"\npoints = 4"),
+               "9:5", "the pair is a = 'crate', b = 'floor'; swap them here"},
+        Broken{"PairNotListed",
+               two_boxes("[shapes.post]\ntype = \"box\"\nhalf_extents = [1, 1, 1]\n"
+                         "[[pairs]]\na = \"crate\"\nb = \"floor\"\n"
+                         "[[expect]]\na = \"crate\"\nb = \"post\"\npoints = 4"),
+               "15:5", "the pair 'crate' and 'post' is not run; list it in [[pairs]]"},
+        Broken{"UnknownLabel",
+               expecting("points = 4\nlabel = \"off\"\n"
+                         "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"on\""),
+               "9:5", "has no entry with the label 'off'; labels: 'on'"},
+        Broken{"LabelLeftOut",
+               expecting("points = 4\n[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"on\""),
+               "9:5", "has no entry with no label; labels: 'on'"},
+        Broken{"UnknownState", expecting("state = \"resting\""), "11:9",
+               "unknown state 'resting'; known: 'touching' and 'separated'"},
+        Broken{"NegativePoints", expecting("points = -1"), "11:10", "it may be 0 to"},
+        Broken{"TouchingWithoutPoints", expecting("points = 0\nstate = \"touching\""), "11:10",
+               "'points' contradicts 'state'"},
+        Broken{"UnknownAxis", expecting("axis = \"face\""), "11:8",
+               "known: 'face_a', 'face_b' and 'edge_edge'"},
+        Broken{"NormalNotUnit", expecting("normal = [0, -2, 0]"), "11:10",
+               "'normal' has length 2.000000; give a unit vector"},
+        Broken{"NanInNormal", expecting("normal = [0, nan, 0]"), "11:14",
+               "'normal[1]' is not a number (nan)"},
+        Broken{"InfiniteSeparation", expecting("separation = -inf"), "11:14",
+               "'separation' is infinite"},
+        Broken{"NegativeTolerance", expecting("points = 4\ntolerance = -1e-5"), "12:13",
+               "must not be negative"}),
+    name_of_test);
+
+}  // namespace
+}  // namespace contactscope

@@ -1,0 +1,217 @@
+#include <gmock/gmock.h>
+
+#include "scenario/broken.h"
+
+namespace contactscope {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class BrokenShape : public ::testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenShape, IsNamedByPlaceAndRemedy) {
+  const std::string message = complaint(GetParam().text);
+  EXPECT_THAT(message, StartsWith(std::string("group/idea.toml:") + GetParam().location + ": "));
+  EXPECT_THAT(message, HasSubstr(GetParam().remedy));
+}
+
+std::string hull(const std::string& vertices) {
+  return one_shape("type = \"hull\"\nvertices = " + vertices);
+}
+
+std::string round(const char* type, const char* radius, const char* half_height,
+                  const char* segments) {
+  return one_shape(std::string("type = \"") + type + "\"\nradius = " + radius +
+                   "\nhalf_height = " + half_height + "\nsegments = " + segments);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Geometry, BrokenShape,
+    ::testing::Values(
+        Broken{"MissingType", one_shape("half_extents = [1, 1, 1]"), "2:1", "missing key 'type'"},
+        Broken{"UnknownType", one_shape("type = \"bx\""), "3:8",
+               "unknown shape type 'bx'; did you mean 'box'? known: 'box', 'hull', "},
+        Broken{"TypeIsANumber", one_shape("type = 1"), "3:8", "'type' is an integer; a string"},
+        Broken{"ShapeIsANumber", "title = \"a\"\nshapes.rock = 3\n", "2:15",
+               "'rock' is no table; write a shape as [shapes.rock]"},
+        Broken{"ShapesIsAnArray", "title = \"a\"\n[[shapes]]\ntype = \"box\"\n", "2:1",
+               "write [shapes.NAME]"},
+        Broken{"EmptyName", "title = \"a\"\n[shapes.\"\"]\ntype = \"box\"\n", "2:1",
+               "a shape has an empty name"},
+        Broken{"MisspelledKey", one_shape("type = \"box\"\nhalf_extent = [1, 1, 1]"), "4:1",
+               "unknown key 'half_extent'; did you mean 'half_extents'?"},
+        Broken{"KeyOfAnotherType",
+               one_shape("type = \"box\"\nhalf_extents = [1, 1, 1]\nradius = 1"), "5:1",
+               "unknown key 'radius'; known here: 'half_extents', 'type', "},
+        Broken{"MissingHalfExtents", one_shape("type = \"box\""), "2:1",
+               "missing key 'half_extents' in 'rock'; add half_extents = [0.5, 0.5, 0.5]"},
+        Broken{"HalfExtentsIsANumber", one_shape("type = \"box\"\nhalf_extents = 1"), "4:16",
+               "'half_extents' is an integer; an array of 3 numbers is needed"},
+        Broken{"TwoHalfExtents", one_shape("type = \"box\"\nhalf_extents = [1, 1]"), "4:16",
+               "an array of 2 values; an array of 3 numbers"},
+        Broken{"HalfExtentIsAString", one_shape("type = \"box\"\nhalf_extents = [1, \"1\", 1]"),
+               "4:20", "'half_extents[1]' is a string; a number is needed"},
+        Broken{"ZeroHalfExtent", one_shape("type = \"box\"\nhalf_extents = [1, 1, 0]"), "4:23",
+               "'half_extents[2]' must be greater than zero"},
+        Broken{"NanHalfExtent", one_shape("type = \"box\"\nhalf_extents = [nan, 1, 1]"), "4:17",
+               "'half_extents[0]' is not a number (nan); a finite number"},
+        Broken{"HugeHalfExtent", one_shape("type = \"box\"\nhalf_extents = [1, 1e30, 1]"), "4:20",
+               "lengths may be 1e-9 to 1e9 metres"},
+        Broken{"TinyHalfExtent", one_shape("type = \"box\"\nhalf_extents = [1, 1e-30, 1]"), "4:20",
+               "lengths may be 1e-9 to 1e9 metres"},
+        Broken{"NegativeRadius", round("cylinder", "-0.5", "1", "16"), "4:10",
+               "'radius' must be greater than zero; give a number in metres"},
+        Broken{"ZeroHalfHeight", round("cone", "0.5", "0", "16"), "5:15",
+               "'half_height' must be greater than zero"},
+        Broken{"TwoSegments", round("cone", "0.5", "1", "2"), "6:12",
+               "'segments' is 2; it may be 3 to 64"},
+        Broken{"TooManySegments", round("cylinder", "0.5", "1", "65"), "6:12",
+               "'segments' is 65; it may be 3 to 64"},
+        Broken{"NoVertices", hull("[]"), "4:12", "'vertices' makes no hull: "},
+        Broken{"ThreeVertices", hull("[[0,0,0],[1,0,0],[0,1,0]]"), "4:12", "makes no hull: "},
+        Broken{"DuplicateVertex", hull("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[1,0,0]]"), "4:12",
+               "makes no hull: "},
+        Broken{"VerticesInALine", hull("[[0,0,0],[1,1,1],[2,2,2],[3,3,3],[4,4,4]]"), "4:12",
+               "makes no hull: "},
+        Broken{"VerticesInAPlane", hull("[[0,0,0],[1,0,0],[0,0,1],[1,0,1],[0.3,0,0.4]]"), "4:12",
+               "makes no hull: "},
+        Broken{"VertexOfTwoNumbers", hull("[[0,0,0],[1,0],[0,1,0],[0,0,1]]"), "4:21",
+               "'vertices[1]' is an array of 2 values; an array of 3 numbers"},
+        Broken{"InfiniteVertex", hull("[[0,0,0],[1,0,0],[0,inf,0],[0,0,1]]"), "4:32",
+               "'vertices[2][1]' is infinite"},
+        Broken{"FarVertex", hull("[[0,0,0],[1e10,0,0],[0,1,0],[0,0,1]]"), "4:12",
+               "farther than 1e9 metres"},
+        Broken{"MicroscopicHull", hull("[[0,0,0],[1e-12,0,0],[0,1e-12,0],[0,0,1e-12]]"), "4:12",
+               "smaller than 1e-9 metres"},
+        Broken{"HullOfNothing", one_shape("type = \"hull\""), "2:1",
+               "add vertices = [[x, y, z], ..] or file = "},
+        Broken{"HullOfBoth", one_shape("type = \"hull\"\nvertices = []\nfile = \"a.obj\""), "5:8",
+               "give 'vertices' or 'file', not both"},
+        Broken{"MissingObj", one_shape("type = \"hull\"\nfile = \"nowhere/rock.obj\""), "4:8",
+               "there is no file 'group/nowhere/rock.obj'; names are relative to the scenario's"},
+        Broken{"AnotherFormat", one_shape("type = \"hull\"\nfile = \"rock.stl\""), "4:8",
+               "which is no .obj file"},
+        Broken{"EmptyFileName", one_shape("type = \"hull\"\nfile = \"\""), "4:8",
+               "'file' is an empty string"},
+        Broken{"NulInFileName", one_shape("type = \"hull\"\nfile = \"a\\u0000.obj\""), "4:8",
+               "contains a NUL character"}),
+    name_of_test);
+
+INSTANTIATE_TEST_SUITE_P(
+    NotBuiltYet, BrokenShape,
+    ::testing::Values(
+        Broken{"Sphere", one_shape("type = \"sphere\"\nradius = 1"), "3:8",
+               "sphere shapes are parsed but cannot collide yet; use box, hull, cylinder or cone"},
+        Broken{"SphereOfNoRadius", one_shape("type = \"sphere\"\nradius = 0"), "4:10",
+               "'radius' must be greater than zero"},
+        Broken{"Capsule", one_shape("type = \"capsule\"\nradius = 1\nhalf_height = 2"), "3:8",
+               "capsule shapes are parsed but cannot collide yet"},
+        Broken{"CapsuleOfOneCentre",
+               one_shape("type = \"capsule\"\nradius = 1\npoints = [[0, 0, 0]]"), "5:10",
+               "are its two centres"},
+        Broken{"CapsuleOfNoLength", one_shape("type = \"capsule\"\nradius = 1"), "2:1",
+               "add points = [[..], [..]] or half_height"},
+        Broken{"Plane", one_shape("type = \"plane\"\nnormal = [0, 1, 0]\noffset = 0"), "3:8",
+               "plane shapes are parsed but cannot collide yet"},
+        Broken{"PlaneOfZeroNormal", one_shape("type = \"plane\"\nnormal = [0, 0, 0]\noffset = 0"),
+               "4:10", "'normal' is zero"},
+        Broken{"Mesh",
+               one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[0,1,0]]\n"
+                         "triangles = [[0,1,2]]"),
+               "3:8", "mesh shapes are parsed but cannot collide yet"},
+        Broken{"MeshTriangleOutOfRange",
+               one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[0,1,0]]\n"
+                         "triangles = [[0,1,3]]"),
+               "5:19", "'triangles[0][2]' is 3; it may be 0 to 2"},
+        Broken{"MeshGrid", one_shape("type = \"mesh\"\ngrid = { size = [4, 4], cells = 8 }"), "3:8",
+               "mesh shapes are parsed but cannot collide yet"},
+        Broken{"MeshGridOfNoCells", one_shape("type = \"mesh\"\ngrid = { size = 4, cells = 0 }"),
+               "4:28", "'cells' is 0; it may be 1 to 4096"},
+        Broken{"MeshOfNothing", one_shape("type = \"mesh\""), "2:1", "a mesh needs one of"},
+        Broken{"Dynamic", two_boxes("motion = { dynamic = true, mass = 1.0 }"), "8:22",
+               "parsed but cannot be simulated yet; script the motion"},
+        Broken{"DynamicOfNoMass", two_boxes("motion = { dynamic = true, mass = 0 }"), "8:35",
+               "'mass' must be greater than zero"},
+        Broken{"MassOfAScriptedShape", two_boxes("motion = { mass = 2 }"), "8:19",
+               "'mass' serves dynamic shapes only"}),
+    name_of_test);
+
+std::string rotated(const std::string& rotation) {  // the value begins at 8:12
+  return two_boxes("rotation = " + rotation);
+}
+
+std::string moved(const std::string& motion) {  // the keys begin on line 9
+  return two_boxes("[shapes.floor.motion]\n" + motion);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Placement, BrokenShape,
+    ::testing::Values(
+        Broken{"PositionOfTwoNumbers", two_boxes("position = [1, 2]"), "8:12",
+               "'position' is an array of 2 values"},
+        Broken{"NanPosition", two_boxes("position = [1, 2, -nan]"), "8:19",
+               "'position[2]' is not a number (nan)"},
+        Broken{"PositionBeyondFloat", two_boxes("position = [1e39, 0, 0]"), "8:12",
+               "coordinates may be up to 1e9 metres"},
+        Broken{"BareQuat", rotated("{ quat = [1, 0, 0, 0] }"), "8:14",
+               "'quat' does not say the order of its components; write quat_wxyz = [w, x, y, z] or "
+               "quat_xyzw = [x, y, z, w]"},
+        Broken{"QuatBesidePosition", two_boxes("quat = [1, 0, 0, 0]"), "8:1",
+               "write rotation = { quat_wxyz = [w, x, y, z] }"},
+        Broken{"RotationIsAnArray", rotated("[1, 0, 0, 0]"), "8:12",
+               "'rotation' is an array of 4 values; a table with the keys 'axis', 'degrees'"},
+        Broken{"EmptyRotation", rotated("{}"), "8:12", "the rotation is empty; give one of"},
+        Broken{"TwoRotations", rotated("{ quat_wxyz = [1,0,0,0], axis = [0,1,0] }"), "8:12",
+               "the rotation is given twice; give one of"},
+        Broken{"ZeroAxis", rotated("{ axis = [0, 0, 0], degrees = 30 }"), "8:21",
+               "'axis' is zero; give a direction"},
+        Broken{"AxisWithoutAngle", rotated("{ axis = [0, 1, 0] }"), "8:12",
+               "add degrees = or radians ="},
+        Broken{"AngleWithoutAxis", rotated("{ degrees = 30 }"), "8:12", "missing key 'axis'"},
+        Broken{"AngleWithoutUnit", rotated("{ axis = [0, 1, 0], angle = 30 }"), "8:32",
+               "unknown key 'angle', which does not say its unit; write 'degrees' or 'radians'"},
+        Broken{"TwoAngles", rotated("{ axis = [0,1,0], degrees = 30, radians = 1 }"), "8:54",
+               "give 'degrees' or 'radians', not both"},
+        Broken{"InfiniteAngle", rotated("{ axis = [0, 1, 0], degrees = inf }"), "8:42",
+               "'degrees' is infinite"},
+        Broken{"QuaternionNotUnit", rotated("{ quat_wxyz = [1, 1, 0, 0] }"), "8:26",
+               "'quat_wxyz' has length 1.414214; a rotation is a quaternion of length 1"},
+        Broken{"HugeQuaternion", rotated("{ quat_xyzw = [1e300, 1e300, 0, 1e300] }"), "8:26",
+               "a rotation is a quaternion of length 1"},
+        Broken{"QuaternionOfThree", rotated("{ quat_xyzw = [0, 0, 1] }"), "8:26",
+               "an array of 3 values; an array of 4 numbers"},
+        Broken{"MatrixOfTwoRows", rotated("{ matrix = [[1, 0, 0], [0, 1, 0]] }"), "8:23",
+               "'matrix' needs three rows"},
+        Broken{"ShearMatrix", rotated("{ matrix = [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]] }"), "8:23",
+               "its rows are not unit vectors at right angles"},
+        Broken{"HugeMatrix", rotated("{ matrix = [[1e200, 0, 0], [0, 1, 0], [0, 0, 1]] }"), "8:23",
+               "its rows are not unit vectors at right angles"},
+        Broken{"MirrorMatrix", rotated("{ matrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]] }"), "8:23",
+               "it mirrors (determinant -1)"},
+        Broken{"MotionIsANumber", two_boxes("motion = 3"), "8:10", "'motion' is an integer"},
+        Broken{"UnknownMotionKey", moved("speed = 3"), "9:1", "unknown key 'speed'; known here: "},
+        Broken{"NoKeyframes", moved("keyframes = []"), "9:13", "'keyframes' is empty"},
+        Broken{"KeyframeWithoutTime", moved("keyframes = [{ position = [0, 0, 0] }]"), "9:14",
+               "missing key 'time' in 'keyframes[0]'; add time = 0.5"},
+        Broken{"KeyframesOutOfOrder", moved("keyframes = [{ time = 1 }, { time = 0.5 }]"), "9:37",
+               "keyframes must be in order of time"},
+        Broken{"KeyframesAtOneTime", moved("keyframes = [{ time = 1 }, { time = 1 }]"), "9:37",
+               "each later than the one before"},
+        Broken{"NanKeyframeTime", moved("keyframes = [{ time = nan }]"), "9:23",
+               "'time' is not a number (nan)"},
+        Broken{"BareQuatInKeyframe", moved("keyframes = [{ time = 0, quat = [1, 0, 0, 0] }]"),
+               "9:26", "'quat' does not say the order"},
+        Broken{"KeyframesAndVelocity", moved("keyframes = [{ time = 0 }]\nvelocity = [1, 0, 0]"),
+               "10:12", "'velocity' and 'keyframes' both move the shape"},
+        Broken{"VelocityOfTwoNumbers", moved("velocity = [1, 0]"), "9:12",
+               "an array of 3 numbers is needed"},
+        Broken{"HugeAngularVelocity", moved("angular_velocity = [0, 1e300, 0]"), "9:20",
+               "'angular_velocity' is too fast; at most 1e9 rad/s"},
+        Broken{"VelocityThatLeavesTheWorld",
+               moved("velocity = [1e9, 0, 0]\n[time]\nframes = 3\ndt = 1.0"), "9:12",
+               "farther than 1e9 metres by the last frame"}),
+    name_of_test);
+
+}  // namespace
+}  // namespace contactscope

@@ -1,0 +1,213 @@
+#include "scenario/run.h"
+
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "scenario/broken.h"
+#include "scenario/expect.h"
+#include "trace/json.h"
+
+namespace contactscope {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// A crate that sinks 5 mm into the floor and turns, then rises off it.
+constexpr const char* kSinking = R"(title = "Sinking crate"
+source = "by hand"
+up = "y"
+[time]
+frames = 5
+dt = 0.25
+[shapes.crate]
+type = "box"
+half_extents = [0.5, 0.5, 0.5]
+motion = { keyframes = [ { time = 0.0, position = [0.1, 1.0, 0.2] },
+                         { time = 0.5, position = [0.1, 0.995, 0.2] },
+                         { time = 1.0, position = [0.1, 1.3, 0.2] } ] }
+[shapes.floor]
+type = "box"
+half_extents = [2, 0.5, 2]
+SCALAR
+[[expect]]
+a = "crate"
+b = "floor"
+frames = [2, 2]
+state = "touching"
+points = 4
+axis = "face_a"
+normal = [0, -1, 0]
+separation = -0.005
+tolerance = 1e-6
+[[expect]]
+a = "crate"
+b = "floor"
+frames = [4, 4]
+state = "separated"
+points = 0
+normal = [0, -1, 0]
+separation = 0.3
+tolerance = 1e-6
+)";
+
+Scenario sinking(const std::string& scalar) {
+  std::string text = kSinking;
+  text.replace(text.find("SCALAR"), 6, "[pipeline]\nscalar = \"" + scalar + "\"");
+  return parse_scenario(text, "hull/sinking.toml");
+}
+
+class Run : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scalars, Run, ::testing::Values("float", "double"),
+                         [](const ::testing::TestParamInfo<const char*>& test) {
+                           return std::string(test.param);
+                         });
+
+TEST_P(Run, ASinkingCrateMeetsWhatArithmeticSays) {
+  const Scenario scenario = sinking(GetParam());
+  const Runner runner(scenario);
+  for (int frame = 0; frame < scenario.frames; ++frame)
+    EXPECT_THAT(unmet_expectations(scenario, runner.frame(frame)), IsEmpty());
+}
+
+TEST_P(Run, TheHeaderDescribesTheScenario) {
+  const trace::Header header = trace_header(sinking(GetParam()));
+  EXPECT_EQ(header.scenario, "hull/sinking");
+  EXPECT_EQ(header.title, "Sinking crate");
+  EXPECT_EQ(header.source, "by hand");
+  EXPECT_EQ(header.scalar, GetParam());
+  EXPECT_EQ(header.up, "y");
+  EXPECT_EQ(header.frames, 5);
+  ASSERT_EQ(header.shapes.size(), 2u);
+  const trace::Shape& crate = header.shapes[0];
+  EXPECT_EQ(crate.name, "crate");
+  EXPECT_EQ(crate.type, "box");
+  EXPECT_EQ(crate.vertices.size(), 8u);
+  EXPECT_EQ(crate.faces.size(), 6u);
+  EXPECT_EQ(crate.edges.size(), 12u);
+  EXPECT_EQ(crate.center_of_mass, Vec3d(0, 0, 0));
+  for (const std::array<int, 2>& edge : crate.edges) {
+    const Vec3d along = crate.vertices[static_cast<std::size_t>(edge[0])] -
+                        crate.vertices[static_cast<std::size_t>(edge[1])];
+    EXPECT_EQ(along.norm(), 1);  // a box's edges, not its diagonals
+  }
+  for (const std::vector<int>& face : crate.faces) {
+    ASSERT_EQ(face.size(), 4u);
+    const Vec3d& p = crate.vertices[static_cast<std::size_t>(face[0])];
+    const Vec3d& q = crate.vertices[static_cast<std::size_t>(face[1])];
+    const Vec3d& r = crate.vertices[static_cast<std::size_t>(face[2])];
+    EXPECT_GT((q - p).cross(r - q).dot(p), 0);  // counter-clockwise from outside
+  }
+}
+
+TEST_P(Run, FramesCarryTheirTimeAndPoses) {
+  const Scenario scenario = sinking(GetParam());
+  const trace::Frame frame = run_frame(scenario, 3);
+  EXPECT_EQ(frame.frame, 3);
+  EXPECT_EQ(frame.time, 0.75);
+  ASSERT_EQ(frame.poses.size(), 2u);
+  EXPECT_EQ(frame.poses[0].first, "crate");
+  EXPECT_EQ(frame.poses[1].first, "floor");
+  const Vec3d off = frame.poses[0].second.position - Vec3d(0.1, 1.1475, 0.2);
+  EXPECT_NEAR(off.norm(), 0, 1e-7);
+  ASSERT_EQ(frame.pairs.size(), 1u);
+  EXPECT_EQ(frame.pairs[0].a, "crate");
+  EXPECT_EQ(frame.pairs[0].b, "floor");
+  EXPECT_EQ(frame.pairs[0].kind, "hull-hull");
+}
+
+// What the trace says of a pose is what the pipeline computed with, to the bit.
+TEST(RunScalar, FloatPosesAndVerticesAreThoseOfFloat) {
+  const std::string text = one_shape(
+      "type = \"box\"\nhalf_extents = [0.1, 0.3, 0.7]\nposition = [0.1, 0.2, 0.3]\n"
+      "rotation = { axis = [1, 2, 3], degrees = 40 }\n");
+  const Scenario in_float = parse_scenario(text, "g/a.toml");
+  const Scenario in_double = parse_scenario(text + "[pipeline]\nscalar = \"double\"", "g/a.toml");
+  const Pose<double> rounded = run_frame(in_float, 0).poses.at(0).second;
+  const Pose<double> exact = run_frame(in_double, 0).poses.at(0).second;
+  EXPECT_EQ(exact.position, Vec3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(rounded.position, Vec3d(double(0.1f), double(0.2f), double(0.3f)));
+  EXPECT_EQ(rounded.rotation.w(), double(static_cast<float>(exact.rotation.w())));
+  EXPECT_NE(rounded.rotation.w(), exact.rotation.w());
+  EXPECT_EQ(trace_header(in_float).shapes[0].vertices[7].cwiseAbs(),
+            Vec3d(double(0.1f), double(0.3f), double(0.7f)));
+  EXPECT_EQ(trace_header(in_double).shapes[0].vertices[7].cwiseAbs(), Vec3d(0.1, 0.3, 0.7));
+}
+
+TEST_P(Run, WatchingChangesNothing) {
+  const Scenario scenario = sinking(GetParam());
+  const Runner runner(scenario);
+  for (int number = 0; number < scenario.frames; ++number) {
+    trace::Frame recorded = runner.frame(number);
+    const trace::Frame unrecorded = runner.frame_unrecorded(number);
+    ASSERT_EQ(unrecorded.pairs.size(), 1u);
+    EXPECT_FALSE(unrecorded.pairs[0].sat || unrecorded.pairs[0].clip ||
+                 unrecorded.pairs[0].reduction);
+    EXPECT_TRUE(recorded.pairs[0].sat);
+    recorded.pairs[0].sat.reset();
+    recorded.pairs[0].clip.reset();
+    recorded.pairs[0].reduction.reset();
+    if (recorded.pairs[0].state == "separated") recorded.pairs[0].separation = 0;
+    EXPECT_EQ(trace::to_json_line(unrecorded), trace::to_json_line(recorded));
+  }
+}
+
+TEST_P(Run, FramesAreIndependentOfEachOtherAndOfThreads) {
+  const Scenario scenario = sinking(GetParam());
+  const Runner runner(scenario);
+  std::vector<std::string> alone;
+  for (int frame = 0; frame < scenario.frames; ++frame)
+    alone.push_back(trace::to_json_line(run_frame(scenario, frame)));
+  std::vector<std::string> together(alone.size());
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < together.size(); ++i)
+      threads.emplace_back(
+          [&, i] { together[i] = trace::to_json_line(runner.frame(static_cast<int>(i))); });
+  }
+  EXPECT_EQ(together, alone);
+  EXPECT_NE(alone[0], alone[2]);
+}
+
+TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
+  const std::string crate_on_floor = "[[pairs]]\na = \"crate\"\nb = \"floor\"\n";
+  const Scenario scenario = parse_scenario(
+      two_boxes("position = [0, -0.995, 0]\nrotation = { axis = [0, 1, 0], degrees = 45 }\n" +
+                crate_on_floor + "label = \"all\"\nreducer = \"none\"\n" + crate_on_floor +
+                "label = \"three\"\nmax_points = 3\n" + crate_on_floor +
+                "label = \"turned\"\npreference = \"none\"\n"),
+      "g/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  ASSERT_EQ(frame.pairs.size(), 3u);
+  EXPECT_EQ(frame.pairs[0].label, "all");
+  EXPECT_FALSE(frame.pairs[0].reduction);
+  EXPECT_EQ(frame.pairs[1].label, "three");
+  ASSERT_TRUE(frame.pairs[1].reduction);
+  EXPECT_EQ(frame.pairs[1].reduction->method, "area");
+  EXPECT_EQ(frame.pairs[1].manifolds.at(0).points.size(), 3u);
+  EXPECT_EQ(frame.pairs[1].sat->preference, "relative");
+  EXPECT_EQ(frame.pairs[2].sat->preference, "none");
+}
+
+TEST(RunPairs, TheMarginKeepsPointsThatAreApart) {
+  const std::string apart = "position = [0, -1.01, 0]\n[pipeline]\nmargin = ";
+  const trace::Frame without = run_frame(parse_scenario(two_boxes(apart + "0"), "g/a.toml"), 0);
+  const trace::Frame with = run_frame(parse_scenario(two_boxes(apart + "0.02"), "g/a.toml"), 0);
+  EXPECT_EQ(without.pairs.at(0).state, "separated");
+  EXPECT_THAT(without.pairs.at(0).manifolds, IsEmpty());
+  EXPECT_EQ(with.pairs.at(0).state, "touching");
+  EXPECT_EQ(with.pairs.at(0).manifolds.at(0).points.size(), 4u);
+  EXPECT_NEAR(with.pairs.at(0).separation, 0.01, 1e-6);
+}
+
+TEST(RunPairs, ASceneOfOneShapeHasAPoseAndNoPairs) {
+  const Scenario scenario =
+      parse_scenario(one_shape("type = \"box\"\nhalf_extents = [1, 1, 1]"), "g/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  EXPECT_EQ(frame.poses.size(), 1u);
+  EXPECT_THAT(frame.pairs, IsEmpty());
+}
+
+}  // namespace
+}  // namespace contactscope
