@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "manifold/edge_contact.h"
+#include "query/tolerance.h"
 #include "reduce/polygon_area.h"
 
 namespace contactscope {
@@ -21,6 +22,17 @@ std::vector<trace::Point> trace_points(std::span<const ContactPoint<S>> points) 
   result.reserve(points.size());
   for (const ContactPoint<S>& point : points) result.push_back(trace_point(point));
   return result;
+}
+
+/// The pipeline leaves out edge pairs that cannot beat the faces. A picture of the test shows the
+/// best of each query, so for the record the query runs again without that floor.
+template <class S>
+EdgeQuery<S> best_edges(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference) {
+  if (axes.edge.edge_a >= 0) return axes.edge;
+  const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
+  FaceSeparations<S> faces_a(pair.a);
+  query_faces(pair.a, pair.b, tie, faces_a);
+  return query_edges(pair, faces_a, -std::numeric_limits<S>::infinity(), tie);
 }
 
 trace::Reduction measured(const std::string& method, std::vector<trace::Point> points,
@@ -84,8 +96,9 @@ void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
                                  direction(Vec3<S>(-pair.b.normals[query.face])),
                                  point(pair.a.vertices[query.support])};
   }
-  if (axes.queries_run >= 3 && axes.edge.edge_a >= 0) {
-    const EdgeQuery<S>& query = axes.edge;
+  if (axes.queries_run >= 3) {
+    const EdgeQuery<S> query = best_edges(pair, axes, preference);
+    if (query.edge_a < 0) return;
     const ClosestPoints<S> closest = closest_points(pair, query);
     sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
                                direction(query.normal), point(closest.on_a), point(closest.on_b)};

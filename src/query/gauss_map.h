@@ -1,42 +1,62 @@
 #pragma once
 
+#include "geometry/hull.h"
+
 namespace contactscope {
 
-/// Whether an edge of A and an edge of B make a face of the Minkowski difference A - B, so that
-/// their cross product is worth measuring. Source: Gregorius, "The Separating Axis Test between
-/// Convex Polyhedra", GDC 2013, IsMinkowskiFace.
+/// Which edges of B make a face of the Minkowski difference A - B with one edge of A. Source:
+/// Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013.
 ///
 /// On the Gauss map (the unit sphere of normals) an edge of A is the arc between the normals a1 and
-/// a2 of its two faces, an edge of B the arc between -b1 and -b2: negated, since B is subtracted.
+/// a2 of its two faces. Negated, because B is subtracted, an edge of B is the arc between -b1 and
+/// -b2; these arcs part the sphere into one region for each vertex of B, the directions in which
+/// that vertex is B's deepest.
 ///
 ///           -b1
-///            |
+///      v     |     u
 ///     a1 .---x----. a2     the arcs cross at x, so the two edges make a face with normal x
 ///            |
 ///           -b2
 ///
-/// Arc a1 a2 lies in the plane at right angles to A's edge. The arcs cross when -b1 and -b2 lie on
-/// two sides of that plane, a1 and a2 on two sides of the other, and both in one hemisphere. Where
-/// the talk takes triple products of normals, we take the edges themselves, which are parallel to
-/// a1 x a2 and b1 x b2, and so have four dot products and no cross product, division or root.
+/// The talk tests every edge of B against the arc (IsMinkowskiFace). We walk along the arc instead,
+/// from the region of `start`, B's support vertex for a1, to that of `end`, the one for a2, and
+/// meet just the edges that it crosses: a few for each edge of A, however many B has.
 ///
-/// `b1_along_a` is b1 . edge A, and so on; edges run with their first face on the left, so that
-/// edge A is along a1 x a2. An arc that only touches the other is no crossing: its normal is a face
-/// normal, which the face queries measure.
-template <class S>
-constexpr bool sides_differ(S first, S second) {
-  return first * second < S(0);
-}
-
-template <class S>
-constexpr bool same_hemisphere(S b1_along_a, S a1_along_b) {
-  return b1_along_a * a1_along_b > S(0);
-}
-
-template <class S>
-constexpr bool is_minkowski_face(S b1_along_a, S b2_along_a, S a1_along_b, S a2_along_b) {
-  return sides_differ(b1_along_a, b2_along_a) && sides_differ(a1_along_b, a2_along_b) &&
-         same_hemisphere(b1_along_a, a1_along_b);
+/// Steps: n(t) = (1 - t) a1 + t a2 runs along the arc. The region of v is left towards the
+/// neighbour u for which n(t) . (u - v) first turns negative, at t = f1 / (f1 - f2) with f1 = a1 .
+/// (u - v) and f2 = a2 . (u - v) < 0. Only a sign and a ratio are taken, so edges of any length
+/// will do.
+///
+/// Each step takes B's vertex deeper along a2, so the walk ends; the bound on its length serves
+/// ties that rounding turns into a circle. An arc that only touches another is no crossing, or one
+/// at a face normal; the face queries measure that. Calls visit(half_edge of B, from v to u). `a1`
+/// and `a2` are in B's own frame.
+template <class S, class Visit>
+void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start, int end,
+              const Visit& visit) {
+  int vertex = start;
+  for (int step = 0; step < b.vertex_count() && vertex != end; ++step) {
+    const int first = b.vertex_edges[static_cast<std::size_t>(vertex)];
+    int leaving = -1;
+    S leaving_t = S(2);
+    int edge = first;
+    do {
+      const Vec3<S> along = b.target(edge) - b.origin(edge);
+      const S f2 = a2.dot(along);
+      if (f2 < S(0)) {
+        const S f1 = a1.dot(along);
+        const S t = f1 > S(0) ? f1 / (f1 - f2) : S(0);
+        if (t < leaving_t) {
+          leaving_t = t;
+          leaving = edge;
+        }
+      }
+      edge = b.half_edges[static_cast<std::size_t>(Hull<S>::twin(edge))].next;
+    } while (edge != first);
+    if (leaving < 0) return;  // as deep as `end`
+    visit(leaving);
+    vertex = b.half_edges[static_cast<std::size_t>(Hull<S>::twin(leaving))].origin;
+  }
 }
 
 }  // namespace contactscope

@@ -1,35 +1,10 @@
 #include "query/hull_pair.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace contactscope {
 namespace {
-
-/// Directions are taken in the hull's own frame, before the position is added: there the vertices
-/// are as exact as they were given.
-template <class S>
-void gather_edges(const Hull<S>& hull, VectorLanes<S, 192>& directions) {
-  for (int e = 0; e < directions.count(); ++e) {
-    directions.set(e, Vec3<S>(hull.target(2 * e) - hull.origin(2 * e)));
-  }
-  directions.fill_padding(Vec3<S>::UnitX());
-}
-
-template <class S>
-void normalize(VectorLanes<S, 192>& directions) {
-  S* __restrict x = directions.x();
-  S* __restrict y = directions.y();
-  S* __restrict z = directions.z();
-  const int count = directions.padded_count();
-  for (int i = 0; i < count; ++i) {
-    const S scale = S(1) / std::sqrt(dot(x[i], y[i], z[i], x[i], y[i], z[i]));
-    x[i] *= scale;
-    y[i] *= scale;
-    z[i] *= scale;
-  }
-}
 
 template <class S, int N>
 void rotate(const Mat3<S>& rotation, VectorLanes<S, N>& vectors) {
@@ -72,7 +47,6 @@ void gather(const Hull<S>& hull, PlacedHull<S>& placed) {
   for (int i = hull.face_count(); i < padded(hull.face_count()); ++i) {
     placed.offsets[i] = std::numeric_limits<S>::infinity();
   }
-  gather_edges(hull, placed.directions);
 }
 
 }  // namespace
@@ -80,32 +54,29 @@ void gather(const Hull<S>& hull, PlacedHull<S>& placed) {
 template <class S>
 PlacedHull<S>::PlacedHull(const Hull<S>& placed)
     : hull(placed),
+      rotation(Mat3<S>::Identity()),
       vertices(placed.vertex_count()),
       normals(placed.face_count()),
-      offsets(padded(placed.face_count())),
-      directions(placed.edge_count()) {
+      offsets(padded(placed.face_count())) {
   gather(placed, *this);
-  normalize(directions);
 }
 
 template <class S>
-PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& rotation, const Vec3<S>& position)
+PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position)
     : hull(placed),
+      rotation(to_frame),
       vertices(placed.vertex_count()),
       normals(placed.face_count()),
-      offsets(padded(placed.face_count())),
-      directions(placed.edge_count()) {
+      offsets(padded(placed.face_count())) {
   gather(placed, *this);
-  rotate(rotation, vertices);
+  rotate(to_frame, vertices);
   translate(position, vertices);
-  rotate(rotation, normals);
+  rotate(to_frame, normals);
   const int faces = normals.padded_count();
   for (int i = 0; i < faces; ++i) {
     offsets[i] += dot(normals.x()[i], normals.y()[i], normals.z()[i], position.x(), position.y(),
                       position.z());
   }
-  rotate(rotation, directions);
-  normalize(directions);
 }
 
 template <class S>

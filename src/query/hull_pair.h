@@ -8,31 +8,32 @@
 namespace contactscope {
 
 /// A hull placed in the frame in which a pair is worked on, laid out for the loops of the queries.
-/// Topology stays in `hull`, which must outlive this. No heap up to 64 vertices, 192 edges and 128
-/// faces.
+/// Topology stays in `hull`, which must outlive this. No heap up to 64 vertices and 128 faces.
 template <class S>
 struct PlacedHull {
-  /// `hull_in_frame`: rotation and position of the hull's own frame in the common one.
-  PlacedHull(const Hull<S>& placed, const Mat3<S>& rotation, const Vec3<S>& position);
+  /// `to_frame` and `position` place the hull's own frame in the common one.
+  PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position);
   /// The hull whose own frame is the common one.
   explicit PlacedHull(const Hull<S>& placed);
 
   Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
-  /// Unit vector along a half-edge, from its origin to its target.
-  Vec3<S> direction(int half_edge) const {
-    const Vec3<S> along = directions[half_edge / 2];
-    return half_edge % 2 == 0 ? along : Vec3<S>(-along);
-  }
   const HalfEdge& half_edge(int index) const {
     return hull.half_edges[static_cast<std::size_t>(index)];
   }
   Vec3<S> origin(int half_edge_index) const { return vertices[half_edge(half_edge_index).origin]; }
+  /// Unit vector along a half-edge, from its origin to its target. Taken from the hull's own frame:
+  /// there the vertices are as exact as they were given, also those of a small hull far out.
+  Vec3<S> direction(int half_edge_index) const {
+    const Vec3<S> local = hull.target(half_edge_index) - hull.origin(half_edge_index);
+    const Vec3<S> along = rotation * local;
+    return along / along.norm();
+  }
 
   const Hull<S>& hull;
+  Mat3<S> rotation;  // from the hull's own frame
   VectorLanes<S, 64> vertices;
-  VectorLanes<S, 128> normals;     // of the faces, outward, unit
-  Scratch<S, 128> offsets;         // of the face planes; padding lies behind every point
-  VectorLanes<S, 192> directions;  // unit, of half-edge 2e for edge e
+  VectorLanes<S, 128> normals;  // of the faces, outward, unit
+  Scratch<S, 128> offsets;      // of the face planes; padding lies behind every point
 };
 
 /// Two hulls in A's frame. Working there, near the origin, costs a pair far from the world's origin

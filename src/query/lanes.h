@@ -28,6 +28,7 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
 
   T* data() { return data_; }
+  const T* data() const { return data_; }
   T& operator[](int i) { return data_[i]; }
   const T& operator[](int i) const { return data_[i]; }
 

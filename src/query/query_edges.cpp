@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "query/gauss_map.h"
@@ -8,50 +8,26 @@
 namespace contactscope {
 namespace {
 
-/// One edge of A as an arc on the Gauss map.
+/// One edge of A: on the Gauss map, the arc between the normals of its faces.
 template <class S>
 struct Arc {
-  Vec3<S> edge;   // unit, along first x second
-  Vec3<S> first;  // normal of the face on the edge's left
+  int half_edge;
+  Vec3<S> first;  // normal of the face on the left of the half-edge
   Vec3<S> second;
-  Vec3<S> sum;      // first + second
-  bool wide;        // the faces meet at a sharp edge: the arc is longer than a quarter turn
   Vec3<S> on_edge;  // a vertex of the edge
 };
 
+/// An upper bound of the separation along any direction of the arc, from the support vertices at
+/// its ends. Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a point
+/// of the edge is a minimum over vertices of linear functions of t: concave, and below the line of
+/// each single vertex. Where that is negative, dividing by |n(t)| <= 1 only lowers it.
 template <class S>
-Arc<S> arc_of(const PlacedHull<S>& hull, int half_edge) {
-  const Vec3<S> first = hull.normals[hull.half_edge(half_edge).face];
-  const Vec3<S> second = hull.normals[hull.half_edge(half_edge ^ 1).face];
-  return {hull.directions[half_edge / 2], first, second, first + second, first.dot(second) < S(0),
-          hull.origin(half_edge)};
-}
-
-/// side[f] = edge . normal of face f of `hull`.
-template <class S>
-void dot_with_normals(const Vec3<S>& edge, const PlacedHull<S>& hull, S* result) {
-  const S* __restrict nx = hull.normals.x();
-  const S* __restrict ny = hull.normals.y();
-  const S* __restrict nz = hull.normals.z();
-  S* __restrict side = result;
-  const S x = edge.x(), y = edge.y(), z = edge.z();
-  const int faces = hull.normals.padded_count();
-  for (int f = 0; f < faces; ++f) side[f] = dot(nx[f], ny[f], nz[f], x, y, z);
-}
-
-/// The edges of `hull` whose arc crosses the plane for which side[f] was computed; the first half
-/// of the Gauss map test. Returns their number. Written without a branch: which edges cross is
-/// random to a branch predictor.
-template <class S>
-int crossing_edges(const PlacedHull<S>& hull, const S* side, int* crossing) {
-  int count = 0;
-  const HalfEdge* half_edges = hull.hull.half_edges.data();
-  const int edges = hull.hull.edge_count();
-  for (int e = 0; e < edges; ++e) {
-    crossing[count] = e;
-    count += sides_differ(side[half_edges[2 * e].face], side[half_edges[2 * e + 1].face]) ? 1 : 0;
-  }
-  return count;
+bool arc_stays_below(const Arc<S>& arc, S first_separation, S second_separation,
+                     const Vec3<S>& first_support, const Vec3<S>& second_support, S bound) {
+  const S first_at_second = arc.second.dot(Vec3<S>(first_support - arc.on_edge));
+  if (std::max(first_separation, first_at_second) <= bound) return true;
+  const S second_at_first = arc.first.dot(Vec3<S>(second_support - arc.on_edge));
+  return std::max(second_separation, second_at_first) <= bound;
 }
 
 /// Separation along a unit direction by the support points of both whole hulls. Valid for every
@@ -71,70 +47,84 @@ S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
   return b_least - a_most;
 }
 
-/// +1 or -1, so that cross times it points from A to B, that is to the side of the arc. Talk,
-/// "Normal Orientation": towards the edge from A's centre. We ask the arc itself instead: the
-/// crossing x lies on it, so x . (first + second) > 0. For a wide arc first + second cancels, and
-/// its difference seen along B's edge has the same sign: with k > 0,
-///   x . (first + second) = k (1 + first . second) (first . edge_b - second . edge_b).
+/// +1 or -1, so that cross = edge A x edge B times it points from A to B, that is along the arc.
+/// Talk, "Normal Orientation": away from A's centre. We ask the arc itself: the crossing x lies on
+/// it, so x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels; but
+/// x . (first + second) = k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and
+/// the walk goes along edges of B for which the last factor is positive.
 template <class S>
-S orientation(const Arc<S>& arc, const Vec3<S>& cross, S first_along_b, S second_along_b) {
-  const S outward = arc.wide ? first_along_b - second_along_b : cross.dot(arc.sum);
-  return outward < S(0) ? S(-1) : S(1);
+S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
+  const bool wide = arc.first.dot(arc.second) < S(0);
+  return wide || cross.dot(Vec3<S>(arc.first + arc.second)) >= S(0) ? S(1) : S(-1);
+}
+
+/// Measures one Minkowski face. The axis is the cross product of the unit edges, which have no
+/// scale. The edges themselves are the support, so the separation is the distance between a point
+/// of each. An axis that would win and is either uncertain (nearly parallel edges) or would
+/// separate is measured again with the support points of both hulls: no slip at the limit of
+/// rounding can then report a gap that is not there. Returns whether it won, into `best`.
+template <class S>
+bool measure(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a, int edge_b,
+             S to_beat, EdgeQuery<S>& best) {
+  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
+  const S sine = cross.norm();
+  if (sine < kParallelSine<S>) return false;
+  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
+  S separation = normal.dot(Vec3<S>(pair.b.origin(edge_b) - arc.on_edge));
+  if (!(separation > to_beat)) return false;
+  if (sine < kNoisySine<S> || separation > S(0)) {
+    separation = support_separation(pair, normal);
+    if (!(separation > to_beat)) return false;
+  }
+  best = {arc.half_edge, edge_b, separation, normal};
+  return true;
 }
 
 }  // namespace
 
-/// Gregorius 2015, QueryEdgeDirection, with the Gauss map test of Gregorius 2013 first.
+/// Gregorius 2015, QueryEdgeDirection, on the Gauss map (see gauss_map.h).
 ///
 /// Steps, for each edge of A:
-/// 1. its dot products with all face normals of B; edges of B whose faces lie on two sides are
-/// left;
-/// 2. for each of these the rest of the Gauss map test;
-/// 3. the axis is the cross product of the unit edges. For a Minkowski face the edges themselves
-///    are the support, so the separation is measured between a point of each;
-/// 4. an axis that would win and is either uncertain (nearly parallel edges) or would separate is
-///    measured again with the support points of both hulls. A slip of the Gauss map test at the
-///    limit of rounding therefore cannot report a gap that is not there.
+/// 1. its arc runs from the region of one support vertex of B to that of another; when it is one
+/// and
+///    the same, the arc crosses nothing;
+/// 2. leave out arcs that cannot hold a larger separation than the best so far;
+/// 3. walk the arc, and measure each crossing.
 template <class S>
-EdgeQuery<S> query_edges(const HullPair<S>& pair, S tie) {
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
+                         S tie) {
   const PlacedHull<S>& a = pair.a;
   const PlacedHull<S>& b = pair.b;
-  Scratch<S, 128> side(b.normals.padded_count());
-  Scratch<int, 192> crossing(b.hull.edge_count() + 1);
+  const Mat3<S> a_to_b = b.rotation.transpose();
   EdgeQuery<S> best;
-  S to_beat = -std::numeric_limits<S>::infinity();
+  S to_beat = floor;
 
-  for (int edge_a = 0; edge_a < a.hull.edge_count(); ++edge_a) {
-    const Arc<S> arc = arc_of(a, 2 * edge_a);
-    dot_with_normals(arc.edge, b, side.data());
-    const int count = crossing_edges(b, side.data(), crossing.data());
-    for (int k = 0; k < count; ++k) {
-      const int edge_b = crossing[k];
-      const Vec3<S> along_b = b.directions[edge_b];
-      const S first_along_b = arc.first.dot(along_b);
-      const S second_along_b = arc.second.dot(along_b);
-      if (!sides_differ(first_along_b, second_along_b)) continue;
-      if (!same_hemisphere(side[b.half_edge(2 * edge_b).face], first_along_b)) continue;
+  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
+    const int first = a.half_edge(edge).face;
+    const int second = a.half_edge(edge + 1).face;
+    const int start = faces_a.support(first);
+    const int end = faces_a.support(second);
+    if (start == end) continue;
 
-      const Vec3<S> cross = arc.edge.cross(along_b);
-      const S sine = cross.norm();
-      if (sine < kParallelSine<S>) continue;
-      const Vec3<S> normal =
-          cross * (orientation(arc, cross, first_along_b, second_along_b) / sine);
-      S separation = normal.dot(Vec3<S>(b.origin(2 * edge_b) - arc.on_edge));
-      if (!(separation > to_beat)) continue;
-      if (sine < kNoisySine<S> || separation > S(0)) {
-        separation = support_separation(pair, normal);
-        if (!(separation > to_beat)) continue;
-      }
-      best = {2 * edge_a, 2 * edge_b, separation, normal};
-      to_beat = separation + tie;
+    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
+    if (arc_stays_below(arc, faces_a.separation(first), faces_a.separation(second),
+                        b.vertices[start], b.vertices[end], std::min(to_beat, S(0)))) {
+      continue;
     }
+
+    const Vec3<S> along_a = a.direction(edge);
+    const Vec3<S> first_in_b = a_to_b * arc.first;
+    const Vec3<S> second_in_b = a_to_b * arc.second;
+    walk_arc(b.hull, first_in_b, second_in_b, start, end, [&](int edge_b) {
+      if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
+    });
   }
   return best;
 }
 
-template EdgeQuery<float> query_edges(const HullPair<float>&, float);
-template EdgeQuery<double> query_edges(const HullPair<double>&, double);
+template EdgeQuery<float> query_edges(const HullPair<float>&, const FaceSeparations<float>&, float,
+                                      float);
+template EdgeQuery<double> query_edges(const HullPair<double>&, const FaceSeparations<double>&,
+                                       double, double);
 
 }  // namespace contactscope

@@ -1,5 +1,7 @@
 #include "query/sat.h"
 
+#include <algorithm>
+
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -31,17 +33,20 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
   const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
   SatResult<S> result;
 
-  result.face_a = query_faces(pair.a, pair.b, tie);
+  FaceSeparations<S> faces_a(pair.a);
+  result.face_a = query_faces(pair.a, pair.b, tie, faces_a);
   result.queries_run = 1;
   result.chosen = result.deepest = AxisKind::FaceA;
   if (result.face_a.separation > margin) return result;  // we found a separating axis
 
-  result.face_b = query_faces(pair.b, pair.a, tie);
+  FaceSeparations<S> faces_b(pair.b);
+  result.face_b = query_faces(pair.b, pair.a, tie, faces_b);
   result.queries_run = 2;
   result.chosen = result.deepest = AxisKind::FaceB;
   if (result.face_b.separation > margin) return result;  // we found a separating axis
 
-  result.edge = query_edges(pair, tie);
+  const S floor = std::max(result.face_a.separation, result.face_b.separation);
+  result.edge = query_edges(pair, faces_a, floor, tie);
   result.queries_run = 3;
   result.chosen = result.deepest = AxisKind::EdgeEdge;
   const bool has_edge = result.edge.edge_a >= 0;

@@ -20,10 +20,25 @@ struct FaceQuery {
 /// Best edge pair that forms a face of the Minkowski difference.
 template <class S>
 struct EdgeQuery {
-  int edge_a = -1;  // half-edges; -1 when no pair of edges forms a Minkowski face
+  int edge_a = -1;  // half-edges; -1 when there is no such pair
   int edge_b = -1;
   S separation = 0;                   // metres, negative in overlap
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame
+};
+
+/// For every face of one hull the distance of the other hull's support vertex, and that vertex, as
+/// lanes. The index is held in S, which holds every index below 2^24 exactly, so that both fill
+/// the same vector registers.
+template <class S>
+struct FaceSeparations {
+  explicit FaceSeparations(const PlacedHull<S>& reference)
+      : separations(reference.normals.padded_count()), supports(reference.normals.padded_count()) {}
+
+  S separation(int face) const { return separations[face]; }
+  int support(int face) const { return static_cast<int>(supports[face]); }
+
+  Scratch<S, 128> separations;
+  Scratch<S, 128> supports;
 };
 
 enum class SatStatus {
@@ -32,7 +47,8 @@ enum class SatStatus {
 };
 
 /// What the queries found. Queries run in the order face A, face B, edges and stop at the first
-/// whose best axis separates; the results of those that did not run keep their initial values.
+/// whose best axis separates; the results of those that did not run keep their initial values. The
+/// edge query looks only for what beats both face queries.
 template <class S>
 struct SatResult {
   SatStatus status = SatStatus::Separated;
@@ -57,16 +73,20 @@ struct SatResult {
   }
 };
 
-/// The face of `reference` that is farthest from `other`. A face must beat an earlier one by more
-/// than `tie` (metres, >= 0) to replace it.
+/// The face of `reference` that is farthest from `other`; fills `all` with every face's. A face
+/// must beat an earlier one by more than `tie` (metres, >= 0) to replace it.
 template <class S>
-FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& other, S tie);
+FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& other, S tie,
+                         FaceSeparations<S>& all);
 
-/// The edge pair of largest separation among those that form a face of the Minkowski difference. A
-/// pair must beat an earlier one by more than `tie` (metres, >= 0) to replace it. Nearly parallel
-/// edges, whose cross product says little, are measured with support points (see tolerance.h).
+/// The edge pair of largest separation among those that form a face of the Minkowski difference and
+/// whose separation is larger than `floor`; none when there is no such pair. A pair must beat an
+/// earlier one by more than `tie` (metres, >= 0) to replace it. `faces_a` is what query_faces found
+/// for A. Nearly parallel edges, whose cross product says little, are measured with support points
+/// (see tolerance.h).
 template <class S>
-EdgeQuery<S> query_edges(const HullPair<S>& pair, S tie);
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
+                         S tie);
 
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
 /// more than `margin` (metres, >= 0) apart.
