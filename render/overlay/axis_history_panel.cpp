@@ -44,7 +44,7 @@ void axis_history_panel(const PanelFacts& facts, float height) {
   const float cell = (width - left) / static_cast<float>(facts.frames.size());
   const float available = height - (ImGui::GetCursorPosY() - top);
   const float row =
-      std::min(1.2f * line, (available / static_cast<float>(now.pairs.size()) - 1.6f * line) /
+      std::min(1.8f * line, (available / static_cast<float>(now.pairs.size()) - 1.6f * line) /
                                 static_cast<float>(kRows.size()));
   ImDrawList* list = ImGui::GetWindowDrawList();
 

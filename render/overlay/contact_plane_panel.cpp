@@ -16,7 +16,7 @@
 namespace contactscope::overlay {
 namespace {
 
-constexpr float kReserve = 0.10f;  // of the map's size, free on every side
+constexpr float kReserve = 0.14f;  // of the map's size, free on every side
 
 // The contact plane as the reader sees it: u to the right of the camera, v up, so that panel and 3D
 // view read alike.
@@ -41,16 +41,16 @@ const trace::Pair* shown_pair(const trace::Frame& frame) {
   return nullptr;
 }
 
-// All that the panel may show of a pair.
-std::vector<Vec3d> outline_points(const trace::Pair& pair) {
+// What must be seen whole: the patch and the incident face. The reference face may be a whole
+// floor, and is cut off at the map's border.
+std::vector<Vec3d> patch_points(const trace::Pair& pair) {
   std::vector<Vec3d> points;
   for (const trace::Manifold& manifold : pair.manifolds) {
     for (const trace::Point& p : manifold.points) points.push_back(p.position);
   }
   if (pair.clip) {
-    const trace::Clip& clip = *pair.clip;
-    points.insert(points.end(), clip.reference.polygon.begin(), clip.reference.polygon.end());
-    points.insert(points.end(), clip.incident.polygon.begin(), clip.incident.polygon.end());
+    const trace::Polygon& incident = pair.clip->incident.polygon;
+    points.insert(points.end(), incident.begin(), incident.end());
   }
   return points;
 }
@@ -59,15 +59,14 @@ class Map {
  public:
   Map(const PanelFacts& facts, const PlaneFrame& plane, ImVec2 corner, float width, float height)
       : plane_(plane), middle_{corner.x + 0.5f * width, corner.y + 0.5f * height} {
-    // One scale for the sequence: the largest frame fits. The patch itself counts, and of larger
-    // faces what lies within a patch's width around it.
+    // One scale for the sequence: the largest frame fits.
     std::array<double, 2> low{std::numeric_limits<double>::max(),
                               std::numeric_limits<double>::max()};
     std::array<double, 2> high{-low[0], -low[1]};
     for (const trace::Frame& frame : facts.frames) {
       const trace::Pair* pair = shown_pair(frame);
       if (pair == nullptr) continue;
-      for (const Vec3d& point : outline_points(*pair)) {
+      for (const Vec3d& point : patch_points(*pair)) {
         const std::array<double, 2> at = plane.map(point);
         for (std::size_t k = 0; k < 2; ++k) {
           low[k] = std::min(low[k], at[k]);
@@ -219,8 +218,10 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
 
   const trace::Manifold& manifold = pair->manifolds.front();
   const PlaneFrame plane(manifold.normal, facts.staging.camera);
-  const Map map(facts, plane, corner, width, map_height);
+  const Map map(facts, plane, corner, width, map_height - line);
   PlanePainter paint(map, scale);
+  ImGui::GetWindowDrawList()->PushClipRect(corner, {corner.x + width, corner.y + map_height - line},
+                                           true);
   if (pair->clip) {
     const trace::Clip& clip = *pair->clip;
     paint.polygon(clip.reference.polygon, draw::kReferenceFace, 0.18f, 2.5f, false);
@@ -264,7 +265,8 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
     caption = std::to_string(manifold.points.size()) +
               (manifold.points.size() == 1 ? " point, no area" : " points");
   }
-  scale_bar(map, {corner.x, corner.y + map_height}, width, scale);
+  ImGui::GetWindowDrawList()->PopClipRect();
+  scale_bar(map, {corner.x, corner.y + map_height - 0.2f * line}, width, scale);
   ImGui::SetCursorPosY(top + height - 2.0f * line);
   ImGui::TextUnformatted(caption.c_str());
 }

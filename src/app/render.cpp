@@ -23,21 +23,31 @@ std::vector<std::size_t> selected_frames(const Options& options, const Scenario&
   return which;
 }
 
-// What this scene did without, for --verbose.
-void account_for_absences(const Scenario& scenario, Ledger& ledger) {
-  bool panels = false, sat = false, clip = false;
-  for (const View& view : scenario.views) {
-    panels = panels || !view.panels.empty();
-    for (const std::string& layer : view.layers) {
-      sat = sat || layer == "sat_axes";
-      clip = clip || layer == "clip_polygons" || layer == "side_planes";
+// Which stages left facts, which panels were drawn, and what this scene did without, for --verbose.
+void account(const Scenario& scenario, const Sequence& sequence, Ledger& ledger) {
+  int sat = 0, clip = 0, reduction = 0;
+  for (const trace::Frame& frame : sequence.frames) {
+    for (const trace::Pair& pair : frame.pairs) {
+      sat += pair.sat.has_value();
+      clip += pair.clip.has_value();
+      reduction += pair.reduction.has_value();
     }
   }
-  if (!panels) ledger.left_out("Dear ImGui: no view names a panel");
-  if (!sat) ledger.left_out("layer sat_axes: no view names it");
-  if (!clip) ledger.left_out("clip layers: no view names them");
-  ledger.left_out("bounding volume tree: all shapes are convex");
-  ledger.left_out("solver: no shape is dynamic");
+  ledger.note(scenario.name + ": recorded sat " + std::to_string(sat) + ", clip " +
+              std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
+  for (const View& view : scenario.views) {
+    std::string what = scenario.name + ": view " + view.name + " paints";
+    for (const std::string& layer : view.layers) what += " " + layer;
+    what += view.panels.empty() ? "; no panels" : "; panels";
+    for (const std::string& panel : view.panels) what += " " + panel;
+    ledger.note(what);
+    if (view.panels.empty()) {
+      ledger.left_out(scenario.name + ": Dear ImGui, for view " + view.name + " names no panel");
+    }
+  }
+  if (clip == 0) ledger.left_out(scenario.name + ": clipping, for there is no face contact");
+  ledger.left_out("bounding volume tree, for all shapes are convex");
+  ledger.left_out("solver, for no shape is dynamic");
 }
 
 }  // namespace
@@ -62,7 +72,7 @@ ExitCode render(const Options& options) {
     Progress progress(pictures, options.quiet);
     for (const Scenario& scenario : scenarios) {
       const Sequence sequence = run_sequence(scenario, options.timing, total);
-      account_for_absences(scenario, total);
+      account(scenario, sequence, total);
       for (const View& view : selected_views(scenario, options)) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =

@@ -1,0 +1,74 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+TEST(CommandLine, HelpAndVersionSucceed) {
+  EXPECT_EQ(run("--help").exit_code, 0);
+  EXPECT_THAT(run("--help").out, HasSubstr("render"));
+  EXPECT_EQ(run("--version").exit_code, 0);
+  EXPECT_THAT(run("--version").out, StartsWith("contactscope "));
+}
+
+TEST(CommandLine, UsageErrorsAreTroubleAndPrintNothingOnStandardOutput) {
+  for (const char* arguments :
+       {"", "fly", "render", "trace", "trace a b", "render x --size 12", "render x --size 10x10",
+        "render x --frames 5:2", "render x --frames a", "render x --frames 0:4:0",
+        "render x --backend vulkan", "list shapes", "check --update=some", "render x --jobs -1",
+        "trace hull/face_contact --reducer best", "trace hull/face_contact --frames 90:99",
+        "render hull/face_contact --view side"}) {
+    const ProgramRun result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.out, IsEmpty()) << arguments;
+    EXPECT_THAT(result.err, testing::Not(IsEmpty())) << arguments;
+  }
+}
+
+TEST(CommandLine, UsageErrorsNameTheRemedy) {
+  EXPECT_THAT(run("trace hull/face_contact --reducer best").err, HasSubstr("area"));
+  EXPECT_THAT(run("render hull/face_contact --view side").err, HasSubstr("main"));
+  EXPECT_THAT(run("render hull/face_contact --size 5").err, HasSubstr("1280x720"));
+  EXPECT_THAT(run("trace nowhere").err, HasSubstr("list scenarios"));
+}
+
+TEST(CommandLine, BadScenarioIsTroubleWithFileLineAndColumn) {
+  const TemporaryFolder folder;
+  write_text(folder / "bad.toml", "title = \"x\"\n[shapes.a]\ntype = \"bxo\"\n");
+  const ProgramRun result = run("trace '" + (folder / "bad.toml") + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, StartsWith((folder / "bad.toml") + ":3:8: "));
+  EXPECT_THAT(result.out, IsEmpty());
+}
+
+TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
+  const TemporaryFolder folder;
+  write_text(folder / "good.toml", small_scenario());
+  write_text(folder / "bad.toml", "title = 3\n");
+  const ProgramRun result = run("render '" + (folder / "good.toml") + "' '" +
+                                (folder / "bad.toml") + "' --out '" + (folder / "out") + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(files_below(folder / "out"), IsEmpty());
+}
+
+TEST(List, NamesEveryKind) {
+  const ProgramRun all = run("list");
+  EXPECT_EQ(all.exit_code, 0);
+  for (const char* name :
+       {"hull/face_contact", "area", "none", "reference_face", "contact_plane"}) {
+    EXPECT_THAT(all.out, HasSubstr(name));
+  }
+  const ProgramRun layers = run("list layers");
+  EXPECT_THAT(layers.out, HasSubstr("clip_polygons"));
+  EXPECT_THAT(layers.out, testing::Not(HasSubstr("hull/face_contact")));
+  EXPECT_THAT(run("list reducers --json").out, StartsWith("{\"reducers\":["));
+}
+
+}  // namespace
+}  // namespace contactscope::test
