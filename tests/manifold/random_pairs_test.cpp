@@ -7,25 +7,18 @@
 
 #include "manifold/collide_hull_hull.h"
 #include "support/brute_force_sat.h"
+#include "support/builders.h"
 #include "support/pair_case.h"
 
 // Ten thousand random pairs against a brute-force separating axis test in double over every axis.
 namespace contactscope {
 namespace {
 
+using test::deepest;
 using test::PairCase;
 using test::Random;
 
 constexpr int kPairs = 10000;
-
-template <class S>
-double deepest(const Manifold<S>& manifold) {
-  double result = std::numeric_limits<double>::infinity();
-  for (const ContactPoint<S>& point : manifold.points) {
-    result = std::min(result, static_cast<double>(point.separation));
-  }
-  return result;
-}
 
 template <class S>
 bool all_finite(const Manifold<S>& manifold) {
