@@ -9,8 +9,9 @@ namespace contactscope {
 
 const std::vector<std::string>& known_layers() {
   static const std::vector<std::string> layers = {
-      "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons", "dropped",
-      "contacts", "reduced",        "normals",       "ids",         "sat_axes",      "coherent"};
+      "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons",
+      "dropped",  "contacts",       "reduced",       "normals",     "ids",
+      "sat_axes", "contact_axis",   "coherent"};
   return layers;
 }
 
