@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -199,11 +200,9 @@ Image Rasterizer::read() {
   Image image(impl_->width, impl_->height);
   const std::uint8_t* from = impl_->rgba.data();
   std::uint8_t* to = image.rgb.data();
-  for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) {
-    to[0] = from[0];
-    to[1] = from[1];
-    to[2] = from[2];
-  }
+  // Four bytes at once are one move each; the next pixel overwrites the fourth.
+  for (std::size_t i = 1; i < pixels; ++i, from += 4, to += 3) std::memcpy(to, from, 4);
+  std::memcpy(to, from, 3);
   return image;
 }
 
