@@ -28,10 +28,10 @@ constexpr double kDataEpsilon = std::numeric_limits<float>::epsilon();
 constexpr double kArithmeticEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTolerancePerEpsilon = 3;
 
-// A tolerance that leaves no convex hull is too small for the noise in the points: try a coarser
-// one before giving up.
-constexpr int kAttempts = 4;
-constexpr double kCoarser = 4;
+// Merging can fail where the points are about as thick as the tolerance. A finer one merges less,
+// and in the end nothing but what the arithmetic makes coplanar, which always works on exact
+// points.
+constexpr std::array<double, 5> kAttempts = {1, 1.0 / 8, 1.0 / 64, 1.0 / 4096, 1.0 / 262144};
 
 struct Bounds {
   Vec3d center;
@@ -177,14 +177,14 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
                        std::ldexp(offset.z(), -exponent));
   }
   const double tolerance = tolerance_for(bounds);
-  double scaled = std::ldexp(tolerance, -exponent);
-  for (int attempt = 1;; ++attempt, scaled *= kCoarser) {
-    quickhull::Result result = quickhull::run(local, scaled);
+  for (const double factor : kAttempts) {
+    quickhull::Result result = quickhull::run(local, std::ldexp(factor * tolerance, -exponent));
     if (result.status == quickhull::Status::Done) return compact(kept, std::move(result.faces));
-    if (result.status != quickhull::Status::Unresolved || attempt == kAttempts) {
-      refuse(result.status, kept.size(), std::ldexp(scaled, exponent));
+    if (result.status != quickhull::Status::Unresolved) {
+      refuse(result.status, kept.size(), factor * tolerance);
     }
   }
+  refuse(quickhull::Status::Unresolved, kept.size(), tolerance);
 }
 
 }  // namespace contactscope

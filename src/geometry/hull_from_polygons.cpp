@@ -35,7 +35,8 @@ class EdgeLinker {
     if (count > kMaxFaceVertices) {
       throw HullError(HullProblem::FaceTooLarge, "a face has " + std::to_string(count) +
                                                      " vertices; a hull's face has at most " +
-                                                     std::to_string(kMaxFaceVertices));
+                                                     std::to_string(kMaxFaceVertices) +
+                                                     "; give a coarser outline");
     }
     int previous = -1;
     int first = -1;

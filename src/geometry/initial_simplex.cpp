@@ -69,6 +69,7 @@ Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
   const auto from_plane =
       farthest(points.size(), [&](std::size_t i) { return std::abs(height(i)); });
   d = from_plane.first;
+  simplex.thickness = from_plane.second;
   if (from_plane.second <= tolerance) {
     simplex.status = Status::Coplanar;
     return simplex;

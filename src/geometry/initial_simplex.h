@@ -11,6 +11,7 @@ namespace contactscope::quickhull {
 struct Simplex {
   Status status = Status::Done;  // or Coincident, Collinear, Coplanar
   std::array<int, 4> points{};   // face 0, 1, 2 is counter-clockwise seen from outside
+  double thickness = 0;          // distance of the fourth point from that face
 };
 
 /// Four points that span a large tetrahedron, after Gregorius, "Implementing Quickhull": the two

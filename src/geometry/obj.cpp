@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -173,13 +173,15 @@ Contents parse(const std::string& path, const std::string& text) {
 }
 
 std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad() || text.empty()) {
-    throw InputError(path, 0, 0,
-                     file.is_open() ? "the file is empty or no file; expected a Wavefront .obj"
-                                    : "the file cannot be opened; is its name right?");
+  // A folder opens like a file and fails only when read.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path, 0, 0, "this is a folder; expected a Wavefront .obj file");
   }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path, 0, 0, "the file cannot be opened; is its name right?");
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (text.empty()) throw InputError(path, 0, 0, "the file is empty; expected a Wavefront .obj");
   return text;
 }
 

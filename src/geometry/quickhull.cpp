@@ -11,7 +11,8 @@
 //   6. the points of all faces that went or changed find a new face among those that came or
 //   changed.
 // Deviations: faces are taken from a heap; the points of changed faces are dealt out again, too,
-// since the plane under them moved; and the outcome is checked instead of trusted.
+// since the plane under them moved; step 7 is our own; the tolerance is never more than a part of
+// the thickness; and the outcome is checked instead of trusted.
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@
 #include "geometry/horizon.h"
 #include "geometry/initial_simplex.h"
 #include "geometry/merge_faces.h"
+#include "geometry/notches.h"
 #include "geometry/quickhull_mesh.h"
 
 namespace contactscope::quickhull {
@@ -53,6 +55,7 @@ class Builder {
       if (!mesh_.face(face).gone && mesh_.face(face).farthest == eye) add_point(eye, face);
     }
     if (!mesh_.broken()) merge_all(mesh_, tolerance_);
+    if (!mesh_.broken()) split_notched_faces(mesh_, tolerance_);
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -60,19 +63,18 @@ class Builder {
  private:
   void add_point(int eye, int face) {
     const Horizon horizon = find_horizon(mesh_, face, eye, tolerance_);
-    std::vector<int> touched = horizon.visible;
     if (horizon.edges.empty()) {
-      // Above everything within tolerance: noise of a hull as thin as the tolerance. Left out, and
-      // the check at the end decides whether that matters.
-      touched = {face};
-    } else {
-      std::vector<int> rim;
-      for (const int e : horizon.edges) rim.push_back(mesh_.edge(e).twin);
-      const std::vector<int> fresh = add_cone(rim, eye);
-      for (const int seen : horizon.visible) mesh_.face(seen).gone = true;
-      touched.insert(touched.end(), fresh.begin(), fresh.end());
-      merge_cone(mesh_, fresh, tolerance_, touched);
+      mesh_.give_up();
+      return;
     }
+    std::vector<int> rim;
+    for (const int e : horizon.edges) rim.push_back(mesh_.edge(e).twin);
+    const std::vector<int> fresh = add_cone(rim, eye);
+    for (const int seen : horizon.visible) mesh_.face(seen).gone = true;
+    std::vector<int> touched = horizon.visible;
+    touched.insert(touched.end(), fresh.begin(), fresh.end());
+    merge_cone(mesh_, fresh, tolerance_, touched);
+
     std::vector<int> orphans;
     std::vector<int> homes;
     for (const int i : touched) {
@@ -157,13 +159,13 @@ bool is_convex(const Mesh& mesh, std::span<const Vec3d> points, double slack) {
     for (const int vertex : mesh.loop(face)) {
       if (std::abs(plane.distance(mesh.point(vertex))) > slack) return false;
     }
-    int e = mesh.face(face).edge;
-    do {
-      for (const int vertex : mesh.loop(mesh.neighbour(e))) {
-        if (plane.distance(mesh.point(vertex)) > slack) return false;
-      }
-      e = mesh.edge(e).next;
-    } while (e != mesh.face(face).edge);
+    bool edges_are_convex = true;
+    mesh.for_each_edge(face, [&](int e) {
+      mesh.for_each_edge(mesh.neighbour(e), [&](int around) {
+        if (mesh.distance(face, mesh.edge(around).origin) > slack) edges_are_convex = false;
+      });
+    });
+    if (!edges_are_convex || deepest_notch(mesh, face).depth > slack) return false;
     if (!full) continue;
     for (const Vec3d& point : points) {
       if (plane.distance(point) > slack) return false;
@@ -171,6 +173,11 @@ bool is_convex(const Mesh& mesh, std::span<const Vec3d> points, double slack) {
   }
   return true;
 }
+
+/// The part of the thickness that the tolerance may be. At the sharp rim of a thin hull a point
+/// that is a tolerance above the planes can be many tolerances away from the hull, so that a
+/// tolerance that is fair to the extent would cut the rim back.
+constexpr double kPartOfThickness = 1.0 / 100;
 
 }  // namespace
 
@@ -181,6 +188,7 @@ Result run(std::span<const Vec3d> points, double tolerance) {
     result.status = simplex.status;
     return result;
   }
+  tolerance = std::min(tolerance, kPartOfThickness * simplex.thickness);
   Builder builder(points, tolerance);
   builder.start(simplex.points);
   builder.grow();

@@ -18,7 +18,7 @@ enum class Status {
 /// Largest distance, in tolerances, of any input point above any plane, and of a face's own
 /// vertices from its plane, that counts as convex. Merged planes are fitted to points that each may
 /// be a tolerance off, and the centroid test extrapolates from a face's middle to its rim.
-inline constexpr double kSlack = 20;
+inline constexpr double kSlack = 10;
 
 struct Result {
   Status status = Status::Done;

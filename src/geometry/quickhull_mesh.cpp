@@ -1,7 +1,6 @@
 #include "geometry/quickhull_mesh.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace contactscope::quickhull {
 
@@ -10,12 +9,7 @@ Mesh::Mesh(std::span<const Vec3d> points)
 
 std::vector<int> Mesh::loop(int face_index) const {
   std::vector<int> vertices;
-  const int first = face(face_index).edge;
-  int e = first;
-  do {
-    vertices.push_back(edge(e).origin);
-    e = edge(e).next;
-  } while (e != first);
+  for_each_edge(face_index, [&](int e) { vertices.push_back(edge(e).origin); });
   return vertices;
 }
 
@@ -50,20 +44,15 @@ void Mesh::measure(int face_index) {
   // Newell's method about the mean of the vertices: every edge adds its share to the area vector,
   // so that the normal of a merged face does not hang on three of its vertices.
   measured.centroid = Vec3d::Zero();
-  int e = measured.edge;
-  do {
-    measured.centroid += point(edge(e).origin);
-    e = edge(e).next;
-  } while (e != measured.edge);
+  for_each_edge(face_index, [&](int e) { measured.centroid += point(edge(e).origin); });
   measured.centroid /= measured.vertex_count;
 
   Vec3d area = Vec3d::Zero();
-  do {
+  for_each_edge(face_index, [&](int e) {
     const Vec3d from = point(edge(e).origin) - measured.centroid;
-    e = edge(e).next;
-    const Vec3d to = point(edge(e).origin) - measured.centroid;
+    const Vec3d to = point(edge(edge(e).next).origin) - measured.centroid;
     area += from.cross(to);
-  } while (e != measured.edge);
+  });
   const double length = area.norm();
   measured.area = 0.5 * length;
   // A face without area has no normal. Zero puts every point on its plane, so that it merges.
@@ -76,17 +65,11 @@ bool Mesh::meet_in_one_edge(int one, int other) {
   const auto mark = [this](int vertex) -> int& {
     return stamps_[static_cast<std::size_t>(vertex)];
   };
-  int e = face(one).edge;
-  do {
-    mark(edge(e).origin) = stamp_;
-    e = edge(e).next;
-  } while (e != face(one).edge);
+  for_each_edge(one, [&](int e) { mark(edge(e).origin) = stamp_; });
   int common = 0;
-  e = face(other).edge;
-  do {
+  for_each_edge(other, [&](int e) {
     if (mark(edge(e).origin) == stamp_) ++common;
-    e = edge(e).next;
-  } while (e != face(other).edge);
+  });
   return common == 2;
 }
 
@@ -120,6 +103,40 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
     if (std::find(touched.begin(), touched.end(), i) == touched.end()) touched.push_back(i);
   }
   return true;
+}
+
+int Mesh::split(int one, int other) {
+  //    v---one--->        v = origin of one, w = origin of other.
+  //    ^ |        \       The new edge v-w closes the part of `other`, which stays; its twin w-v
+  //    | |   new   v      closes the part of `one`, which is the new face.
+  //     <--other--w
+  const int kept = edge(one).face;
+  const int added = face_count();
+  const int forth = static_cast<int>(edges_.size());
+  const int back = forth + 1;
+  const int before_one = edge(one).previous;
+  const int before_other = edge(other).previous;
+  edges_.push_back({edge(one).origin, -1, -1, back, kept});
+  edges_.push_back({edge(other).origin, -1, -1, forth, added});
+  follow(before_one, forth);
+  follow(forth, other);
+  follow(before_other, back);
+  follow(back, one);
+
+  Face part;
+  part.edge = back;
+  faces_.push_back(std::move(part));
+  face(kept).edge = forth;
+  for (const int i : {kept, added}) {
+    int count = 0;
+    for_each_edge(i, [&](int e) {
+      at(e).face = i;
+      ++count;
+    });
+    face(i).vertex_count = count;
+    measure(i);
+  }
+  return added;
 }
 
 void Mesh::restore_invariants(std::vector<int> vertices, std::vector<int>& changed) {

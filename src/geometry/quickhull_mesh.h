@@ -12,9 +12,9 @@
 namespace contactscope::quickhull {
 
 struct Edge {
-  int origin;    // point that it leaves
-  int next;      // around its face, counter-clockwise seen from outside
-  int previous;  //
+  int origin;  // point that it leaves
+  int next;    // around its face, counter-clockwise seen from outside
+  int previous;
   int twin;
   int face;
 };
@@ -34,7 +34,7 @@ struct Face {
 };
 
 /// Indices are stable: what is cut away is marked or never referred to again. No vertex has fewer
-/// than three edges and no face fewer than three, unless `broken`.
+/// than three edges and no face fewer than three, unless broken().
 class Mesh {
  public:
   explicit Mesh(std::span<const Vec3d> points);
@@ -50,6 +50,16 @@ class Mesh {
   int neighbour(int i) const { return edge(edge(i).twin).face; }
   /// Vertices of a face in order.
   std::vector<int> loop(int face) const;
+  /// Calls visit(edge) around a face.
+  template <class Visit>
+  void for_each_edge(int face_index, const Visit& visit) const {
+    const int first = face(face_index).edge;
+    int e = first;
+    do {
+      visit(e);
+      e = edge(e).next;
+    } while (e != first);
+  }
   double distance(int face_index, int point_index) const {
     return face(face_index).plane.distance(point(point_index));
   }
@@ -68,8 +78,14 @@ class Mesh {
   /// that their union would be no polygon.
   bool merge_across(int edge, std::vector<int>& touched);
 
-  /// A fix-up ended in something that bounds no solid; the mesh is of no further use.
+  /// Cuts a face in two along the line between two of its vertices that are not neighbours, given
+  /// by the edges of the face that leave them. The part that begins with `one` becomes a new face,
+  /// whose index is returned.
+  int split(int one, int other);
+
+  /// A fix-up, or a caller, ended in something that bounds no solid; the mesh is of no further use.
   bool broken() const { return broken_; }
+  void give_up() { broken_ = true; }
 
  private:
   Edge& at(int i) { return edges_[static_cast<std::size_t>(i)]; }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "geometry/hull.h"
+
+namespace contactscope::test {
+
+/// Every promise of Hull that is about topology: index ranges, twins run opposite, `next` closes
+/// each face's loop, every vertex has at least three edges and every face at least three vertices,
+/// Euler.
+::testing::AssertionResult is_sound(const Hull<double>& hull);
+
+/// Planes are unit and face outward, outlines counter-clockwise and convex; a face's vertices are
+/// within `tolerance` of its plane, and no vertex is above any plane by more.
+::testing::AssertionResult is_convex(const Hull<double>& hull, double tolerance);
+
+struct Measures {
+  double volume = 0;
+  double area = 0;
+};
+
+/// From triangle fans.
+Measures measure(const Hull<double>& hull);
+
+/// Largest difference between how far the hull and how far the points reach, over `directions`.
+double support_error(const Hull<double>& hull, const std::vector<Vec3d>& points,
+                     const std::vector<Vec3d>& directions);
+
+/// Vertex counts of all faces, ascending.
+std::vector<int> face_sizes(const Hull<double>& hull);
+
+}  // namespace contactscope::test

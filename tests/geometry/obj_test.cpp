@@ -1,0 +1,143 @@
+#include "geometry/obj.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/input_error.h"
+#include "geometry/hull_builder.h"
+
+namespace contactscope::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Obj : public ::testing::Test {
+ protected:
+  std::string write(const std::string& text) const {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    const std::filesystem::path folder =
+        std::filesystem::path(CONTACTSCOPE_BINARY_DIR) / "tests" / "obj";
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path path = folder / (std::string(test->name()) + ".obj");
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+
+  std::vector<Vec3d> load(const std::string& text) const { return load_obj_vertices(write(text)); }
+
+  /// The message of the error, without the path in front of it.
+  std::string refusal_of(const std::string& text) const {
+    const std::string path = write(text);
+    try {
+      load_obj_vertices(path);
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_THAT(message, StartsWith(path));
+      return message.substr(path.size());
+    }
+    return "no error";
+  }
+};
+
+TEST_F(Obj, ACubeWithNormalsTexturesAndMaterialsIsRead) {
+  const std::vector<Vec3d> points = load(
+      "# a cube\r\nmtllib missing.mtl\r\no cube\r\n"
+      "v -0.5 -0.5 -0.5\r\nv 0.5 -0.5 -0.5\r\nv -0.5 0.5 -0.5\r\nv 0.5 0.5 -0.5\r\n"
+      "v -0.5 -0.5 0.5 1.0\r\nv 0.5 -0.5 0.5 0.1 0.2 0.3\r\n\tv -.5 5e-1 +0.5\r\nv 0.5 0.5 0.5\r\n"
+      "vt 0 0\r\nvn 0 0 1\r\nusemtl none\r\ns off\r\ng sides\r\n"
+      "f 1/1/1 2/1/1 4/1/1 3/1/1\r\nf 5//1 6//1 8//1 7//1\r\n");
+  ASSERT_EQ(points.size(), 8u);
+  EXPECT_EQ(points[6], Vec3d(-0.5, 0.5, 0.5));
+  EXPECT_EQ(build_hull(points).face_count(), 6);
+}
+
+TEST_F(Obj, NumbersAreReadInDouble) {
+  EXPECT_THAT(load("v 0.123456789012345 1 2\n"), ElementsAre(Vec3d(0.123456789012345, 1, 2)));
+}
+
+TEST_F(Obj, EqualVerticesAreWelded) {
+  EXPECT_THAT(load("v 0 0 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+              ElementsAre(Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)));
+}
+
+TEST_F(Obj, VerticesThatNoFaceUsesAreLeftOut) {
+  EXPECT_THAT(load("v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nf 1 3 4\n"),
+              ElementsAre(Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)));
+}
+
+TEST_F(Obj, NegativeIndicesCountBackwards) {
+  EXPECT_THAT(load("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 8 8 8\n"),
+              ElementsAre(Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)));
+}
+
+TEST_F(Obj, VerticesOfAllGroupsCount) {
+  EXPECT_EQ(load("o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                 "o two\nv 0 0 5\nv 1 0 5\nv 0 1 5\nf 4 5 6\n")
+                .size(),
+            6u);
+}
+
+TEST_F(Obj, AMissingFileIsRefused) {
+  EXPECT_THROW(load_obj_vertices("/nowhere/rock.obj"), InputError);
+}
+
+TEST_F(Obj, AFolderIsRefused) {
+  EXPECT_THROW(load_obj_vertices(CONTACTSCOPE_BINARY_DIR), InputError);
+}
+
+TEST_F(Obj, AnEmptyFileIsRefused) {
+  EXPECT_THAT(refusal_of(""), HasSubstr("empty"));
+}
+
+TEST_F(Obj, AFileWithoutVerticesIsRefused) {
+  EXPECT_THAT(refusal_of("# nothing here\n"), HasSubstr("no vertex"));
+}
+
+TEST_F(Obj, AVertexWithTwoNumbersIsRefusedAtItsLine) {
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 2\n"), AllOf(StartsWith(":2:"), HasSubstr("z is missing"),
+                                                    EndsWith("three finite numbers")));
+}
+
+TEST_F(Obj, AVertexWithAWordIsRefusedAtItsColumn) {
+  EXPECT_THAT(refusal_of("v 0 zero 0\n"), AllOf(StartsWith(":1:5:"), HasSubstr("y is 'zero'")));
+}
+
+TEST_F(Obj, CoordinatesThatAreNotFiniteAreRefused) {
+  for (const char* bad : {"nan", "inf", "-inf", "1e999", "+-1", "0x10", "1,5", "--1"}) {
+    EXPECT_THAT(refusal_of(std::string("v ") + bad + " 0 0\n"), StartsWith(":1:3: the vertex's x"))
+        << bad;
+  }
+}
+
+TEST_F(Obj, AFaceThatNamesNoVertexIsRefusedAtItsLine) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 4\n"),
+              AllOf(StartsWith(":4:"), HasSubstr("vertex 4, but the file has 3")));
+  EXPECT_THAT(refusal_of(vertices + "f 0 1 2\n"), AllOf(StartsWith(":4:3:"), HasSubstr("'0'")));
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 -4\n"), AllOf(StartsWith(":4:7:"), HasSubstr("'-4'")));
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 x\n"), AllOf(StartsWith(":4:7:"), HasSubstr("'x'")));
+  EXPECT_THAT(refusal_of(vertices + "f\n"), StartsWith(":4:"));
+  EXPECT_THAT(refusal_of(vertices + "f 1 2 99999999999999999999\n"), StartsWith(":4:7:"));
+}
+
+TEST_F(Obj, AContinuedFaceIsRefusedAndNotReadInPart) {
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n"),
+              AllOf(StartsWith(":4:"), HasSubstr("one line")));
+}
+
+TEST_F(Obj, SomethingElseIsRefusedAtItsFirstLine) {
+  EXPECT_THAT(refusal_of("solid stl\nfacet normal 0 0 1\n"),
+              AllOf(StartsWith(":1:1:"), HasSubstr("'solid'")));
+  EXPECT_THAT(refusal_of(std::string("\x89PNG\r\n\x1a\n\0\xff", 10)), HasSubstr(":1:1: '?PNG'"));
+  EXPECT_THAT(refusal_of(std::string(100000, 'x')), AllOf(HasSubstr("..."), HasSubstr(":1:1:")));
+}
+
+}  // namespace
+}  // namespace contactscope::test
