@@ -58,6 +58,10 @@ class Composer {
 
   void draw_line(const Line& line) {
     const LineStyle& style = line.style;
+    if (line.keep_clear) {
+      const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
+      if (seen) placer_.block(seen->from, seen->to, px(style.width + 2));
+    }
     if (style.hidden == LineStyle::Hidden::Same) {
       stroke(line.from, line.to, style.width, style.color, style.dashed ? 10.0f : 0.0f,
              style.dashed ? 6.0f : 0.0f, 0);

@@ -25,8 +25,8 @@ void draw_whisker(const Scene& scene, const trace::Manifold& manifold, const tra
     from = point.position - 0.5 * overlap;
     to = point.position + 0.5 * overlap;
   }
-  sketch.lines.push_back({from, to, {5.0f, with_alpha(kWhite, 0.85f)}});
-  sketch.lines.push_back({from, to, {2.5f, kContact}});
+  sketch.lines.push_back({from, to, {5.0f, with_alpha(kWhite, 0.85f)}, false});
+  sketch.lines.push_back({from, to, {2.5f, kContact}, true});
 }
 
 }  // namespace

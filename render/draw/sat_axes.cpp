@@ -26,7 +26,7 @@ void draw_separation(const Scene& scene, const Vec3d& support, const Vec3d& norm
                            .color = kAxisText,
                            .size = chosen ? 18.0f : 15.0f,
                            .bold = chosen,
-                           .clearance = 12,
+                           .clearance = 17,
                            .direction = std::nullopt});
 }
 

@@ -24,6 +24,7 @@ struct LineStyle {
 struct Line {
   Vec3d from, to;
   LineStyle style;
+  bool keep_clear = false;  // no label may cover it
 };
 
 /// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
@@ -94,7 +95,7 @@ struct Sketch {
 
   void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], style});
+      lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], style, false});
     }
   }
   /// Adds an entry unless it stands there already.

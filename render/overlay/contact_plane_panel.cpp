@@ -168,12 +168,13 @@ class PlanePainter {
 
 std::string spell_area(double square_metres) {
   std::array<char, 64> text{};
-  if (square_metres >= 0.01 || square_metres == 0) {
-    std::snprintf(text.data(), text.size(), "%.4g m²", square_metres);
+  if (square_metres == 0) return "0 m²";
+  if (square_metres >= 0.01) {
+    std::snprintf(text.data(), text.size(), "%#.4g m²", square_metres);
   } else if (square_metres >= 1e-8) {
-    std::snprintf(text.data(), text.size(), "%.4g mm²", square_metres * 1e6);
+    std::snprintf(text.data(), text.size(), "%#.4g mm²", square_metres * 1e6);
   } else {
-    std::snprintf(text.data(), text.size(), "%.4g µm²", square_metres * 1e12);
+    std::snprintf(text.data(), text.size(), "%#.4g µm²", square_metres * 1e12);
   }
   return text.data();
 }
