@@ -1,0 +1,142 @@
+// Where the time of a picture goes, at 1280x720, and how many pictures a second `render` reaches:
+// pipeline, illustrate, paint and read back (llvmpipe works off what was painted when it is read),
+// panels, encode.
+
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+
+#include "app/encoder_pool.h"
+#include "app/ledger.h"
+#include "app/studio.h"
+#include "draw/illustrate.h"
+#include "gl/context.h"
+#include "gl/rasterizer.h"
+#include "image/png.h"
+#include "overlay/imgui_renderer.h"
+#include "scenario/run.h"
+#include "scenario/scenario.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+struct Prepared {
+  Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/hull/face_contact.toml");
+  trace::Header header = trace_header(scenario);
+  std::vector<trace::Frame> frames;
+  draw::Staging staging;
+
+  Prepared() : frames(run_all(scenario)), staging(staged(header, frames, scenario)) {}
+
+ private:
+  static std::vector<trace::Frame> run_all(const Scenario& scenario) {
+    std::vector<trace::Frame> frames;
+    for (int f = 0; f < scenario.frames; ++f) frames.push_back(run_frame(scenario, f));
+    return frames;
+  }
+  static draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                              const Scenario& scenario) {
+    return draw::stage(header, frames, scenario.views.front(), kWidth, kHeight);
+  }
+};
+
+const Prepared& prepared() {
+  static const Prepared instance;
+  return instance;
+}
+
+std::size_t frame_of(const benchmark::State& state) {
+  return state.iterations() % prepared().frames.size();
+}
+
+void pipeline(benchmark::State& state) {
+  int frame = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(run_frame(prepared().scenario, frame));
+    frame = (frame + 1) % prepared().scenario.frames;
+  }
+}
+BENCHMARK(pipeline)->Unit(benchmark::kMillisecond);
+
+void illustrate(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        draw::illustrate(prepared().staging, prepared().frames[frame_of(state)]));
+  }
+}
+BENCHMARK(illustrate)->Unit(benchmark::kMillisecond);
+
+void paint_and_read_back(benchmark::State& state) {
+  const auto context = gl::open_context(gl::Backend::Auto);
+  gl::Rasterizer canvas(*context, kWidth, kHeight);
+  const draw::Drawing drawing = draw::illustrate(prepared().staging, prepared().frames.back());
+  for (auto _ : state) {
+    canvas.begin(drawing.background);
+    canvas.paint(drawing);
+    benchmark::DoNotOptimize(canvas.read());
+  }
+}
+BENCHMARK(paint_and_read_back)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void panels(benchmark::State& state) {
+  const auto context = gl::open_context(gl::Backend::Auto);
+  gl::Rasterizer canvas(*context, kWidth, kHeight);
+  overlay::PanelRenderer renderer(*context, kWidth, kHeight, prepared().staging.layout.scale);
+  const overlay::PanelFacts facts{prepared().staging, prepared().frames,
+                                  prepared().frames.size() - 1, std::nullopt};
+  for (auto _ : state) {
+    canvas.begin({1, 1, 1, 1});
+    canvas.paint({kWidth, kHeight, {}, {}});
+    renderer.begin_frame();
+    overlay::draw_panels(facts);
+    renderer.end_frame_and_draw();
+  }
+}
+BENCHMARK(panels)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+Image picture() {
+  Image result;
+  app::Ledger ledger;
+  app::Studio studio(gl::Backend::Auto, ledger);
+  studio.render(prepared().staging, prepared().frames, {prepared().frames.size() - 1}, {},
+                [&](std::size_t, Image image) { result = std::move(image); });
+  return result;
+}
+
+void encode(benchmark::State& state) {
+  const Image image = picture();
+  for (auto _ : state) benchmark::DoNotOptimize(encode_png(image));
+}
+BENCHMARK(encode)->Unit(benchmark::kMillisecond);
+
+// The whole of `render` after its start: one sequence, written to files.
+void pictures_a_second(benchmark::State& state) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / "contactscope_render_bench";
+  std::filesystem::create_directories(folder);
+  app::Ledger ledger;
+  app::Studio studio(gl::Backend::Auto, ledger);
+  std::vector<std::size_t> which;
+  for (std::size_t f = 0; f < prepared().frames.size(); ++f) which.push_back(f);
+  for (auto _ : state) {
+    app::EncoderPool encoders(0);
+    studio.render(
+        prepared().staging, prepared().frames, which, {}, [&](std::size_t frame, Image image) {
+          encoders.submit((folder / (std::to_string(frame) + ".png")).string(), std::move(image));
+        });
+    encoders.finish();
+  }
+  state.counters["pictures"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(which.size()),
+      benchmark::Counter::kIsRate);
+  std::filesystem::remove_all(folder);
+}
+BENCHMARK(pictures_a_second)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace contactscope
+
+BENCHMARK_MAIN();
