@@ -16,8 +16,10 @@ struct HullOptions {
 };
 
 /// Convex hull of `points` (metres, any frame, any order; points inside or on the surface are left
-/// out). Faces are merged where they are coplanar or concave within hull_tolerance(points): a
-/// vertex lies on its faces' planes, and no vertex above any plane, within a small multiple of it.
+/// out). Faces are merged where they are coplanar or concave within a tolerance: hull_tolerance of
+/// the points, less for a hull thinner than a hundred of those. A vertex lies on its faces' planes,
+/// and no point above any plane, within ten times that. Every face's outline is convex; for the
+/// sake of that, points whose noise is about the tolerance can leave coplanar neighbours unmerged.
 /// Vertices keep their coordinates and their order; the same points always give the same hull.
 ///
 /// Throws HullError: TooFewPoints, NotFinite, Duplicate or TooFewDistinct, Coincident, Collinear,
