@@ -1,6 +1,6 @@
 #include "scenario/shapes.h"
 
-#include <cmath>
+#include <algorithm>
 #include <functional>
 #include <system_error>
 
@@ -205,6 +205,15 @@ const std::vector<Type>& types() {
   return all;
 }
 
+/// Keys of all types, each once.
+Keys every_key() {
+  Keys keys = kCommonKeys;
+  for (const Type& type : types())
+    for (const std::string_view key : type.keys)
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  return keys;
+}
+
 const Type& type_named(const Value& value) {
   std::vector<std::string> names;
   for (const Type& type : types()) names.push_back(type.name);
@@ -220,10 +229,9 @@ ScenarioShape read_shape(const Value& value, const fs::path& folder, double end_
   if (!value.is_table())
     value.fail("'" + value.name() + "' is no table; write a shape as [shapes." + value.name() +
                "] with its type below");
-  Keys every_key = kCommonKeys;
-  for (const Type& type : types())
-    every_key.insert(every_key.end(), type.keys.begin(), type.keys.end());
-  const Value type_value = value.table(every_key).require("type", "type = \"box\"");
+  const auto named = value.peek("type");
+  const Value type_value =
+      named ? *named : value.table(every_key()).require("type", "type = \"box\"");
   const Type& type = type_named(type_value);
   Keys keys = type.keys;
   keys.insert(keys.end(), kCommonKeys.begin(), kCommonKeys.end());

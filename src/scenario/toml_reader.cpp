@@ -8,6 +8,30 @@
 namespace contactscope::toml_reader {
 namespace {
 
+/// One line of bounded length: a file may hold names of megabytes, and control characters that
+/// would garble a terminal. Those become "?", and the middle of what is too long becomes "...".
+std::string printable(std::string message) {
+  constexpr std::size_t kLongest = 600;
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  if (message.size() <= kLongest) return message;
+  // The remedy stands at the end; what is cut out is the middle, between whole UTF-8 sequences.
+  std::size_t head = kLongest / 2;
+  std::size_t tail = message.size() - kLongest / 2;
+  const auto continues = [&](std::size_t i) {
+    return (static_cast<unsigned char>(message[i]) & 0xC0) == 0x80;
+  };
+  while (continues(head)) --head;
+  while (continues(tail)) ++tail;
+  return message.substr(0, head) + "..." + message.substr(tail);
+}
+
+[[noreturn]] void fail_at(const std::string& file, const toml::source_position& where,
+                          const std::string& message) {
+  throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column),
+                   printable(message));
+}
+
 /// "a string", "an array of two values", for messages.
 std::string describe(const toml::node& node) {
   switch (node.type()) {
@@ -105,7 +129,7 @@ Keys as_keys(const std::vector<std::string>& words) {
 }
 
 void Value::fail(const std::string& message) const {
-  throw InputError(*file_, line(), column(), message);
+  fail_at(*file_, node_->source().begin, message);
 }
 
 void Value::wrong_type(const std::string& wanted) const {
@@ -113,8 +137,9 @@ void Value::wrong_type(const std::string& wanted) const {
 }
 
 double Value::number(const char* unit) const {
-  const std::optional<double> value =
-      node_->is_number() ? node_->value<double>() : std::optional<double>();
+  std::optional<double> value;
+  if (const auto* real = node_->as_floating_point()) value = real->get();
+  if (const auto* whole = node_->as_integer()) value = static_cast<double>(whole->get());
   if (!value) wrong_type("a " + with_unit(unit));
   if (!std::isfinite(*value))
     fail("'" + name_ + "' is " + (std::isnan(*value) ? "not a number (nan)" : "infinite") +
@@ -206,6 +231,13 @@ Table Value::table(const Keys& keys) const {
   return Table(*file_, *node_, name_, keys);
 }
 
+std::optional<Value> Value::peek(std::string_view key) const {
+  const toml::table* table = node_->as_table();
+  const toml::node* node = table == nullptr ? nullptr : table->get(key);
+  if (node == nullptr) return std::nullopt;
+  return Value(*file_, *node, std::string(key));
+}
+
 std::vector<Value> Value::members() const {
   const toml::table* table = node_->as_table();
   if (table == nullptr) wrong_type("a table");
@@ -228,15 +260,11 @@ Table::Table(const std::string& file, const toml::node& node, std::string name, 
     if (first == nullptr || key.source().begin < first->source().begin) first = &key;
   }
   if (first == nullptr) return;
-  const toml::source_position where = first->source().begin;
-  throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column),
-                   unknown_key(first->str(), keys));
+  fail_at(file, first->source().begin, unknown_key(first->str(), keys));
 }
 
 std::optional<Value> Table::find(std::string_view key) const {
-  const toml::node* node = value_.node_->as_table()->get(key);
-  if (node == nullptr) return std::nullopt;
-  return Value(*value_.file_, *node, std::string(key));
+  return value_.peek(key);
 }
 
 Value Table::require(std::string_view key, const std::string& example) const {
@@ -249,11 +277,10 @@ toml::table parse_document(const std::string& text, const std::string& file) {
   try {
     return toml::parse(std::string_view(text), std::string_view(file));
   } catch (const toml::parse_error& error) {
-    const toml::source_position where = error.source().begin;
     std::string message = "this is no TOML: " + std::string(error.description());
     if (message.find("redefine") != std::string::npos)
       message += "; a key or table may be given only once";
-    throw InputError(file, static_cast<int>(where.line), static_cast<int>(where.column), message);
+    fail_at(file, error.source().begin, message);
   }
 }
 

@@ -28,11 +28,10 @@ class Value {
   const std::string& name() const { return name_; }
   const std::string& file() const { return *file_; }
   int line() const { return static_cast<int>(node_->source().begin.line); }
-  int column() const { return static_cast<int>(node_->source().begin.column); }
   bool is_table() const { return node_->is_table(); }
   bool is_array() const { return node_->is_array(); }
 
-  /// Throws InputError at this value.
+  /// Throws InputError at this value; the message is made one printable line of bounded length.
   [[noreturn]] void fail(const std::string& message) const;
 
   /// A finite number; integers count. `unit` is for messages: "a number in metres".
@@ -57,6 +56,9 @@ class Value {
   std::vector<Value> array_of_tables() const;
   /// A table whose keys must all be in `keys`.
   Table table(const Keys& keys) const;
+  /// The value of a key of this table before its keys are checked: what a `type` key says may
+  /// decide which others there are. Nothing when the key is missing or this is no table.
+  std::optional<Value> peek(std::string_view key) const;
   /// The names in a table of named tables and the values that they name, in file order.
   std::vector<Value> members() const;
 

@@ -16,6 +16,19 @@ TEST_P(BrokenFile, IsNamedByPlaceAndRemedy) {
   EXPECT_THAT(message, HasSubstr(GetParam().remedy));
 }
 
+// Names come from the file: they may be megabytes long and hold what garbles a terminal.
+TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
+  const std::string control = complaint(two_boxes("\"up\\n\\u001b[31m\" = 1"));
+  EXPECT_THAT(control, HasSubstr("8:1: unknown key 'up??[31m'; known here: "));
+  std::string name;
+  while (name.size() < 1'000'000) name += "\u00e9";
+  const std::string of_type = complaint(one_shape("type = \"" + name + "\""));
+  EXPECT_THAT(of_type, StartsWith("group/idea.toml:3:8: unknown shape type '\u00e9"));
+  EXPECT_THAT(of_type, HasSubstr("..."));
+  EXPECT_THAT(of_type, ::testing::EndsWith("'mesh' and 'plane'"));
+  EXPECT_LT(of_type.size(), 700u);
+}
+
 // If the frame of these tests were itself refused, the tables would prove nothing.
 TEST(BrokenFileFrame, IsAGoodFile) {
   EXPECT_EQ(complaint(two_boxes()), "no complaint");

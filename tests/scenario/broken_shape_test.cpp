@@ -30,6 +30,8 @@ INSTANTIATE_TEST_SUITE_P(
     Geometry, BrokenShape,
     ::testing::Values(
         Broken{"MissingType", one_shape("half_extents = [1, 1, 1]"), "2:1", "missing key 'type'"},
+        Broken{"MisspelledType", one_shape("half_extents = [1, 1, 1]\ntyp = \"box\""), "4:1",
+               "unknown key 'typ'; did you mean 'type'?"},
         Broken{"UnknownType", one_shape("type = \"bx\""), "3:8",
                "unknown shape type 'bx'; did you mean 'box'? known: 'box', 'hull', "},
         Broken{"TypeIsANumber", one_shape("type = 1"), "3:8", "'type' is an integer; a string"},

@@ -67,9 +67,16 @@ keyframes = [ { time = 1, position = [1, 0, 0] }, { time = 2, position = [2, 0, 
 TEST(Motion, AKeyframesOwnTimeGivesItsOwnNumbers) {
   const ScenarioShape shape = shape_from(R"(
 [shapes.s.motion]
-keyframes = [ { time = 0.1, position = [0.1, 0.2, 0.3] },
-              { time = 0.3, position = [0.7, 0.1, 0.9], rotation = { quat_wxyz = [0.6, 0.8, 0, 0] } },
-              { time = 0.7, position = [1, 1, 1] } ]
+[[shapes.s.motion.keyframes]]
+time = 0.1
+position = [0.1, 0.2, 0.3]
+[[shapes.s.motion.keyframes]]
+time = 0.3
+position = [0.7, 0.1, 0.9]
+rotation = { quat_wxyz = [0.6, 0.8, 0, 0] }
+[[shapes.s.motion.keyframes]]
+time = 0.7
+position = [1, 1, 1]
 )");
   EXPECT_EQ(pose_at(shape, 0.3).position, Vec3d(0.7, 0.1, 0.9));
   EXPECT_EQ(pose_at(shape, 0.3).rotation.coeffs(),
