@@ -181,7 +181,8 @@ ExitCode check(const Options& options) {
   const std::optional<std::filesystem::path> page = checker.finish();
   if (options.verbose) checker.ledger().print(std::cerr, "check");
   if (!options.quiet) {
-    std::cerr << scenarios.size() << " scenarios, " << failed << " failed";
+    std::cerr << scenarios.size() << (scenarios.size() == 1 ? " scenario, " : " scenarios, ")
+              << failed << " failed";
     if (page) std::cerr << "; see " << page->string();
     std::cerr << '\n';
   }
