@@ -90,8 +90,8 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       sketch.labels.push_back({.at = all[i].position,
                                .text = all[i].id,
                                .color = kText,
-                               .size = 14,
-                               .bold = false,
+                               .size = 15,
+                               .bold = true,
                                .clearance = 12,
                                .direction = std::nullopt});
     }

@@ -123,15 +123,18 @@ TEST(Illustrate, DeepOverlapIsDrawnTrue) {
 TEST(Illustrate, PatchTakesAThirdToAHalfOfTheView) {
   const BoxOnSlab scene;
   const Staging staging = scene.staged();
-  double left = 1e9, right = -1e9;
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (const Point2& dot : dots(illustrate(staging, scene.frame))) {
     if (!staging.layout.view.contains(dot)) continue;
     left = std::min<double>(left, dot.x);
     right = std::max<double>(right, dot.x);
+    top = std::min<double>(top, dot.y);
+    bottom = std::max<double>(bottom, dot.y);
   }
-  const double share = (right - left) / staging.layout.view.height;
-  EXPECT_GT(share, 0.33);
-  EXPECT_LT(share, 0.6);
+  const double share = std::max((right - left) / staging.layout.view.width,
+                                (bottom - top) / staging.layout.view.height);
+  EXPECT_GT(share, 1.0 / 3);
+  EXPECT_LT(share, 1.0 / 2);
 }
 
 TEST(Illustrate, CameraStands25To40DegreesAboveTheContactPlane) {
