@@ -1,16 +1,45 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/manifold.h"
 #include "query/hull_pair.h"
 
 namespace contactscope {
 
+/// EdgeRef in one word, in the same order. Clipping copies corners about; an EdgeRef that is
+/// written as a byte and an int and read back as eight bytes stalls the processor each time.
+enum class EdgeKey : std::uint32_t {};
+
+constexpr EdgeKey edge_key(Owner owner, int half_edge) {
+  const auto edge = static_cast<std::uint32_t>(half_edge / 2);
+  return static_cast<EdgeKey>((owner == Owner::B ? 0x80000000u : 0u) | edge);
+}
+
+constexpr EdgeRef edge_ref(EdgeKey key) {
+  const auto word = static_cast<std::uint32_t>(key);
+  return {word >> 31 != 0 ? Owner::B : Owner::A, word & 0x7fffffffu};
+}
+
+/// FeatureId in keys: the two edges whose crossing made a corner, sorted.
+struct Crossing {
+  EdgeKey first;
+  EdgeKey second;
+
+  static constexpr Crossing of(EdgeKey one, EdgeKey two) {
+    return one < two ? Crossing{one, two} : Crossing{two, one};
+  }
+  constexpr FeatureId id() const { return {edge_ref(first), edge_ref(second)}; }
+
+  friend constexpr bool operator==(const Crossing&, const Crossing&) = default;
+};
+
 /// Corner of the polygon that clipping works on, in A's frame, metres.
 template <class S>
 struct ClipVertex {
   Vec3<S> position;
-  EdgeRef leaving;  // the edge along which the polygon goes on from here
-  FeatureId id;     // the two edges whose crossing made this corner; never changed by later clips
+  EdgeKey leaving;    // the edge along which the polygon goes on from here
+  Crossing crossing;  // what made this corner; never changed by later clips
 };
 
 /// Counter-clockwise seen from outside the face that it came from. A reference face adds at most
@@ -25,7 +54,11 @@ void face_polygon(const PlacedHull<S>& hull, Owner owner, int face, ClipPolygon<
 
 /// The plane through a half-edge of a face, at right angles to the face. Unit normal, outward.
 template <class S>
-Plane<S> side_plane(const PlacedHull<S>& hull, int half_edge);
+inline Plane<S> side_plane(const PlacedHull<S>& hull, int half_edge) {
+  const Vec3<S> face_normal = hull.normals[hull.half_edge(half_edge).face];
+  const Vec3<S> normal = hull.direction(half_edge).cross(face_normal);
+  return {normal, normal.dot(hull.origin(half_edge))};
+}
 
 /// What is left of a convex `polygon` on the inner side of a side plane, into `result` (emptied
 /// first). `side_edge` is the edge that the plane belongs to. Corners within `thickness` (metres,
@@ -33,7 +66,7 @@ Plane<S> side_plane(const PlacedHull<S>& hull, int half_edge);
 ///
 /// Returns false, and leaves `result` alone, when nothing lies outside.
 template <class S>
-bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeRef side_edge, S thickness,
+bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge, S thickness,
           ClipPolygon<S>& result);
 
 }  // namespace contactscope

@@ -17,25 +17,42 @@ const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
   return owner == Owner::A ? pair.a : pair.b;
 }
 
-/// Clips against every side plane of the reference face, in the order of its edges. Polygons go to
-/// and fro between `polygon` and `spare`; the result is the one returned.
-template <class S, class Recorder>
-const ClipPolygon<S>& clip_against_sides(const PlacedHull<S>& hull, Owner reference, int face,
-                                         S thickness, ClipPolygon<S>& polygon,
-                                         ClipPolygon<S>& spare, Recorder& recorder) {
-  ClipPolygon<S>* current = &polygon;
-  ClipPolygon<S>* other = &spare;
+/// A side plane of the reference face and the edge that it holds.
+template <class S>
+struct Side {
+  Plane<S> plane;
+  EdgeKey edge;
+};
+
+template <class S>
+using Sides = StaticVector<Side<S>, kMaxFaceVertices>;
+
+/// In the order of the face's edges. All at once, before the first clip: their square roots and
+/// divisions then overlap, where between clips each would wait for the branches of the last one.
+template <class S>
+void side_planes(const PlacedHull<S>& hull, Owner owner, int face, Sides<S>& sides) {
   const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
   int edge = start;
   do {
-    const Plane<S> side = side_plane(hull, edge);
-    const EdgeRef side_edge{reference, static_cast<std::uint32_t>(edge / 2)};
-    if (clip(*current, side, side_edge, thickness, *other)) std::swap(current, other);
-    recorder.clip_step(side, *current);
+    sides.push_back({side_plane(hull, edge), edge_key(owner, edge)});
     edge = hull.half_edge(edge).next;
+  } while (edge != start);
+}
+
+/// Clips against every side plane of the reference face. Polygons go to and fro between `polygon`
+/// and `spare`; the result is the one returned.
+template <class S, class Recorder>
+const ClipPolygon<S>& clip_against_sides(const Sides<S>& sides, S thickness,
+                                         ClipPolygon<S>& polygon, ClipPolygon<S>& spare,
+                                         Recorder& recorder) {
+  ClipPolygon<S>* current = &polygon;
+  ClipPolygon<S>* other = &spare;
+  for (const Side<S>& side : sides) {
+    if (clip(*current, side.plane, side.edge, thickness, *other)) std::swap(current, other);
+    recorder.clip_step(side.plane, *current);
     // A record shows every side plane, also after nothing is left.
     if (!Recorder::kRecords && current->empty()) break;
-  } while (edge != start);
+  }
   return *current;
 }
 
@@ -47,8 +64,7 @@ FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex
     arriving = hull.half_edge(arriving).next;
   }
   const int leaving = hull.half_edge(arriving).next;
-  return FeatureId::of({owner, static_cast<std::uint32_t>(arriving / 2)},
-                       {owner, static_cast<std::uint32_t>(leaving / 2)});
+  return Crossing::of(edge_key(owner, arriving), edge_key(owner, leaving)).id();
 }
 
 }  // namespace
@@ -86,8 +102,10 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
     face_polygon(hull, reference, query.face, spare);
     recorder.clip_begins(pair, reference, query.face, incident, spare, polygon);
   }
-  const ClipPolygon<S>& clipped = clip_against_sides(
-      hull, reference, query.face, clip_thickness(pair.scale), polygon, spare, recorder);
+  Sides<S> sides;
+  side_planes(hull, reference, query.face, sides);
+  const ClipPolygon<S>& clipped =
+      clip_against_sides(sides, clip_thickness(pair.scale), polygon, spare, recorder);
 
   points.clear();
   S deepest = std::numeric_limits<S>::infinity();
@@ -95,7 +113,7 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
     const S separation = plane.distance(vertex.position);
     if (separation <= margin) {
       const Vec3<S> moved = vertex.position - separation * plane.normal;
-      points.push_back({moved, separation, vertex.id});
+      points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
     } else {
       recorder.dropped(vertex.position, "above the reference face");

@@ -33,19 +33,32 @@ void translate(const Vec3<S>& by, VectorLanes<S, N>& points) {
 
 template <class S>
 void gather(const Hull<S>& hull, PlacedHull<S>& placed) {
-  for (int i = 0; i < hull.vertex_count(); ++i) {
-    placed.vertices.set(i, hull.vertices[static_cast<std::size_t>(i)]);
+  const std::size_t vertex_count = hull.vertices.size();
+  S* x = placed.vertices.x();
+  S* y = placed.vertices.y();
+  S* z = placed.vertices.z();
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    x[i] = hull.vertices[i].x();
+    y[i] = hull.vertices[i].y();
+    z[i] = hull.vertices[i].z();
   }
   placed.vertices.fill_padding(Vec3<S>::Zero());
-  for (int i = 0; i < hull.face_count(); ++i) {
-    const Plane<S>& plane = hull.planes[static_cast<std::size_t>(i)];
-    placed.normals.set(i, plane.normal);
-    placed.offsets[i] = plane.offset;
+
+  const std::size_t face_count = hull.planes.size();
+  S* nx = placed.normals.x();
+  S* ny = placed.normals.y();
+  S* nz = placed.normals.z();
+  S* offsets = placed.offsets.data();
+  for (std::size_t i = 0; i < face_count; ++i) {
+    nx[i] = hull.planes[i].normal.x();
+    ny[i] = hull.planes[i].normal.y();
+    nz[i] = hull.planes[i].normal.z();
+    offsets[i] = hull.planes[i].offset;
   }
   placed.normals.fill_padding(Vec3<S>::Zero());
   // A padding face lies infinitely deep, so that no query picks it.
-  for (int i = hull.face_count(); i < padded(hull.face_count()); ++i) {
-    placed.offsets[i] = std::numeric_limits<S>::infinity();
+  for (int i = placed.normals.count(); i < placed.normals.padded_count(); ++i) {
+    offsets[i] = std::numeric_limits<S>::infinity();
   }
 }
 

@@ -49,7 +49,8 @@ class VectorLanes {
       : count_(count), stride_(padded(count)), values_(3 * padded(count)) {}
 
   int count() const { return count_; }
-  int padded_count() const { return stride_; }
+  /// A multiple of the lane width, and known to be one, so that loops need no remainder.
+  int padded_count() const { return stride_ & ~(kLaneWidth - 1); }
   const S* x() const { return &values_[0]; }
   const S* y() const { return &values_[stride_]; }
   const S* z() const { return &values_[2 * stride_]; }

@@ -7,31 +7,34 @@
 namespace contactscope {
 namespace {
 
+constexpr EdgeKey b_edge(int edge) {
+  return edge_key(Owner::B, 2 * edge);
+}
+
 /// A square with corners (+-1, 0, +-1), counter-clockwise seen from above, edges B 0 to 3.
 ClipPolygon<double> square() {
   ClipPolygon<double> polygon;
   const Vec3d corners[] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}};
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    polygon.push_back(
-        {corners[i], {Owner::B, i}, FeatureId::of({Owner::B, (i + 3) % 4}, {Owner::B, i})});
+  for (int i = 0; i < 4; ++i) {
+    polygon.push_back({corners[i], b_edge(i), Crossing::of(b_edge((i + 3) % 4), b_edge(i))});
   }
   return polygon;
 }
 
-constexpr EdgeRef kSide{Owner::A, 7};
+constexpr EdgeKey kSide = edge_key(Owner::A, 14);
 
 TEST(Clip, CutsASquareInHalfAndNamesTheCrossings) {
   ClipPolygon<double> result;
   ASSERT_TRUE(clip(square(), {Vec3d::UnitX(), 0.25}, kSide, 1e-12, result));
   ASSERT_EQ(result.size(), 4u);
   EXPECT_EQ(result[1].position, Vec3d(0.25, 0, 1));
-  EXPECT_EQ(result[1].id, FeatureId::of({Owner::B, 0}, kSide));
+  EXPECT_EQ(result[1].crossing, Crossing::of(b_edge(0), kSide));
   EXPECT_EQ(result[1].leaving, kSide);
   EXPECT_EQ(result[2].position, Vec3d(0.25, 0, -1));
-  EXPECT_EQ(result[2].id, FeatureId::of({Owner::B, 2}, kSide));
-  EXPECT_EQ(result[2].leaving, (EdgeRef{Owner::B, 2}));
-  EXPECT_EQ(result[0].id, square()[0].id);
-  EXPECT_EQ(result[3].id, square()[3].id);
+  EXPECT_EQ(result[2].crossing, Crossing::of(b_edge(2), kSide));
+  EXPECT_EQ(result[2].leaving, b_edge(2));
+  EXPECT_EQ(result[0].crossing, square()[0].crossing);
+  EXPECT_EQ(result[3].crossing, square()[3].crossing);
 }
 
 TEST(Clip, LeavesAPolygonAloneThatIsInsideOrOnThePlane) {
@@ -55,26 +58,39 @@ TEST(Clip, ThroughTwoCornersMakesNoSecondCornersBesideThem) {
   ClipPolygon<double> result;
   ASSERT_TRUE(clip(square(), {diagonal, 1e-14}, kSide, 1e-12, result));
   ASSERT_EQ(result.size(), 3u);
-  EXPECT_EQ(result[0].id, square()[0].id);
+  EXPECT_EQ(result[0].crossing, square()[0].crossing);
   EXPECT_EQ(result[0].leaving, kSide);
-  EXPECT_EQ(result[1].id, square()[2].id);
-  EXPECT_EQ(result[2].id, square()[3].id);
+  EXPECT_EQ(result[1].crossing, square()[2].crossing);
+  EXPECT_EQ(result[2].crossing, square()[3].crossing);
 }
 
 TEST(Clip, TwoPlanesThatMeetInsideMakeACornerOfTheReferenceFace) {
   ClipPolygon<double> once;
   ClipPolygon<double> twice;
-  const EdgeRef other_side{Owner::A, 8};
+  const EdgeKey other_side = edge_key(Owner::A, 16);
   ASSERT_TRUE(clip(square(), {Vec3d::UnitX(), 0.5}, kSide, 1e-12, once));
   ASSERT_TRUE(clip(once, {-Vec3d::UnitZ(), 0.5}, other_side, 1e-12, twice));
   bool found = false;
   for (const ClipVertex<double>& vertex : twice) {
-    if (vertex.id == FeatureId::of(kSide, other_side)) {
+    if (vertex.crossing == Crossing::of(kSide, other_side)) {
       found = true;
       EXPECT_EQ(vertex.position, Vec3d(0.5, 0, -0.5));
     }
   }
   EXPECT_TRUE(found);
+}
+
+TEST(Clip, KeysHoldEdgesInTheOrderOfTheirIds) {
+  const EdgeRef edges[] = {
+      {Owner::A, 0}, {Owner::A, 7}, {Owner::A, 70000}, {Owner::B, 0}, {Owner::B, 9}};
+  for (const EdgeRef& one : edges) {
+    for (const EdgeRef& two : edges) {
+      const EdgeKey one_key = edge_key(one.owner, 2 * static_cast<int>(one.edge));
+      const EdgeKey two_key = edge_key(two.owner, 2 * static_cast<int>(two.edge) + 1);
+      EXPECT_EQ(edge_ref(one_key), one);
+      EXPECT_EQ(Crossing::of(one_key, two_key).id(), FeatureId::of(one, two));
+    }
+  }
 }
 
 TEST(Clip, SidePlanesPointOutAndHoldTheirEdge) {
@@ -102,7 +118,7 @@ TEST(Clip, FacePolygonIsTheFacesLoopWithTheEdgesThatMeet) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const ClipVertex<double>& before = polygon[(i + loop.size() - 1) % loop.size()];
       EXPECT_EQ(polygon[i].position, hull.vertices[static_cast<std::size_t>(loop[i])]);
-      EXPECT_EQ(polygon[i].id, FeatureId::of(before.leaving, polygon[i].leaving));
+      EXPECT_EQ(polygon[i].crossing, Crossing::of(before.leaving, polygon[i].leaving));
     }
   }
 }
