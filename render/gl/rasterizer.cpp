@@ -13,6 +13,7 @@
 #include "gl/primitive_vertices.h"
 #include "gl/program.h"
 #include "gl/shaders.h"
+#include "gl/vertex_array.h"
 
 namespace contactscope::gl {
 
@@ -22,7 +23,6 @@ struct Rasterizer::Impl {
 
   void make_framebuffer();
   void make_programs();
-  void make_vertex_array();
   void upload_glyphs();
   void draw_batches();
 
@@ -30,7 +30,7 @@ struct Rasterizer::Impl {
   const Functions& gl;
   const int width, height;
   GLuint framebuffer = 0, colors = 0;
-  GLuint vertex_array = 0, vertex_buffer = 0, index_buffer = 0;
+  VertexArray vertices;
   std::array<GLuint, 3> programs{};  // by Painter
   std::vector<GLuint> pages;         // textures of the glyph atlas
   GlyphAtlas atlas;
@@ -45,16 +45,19 @@ Rasterizer::Impl::Impl(Context& owner, int w, int h)
   context.make_current();
   make_framebuffer();
   make_programs();
-  make_vertex_array();
+  vertices = make_vertex_array(gl, sizeof(Vertex),
+                               {{2, GL_FLOAT, GL_FALSE, offsetof(Vertex, position)},
+                                {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color)},
+                                {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, line)},
+                                {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, form)},
+                                {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, run)}});
 }
 
 Rasterizer::Impl::~Impl() {
   context.make_current();
   gl.DeleteFramebuffers(1, &framebuffer);
   gl.DeleteRenderbuffers(1, &colors);
-  gl.DeleteVertexArrays(1, &vertex_array);
-  gl.DeleteBuffers(1, &vertex_buffer);
-  gl.DeleteBuffers(1, &index_buffer);
+  delete_vertex_array(gl, vertices);
   for (const GLuint program : programs) gl.DeleteProgram(program);
   gl.DeleteTextures(static_cast<GLsizei>(pages.size()), pages.data());
 }
@@ -81,26 +84,6 @@ void Rasterizer::Impl::make_programs() {
     gl.Uniform2f(gl.GetUniformLocation(programs[i], "pixel"), 2.0f / static_cast<float>(width),
                  2.0f / static_cast<float>(height));
   }
-}
-
-void Rasterizer::Impl::make_vertex_array() {
-  gl.GenVertexArrays(1, &vertex_array);
-  gl.GenBuffers(1, &vertex_buffer);
-  gl.GenBuffers(1, &index_buffer);
-  gl.BindVertexArray(vertex_array);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
-  const auto attribute = [this](GLuint location, GLint size, GLenum type, GLboolean normalized,
-                                std::size_t offset) {
-    gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(location, size, type, normalized, sizeof(Vertex),
-                           reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
-  attribute(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color));
-  attribute(2, 4, GL_FLOAT, GL_FALSE, offsetof(Vertex, line));
-  attribute(3, 4, GL_FLOAT, GL_FALSE, offsetof(Vertex, form));
-  attribute(4, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, run));
 }
 
 /// Copies the rows of the atlas that changed since the last frame.
@@ -130,8 +113,8 @@ void Rasterizer::Impl::upload_glyphs() {
 }
 
 void Rasterizer::Impl::draw_batches() {
-  gl.BindVertexArray(vertex_array);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
+  gl.BindVertexArray(vertices.array);
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices.vertices);
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(scratch.vertices.size() * sizeof(Vertex)),
                 scratch.vertices.data(), GL_STREAM_DRAW);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,

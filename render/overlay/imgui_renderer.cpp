@@ -9,6 +9,7 @@
 
 #include "gl/functions.h"
 #include "gl/program.h"
+#include "gl/vertex_array.h"
 #include "overlay/imgui_style.h"
 
 namespace contactscope::overlay {
@@ -48,7 +49,6 @@ struct PanelRenderer::Impl {
 
   void make_program();
   void make_font_texture();
-  void make_vertex_array();
   void set_state();
   void draw(const ImDrawData& data);
   void draw_list(const ImDrawList& list);
@@ -58,7 +58,7 @@ struct PanelRenderer::Impl {
   const int width, height;
   ImGuiContext* imgui = nullptr;
   GLuint program = 0, font_texture = 0;
-  GLuint vertex_array = 0, vertex_buffer = 0, index_buffer = 0;
+  gl::VertexArray vertices;
 };
 
 PanelRenderer::Impl::Impl(gl::Context& owner, int w, int h, float scale)
@@ -78,16 +78,17 @@ PanelRenderer::Impl::Impl(gl::Context& owner, int w, int h, float scale)
   add_fonts(*io.Fonts, scale);
   apply_style(ImGui::GetStyle(), scale);
   make_font_texture();
-  make_vertex_array();
+  vertices = gl::make_vertex_array(gl, sizeof(ImDrawVert),
+                                   {{2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos)},
+                                    {2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv)},
+                                    {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col)}});
 }
 
 PanelRenderer::Impl::~Impl() {
   context.make_current();
   gl.DeleteProgram(program);
   gl.DeleteTextures(1, &font_texture);
-  gl.DeleteVertexArrays(1, &vertex_array);
-  gl.DeleteBuffers(1, &vertex_buffer);
-  gl.DeleteBuffers(1, &index_buffer);
+  gl::delete_vertex_array(gl, vertices);
   ImGui::DestroyContext(imgui);
 }
 
@@ -115,24 +116,6 @@ void PanelRenderer::Impl::make_font_texture() {
   fonts.ClearTexData();
 }
 
-void PanelRenderer::Impl::make_vertex_array() {
-  gl.GenVertexArrays(1, &vertex_array);
-  gl.GenBuffers(1, &vertex_buffer);
-  gl.GenBuffers(1, &index_buffer);
-  gl.BindVertexArray(vertex_array);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
-  const auto attribute = [this](GLuint location, GLint size, GLenum type, GLboolean normalized,
-                                std::size_t offset) {
-    gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(location, size, type, normalized, sizeof(ImDrawVert),
-                           reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
-  attribute(1, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
-  attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
-}
-
 void PanelRenderer::Impl::set_state() {
   gl.Viewport(0, 0, width, height);
   gl.Disable(GL_DEPTH_TEST);
@@ -144,8 +127,8 @@ void PanelRenderer::Impl::set_state() {
   gl.UseProgram(program);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, font_texture);
-  gl.BindVertexArray(vertex_array);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
+  gl.BindVertexArray(vertices.array);
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices.vertices);
 }
 
 void PanelRenderer::Impl::draw(const ImDrawData& data) {

@@ -9,12 +9,12 @@ namespace contactscope::app {
 namespace {
 
 // Shortest of a few unrecorded runs: what the pipeline costs without being watched.
-double measure(const Scenario& scenario, int frame) {
+double measure(const Runner& runner, int frame) {
   constexpr int kRuns = 25;
   double best = std::numeric_limits<double>::max();
   for (int i = 0; i < kRuns; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    run_frame_unrecorded(scenario, frame);
+    runner.frame_unrecorded(frame);
     const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
     best = std::min(best, time.count());
   }
@@ -26,10 +26,11 @@ double measure(const Scenario& scenario, int frame) {
 Sequence run_sequence(const Scenario& scenario, bool timing, Ledger& ledger) {
   const Timed timed(ledger, "pipeline");
   Sequence sequence;
-  sequence.header = trace_header(scenario);
+  const Runner runner(scenario);
+  sequence.header = runner.header();
   for (int frame = 0; frame < scenario.frames; ++frame) {
-    sequence.frames.push_back(run_frame(scenario, frame));
-    if (timing) sequence.nanoseconds.push_back(measure(scenario, frame));
+    sequence.frames.push_back(runner.frame(frame));
+    if (timing) sequence.nanoseconds.push_back(measure(runner, frame));
   }
   return sequence;
 }

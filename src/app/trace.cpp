@@ -13,10 +13,11 @@ ExitCode trace(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("trace takes one scenario");
   const Scenario& scenario = scenarios.front();
-  std::cout << trace::to_json_line(trace_header(scenario)) << '\n';
+  const Runner runner(scenario);
+  std::cout << trace::to_json_line(runner.header()) << '\n';
   const FrameRange all{0, scenario.frames - 1, 1};
   for (const int frame : options.frames.value_or(all).select(scenario.frames)) {
-    std::cout << trace::to_json_line(run_frame(scenario, frame)) << '\n';
+    std::cout << trace::to_json_line(runner.frame(frame)) << '\n';
   }
   std::cout.flush();
   if (!std::cout) {

@@ -15,16 +15,14 @@ class Check : public testing::Test {
  protected:
   Check() { store(small_scenario()); }
 
-  void store(const std::string& scenario) {
-    write_text(folder_ / "scenarios/group/idea.toml", scenario);
-  }
+  void store(const std::string& scenario) { folder_.write("scenarios/group/idea.toml", scenario); }
   ProgramRun check(const std::string& arguments = "",
                    const std::string& environment = "CI=") const {
     return run("check --scenarios '" + (folder_ / "scenarios") + "' --snapshots '" +
                    (folder_ / "snapshots") + "' --out '" + (folder_ / "out") + "' " + arguments,
                environment);
   }
-  std::vector<std::string> stored() const { return files_below(folder_ / "snapshots"); }
+  std::set<std::string> stored() const { return files_below(folder_ / "snapshots"); }
 
   TemporaryFolder folder_;
 };
@@ -62,7 +60,7 @@ TEST_F(Check, MovedShapeFailsWithASentenceAndThreePictures) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("group/idea frame 0, slab-crate"));
   EXPECT_THAT(result.out, HasSubstr("separation"));
-  const std::vector<std::string> files = files_below(folder_ / "out");
+  const std::set<std::string> files = files_below(folder_ / "out");
   for (const char* kind : {"expected", "actual", "difference"}) {
     EXPECT_THAT(files,
                 testing::Contains("check/group/idea/frame_0000." + std::string(kind) + ".png"));
@@ -91,7 +89,7 @@ TEST_F(Check, MissingFileAndTornFileAreCaught) {
   std::filesystem::remove(folder_ / "snapshots/group/idea/frame_0001.png");
   EXPECT_EQ(check("", "CI=true").exit_code, 1);
   check();
-  write_text(folder_ / "snapshots/group/idea/frame_0001.png", "torn");
+  folder_.write("snapshots/group/idea/frame_0001.png", "torn");
   EXPECT_EQ(check("", "CI=true").exit_code, 1);
   check("--update");
   std::filesystem::remove(folder_ / "snapshots/group/idea/trace.jsonl");
@@ -105,7 +103,7 @@ TEST_F(Check, ChangedDigitInTheStoredTraceIsCaught) {
   const std::size_t at = text.find("\"separation\":-0.00");
   ASSERT_NE(at, std::string::npos) << text;
   text[at + 18] = '8';  // 5 mm become 8 mm
-  write_text(path, text);
+  folder_.write("snapshots/group/idea/trace.jsonl", text);
   const ProgramRun result = check("", "CI=true");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("separation"));

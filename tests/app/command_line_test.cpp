@@ -40,7 +40,7 @@ TEST(CommandLine, UsageErrorsNameTheRemedy) {
 
 TEST(CommandLine, BadScenarioIsTroubleWithFileLineAndColumn) {
   const TemporaryFolder folder;
-  write_text(folder / "bad.toml", "title = \"x\"\n[shapes.a]\ntype = \"bxo\"\n");
+  folder.write("bad.toml", "title = \"x\"\n[shapes.a]\ntype = \"bxo\"\n");
   const ProgramRun result = run("trace '" + (folder / "bad.toml") + "'");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, StartsWith((folder / "bad.toml") + ":3:8: "));
@@ -49,8 +49,8 @@ TEST(CommandLine, BadScenarioIsTroubleWithFileLineAndColumn) {
 
 TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
   const TemporaryFolder folder;
-  write_text(folder / "good.toml", small_scenario());
-  write_text(folder / "bad.toml", "title = 3\n");
+  folder.write("good.toml", small_scenario());
+  folder.write("bad.toml", "title = 3\n");
   const ProgramRun result = run("render '" + (folder / "good.toml") + "' '" +
                                 (folder / "bad.toml") + "' --out '" + (folder / "out") + "'");
   EXPECT_EQ(result.exit_code, 2);

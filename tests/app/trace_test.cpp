@@ -57,7 +57,7 @@ TEST(Trace, OpensNoOpenGlLibrary) {
 TEST(Trace, WorksWhereEveryRouteToOpenGlIsBroken) {
   const TemporaryFolder folder;
   for (const char* library : {"libEGL.so.1", "libOSMesa.so.8"}) {
-    write_text(folder / library, "no library\n");
+    folder.write(library, "no library\n");
   }
   const std::string broken = "LD_LIBRARY_PATH='" + folder.path().string() + "'";
   EXPECT_EQ(run("trace hull/face_contact", broken).exit_code, 0);

@@ -34,7 +34,8 @@ struct Prepared {
  private:
   static std::vector<trace::Frame> run_all(const Scenario& scenario) {
     std::vector<trace::Frame> frames;
-    for (int f = 0; f < scenario.frames; ++f) frames.push_back(run_frame(scenario, f));
+    const Runner runner(scenario);
+    for (int f = 0; f < scenario.frames; ++f) frames.push_back(runner.frame(f));
     return frames;
   }
   static draw::Staging staged(const trace::Header& header, const std::vector<trace::Frame>& frames,
@@ -53,9 +54,10 @@ std::size_t frame_of(const benchmark::State& state) {
 }
 
 void pipeline(benchmark::State& state) {
+  const Runner runner(prepared().scenario);
   int frame = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(run_frame(prepared().scenario, frame));
+    benchmark::DoNotOptimize(runner.frame(frame));
     frame = (frame + 1) % prepared().scenario.frames;
   }
 }

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "scenario/broken.h"
-#include "scenario/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace contactscope {
 namespace {

@@ -5,7 +5,7 @@
 #include "core/input_error.h"
 #include "reduce/reducer.h"
 #include "scenario/broken.h"
-#include "scenario/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace contactscope {
 namespace {

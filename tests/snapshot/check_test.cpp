@@ -9,7 +9,7 @@
 #include "image/png.h"
 #include "snapshot/dot_picture.h"
 #include "snapshot/sample_trace.h"
-#include "snapshot/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace contactscope::snapshot {
 namespace {

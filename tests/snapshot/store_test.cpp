@@ -6,7 +6,7 @@
 
 #include "core/input_error.h"
 #include "snapshot/sample_trace.h"
-#include "snapshot/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace contactscope::snapshot {
 namespace {

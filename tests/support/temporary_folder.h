@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace contactscope {
@@ -14,11 +15,20 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   /// Writes a file, with the folders that lead to it, and returns its path.
   std::string write(const std::string& name, const std::string& content) const;
+  /// Every file below, relative to the folder.
+  std::set<std::string> files() const;
 
  private:
   std::filesystem::path path_;
 };
+
+/// Every file below a folder, relative to it; none where there is no folder.
+std::set<std::string> files_below(const std::filesystem::path& folder);
+
+/// A whole file. Throws where it cannot be read.
+std::string read_text(const std::filesystem::path& path);
 
 }  // namespace contactscope
