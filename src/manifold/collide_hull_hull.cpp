@@ -76,20 +76,22 @@ template Manifold<double> collide_hull_hull(const Hull<double>&, const Pose<doub
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions<S>& options,
-                              const char* reducer_name, trace::Pair& record) {
+                              const char* reducer_name, const trace::Stages& stages,
+                              trace::Pair& record) {
   const HullPair<S> pair(a, b, relative_pose(pose_a, pose_b));
   const ToWorld<S> to_world(pose_a);
-  TraceRecorder<S> recorder(to_world, reducer_name, record);
+  TraceRecorder<S> recorder(to_world, reducer_name, stages, record);
   return collide(pair, to_world, options, recorder);
 }
 
 template Manifold<float> collide_hull_hull(const Hull<float>&, const Pose<float>&,
                                            const Hull<float>&, const Pose<float>&,
-                                           const CollideOptions<float>&, const char*, trace::Pair&);
+                                           const CollideOptions<float>&, const char*,
+                                           const trace::Stages&, trace::Pair&);
 template Manifold<double> collide_hull_hull(const Hull<double>&, const Pose<double>&,
                                             const Hull<double>&, const Pose<double>&,
                                             const CollideOptions<double>&, const char*,
-                                            trace::Pair&);
+                                            const trace::Stages&, trace::Pair&);
 
 #endif
 

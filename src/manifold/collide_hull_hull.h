@@ -28,9 +28,11 @@ Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hul
 /// The same, bit for bit, and writes what each stage decided into `record`: state, separation, sat,
 /// clip, reduction, manifolds, kind. The names `record.a` and `record.b` are set by the caller and
 /// are copied where a stage names a shape; `reducer_name` is what the reduction stage is called.
+/// Of the optional stages those in `stages` are written.
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions<S>& options,
-                              const char* reducer_name, trace::Pair& record);
+                              const char* reducer_name, const trace::Stages& stages,
+                              trace::Pair& record);
 
 }  // namespace contactscope

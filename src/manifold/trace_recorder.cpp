@@ -50,8 +50,8 @@ trace::Reduction measured(const std::string& method, std::vector<trace::Point> p
 
 template <class S>
 TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name,
-                                trace::Pair& pair)
-    : to_world_(to_world), reducer_name_(reducer_name), pair_(pair) {
+                                const trace::Stages& stages, trace::Pair& pair)
+    : to_world_(to_world), reducer_name_(reducer_name), stages_(stages), pair_(pair) {
   pair_.kind = "hull-hull";
   pair_.manifolds.clear();
   pair_.sat.reset();
@@ -81,6 +81,7 @@ template <class S>
 void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
                             Preference preference) {
   axis_separation_ = axes.separation(axes.chosen);
+  if (!stages_.sat) return;
   trace::Sat& sat = pair_.sat.emplace();
   sat.chosen = to_string(axes.chosen);
   sat.preference = to_string(preference);
@@ -109,6 +110,7 @@ template <class S>
 void TraceRecorder<S>::clip_begins(const HullPair<S>& pair, Owner reference, int reference_face,
                                    int incident_face, const ClipPolygon<S>& reference_polygon,
                                    const ClipPolygon<S>& incident_polygon) {
+  if (!stages_.clip) return;
   const bool on_a = reference == Owner::A;
   const PlacedHull<S>& hull = on_a ? pair.a : pair.b;
   const PlacedHull<S>& other_hull = on_a ? pair.b : pair.a;
@@ -121,13 +123,14 @@ void TraceRecorder<S>::clip_begins(const HullPair<S>& pair, Owner reference, int
 
 template <class S>
 void TraceRecorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
+  if (!stages_.clip) return;
   const Plane<double> plane = to_world_.plane(side).template cast<double>();
   pair_.clip->steps.push_back({plane.normal, plane.offset, polygon(left)});
 }
 
 template <class S>
 void TraceRecorder<S>::dropped(const Vec3<S>& position, const char* reason) {
-  pair_.clip->dropped.push_back({point(position), reason});
+  if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
 }
 
 template <class S>
@@ -137,12 +140,13 @@ void TraceRecorder<S>::clip_abandoned() {
 
 template <class S>
 void TraceRecorder<S>::contact_axis(AxisKind kind) {
-  pair_.sat->chosen = to_string(kind);
+  if (stages_.sat) pair_.sat->chosen = to_string(kind);
 }
 
 template <class S>
 void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                                  int max_points, const KeptIndices& kept) {
+  if (!stages_.reduction) return;
   pair_.reduction = measured(reducer_name_, trace_points(points), {kept.begin(), kept.end()},
                              normal.template cast<double>(), max_points);
 }

@@ -14,7 +14,8 @@ class TraceRecorder {
   static constexpr bool kRecords = true;
 
   /// `pair` must outlive this; its names of the shapes are set already. Stages are emptied.
-  TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name, trace::Pair& pair);
+  TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name, const trace::Stages& stages,
+                trace::Pair& pair);
 
   void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
   void clip_begins(const HullPair<S>& pair, Owner reference, int reference_face, int incident_face,
@@ -39,6 +40,7 @@ class TraceRecorder {
 
   ToWorld<S> to_world_;
   const char* reducer_name_;
+  trace::Stages stages_;
   trace::Pair& pair_;
   double axis_separation_ = 0;
 };

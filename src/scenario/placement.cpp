@@ -102,6 +102,10 @@ Vec3d read_position(const Value& value) {
 }
 
 Quatd read_rotation(const Value& value) {
+  if (value.is_array())
+    value.fail(
+        "'rotation' is a bare list, and engines differ in the order of a quaternion; write "
+        "{ quat_wxyz = [w, x, y, z] } or { quat_xyzw = [x, y, z, w] }");
   const Table table =
       value.table({"axis", "degrees", "radians", "quat_wxyz", "quat_xyzw", "matrix"});
   const bool about_axis = table.find("axis") || table.find("degrees") || table.find("radians");

@@ -59,7 +59,8 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
 
 }  // namespace
 
-Runner::Runner(const Scenario& scenario) : scenario_(&scenario) {
+Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
+    : scenario_(&scenario), stages_(stages) {
   if (scenario.scalar == Scalar::Double)
     hulls_ = rounded_hulls<double>(scenario);
   else
@@ -103,7 +104,7 @@ trace::Frame Runner::run(const std::vector<Hull<S>>& hulls, int frame, bool reco
     record.label = pair.label;
     if (recorded)
       collide_hull_hull(hulls[a], poses[a], hulls[b], poses[b], options,
-                        pair.pipeline.reducer.c_str(), record);
+                        pair.pipeline.reducer.c_str(), stages_, record);
     else
       keep_manifold(collide_hull_hull(hulls[a], poses[a], hulls[b], poses[b], options), record);
     result.pairs.push_back(std::move(record));

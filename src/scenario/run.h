@@ -13,8 +13,9 @@ namespace contactscope {
 /// frames. Frames are independent of each other, and may run on several threads at once.
 class Runner {
  public:
-  explicit Runner(const Scenario& scenario);
-  explicit Runner(Scenario&&) = delete;
+  /// `stages`: the optional stages that recorded frames hold.
+  explicit Runner(const Scenario& scenario, const trace::Stages& stages = {});
+  explicit Runner(Scenario&&, const trace::Stages& stages = {}) = delete;
 
   /// The trace's first line: shapes and settings. Vertices are those that the pipeline sees,
   /// rounded to its scalar. A reducer or scalar of a pair is not among the settings: stages name
@@ -36,6 +37,7 @@ class Runner {
   trace::Frame run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const;
 
   const Scenario* scenario_;
+  trace::Stages stages_;
   std::variant<std::vector<Hull<float>>, std::vector<Hull<double>>> hulls_;  // one a shape
 };
 

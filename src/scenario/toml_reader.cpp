@@ -280,6 +280,8 @@ toml::table parse_document(const std::string& text, const std::string& file) {
     std::string message = "this is no TOML: " + std::string(error.description());
     if (message.find("redefine") != std::string::npos)
       message += "; a key or table may be given only once";
+    else
+      message += "; look for a quote, bracket or comma that is missing here or before";
     fail_at(file, error.source().begin, message);
   }
 }

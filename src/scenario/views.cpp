@@ -60,6 +60,7 @@ View read_view(const Value& value) {
   const Table table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
                                    "focus", "story", "layers", "panels"});
   View view = default_view();
+  view.focus = Focus::Contact;  // who asks for a view wants to see the contact
   if (const auto name = table.find("name")) view.name = read_view_name(*name);
   const auto eye = table.find("eye");
   if (eye) view.eye = read_position(*eye);
@@ -95,6 +96,7 @@ View read_view(const Value& value) {
 
 View default_view() {
   View view;
+  view.focus = Focus::Shapes;  // FORMATS.md: "one view that fits all shapes"
   view.layers = {"shapes",   "reference_face", "incident_face", "clip_polygons",
                  "contacts", "reduced",        "normals"};
   return view;

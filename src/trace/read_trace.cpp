@@ -277,10 +277,10 @@ Trace read_trace(std::istream& in, const std::string& name) {
       }
     } catch (const nlohmann::json::parse_error& error) {
       throw InputError(name, number, static_cast<int>(error.byte),
-                       "this line is no JSON; a trace has one object on each line (" +
-                           std::string(error.what()) + ")");
+                       "this line is no JSON from here on; a trace has one whole object on each "
+                       "line, so it may be torn: make it again");
     } catch (const nlohmann::json::exception& error) {
-      throw InputError(name, number, 1, error.what());
+      throw InputError(name, number, 1, std::string("not read: ") + error.what());
     } catch (const Complaint& complaint) {
       throw InputError(name, number, 1, complaint.message);
     }

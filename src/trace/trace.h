@@ -101,6 +101,13 @@ struct Reduction {
   double best_area = 0;       // largest that as many points can span
 };
 
+/// Which optional stages to record: what no picture shows need not be written down.
+struct Stages {
+  bool sat = true;
+  bool clip = true;
+  bool reduction = true;
+};
+
 struct Pair {
   std::string a;
   std::string b;

@@ -48,7 +48,7 @@ double pass_recorded(int workload) {
   record.b = std::string("second");
   for (const WorkloadPair& pair : pairs_of(workload)) {
     sum += digest(
-        collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, settings, "area", record));
+        collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, settings, "area", {}, record));
   }
   return sum;
 }

@@ -35,7 +35,7 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   made.axes.status = SatStatus::Touching;
   made.axes.chosen = chosen;
   made.axes.deepest = deepest;
-  TraceRecorder<double> recorder(ToWorld<double>(pair.pose_a), "none", made.record);
+  TraceRecorder<double> recorder(ToWorld<double>(pair.pose_a), "none", {}, made.record);
   recorder.axes(placed, made.axes, Preference::None);
   create_contact(placed, made.axes, 0.0, Preference::None, made.contact, recorder);
   return made;

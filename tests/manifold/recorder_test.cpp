@@ -15,7 +15,7 @@ Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions<S>& options,
                      trace::Pair& record) {
   record.a = "crate";
   record.b = "floor";
-  return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, "area", record);
+  return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, "area", {}, record);
 }
 
 /// By bits, so that a zero and a negative zero differ.

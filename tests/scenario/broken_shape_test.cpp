@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"QuatBesidePosition", two_boxes("quat = [1, 0, 0, 0]"), "8:1",
                "write rotation = { quat_wxyz = [w, x, y, z] }"},
         Broken{"RotationIsAnArray", rotated("[1, 0, 0, 0]"), "8:12",
-               "'rotation' is an array of 4 values; a table with the keys 'axis', 'degrees'"},
+               "write { quat_wxyz = [w, x, y, z] } or { quat_xyzw = [x, y, z, w] }"},
         Broken{"EmptyRotation", rotated("{}"), "8:12", "the rotation is empty; give one of"},
         Broken{"TwoRotations", rotated("{ quat_wxyz = [1,0,0,0], axis = [0,1,0] }"), "8:12",
                "the rotation is given twice; give one of"},

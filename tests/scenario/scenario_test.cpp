@@ -52,7 +52,7 @@ TEST(Scenario, TheSmallestFileGetsTheDefaults) {
   const View& view = scenario.views[0];
   EXPECT_EQ(view.name, "main");
   EXPECT_FALSE(view.eye || view.target || view.fov_degrees || view.orthographic_height);
-  EXPECT_EQ(view.focus, Focus::Contact);
+  EXPECT_EQ(view.focus, Focus::Shapes);
   EXPECT_EQ(view.story, Story::None);
   EXPECT_THAT(view.layers, ElementsAre("shapes", "reference_face", "incident_face", "clip_polygons",
                                        "contacts", "reduced", "normals"));

@@ -1,0 +1,33 @@
+#include "draw/stages_shown.h"
+
+#include <algorithm>
+#include <string>
+
+namespace contactscope::draw {
+namespace {
+
+bool names_any(const std::vector<std::string>& names, std::initializer_list<const char*> wanted) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
+}
+
+}  // namespace
+
+trace::Stages stages_shown(const std::vector<View>& views) {
+  trace::Stages stages{false, false, false};
+  for (const View& view : views) {
+    stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis"}) ||
+                 names_any(view.panels, {"summary", "axis_history"});
+    stages.clip = stages.clip || view.story == Story::ClipSteps ||
+                  names_any(view.layers, {"reference_face", "incident_face", "side_planes",
+                                          "clip_polygons", "dropped", "coherent"}) ||
+                  names_any(view.panels, {"contact_plane"});
+    stages.reduction = stages.reduction ||
+                       names_any(view.layers, {"contacts", "reduced", "ids", "coherent"}) ||
+                       names_any(view.panels, {"summary", "contact_plane"});
+  }
+  return stages;
+}
+
+}  // namespace contactscope::draw
