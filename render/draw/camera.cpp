@@ -45,7 +45,12 @@ Camera::Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rec
     : eye_(eye), viewport_(viewport) {
   const Vec3d forward = (target - eye).normalized();
   Vec3d right = forward.cross(up);
-  right = right.norm() > 1e-6 * up.norm() ? Vec3d(right.normalized()) : any_perpendicular(forward);
+  if (right.norm() <= 1e-6 * up.norm()) {
+    // Straight down or up: x stays to the right, as on a map.
+    const bool z_up = std::abs(up.z()) > std::abs(up.y());
+    right = forward.cross(z_up ? Vec3d::UnitY() : Vec3d(-Vec3d::UnitZ()));
+  }
+  right.normalize();
   axes_.col(0) = right;
   axes_.col(1) = right.cross(forward);
   axes_.col(2) = forward;

@@ -148,10 +148,13 @@ class Composer {
         disc(kRingInner, kRingOuter, mark.color);
         placer_.block(*at, px(kRingOuter));
         break;
-      case MarkKind::Cross: {
-        const float r = px(kCrossReach);
-        for (const float width : {5.0f, 2.2f}) {
-          const Color color = width > 3 ? with_alpha(kWhite, 0.9f) : mark.color;
+      case MarkKind::Cross:
+      case MarkKind::SmallCross: {
+        const bool small = mark.kind == MarkKind::SmallCross;
+        const float r = px(small ? 0.5 * kCrossReach : kCrossReach);
+        for (const bool halo : {true, false}) {
+          const float width = (small ? 0.6f : 1.0f) * (halo ? 5.0f : 2.2f);
+          const Color color = halo ? with_alpha(kWhite, 0.9f) : mark.color;
           out_.primitives.push_back(
               Stroke{{at->x - r, at->y - r}, {at->x + r, at->y + r}, px(width), color, Cap::Round});
           out_.primitives.push_back(

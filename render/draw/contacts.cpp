@@ -7,6 +7,9 @@
 namespace contactscope::draw {
 namespace {
 
+// More crosses than this would hide the polygon on which they stand.
+constexpr std::size_t kCrowd = 24;
+
 Vec3d middle_of(const std::vector<trace::Point>& points) {
   Vec3d sum = Vec3d::Zero();
   for (const trace::Point& point : points) sum += point.position;
@@ -66,7 +69,9 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       choice = static_cast<std::size_t>(found - chosen.begin());
     }
     if (reduced && !kept) {
-      sketch.marks.push_back({MarkKind::Cross, all[i].position, kDropped});
+      const bool crowded = all.size() - pair.reduction->kept.size() > kCrowd;
+      sketch.marks.push_back(
+          {crowded ? MarkKind::SmallCross : MarkKind::Cross, all[i].position, kDropped});
       sketch.explain(LegendKind::Reduced, "reduced away");
       continue;
     }

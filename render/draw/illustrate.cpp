@@ -45,8 +45,9 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
   sketch.center = center_of_contact(frame, scene.shapes);
   if (scene.shows("shapes")) draw_shapes(scene, sketch);
   for (const trace::Pair& pair : frame.pairs) {
-    draw_reference_and_incident_face(scene, pair, sketch);
+    draw_reference_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
+    draw_incident_face(scene, pair, sketch);  // its dashes leave an equal clip polygon visible
     if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
     if (scene.shows("contact_axis")) draw_sat_axes(scene, pair, false, sketch);
     if (!pair.label.empty()) draw_pair_label(scene, pair, sketch);

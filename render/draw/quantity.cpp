@@ -47,4 +47,23 @@ std::string spell_length(double metres) {
   return "0 m";
 }
 
+std::string spell_area(double square_metres) {
+  struct Unit {
+    double size;
+    double least;  // areas from here on are spelled in it
+    const char* name;
+  };
+  constexpr std::array<Unit, 4> kUnits{
+      {{1e6, 1e5, "km²"}, {1.0, 0.01, "m²"}, {1e-6, 1e-8, "mm²"}, {1e-12, 0, "µm²"}}};
+  if (!(square_metres > 0)) return "0 m²";
+  const double rounded = std::strtod(printed("%.*e", 3, square_metres).c_str(), nullptr);
+  for (const Unit& unit : kUnits) {
+    if (rounded < unit.least) continue;
+    const double value = rounded / unit.size;
+    const int whole = static_cast<int>(std::floor(std::log10(value) + 1e-9)) + 1;
+    return printed("%.*f", std::clamp(4 - whole, 0, 4), value) + " " + unit.name;
+  }
+  return "0 m²";
+}
+
 }  // namespace contactscope::draw

@@ -10,4 +10,7 @@ std::string spell_number(double value);
 /// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
 std::string spell_length(double metres);
 
+/// An area in the unit that fits (km², m², mm², µm²), four significant digits: "0.5858 m²".
+std::string spell_area(double square_metres);
+
 }  // namespace contactscope::draw

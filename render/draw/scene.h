@@ -57,7 +57,8 @@ std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
 
 // The layers, one file each, named after what they show.
 void draw_shapes(const Scene& scene, Sketch& sketch);
-void draw_reference_and_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// The best axis of every query, or only the one that was chosen.

@@ -40,7 +40,7 @@ struct Arrow {
   bool halo = true;
 };
 
-enum class MarkKind { Dot, Hollow, Ring, Cross };
+enum class MarkKind { Dot, Hollow, Ring, Cross, SmallCross };
 
 /// Something of a fixed size on the screen.
 struct Mark {

@@ -17,7 +17,7 @@ constexpr double kPatchShare = 0.46;      // of the view's smaller side
 constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
 constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
-constexpr double kLegibleDepth = 6;       // pixels; PICTURES.md, "Composition"
+constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
 
 double radians(double degrees) {

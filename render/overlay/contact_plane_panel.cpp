@@ -166,19 +166,6 @@ class PlanePainter {
   ImDrawList* list_;
 };
 
-std::string spell_area(double square_metres) {
-  std::array<char, 64> text{};
-  if (square_metres == 0) return "0 m²";
-  if (square_metres >= 0.01) {
-    std::snprintf(text.data(), text.size(), "%#.4g m²", square_metres);
-  } else if (square_metres >= 1e-8) {
-    std::snprintf(text.data(), text.size(), "%#.4g mm²", square_metres * 1e6);
-  } else {
-    std::snprintf(text.data(), text.size(), "%#.4g µm²", square_metres * 1e12);
-  }
-  return text.data();
-}
-
 // A length that fits the map, 1, 2 or 5 times a power of ten.
 void scale_bar(const Map& map, ImVec2 corner, float width, float scale) {
   const double wanted = 0.3 * width / map.pixels_per_metre();
@@ -212,7 +199,8 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
   const float width = ImGui::GetContentRegionAvail().x;
   const float map_height = height - (ImGui::GetCursorPosY() - top) - 2.4f * line;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (pair == nullptr || map_height < 20) {
+  if (pair != nullptr && map_height < 3 * line) return;  // no room for a map
+  if (pair == nullptr) {
     ImGui::TextColored(ImColor(packed(draw::kQuietText)), "no contact in this frame");
     return;
   }
@@ -253,8 +241,8 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
         paint.choice(at, static_cast<int>(found - reduction.kept.begin()) + 1, map.at(middle));
       }
     }
-    caption = "area of the kept points " + spell_area(reduction.area);
-    if (reduction.best_area > 0) {
+    caption = "area of the kept points " + draw::spell_area(reduction.area);
+    if (fewer && reduction.best_area > 0) {
       std::array<char, 64> percent{};
       std::snprintf(percent.data(), percent.size(), "\n%.1f %% of the best %zu of %zu points",
                     100 * reduction.area / reduction.best_area, reduction.kept.size(),

@@ -45,9 +45,12 @@ void draw_panels(const PanelFacts& facts) {
 
   float y = static_cast<float>(layout.panels.y);
   for (const std::string& name : names) {
-    const float height = name == "summary"
+    const float bottom = static_cast<float>(layout.panels.y + layout.panels.height);
+    const float wanted = name == "summary"
                              ? summary_height(facts)
                              : std::max(layout.px(60), free_height * share(name) / shares);
+    const float height = std::min(wanted, bottom - y);
+    if (height < layout.px(40)) return;  // a small picture has no room for more
     ImGui::SetNextWindowPos({static_cast<float>(layout.panels.x), y});
     ImGui::SetNextWindowSize({static_cast<float>(layout.panels.width), height});
     ImGui::Begin(name.c_str(), nullptr,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "core/input_error.h"
 #include "reduce/reducer.h"
@@ -53,7 +54,10 @@ void require_view(const Scenario& scenario, const std::string& name) {
 
 std::vector<std::string> scenario_files(const std::string& root) {
   std::vector<std::string> files;
-  if (!fs::is_directory(root)) return files;
+  if (!fs::is_directory(root)) {
+    throw InputError(root, 0, 0,
+                     "no such folder; run where scenarios/ is, or name --scenarios DIR");
+  }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
     if (entry.is_regular_file() && entry.path().extension() == ".toml") {
       files.push_back(entry.path().string());
@@ -90,8 +94,17 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     files.insert(files.end(), named.begin(), named.end());
   }
   std::vector<Scenario> scenarios;
+  std::map<std::string, std::string> paths;  // by the scenario's name
   for (const std::string& file : files) {
     Scenario scenario = load_scenario(file);
+    const auto [known, is_new] = paths.emplace(scenario.name, file);
+    if (!is_new && fs::equivalent(known->second, file)) continue;  // named twice
+    if (!is_new) {
+      throw InputError(file, 0, 0,
+                       "its name " + scenario.name + " is also that of " + known->second +
+                           ", and their pictures would overwrite each other; move one to another "
+                           "folder, which is the first part of the name");
+    }
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
     if (!options.view.empty()) require_view(scenario, options.view);
     if (options.frames && options.frames->select(scenario.frames).empty()) {

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
+#include "app/interrupt.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/sequence.h"
@@ -36,7 +39,7 @@ class Checker {
 
   Outcome check(const Scenario& scenario) {
     Outcome outcome{scenario.name, false, {}, 0, 0};
-    const Sequence sequence = run_sequence(scenario, false, ledger_);
+    const Sequence sequence = run_sequence(scenario, {}, false, ledger_);
     check_expectations(scenario, sequence, outcome);
     check_trace(scenario, sequence, outcome);
     for (const View& view : selected_views(scenario, options_)) {
@@ -76,12 +79,20 @@ class Checker {
   }
 
   void check_expectations(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
+    // One sentence for each expectation, with its first frame; the others would only repeat it.
     std::vector<std::string> unmet;
+    std::map<std::string, int> repeated;  // by what stands before the frame
     for (const trace::Frame& frame : sequence.frames) {
-      const std::vector<std::string> more = unmet_expectations(scenario, frame);
-      unmet.insert(unmet.end(), more.begin(), more.end());
+      for (const std::string& sentence : unmet_expectations(scenario, frame)) {
+        if (repeated[sentence.substr(0, sentence.find(": frame "))]++ == 0)
+          unmet.push_back(sentence);
+      }
     }
     if (unmet.empty()) return;
+    for (std::string& sentence : unmet) {
+      const int more = repeated[sentence.substr(0, sentence.find(": frame "))] - 1;
+      if (more > 0) sentence += " (and " + std::to_string(more) + " more such sentences)";
+    }
     outcome.fails = true;
     outcome.sentences.insert(outcome.sentences.end(), unmet.begin(), unmet.end());
     report_.add(scenario.name, unmet);
@@ -108,11 +119,24 @@ class Checker {
       const Timed timed(ledger_, "compare");
       const snapshot::PictureKey key{scenario.name, view_folder(scenario, view),
                                      static_cast<int>(frame)};
-      const snapshot::CheckedPicture checked =
+      snapshot::CheckedPicture checked =
           snapshot::check_picture(options_.snapshot_root, key, image, policy_);
+      if (checked.expected && !speaks_of(outcome.sentences, key.frame)) {
+        checked.sentences.push_back(
+            snapshot::to_string(key) +
+            ": its trace is the same; the camera, fitted to the whole sequence, or the drawing "
+            "changed");
+      }
       ++outcome.pictures;
       take(checked, outcome);
       if (checked.fails) report_.add(checked, image);
+    });
+  }
+
+  static bool speaks_of(const std::vector<std::string>& sentences, int frame) {
+    const std::string pairs = " frame " + std::to_string(frame) + ", ";
+    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
+      return sentence.find(pairs) != std::string::npos;
     });
   }
 
@@ -149,7 +173,12 @@ void print(const Outcome& outcome, const Options& options) {
     std::cout << (outcome.fails         ? "FAILED  "
                   : outcome.changed > 0 ? "updated "
                                         : "same    ")
-              << outcome.scenario << '\n';
+              << outcome.scenario;
+    if (outcome.changed > 0) {
+      std::cout << ", " << outcome.changed << (outcome.changed == 1 ? " file" : " files")
+                << " written or removed";
+    }
+    std::cout << '\n';
   }
   for (const std::string& sentence : outcome.sentences) {
     if (outcome.fails || options.verbose) std::cout << "        " << sentence << '\n';
@@ -159,6 +188,7 @@ void print(const Outcome& outcome, const Options& options) {
 }  // namespace
 
 ExitCode check(const Options& options) {
+  note_interrupts();
   const std::vector<Scenario> scenarios = load_scenarios(options);
   Checker checker(options);
   int failed = 0;

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 
 #include "app/options.h"
@@ -11,7 +12,7 @@ namespace {
 
 struct Command {
   Options options;
-  std::string size, frames, update = "never", backend = "auto";
+  std::string size, frames, update = "never", backend;
 };
 
 void add_common(CLI::App& verb, Command& command) {
@@ -30,9 +31,8 @@ void add_selection(CLI::App& verb, Command& command) {
 
 void add_rendering(CLI::App& verb, Command& command) {
   verb.add_option("--out", command.options.out, "Folder to write to")->capture_default_str();
-  verb.add_option("--backend", command.backend, "auto, egl or osmesa")
-      ->envname("CONTACTSCOPE_BACKEND")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}));
+  verb.add_option("--backend", command.backend,
+                  "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
   verb.add_option("--view", command.options.view, "Only this view");
   verb.add_option("--jobs", command.options.jobs, "Encoder threads; 0: one a processor")
       ->check(CLI::Range(0, 256));
@@ -42,10 +42,18 @@ void finish(Command& command) {
   Options& options = command.options;
   if (!command.size.empty()) options.size = parse_size(command.size);
   if (!command.frames.empty()) options.frames = parse_frame_range(command.frames);
-  if (command.backend == "egl") options.backend = gl::Backend::Egl;
-  if (command.backend == "osmesa") options.backend = gl::Backend::Osmesa;
-  if (command.update == "failed") options.update = Update::Failed;
-  if (command.update == "all") options.update = Update::All;
+  if (options.out.empty()) throw UsageError("--out is empty; name a folder");
+  options.update = parse_update(command.update);
+}
+
+// Only for verbs that draw: a bad variable must not stop the others.
+void choose_backend(Command& command) {
+  const char* variable = std::getenv("CONTACTSCOPE_BACKEND");
+  if (!command.backend.empty()) {
+    command.options.backend = parse_backend("--backend", command.backend);
+  } else if (variable != nullptr && *variable != '\0') {
+    command.options.backend = parse_backend("$CONTACTSCOPE_BACKEND", variable);
+  }
 }
 
 int run(int argc, char** argv) {
@@ -80,11 +88,9 @@ int run(int argc, char** argv) {
   check_verb->add_option("SCENARIO", options.scenarios, "Default: all scenarios");
   check_verb->add_option("--snapshots", options.snapshot_root, "Folder of the stored snapshots")
       ->capture_default_str();
-  check_verb
-      ->add_option("--update", command.update, "Rewrite what failed, or --update=all everything")
-      ->expected(0, 1)
-      ->default_str("failed")
-      ->check(CLI::IsMember({"never", "failed", "all"}));
+  // A flag that may carry a value: a scenario that follows a bare --update is not taken for it.
+  check_verb->add_flag("--update{failed}", command.update,
+                       "Rewrite what failed, or with --update=all everything");
   check_verb->add_flag("--json", options.json, "Print the verdicts as JSON");
   add_rendering(*check_verb, command);
   add_common(*check_verb, command);
@@ -105,11 +111,16 @@ int run(int argc, char** argv) {
     return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Trouble);
   }
   finish(command);
-  if (*render_verb) return static_cast<int>(render(options));
-  if (*trace_verb) return static_cast<int>(trace(options));
-  if (*check_verb) return static_cast<int>(check(options));
-  if (*doctor_verb) return static_cast<int>(doctor(options));
-  return static_cast<int>(list(options));
+  if (*render_verb || *check_verb) choose_backend(command);
+  ExitCode code = ExitCode::Same;
+  if (*render_verb) code = render(options);
+  if (*trace_verb) code = trace(options);
+  if (*check_verb) code = check(options);
+  if (*doctor_verb) code = doctor(options);
+  if (*list_verb) code = list(options);
+  std::cout.flush();
+  if (!std::cout) throw UsageError("standard output could not be written; is the disk full?");
+  return static_cast<int>(code);
 }
 
 }  // namespace
@@ -121,6 +132,9 @@ int main(int argc, char** argv) {
     return contactscope::app::run(argc, argv);
   } catch (const InputError& error) {
     std::cerr << error.what() << '\n';  // begins with the file, so that editors can jump to it
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "contactscope: " << error.path1().string() << ": " << error.code().message()
+              << "; nothing torn is left, name a folder that can be written\n";
   } catch (const std::exception& error) {
     std::cerr << "contactscope: " << error.what() << '\n';
   }

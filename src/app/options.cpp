@@ -68,4 +68,18 @@ Size parse_size(const std::string& text) {
                    "' is no size; write WxH with both between 64 and 8192, as 1280x720");
 }
 
+Update parse_update(const std::string& text) {
+  if (text == "never") return Update::Never;
+  if (text == "failed") return Update::Failed;
+  if (text == "all") return Update::All;
+  throw UsageError("--update=" + text + " is not known; write --update, --update=all or nothing");
+}
+
+gl::Backend parse_backend(const std::string& where, const std::string& text) {
+  if (text == "auto") return gl::Backend::Auto;
+  if (text == "egl") return gl::Backend::Egl;
+  if (text == "osmesa") return gl::Backend::Osmesa;
+  throw UsageError(where + " '" + text + "' is no route to OpenGL; it is auto, egl or osmesa");
+}
+
 }  // namespace contactscope::app

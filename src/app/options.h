@@ -32,6 +32,13 @@ Size parse_size(const std::string& text);
 
 enum class Update { Never, Failed, All };
 
+/// Parses an --update argument. Throws UsageError.
+Update parse_update(const std::string& text);
+
+/// Parses the name of a route to OpenGL; `where` is the option or variable that gave it. Throws
+/// UsageError.
+gl::Backend parse_backend(const std::string& where, const std::string& text);
+
 /// The command line, parsed.
 struct Options {
   std::vector<std::string> scenarios;

@@ -3,11 +3,13 @@
 
 #include "app/catalogue.h"
 #include "app/encoder_pool.h"
+#include "app/interrupt.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/sequence.h"
 #include "app/studio.h"
 #include "app/verbs.h"
+#include "draw/stages_shown.h"
 #include "draw/staging.h"
 #include "snapshot/store.h"
 
@@ -24,7 +26,8 @@ std::vector<std::size_t> selected_frames(const Options& options, const Scenario&
 }
 
 // Which stages left facts, which panels were drawn, and what this scene did without, for --verbose.
-void account(const Scenario& scenario, const Sequence& sequence, Ledger& ledger) {
+void account(const Scenario& scenario, const std::vector<View>& views, const trace::Stages& stages,
+             const Sequence& sequence, Ledger& ledger) {
   int sat = 0, clip = 0, reduction = 0;
   for (const trace::Frame& frame : sequence.frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -35,7 +38,7 @@ void account(const Scenario& scenario, const Sequence& sequence, Ledger& ledger)
   }
   ledger.note(scenario.name + ": recorded sat " + std::to_string(sat) + ", clip " +
               std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
-  for (const View& view : scenario.views) {
+  for (const View& view : views) {
     std::string what = scenario.name + ": view " + view.name + " paints";
     for (const std::string& layer : view.layers) what += " " + layer;
     what += view.panels.empty() ? "; no panels" : "; panels";
@@ -45,7 +48,11 @@ void account(const Scenario& scenario, const Sequence& sequence, Ledger& ledger)
       ledger.left_out(scenario.name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
-  if (clip == 0) ledger.left_out(scenario.name + ": clipping, for there is no face contact");
+  for (const auto& [recorded, stage] :
+       {std::pair{stages.sat, "sat"}, {stages.clip, "clip"}, {stages.reduction, "reduction"}}) {
+    if (recorded) continue;
+    ledger.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
+  }
   ledger.left_out("bounding volume tree, for all shapes are convex");
   ledger.left_out("solver, for no shape is dynamic");
 }
@@ -53,6 +60,7 @@ void account(const Scenario& scenario, const Sequence& sequence, Ledger& ledger)
 }  // namespace
 
 ExitCode render(const Options& options) {
+  note_interrupts();
   Ledger total;
   std::vector<Scenario> scenarios;
   {
@@ -71,8 +79,9 @@ ExitCode render(const Options& options) {
   {
     Progress progress(pictures, options.quiet);
     for (const Scenario& scenario : scenarios) {
-      const Sequence sequence = run_sequence(scenario, options.timing, total);
-      account(scenario, sequence, total);
+      const trace::Stages stages = draw::stages_shown(selected_views(scenario, options));
+      const Sequence sequence = run_sequence(scenario, stages, options.timing, total);
+      account(scenario, selected_views(scenario, options), stages, sequence, total);
       for (const View& view : selected_views(scenario, options)) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
@@ -99,7 +108,9 @@ ExitCode render(const Options& options) {
     total.print(std::cerr, "render");
   }
   if (!options.quiet) {
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << options.out
+    std::filesystem::path where = options.out;
+    if (scenarios.size() == 1) where /= scenarios.front().name;
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << where.string()
               << '\n';
   }
   return ExitCode::Same;

@@ -23,10 +23,11 @@ double measure(const Runner& runner, int frame) {
 
 }  // namespace
 
-Sequence run_sequence(const Scenario& scenario, bool timing, Ledger& ledger) {
+Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
+                      Ledger& ledger) {
   const Timed timed(ledger, "pipeline");
   Sequence sequence;
-  const Runner runner(scenario);
+  const Runner runner(scenario, stages);
   sequence.header = runner.header();
   for (int frame = 0; frame < scenario.frames; ++frame) {
     sequence.frames.push_back(runner.frame(frame));

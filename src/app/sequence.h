@@ -17,7 +17,8 @@ struct Sequence {
   std::vector<double> nanoseconds;  // measured pipeline time of each frame; empty unless asked for
 };
 
-/// Runs the pipeline over all frames.
-Sequence run_sequence(const Scenario& scenario, bool timing, Ledger& ledger);
+/// Runs the pipeline over all frames and records `stages`.
+Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
+                      Ledger& ledger);
 
 }  // namespace contactscope::app

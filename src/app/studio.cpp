@@ -1,5 +1,6 @@
 #include "app/studio.h"
 
+#include "app/interrupt.h"
 #include "draw/illustrate.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"
@@ -51,6 +52,7 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
                                                       staging.layout.scale);
   }
   for (const std::size_t index : which) {
+    stop_if_interrupted();
     draw::Drawing drawing;
     {
       const Timed timed(ledger, "illustrate");

@@ -75,6 +75,14 @@ TEST_F(Check, UpdateRewritesWhatFailedAndThenAllIsTheSame) {
   EXPECT_EQ(check().exit_code, 0);
 }
 
+TEST_F(Check, ScenarioAfterABareUpdateIsAScenario) {
+  check();
+  store(changed("0.495", "0.480"));
+  EXPECT_EQ(check("--update group/idea").exit_code, 0);
+  EXPECT_EQ(check("--update=all group/idea").exit_code, 0);
+  EXPECT_EQ(check("--update=some group/idea").exit_code, 2);
+}
+
 TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   store(small_scenario() +
         "[[expect]]\na = \"slab\"\nb = \"crate\"\nstate = \"touching\"\npoints = 3\n");
@@ -82,6 +90,7 @@ TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("expected 3 points"));
+  EXPECT_THAT(result.out, HasSubstr("(and 1 more such sentence"));
 }
 
 TEST_F(Check, MissingFileAndTornFileAreCaught) {

@@ -57,6 +57,31 @@ TEST(CommandLine, OneBadScenarioAmongGoodOnesLeavesNothingWritten) {
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());
 }
 
+TEST(CommandLine, TwoScenariosOfOneNameAreRefusedAndOneNamedTwiceIsTakenOnce) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("a/group/idea.toml", small_scenario());
+  const std::string two = folder.write("b/group/idea.toml", small_scenario());
+  const std::string out = "' --out '" + (folder / "out") + "' --size 64x64 --quiet";
+  const ProgramRun clash = run("render '" + one + "' '" + two + out);
+  EXPECT_EQ(clash.exit_code, 2);
+  EXPECT_THAT(clash.err, HasSubstr("group/idea is also that of " + one));
+  EXPECT_THAT(files_below(folder / "out"), IsEmpty());
+  EXPECT_EQ(run("trace '" + one + "'").exit_code, 0);
+}
+
+TEST(CommandLine, BadBackendVariableStopsOnlyVerbsThatDraw) {
+  const ProgramRun drawing = run("render hull/coherent_points", "CONTACTSCOPE_BACKEND=vulkan");
+  EXPECT_EQ(drawing.exit_code, 2);
+  EXPECT_THAT(drawing.err, HasSubstr("$CONTACTSCOPE_BACKEND"));
+  EXPECT_EQ(run("trace hull/coherent_points", "CONTACTSCOPE_BACKEND=vulkan").exit_code, 0);
+}
+
+TEST(List, MissingFolderIsTrouble) {
+  const ProgramRun result = run("list scenarios --scenarios nowhere");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--scenarios DIR"));
+}
+
 TEST(List, NamesEveryKind) {
   const ProgramRun all = run("list");
   EXPECT_EQ(all.exit_code, 0);

@@ -74,6 +74,26 @@ TEST(Render, UnwritableFolderIsTroubleAndNamesTheFile) {
   EXPECT_THAT(result.err, HasSubstr("/proc/nowhere"));
 }
 
+TEST(Render, RequestToStopLeavesWholeFilesOnly) {
+  const TemporaryFolder folder;
+  std::string scenario = small_scenario();
+  scenario.replace(scenario.find("frames = 2"), 10, "frames = 20000");
+  folder.write("long.toml", scenario);
+  const std::string stop = "timeout --signal=TERM --preserve-status 2";
+  const ProgramRun result =
+      run("render '" + (folder / "long.toml") + "' --size 320x180 --out '" + (folder / "out") + "'",
+          stop);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("interrupted"));
+  const std::set<std::string> files = files_below(folder / "out");
+  EXPECT_GE(files.size(), 1u);
+  EXPECT_LT(files.size(), 20000u);
+  for (const std::string& file : files) {
+    EXPECT_THAT(file, testing::EndsWith(".png"));
+    EXPECT_NO_THROW(read_png(folder / ("out/" + file))) << file;
+  }
+}
+
 TEST(Render, BackendComesFromTheEnvironmentToo) {
   const TemporaryFolder folder;
   const ProgramRun result =

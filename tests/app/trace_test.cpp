@@ -72,11 +72,15 @@ TEST(Trace, WorksWhereEveryRouteToOpenGlIsBroken) {
   EXPECT_EQ(run("doctor", broken).exit_code, 2);
 }
 
-TEST(Trace, FullDiskIsTrouble) {
-  const int status = std::system("cd '" CONTACTSCOPE_SOURCE_DIR "' && '" CONTACTSCOPE_BINARY_DIR
-                                 "/contactscope' trace hull/face_contact >/dev/full 2>/dev/null");
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 2);
+TEST(Trace, FullDiskIsTroubleForEveryVerbThatPrints) {
+  for (const char* verb : {"trace hull/face_contact", "list", "list --json", "doctor"}) {
+    const std::string command = std::string("cd '" CONTACTSCOPE_SOURCE_DIR
+                                            "' && '" CONTACTSCOPE_BINARY_DIR "/contactscope' ") +
+                                verb + " >/dev/full 2>/dev/null";
+    const int status = std::system(command.c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 2) << verb;
+  }
 }
 
 }  // namespace

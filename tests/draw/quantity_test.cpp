@@ -22,6 +22,16 @@ TEST(SpellLength, RoundingUpDoesNotPrintFourDigitsOfTheSmallerUnit) {
   EXPECT_EQ(spell_length(0.0009999), "1.00 mm");
 }
 
+TEST(SpellArea, HasFourDigitsAndNoTrailingPoint) {
+  EXPECT_EQ(spell_area(0.58578), "0.5858 m²");
+  EXPECT_EQ(spell_area(1), "1.000 m²");
+  EXPECT_EQ(spell_area(0.0012), "1200 mm²");
+  EXPECT_EQ(spell_area(8019.3), "8019 m²");
+  EXPECT_EQ(spell_area(1e8), "100.0 km²");
+  EXPECT_EQ(spell_area(2.5e-9), "2500 µm²");
+  EXPECT_EQ(spell_area(0), "0 m²");
+}
+
 TEST(SpellNumber, HasARealMinusSign) {
   EXPECT_EQ(spell_number(-20), "−20");
   EXPECT_EQ(spell_number(0.5), "0.5");
