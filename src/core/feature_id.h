@@ -8,7 +8,9 @@ namespace contactscope {
 
 enum class Owner : std::uint8_t { A = 0, B = 1 };
 
-constexpr Owner other(Owner owner) { return owner == Owner::A ? Owner::B : Owner::A; }
+constexpr Owner other(Owner owner) {
+  return owner == Owner::A ? Owner::B : Owner::A;
+}
 
 /// One edge of one shape. `edge` is the undirected edge, half-edge index / 2.
 struct EdgeRef {

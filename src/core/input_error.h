@@ -5,8 +5,8 @@
 
 namespace contactscope {
 
-/// What a user wrote is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be right";
-/// line and column count from 1 and are left out when 0. The program exits with 2 on it.
+/// What a user wrote is wrong. what() is "FILE:LINE:COLUMN: what is wrong, and what would be
+/// right"; line and column count from 1 and are left out when 0. The program exits with 2 on it.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, int line, int column, const std::string& message)

@@ -4,7 +4,8 @@
 
 namespace contactscope {
 
-/// Oriented plane: the points x with normal . x = offset. `normal` is a unit vector, `offset` metres.
+/// Oriented plane: the points x with normal . x = offset. `normal` is a unit vector, `offset`
+/// metres.
 template <class S>
 struct Plane {
   Vec3<S> normal = Vec3<S>::UnitX();

@@ -6,14 +6,29 @@
 
 namespace contactscope::test {
 
+namespace {
+
+/// The exit code of the program, run in the source folder; -1 where it did not exit.
+int exit_code_of(const std::string& environment, const std::string& arguments,
+                 const std::string& redirections) {
+  const std::string command = "cd '" CONTACTSCOPE_SOURCE_DIR "' && " + environment +
+                              " '" CONTACTSCOPE_BINARY_DIR "/contactscope' " + arguments + " " +
+                              redirections + " </dev/null";
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
 ProgramRun run(const std::string& arguments, const std::string& environment) {
   const TemporaryFolder folder;
-  const std::string command = "cd '" CONTACTSCOPE_SOURCE_DIR "' && " + environment +
-                              " '" CONTACTSCOPE_BINARY_DIR "/contactscope' " + arguments + " >'" +
-                              (folder / "out") + "' 2>'" + (folder / "err") + "' </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder / "out"),
-          read_text(folder / "err")};
+  const int exit_code = exit_code_of(environment, arguments,
+                                     ">'" + (folder / "out") + "' 2>'" + (folder / "err") + "'");
+  return {exit_code, read_text(folder / "out"), read_text(folder / "err")};
+}
+
+int run_on_full_disk(const std::string& arguments) {
+  return exit_code_of("", arguments, ">/dev/full 2>/dev/null");
 }
 
 std::string small_scenario() {

@@ -17,6 +17,9 @@ struct ProgramRun {
 /// "CI=true". Standard input is empty.
 ProgramRun run(const std::string& arguments, const std::string& environment = "");
 
+/// The exit code of the program with a standard output that takes nothing.
+int run_on_full_disk(const std::string& arguments);
+
 /// A small valid scenario: a box half a centimetre deep in a slab, two frames.
 std::string small_scenario();
 
