@@ -1,8 +1,40 @@
 #include "geometry/hull.h"
 
 #include <cstddef>
+#include <limits>
+
+#include "geometry/lanes.h"
 
 namespace contactscope {
+namespace {
+
+/// Room for the lanes of `count` vectors; all zeros.
+template <class S>
+std::vector<S> vector_lanes(int count) {
+  return std::vector<S>(static_cast<std::size_t>(3 * padded(count)), S(0));
+}
+
+template <class S>
+void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
+  const std::size_t stride = lanes.size() / 3;
+  for (std::size_t k = 0; k < 3; ++k) lanes[k * stride + i] = vector[static_cast<int>(k)];
+}
+
+}  // namespace
+
+template <class S>
+void lay_out(Hull<S>& hull) {
+  hull.lanes.vertices = vector_lanes<S>(hull.vertex_count());
+  for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+    put(hull.lanes.vertices, i, hull.vertices[i]);
+  }
+  hull.lanes.normals = vector_lanes<S>(hull.face_count());
+  hull.lanes.offsets.assign(hull.lanes.normals.size() / 3, std::numeric_limits<S>::infinity());
+  for (std::size_t i = 0; i < hull.planes.size(); ++i) {
+    put(hull.lanes.normals, i, hull.planes[i].normal);
+    hull.lanes.offsets[i] = hull.planes[i].offset;
+  }
+}
 
 template <class T, class S>
 Hull<T> hull_cast(const Hull<S>& hull) {
@@ -16,6 +48,7 @@ Hull<T> hull_cast(const Hull<S>& hull) {
   for (const Plane<S>& plane : hull.planes) cast.planes.push_back(plane.template cast<T>());
   cast.centroid = hull.centroid.template cast<T>();
   cast.radius = static_cast<T>(hull.radius);
+  lay_out(cast);
   return cast;
 }
 
@@ -46,6 +79,8 @@ std::vector<int> face_vertices(const Hull<S>& hull, int face) {
   return vertices;
 }
 
+template void lay_out(Hull<float>&);
+template void lay_out(Hull<double>&);
 template Hull<float> hull_cast<float, double>(const Hull<double>&);
 template Hull<double> hull_cast<double, double>(const Hull<double>&);
 template Hull<double> hull_cast<double, float>(const Hull<float>&);

@@ -15,6 +15,16 @@ struct HalfEdge {
   int face;    // face on its left
 };
 
+/// Vertices and planes of a hull once more, as the loops over lanes read them (see lanes.h).
+template <class S>
+struct HullLanes {
+  std::vector<S> vertices;  // padded with zeros
+  std::vector<S> normals;   // padded with zeros
+  std::vector<S> offsets;   // padded with infinity: such a face lies behind every point
+
+  friend bool operator==(const HullLanes&, const HullLanes&) = default;
+};
+
 /// Convex polyhedron with half-edges, local frame, metres. Made by the hull builder only, which
 /// keeps these promises: faces are planar within rounding and merged when coplanar, every vertex is
 /// used, V - E + F = 2, twins run opposite, no face has more than kMaxFaceVertices vertices.
@@ -25,6 +35,7 @@ struct Hull {
   std::vector<int> vertex_edges;       // for each vertex one half-edge that leaves it
   std::vector<int> face_edges;         // for each face one of its half-edges
   std::vector<Plane<S>> planes;        // for each face, normal outward
+  HullLanes<S> lanes;                  // of `vertices` and `planes`, made by lay_out
   Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density
   S radius = 0;                        // largest distance of a vertex from the centroid
 
@@ -39,6 +50,10 @@ struct Hull {
   }
   const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
 };
+
+/// Makes `hull.lanes` from its vertices and planes. Whoever changes those calls it anew.
+template <class S>
+void lay_out(Hull<S>& hull);
 
 /// The same hull in another scalar. Vertices, planes and centroid are rounded once each from the
 /// input, topology is copied.

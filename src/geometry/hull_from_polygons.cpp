@@ -184,6 +184,7 @@ Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
     const Vec3d arm = vertex - hull.centroid;
     hull.radius = std::max(hull.radius, arm.stableNorm());
   }
+  lay_out(hull);
   return hull;
 }
 

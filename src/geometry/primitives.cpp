@@ -77,6 +77,7 @@ Hull<double> make_box(const Vec3d& half_extents) {
   }
   hull.centroid = Vec3d::Zero();
   hull.radius = half_extents.stableNorm();
+  lay_out(hull);
   return hull;
 }
 
@@ -102,6 +103,7 @@ Hull<double> make_cylinder(double radius, double half_height, int segments) {
   hull.planes[1] = {-Vec3d::UnitY(), half_height};
   hull.centroid = Vec3d::Zero();
   hull.radius = Vec3d(radius, half_height, 0).stableNorm();
+  lay_out(hull);
   return hull;
 }
 
@@ -125,6 +127,7 @@ Hull<double> make_cone(double radius, double half_height, int segments) {
   hull.centroid = Vec3d(0, -0.5 * half_height, 0);
   const double to_rim = Vec3d(radius, 0.5 * half_height, 0).stableNorm();
   hull.radius = std::max(to_rim, 1.5 * half_height);
+  lay_out(hull);
   return hull;
 }
 

@@ -1,65 +1,36 @@
 #include "query/hull_pair.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace contactscope {
 namespace {
 
-template <class S, int N>
-void rotate(const Mat3<S>& rotation, VectorLanes<S, N>& vectors) {
-  S* __restrict x = vectors.x();
-  S* __restrict y = vectors.y();
-  S* __restrict z = vectors.z();
-  const S xx = rotation(0, 0), xy = rotation(0, 1), xz = rotation(0, 2);
-  const S yx = rotation(1, 0), yy = rotation(1, 1), yz = rotation(1, 2);
-  const S zx = rotation(2, 0), zy = rotation(2, 1), zz = rotation(2, 2);
-  const int count = vectors.padded_count();
-  for (int i = 0; i < count; ++i) {
-    const S px = x[i], py = y[i], pz = z[i];
-    x[i] = dot(xx, xy, xz, px, py, pz);
-    y[i] = dot(yx, yy, yz, px, py, pz);
-    z[i] = dot(zx, zy, zz, px, py, pz);
-  }
-}
-
-template <class S, int N>
-void translate(const Vec3<S>& by, VectorLanes<S, N>& points) {
-  const int count = points.padded_count();
-  for (int i = 0; i < count; ++i) points.x()[i] += by.x();
-  for (int i = 0; i < count; ++i) points.y()[i] += by.y();
-  for (int i = 0; i < count; ++i) points.z()[i] += by.z();
-}
-
+/// `to` = rotation * `from` + position, with the lanes of `to` after each other from there on.
 template <class S>
-void gather(const Hull<S>& hull, PlacedHull<S>& placed) {
-  const std::size_t vertex_count = hull.vertices.size();
-  S* x = placed.vertices.x();
-  S* y = placed.vertices.y();
-  S* z = placed.vertices.z();
-  for (std::size_t i = 0; i < vertex_count; ++i) {
-    x[i] = hull.vertices[i].x();
-    y[i] = hull.vertices[i].y();
-    z[i] = hull.vertices[i].z();
+void place(const VectorLanes<S>& from, const Mat3<S>& rotation, const Vec3<S>& position,
+           S* __restrict to) {
+  const S* __restrict x = from.x();
+  const S* __restrict y = from.y();
+  const S* __restrict z = from.z();
+  const int count = from.padded_count();
+  for (int row = 0; row < 3; ++row) {
+    const S rx = rotation(row, 0), ry = rotation(row, 1), rz = rotation(row, 2);
+    const S shift = position[row];
+    for (int i = 0; i < count; ++i) to[i] = dot(rx, ry, rz, x[i], y[i], z[i]) + shift;
+    to += count;
   }
-  placed.vertices.fill_padding(Vec3<S>::Zero());
+}
 
-  const std::size_t face_count = hull.planes.size();
-  S* nx = placed.normals.x();
-  S* ny = placed.normals.y();
-  S* nz = placed.normals.z();
-  S* offsets = placed.offsets.data();
-  for (std::size_t i = 0; i < face_count; ++i) {
-    nx[i] = hull.planes[i].normal.x();
-    ny[i] = hull.planes[i].normal.y();
-    nz[i] = hull.planes[i].normal.z();
-    offsets[i] = hull.planes[i].offset;
-  }
-  placed.normals.fill_padding(Vec3<S>::Zero());
-  // A padding face lies infinitely deep, so that no query picks it.
-  for (int i = placed.normals.count(); i < placed.normals.padded_count(); ++i) {
-    offsets[i] = std::numeric_limits<S>::infinity();
-  }
+/// Planes with rotated normals, moved by `position`.
+template <class S>
+void place_offsets(const VectorLanes<S>& normals, const S* __restrict from, const Vec3<S>& position,
+                   S* __restrict to) {
+  const S* __restrict nx = normals.x();
+  const S* __restrict ny = normals.y();
+  const S* __restrict nz = normals.z();
+  const S x = position.x(), y = position.y(), z = position.z();
+  const int count = normals.padded_count();
+  for (int i = 0; i < count; ++i) to[i] = from[i] + dot(nx[i], ny[i], nz[i], x, y, z);
 }
 
 }  // namespace
@@ -68,28 +39,29 @@ template <class S>
 PlacedHull<S>::PlacedHull(const Hull<S>& placed)
     : hull(placed),
       rotation(Mat3<S>::Identity()),
-      vertices(placed.vertex_count()),
-      normals(placed.face_count()),
-      offsets(padded(placed.face_count())) {
-  gather(placed, *this);
-}
+      vertices(placed.lanes.vertices.data(), placed.vertex_count()),
+      normals(placed.lanes.normals.data(), placed.face_count()),
+      offsets(placed.lanes.offsets.data()),
+      placed_(0) {}
 
 template <class S>
 PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position)
     : hull(placed),
       rotation(to_frame),
-      vertices(placed.vertex_count()),
-      normals(placed.face_count()),
-      offsets(padded(placed.face_count())) {
-  gather(placed, *this);
-  rotate(to_frame, vertices);
-  translate(position, vertices);
-  rotate(to_frame, normals);
-  const int faces = normals.padded_count();
-  for (int i = 0; i < faces; ++i) {
-    offsets[i] += dot(normals.x()[i], normals.y()[i], normals.z()[i], position.x(), position.y(),
-                      position.z());
-  }
+      vertices(nullptr, placed.vertex_count()),
+      normals(nullptr, placed.face_count()),
+      offsets(nullptr),
+      placed_(3 * padded(placed.vertex_count()) + 4 * padded(placed.face_count())) {
+  S* const placed_vertices = placed_.data();
+  S* const placed_normals = placed_vertices + 3 * vertices.padded_count();
+  S* const placed_offsets = placed_normals + 3 * normals.padded_count();
+  place({placed.lanes.vertices.data(), vertices.count()}, to_frame, position, placed_vertices);
+  place({placed.lanes.normals.data(), normals.count()}, to_frame, Vec3<S>(Vec3<S>::Zero()),
+        placed_normals);
+  vertices = {placed_vertices, vertices.count()};
+  normals = {placed_normals, normals.count()};
+  place_offsets(normals, placed.lanes.offsets.data(), position, placed_offsets);
+  offsets = placed_offsets;
 }
 
 template <class S>

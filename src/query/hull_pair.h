@@ -3,12 +3,14 @@
 #include "core/plane.h"
 #include "core/pose.h"
 #include "geometry/hull.h"
-#include "query/lanes.h"
+#include "geometry/lanes.h"
+#include "query/scratch.h"
 
 namespace contactscope {
 
 /// A hull placed in the frame in which a pair is worked on, laid out for the loops of the queries.
-/// Topology stays in `hull`, which must outlive this. No heap up to 64 vertices and 128 faces.
+/// Topology stays in `hull`, which must outlive this; so do the lanes of a hull that is in its own
+/// frame. No heap up to 64 vertices and 128 faces.
 template <class S>
 struct PlacedHull {
   /// `to_frame` and `position` place the hull's own frame in the common one.
@@ -31,9 +33,12 @@ struct PlacedHull {
 
   const Hull<S>& hull;
   Mat3<S> rotation;  // from the hull's own frame
-  VectorLanes<S, 64> vertices;
-  VectorLanes<S, 128> normals;  // of the faces, outward, unit
-  Scratch<S, 128> offsets;      // of the face planes; padding lies behind every point
+  VectorLanes<S> vertices;
+  VectorLanes<S> normals;  // of the faces, outward, unit
+  const S* offsets;        // of the face planes; padding lies behind every point
+
+ private:
+  Scratch<S, 3 * 64 + 4 * 128> placed_;  // what the lanes above stand in, unless in the hull
 };
 
 /// Two hulls in A's frame. Working there, near the origin, costs a pair far from the world's origin

@@ -14,7 +14,7 @@ void measure(const PlacedHull<S>& reference, const PlacedHull<S>& other,
   const S* __restrict nx = reference.normals.x();
   const S* __restrict ny = reference.normals.y();
   const S* __restrict nz = reference.normals.z();
-  const S* __restrict offset = reference.offsets.data();
+  const S* __restrict offset = reference.offsets;
   S* __restrict deepest = result.separations.data();
   S* __restrict support = result.supports.data();
   for (int f = 0; f < faces; ++f) {

@@ -68,6 +68,9 @@ AssertionResult is_sound(const Hull<double>& hull) {
     visited += loop.size();
   }
   if (visited != hull.half_edges.size()) return AssertionFailure() << "loops miss half-edges";
+  Hull<double> laid_out = hull;
+  lay_out(laid_out);
+  if (hull.lanes != laid_out.lanes) return AssertionFailure() << "lanes differ from the hull";
   return AssertionSuccess();
 }
 

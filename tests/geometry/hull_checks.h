@@ -10,7 +10,7 @@ namespace contactscope::test {
 
 /// Every promise of Hull that is about topology: index ranges, twins run opposite, `next` closes
 /// each face's loop, every vertex has at least three edges and every face at least three vertices,
-/// Euler.
+/// Euler; and that the lanes are those of its vertices and planes.
 ::testing::AssertionResult is_sound(const Hull<double>& hull);
 
 /// Planes are unit and face outward, outlines counter-clockwise and convex; a face's vertices are

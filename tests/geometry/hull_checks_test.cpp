@@ -46,6 +46,14 @@ TEST(HullChecks, AVertexOfTwoEdgesIsNotSound) {
   EXPECT_FALSE(is_sound(hull));
 }
 
+TEST(HullChecks, StaleLanesAreNotSound) {
+  Hull<double> hull = kBox;
+  hull.planes[2].offset += 1e-12;
+  EXPECT_FALSE(is_sound(hull));
+  lay_out(hull);
+  EXPECT_TRUE(is_sound(hull));
+}
+
 TEST(HullChecks, ADentIsNotConvex) {
   Hull<double> hull = kBox;
   hull.vertices[3] *= 0.999;

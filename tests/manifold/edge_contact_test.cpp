@@ -73,6 +73,7 @@ TYPED_TEST(EdgeContact, ScalingByAPowerOfTwoScalesEveryBit) {
       for (Plane<S>& plane : hull->planes) plane.offset *= scale;
       hull->centroid *= scale;
       hull->radius *= scale;
+      lay_out(*hull);
     }
     scaled.pose_b.position *= scale;
     const Manifold<S> manifold = collide(scaled);
