@@ -29,11 +29,12 @@ void reduce(const Contact<S>& contact, const CollideOptions<S>& options, Manifol
     manifold.points = contact.points;
     return;
   }
-  const KeptIndices kept = options.reducer(points, contact.normal, options.max_points);
-  for (const int index : kept) {
+  const Reduction reduced =
+      contactscope::reduce(options.reducer, points, contact.normal, options.reduction);
+  for (const int index : reduced.kept) {
     manifold.points.push_back(points[static_cast<std::size_t>(index)]);
   }
-  recorder.reduction(points, contact.normal, options.max_points, kept);
+  recorder.reduction(points, contact.normal, options.reduction.max_points, reduced.kept);
 }
 
 /// Gregorius 2015, SAT( manifold, hullA, hullB ).

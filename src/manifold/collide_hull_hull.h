@@ -14,7 +14,7 @@ struct CollideOptions {
   S margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Reducer<S> reducer = nullptr;  // nullptr keeps all points
-  int max_points = 4;
+  ReduceOptions reduction;
 };
 
 /// Gregorius 2015, "Hull vs Hull": separating axis test, then a face contact by clipping or an edge

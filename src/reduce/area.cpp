@@ -107,14 +107,10 @@ Addition largest_addition(Points<S> points, const Vec3<S>& normal, const Ring& r
 /// between.
 template <class S>
 KeptIndices reduce_by_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
-                           int max_points) {
+                           const ReduceOptions& options) {
   KeptIndices kept;
   const int count = static_cast<int>(points.size());
-  if (count <= max_points) {
-    for (int i = 0; i < count; ++i) kept.push_back(i);
-    return kept;
-  }
-
+  const int max_points = options.max_points;
   const int first = support_point(points, fixed_direction(normal));
   kept.push_back(first);
   if (max_points == 1) return kept;
@@ -160,8 +156,9 @@ KeptIndices reduce_by_area(std::span<const ContactPoint<S>> points, const Vec3<S
   return kept;
 }
 
-template KeptIndices reduce_by_area(std::span<const ContactPoint<float>>, const Vec3<float>&, int);
+template KeptIndices reduce_by_area(std::span<const ContactPoint<float>>, const Vec3<float>&,
+                                    const ReduceOptions&);
 template KeptIndices reduce_by_area(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                    int);
+                                    const ReduceOptions&);
 
 }  // namespace contactscope

@@ -10,9 +10,9 @@ namespace contactscope {
 /// the farthest point from it, the point that makes the largest triangle, then the point that adds
 /// the most area outside. More than four points go on as the fourth. Fewer than max_points come
 /// back when the rest would add no area: two extremes of points on one line, one of coincident
-/// ones. `points` share a plane with unit `normal`; separations are not looked at.
+/// ones. Separations are not looked at.
 template <class S>
 KeptIndices reduce_by_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
-                           int max_points);
+                           const ReduceOptions& options);
 
 }  // namespace contactscope

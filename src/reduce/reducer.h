@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,12 +14,35 @@ namespace contactscope {
 /// Indices into the points that a reducer was given, in the order of choice.
 using KeptIndices = StaticVector<int, kMaxManifoldPoints>;
 
-/// A manifold reducer. `points` share a plane with unit `normal`; at most `max_points` (>= 1) of
-/// them are kept. The input is untouched and the same input gives the same answer. Fewer points
-/// than max_points are all kept, in their order.
+/// What a reducer may go by beside the points. Most look at max_points only.
+struct ReduceOptions {
+  int max_points = 4;                   // >= 1
+  std::uint64_t seed = 1;               // of a random choice
+  std::span<const FeatureId> previous;  // ids that were kept in the frame before
+};
+
+/// The steps of a manifold reducer. `points` share a plane with unit `normal`, are finite, and more
+/// than max_points; at most max_points different ones of them are kept, at least one. The input is
+/// untouched and the same input gives the same answer. Call it through reduce().
 template <class S>
 using Reducer = KeptIndices (*)(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
-                                int max_points);
+                                const ReduceOptions& options);
+
+enum class ReduceStatus {
+  Reduced,
+  NotFinite,  // a position, a separation or the normal is not finite: nothing is kept
+};
+
+struct Reduction {
+  KeptIndices kept;
+  ReduceStatus status = ReduceStatus::Reduced;
+};
+
+/// Runs a reducer on any points, at most kMaxManifoldPoints. Up to max_points of them are all kept,
+/// in their order, without asking it; so are any number when it is nullptr.
+template <class S>
+Reduction reduce(Reducer<S> reducer, std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+                 const ReduceOptions& options);
 
 /// A reducer by name, for scenarios and the command line; nullptr when there is none such.
 template <class S>

@@ -22,7 +22,7 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
   options.margin = static_cast<S>(settings.margin);
   options.preference = settings.preference;
   options.reducer = find_reducer<S>(settings.reducer);
-  options.max_points = settings.max_points;
+  options.reduction.max_points = settings.max_points;
   return options;
 }
 

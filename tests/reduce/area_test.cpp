@@ -28,7 +28,9 @@ std::vector<ContactPoint<S>> points_at(const std::vector<std::pair<double, doubl
 
 template <class S>
 std::vector<int> reduced(const std::vector<ContactPoint<S>>& points, int max_points) {
-  const KeptIndices kept = reduce_by_area<S>(points, Vec3<S>::UnitY(), max_points);
+  ReduceOptions options;
+  options.max_points = max_points;
+  const KeptIndices kept = reduce<S>(&reduce_by_area<S>, points, Vec3<S>::UnitY(), options).kept;
   return {kept.begin(), kept.end()};
 }
 
