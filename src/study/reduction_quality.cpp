@@ -1,0 +1,138 @@
+#include "study/reduction_quality.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "reduce/convex_polygon.h"
+#include "reduce/polygon_area.h"
+
+namespace contactscope {
+namespace {
+
+std::vector<Vec3d> positions(std::span<const ContactPoint<double>> points) {
+  std::vector<Vec3d> result;
+  for (const ContactPoint<double>& point : points) result.push_back(point.position);
+  return result;
+}
+
+template <class T>
+std::vector<T> chosen(const std::vector<T>& all, std::span<const int> kept) {
+  std::vector<T> result;
+  for (const int i : kept) result.push_back(all[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+double distance_to_segment(const Vec2d& q, const Vec2d& a, const Vec2d& b) {
+  const Vec2d edge = b - a;
+  const double length = edge.squaredNorm();
+  const double along = length > 0 ? std::clamp(edge.dot(q - a) / length, 0.0, 1.0) : 0.0;
+  return (q - a - along * edge).norm();
+}
+
+/// Distance of a place outside a convex polygon; negative inside, as far as the nearest edge. A
+/// polygon of one corner or two is a point or a segment.
+double distance_outside(const Vec2d& q, const std::vector<Vec2d>& polygon) {
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = polygon.size() > 2;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2d& a = polygon[i];
+    const Vec2d& b = polygon[(i + 1) % polygon.size()];
+    nearest = std::min(nearest, distance_to_segment(q, a, b));
+    inside = inside && cross(b - a, q - a) >= 0;
+  }
+  return inside ? -nearest : nearest;
+}
+
+double radius_of(const std::vector<Vec2d>& points) {
+  Vec2d mean = Vec2d::Zero();
+  for (const Vec2d& point : points) mean += point;
+  mean /= static_cast<double>(points.size());
+  double radius = 0;
+  for (const Vec2d& point : points) radius = std::max(radius, (point - mean).norm());
+  return radius;
+}
+
+/// The difference of the support functions of two convex sets, one in the other, is largest at a
+/// corner of the outer one: there it is the distance to the inner one.
+double lost_reach(const std::vector<Vec2d>& all, std::span<const int> kept) {
+  const double radius = radius_of(all);
+  if (!(radius > 0)) return 0;
+  const std::vector<Vec2d> polygon = convex_polygon(chosen(all, kept));
+  double most = 0;
+  for (const Vec2d& point : all) most = std::max(most, distance_outside(point, polygon));
+  return most / radius;
+}
+
+/// Separation as a linear function of the place, fitted to the kept points; of smallest slope where
+/// they do not determine one.
+double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoint<double>> points,
+                   std::span<const int> kept) {
+  // The mean depth and slopes about the mean place, in units of the radius: then the rank shows.
+  const double radius = radius_of(places);
+  const double scale = radius > 0 ? radius : 1;
+  Vec2d mean = Vec2d::Zero();
+  double mean_depth = 0;
+  for (const int i : kept) {
+    mean += places[static_cast<std::size_t>(i)];
+    mean_depth += points[static_cast<std::size_t>(i)].separation;
+  }
+  mean /= static_cast<double>(kept.size());
+  mean_depth /= static_cast<double>(kept.size());
+  const auto rows = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixX2d arms(rows, 2);
+  Eigen::VectorXd depths(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const auto i = static_cast<std::size_t>(kept[static_cast<std::size_t>(row)]);
+    arms.row(row) = (places[i] - mean).transpose() / scale;
+    depths[row] = points[i].separation - mean_depth;
+  }
+  const Vec2d slope = arms.completeOrthogonalDecomposition().solve(depths);
+  double most = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double fitted = mean_depth + slope.dot(places[i] - mean) / scale;
+    most = std::max(most, std::abs(fitted - points[i].separation));
+  }
+  return most;
+}
+
+}  // namespace
+
+ReductionQuality measure_reduction(std::span<const ContactPoint<double>> points,
+                                   const Vec3d& normal, std::span<const int> kept, int max_points) {
+  ReductionQuality quality;
+  if (points.empty() || kept.empty()) {
+    quality.area_ratio = points.empty() ? 1 : 0;
+    quality.wrench_error = points.empty() ? 0 : 1;
+    return quality;
+  }
+  const std::vector<Vec3d> all = positions(points);
+  quality.area = convex_area(chosen(all, kept), normal);
+  quality.best_area = best_convex_area(all, normal, max_points);
+  quality.area_ratio = quality.best_area > 0 ? quality.area / quality.best_area : 1;
+
+  double deepest = std::numeric_limits<double>::infinity();
+  for (const ContactPoint<double>& point : points) deepest = std::min(deepest, point.separation);
+  quality.deepest_kept = std::ranges::any_of(
+      kept, [&](int i) { return points[static_cast<std::size_t>(i)].separation == deepest; });
+
+  const std::vector<Vec2d> places = project(all, normal);
+  quality.wrench_error = lost_reach(places, kept);
+  quality.depth_error = depth_error(places, points, kept);
+  return quality;
+}
+
+bool supports(std::span<const ContactPoint<double>> points, const Vec3d& normal,
+              std::span<const int> kept, const Vec3d& place) {
+  if (kept.empty()) return false;
+  std::vector<Vec3d> all = positions(points);
+  all.push_back(place);
+  const std::vector<Vec2d> flat = project(all, normal);
+  const double rounding =
+      64 * std::numeric_limits<double>::epsilon() * (place.norm() + radius_of(flat));
+  return distance_outside(flat.back(), convex_polygon(chosen(flat, kept))) <= rounding;
+}
+
+}  // namespace contactscope
