@@ -1,32 +1,9 @@
 #include "trace/json.h"
 
-#include <cmath>
-#include <stdexcept>
-
-#include <nlohmann/json.hpp>
+#include "trace/json_values.h"
 
 namespace contactscope::trace {
 namespace {
-
-using Json = nlohmann::ordered_json;  // keys in the order of FORMATS.md
-
-/// The library would write nan and infinity as null, and nobody would notice.
-Json number(double value, const char* key) {
-  if (!std::isfinite(value))
-    throw std::domain_error(std::string("trace: '") + key +
-                            "' is not a finite number, which JSON cannot hold");
-  return value;
-}
-
-Json vector(const Vec3d& v, const char* key) {
-  return Json::array({number(v.x(), key), number(v.y(), key), number(v.z(), key)});
-}
-
-Json vectors(const std::vector<Vec3d>& items, const char* key) {
-  Json list = Json::array();
-  for (const Vec3d& item : items) list.push_back(vector(item, key));
-  return list;
-}
 
 Json shape(const Shape& s) {
   return {{"type", s.type},
@@ -34,18 +11,6 @@ Json shape(const Shape& s) {
           {"faces", s.faces},
           {"edges", s.edges},
           {"center_of_mass", vector(s.center_of_mass, "center_of_mass")}};
-}
-
-Json point(const Point& p) {
-  return {{"position", vector(p.position, "position")},
-          {"separation", number(p.separation, "separation")},
-          {"id", p.id}};
-}
-
-Json points(const std::vector<Point>& items) {
-  Json list = Json::array();
-  for (const Point& item : items) list.push_back(point(item));
-  return list;
 }
 
 Json manifold(const Manifold& m) {

@@ -1,0 +1,145 @@
+#include "trace/study.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace contactscope::trace {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order of FORMATS.md
+
+double finite(double value, const char* key) {
+  if (!std::isfinite(value))
+    throw std::domain_error(std::string("study: '") + key +
+                            "' is not a finite number, which a file cannot hold");
+  return value;
+}
+
+Json number_or_null(const std::optional<double>& value, const char* key) {
+  return value ? Json(finite(*value, key)) : Json(nullptr);
+}
+
+Json point(const StudyPoint& p) {
+  return {{"parameter", finite(p.parameter, "parameter")},
+          {"error", number_or_null(p.error, "error")},
+          {"error_worst", number_or_null(p.error_worst, "error_worst")},
+          {"nanoseconds",
+           {{"median", finite(p.nanoseconds.median, "median")},
+            {"min", finite(p.nanoseconds.min, "min")},
+            {"max", finite(p.nanoseconds.max, "max")}}},
+          {"failed", p.failed},
+          {"of", p.of}};
+}
+
+// Shortest spelling that reads back to the same double, whatever the locale.
+std::string spelled(double value, const char* key) {
+  std::array<char, 32> buffer{};
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), finite(value, key));
+  return std::string(buffer.data(), end);
+}
+
+std::string spelled(const std::optional<double>& value, const char* key) {
+  return value ? spelled(*value, key) : std::string();
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char letter : text) {
+    result += letter;
+    if (letter == '"') result += '"';
+  }
+  return result + '"';
+}
+
+std::string row(std::initializer_list<std::string> cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += quoted(cell) + ',';
+  line.back() = '\n';
+  return line;
+}
+
+}  // namespace
+
+std::string to_json(const Study& study) {
+  Json series = Json::array();
+  for (const StudySeries& one : study.series) {
+    Json points = Json::array();
+    for (const StudyPoint& p : one.points) points.push_back(point(p));
+    series.push_back({{"method", one.method}, {"points", std::move(points)}});
+  }
+  const StudyContext& context = study.context;
+  const Json json = {{"schema", kStudySchema},
+                     {"study", study.study},
+                     {"measure", study.measure},
+                     {"title", study.title},
+                     {"context",
+                      {{"cpu", context.cpu},
+                       {"compiler", context.compiler},
+                       {"build_type", context.build_type},
+                       {"date", context.date},
+                       {"scalar", context.scalar}}},
+                     {"reference", study.reference},
+                     {"error", study.error},
+                     {"unit", study.unit},
+                     {"parameter", study.parameter},
+                     {"series", std::move(series)}};
+  return json.dump(1) + "\n";
+}
+
+std::string to_csv(const Study& study) {
+  std::string text = row({"study",
+                          "measure",
+                          "method",
+                          "parameter",
+                          "error",
+                          "error_worst",
+                          "nanoseconds_median",
+                          "nanoseconds_min",
+                          "nanoseconds_max",
+                          "failed",
+                          "of",
+                          "error_name",
+                          "unit",
+                          "parameter_name",
+                          "reference",
+                          "cpu",
+                          "compiler",
+                          "build_type",
+                          "date",
+                          "scalar"});
+  const StudyContext& context = study.context;
+  for (const StudySeries& one : study.series) {
+    for (const StudyPoint& p : one.points) {
+      text += row({study.study,
+                   study.measure,
+                   one.method,
+                   spelled(p.parameter, "parameter"),
+                   spelled(p.error, "error"),
+                   spelled(p.error_worst, "error_worst"),
+                   spelled(p.nanoseconds.median, "median"),
+                   spelled(p.nanoseconds.min, "min"),
+                   spelled(p.nanoseconds.max, "max"),
+                   std::to_string(p.failed),
+                   std::to_string(p.of),
+                   study.error,
+                   study.unit,
+                   study.parameter,
+                   study.reference,
+                   context.cpu,
+                   context.compiler,
+                   context.build_type,
+                   context.date,
+                   context.scalar});
+    }
+  }
+  return text;
+}
+
+}  // namespace contactscope::trace

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a study measured: error against run time, a series a method. FORMATS.md, "Study", gives the
+/// JSON. Facts alone, so that a plot can be drawn from a stored file as well.
+namespace contactscope::trace {
+
+/// First words of every results.json.
+inline constexpr const char* kStudySchema = "contactscope.study/1";
+
+/// Where and when a study ran; times mean nothing without it.
+struct StudyContext {
+  std::string cpu;
+  std::string compiler;
+  std::string build_type;
+  std::string date;    // UTC, ISO 8601
+  std::string scalar;  // of the methods that name none: "float" or "double"
+};
+
+/// Time of one call in nanoseconds: over repetitions of passes over all cases.
+struct Nanoseconds {
+  double median = 0;
+  double min = 0;
+  double max = 0;
+};
+
+/// One method at one parameter. Errors are over the cases that did not fail; no error where all
+/// failed, for a failure is no number.
+struct StudyPoint {
+  double parameter = 0;
+  std::optional<double> error;        // mean
+  std::optional<double> error_worst;  // largest
+  Nanoseconds nanoseconds;
+  int failed = 0;
+  int of = 0;  // cases
+};
+
+struct StudySeries {
+  std::string method;
+  std::vector<StudyPoint> points;  // by growing parameter
+};
+
+struct Study {
+  std::string study;    // "reducers", as the command line names it
+  std::string measure;  // "area": which of the study's errors this is
+  std::string title;    // for a reader
+  StudyContext context;
+  std::string reference;  // what the error is measured against
+  std::string error;      // name of the error
+  std::string unit;       // "m"; empty for a ratio
+  std::string parameter;  // "points": what the parameter counts
+  std::vector<StudySeries> series;
+};
+
+/// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
+/// double. Throws std::domain_error that names the key where a number is not finite.
+///
+/// Beyond FORMATS.md: "measure", "title", "unit", "parameter"; "scalar" in the context, and
+/// "error_worst" beside each "error". Both errors are null where every case failed.
+std::string to_json(const Study& study);
+
+/// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then a line a point;
+/// what holds of the whole study is repeated in every line, so that files can be joined. An error
+/// is empty where every case failed. Throws as to_json() does.
+std::string to_csv(const Study& study);
+
+}  // namespace contactscope::trace
