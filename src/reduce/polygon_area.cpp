@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "reduce/convex_polygon.h"
+#include "core/convex_polygon.h"
 
 namespace contactscope {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "reduce/convex_polygon.h"
+#include "core/convex_polygon.h"
 #include "reduce/polygon_area.h"
 
 namespace contactscope {

@@ -1,4 +1,4 @@
-#include "reduce/convex_polygon.h"
+#include "core/convex_polygon.h"
 
 #include <algorithm>
 

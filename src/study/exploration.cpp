@@ -1,0 +1,324 @@
+#include "study/exploration.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "reduce/reducer.h"
+#include "scenario/run.h"
+#include "study/reduction_quality.h"
+
+namespace contactscope {
+namespace {
+
+using PairName = std::tuple<std::string, std::string, std::string>;
+
+PairName name_of(const trace::Pair& pair) {
+  return {pair.a, pair.b, pair.label};
+}
+
+/// The scenario without reduction, each pair of shapes once for each setting that changes points.
+Scenario unreduced(const Scenario& scenario) {
+  Scenario result = scenario;
+  std::set<std::tuple<int, int, double, Preference>> seen;
+  std::erase_if(result.pairs, [&](const ScenarioPair& pair) {
+    const PipelineSettings& settings = pair.pipeline;
+    return !seen.emplace(pair.a, pair.b, settings.margin, settings.preference).second;
+  });
+  for (ScenarioPair& pair : result.pairs) pair.pipeline.reducer = "none";
+  return result;
+}
+
+/// Ids of the trace as ids that a reducer can compare: any spelling has its own, in all frames.
+class Ids {
+ public:
+  FeatureId of(const std::string& spelled) {
+    const auto number = static_cast<std::uint32_t>(known_.size());
+    const std::uint32_t edge = known_.emplace(spelled, number).first->second;
+    return FeatureId::of({Owner::A, edge}, {Owner::B, edge});
+  }
+
+ private:
+  std::map<std::string, std::uint32_t> known_;
+};
+
+/// What a reducer kept in the last frame.
+struct Memory {
+  std::vector<FeatureId> ids;
+  Vec3d middle = Vec3d::Zero();
+};
+
+template <class S>
+class Explorer {
+ public:
+  Explorer(const std::vector<std::string>& names, int max_points)
+      : names_(names), memories_(names.size()), max_points_(max_points) {
+    for (const std::string& name : names) reducers_.push_back(find_reducer<S>(name));
+  }
+
+  /// `load`: a place that the weight of the resting body goes through.
+  void answer(const trace::Manifold& manifold, const Vec3d& load, bool measure_time,
+              trace::Exploration& result) {
+    set_points(manifold);
+    const std::vector<Reduction> reductions = reduce_all();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      result.reducers.push_back(describe(i, reductions[i].kept, manifold.normal, load));
+    }
+    result.best_area = best_convex_area(manifold.normal);
+    const Reduction best = run(find_reducer<S>("optimal"), {});
+    result.best.assign(best.kept.begin(), best.kept.end());
+    if (measure_time && points_.size() > static_cast<std::size_t>(max_points_)) time_all(result);
+    for (std::size_t i = 0; i < names_.size(); ++i) remember(i, reductions[i].kept);
+    started_ = true;
+  }
+
+  /// Nothing touches: what was kept is gone.
+  void forget() {
+    for (Memory& memory : memories_) memory.ids.clear();
+    started_ = false;
+  }
+
+ private:
+  void set_points(const trace::Manifold& manifold) {
+    points_.clear();
+    exact_.clear();
+    for (const trace::Point& point : manifold.points) {
+      const FeatureId id = ids_.of(point.id);
+      exact_.push_back({point.position, point.separation, id});
+      // Exact: the trace holds what was computed in S.
+      points_.push_back({point.position.cast<S>(), static_cast<S>(point.separation), id});
+    }
+    normal_ = manifold.normal.cast<S>();
+  }
+
+  Reduction run(Reducer<S> reducer, std::span<const FeatureId> previous) const {
+    ReduceOptions options;
+    options.max_points = max_points_;
+    options.previous = previous;
+    return reduce<S>(reducer, points_, normal_, options);
+  }
+
+  std::vector<Reduction> reduce_all() const {
+    std::vector<Reduction> result;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      result.push_back(run(reducers_[i], memories_[i].ids));
+    }
+    return result;
+  }
+
+  double best_convex_area(const Vec3d& normal) const {
+    return measure_reduction(exact_, normal, {}, max_points_).best_area;
+  }
+
+  trace::ReducerAnswer describe(std::size_t i, const KeptIndices& kept, const Vec3d& normal,
+                                const Vec3d& load) const {
+    trace::ReducerAnswer answer;
+    answer.name = names_[i];
+    answer.kept.assign(kept.begin(), kept.end());
+    // `none` keeps more than max_points: it is measured against itself.
+    const int allowed = std::max(max_points_, static_cast<int>(kept.size()));
+    const ReductionQuality quality = measure_reduction(exact_, normal, answer.kept, allowed);
+    answer.area = quality.area;
+    answer.area_ratio = quality.area_ratio;
+    answer.deepest_kept = quality.deepest_kept;
+    answer.wrench_error = quality.wrench_error;
+    answer.depth_error = quality.depth_error;
+    answer.supports_center_of_mass = supports(exact_, normal, answer.kept, load);
+    if (started_) {
+      answer.ids_changed = changed(memories_[i].ids, ids_of(kept));
+      answer.patch_moved = (middle_of(kept) - memories_[i].middle).norm();
+    }
+    return answer;
+  }
+
+  std::vector<FeatureId> ids_of(const KeptIndices& kept) const {
+    std::vector<FeatureId> ids;
+    for (const int index : kept) ids.push_back(exact_[static_cast<std::size_t>(index)].id);
+    return ids;
+  }
+
+  Vec3d middle_of(const KeptIndices& kept) const {
+    Vec3d sum = Vec3d::Zero();
+    for (const int index : kept) sum += exact_[static_cast<std::size_t>(index)].position;
+    return sum / static_cast<double>(std::max<std::size_t>(1, kept.size()));
+  }
+
+  static int changed(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
+    const auto missing = [](const std::vector<FeatureId>& from, const std::vector<FeatureId>& in) {
+      return std::ranges::count_if(
+          from, [&](const FeatureId& id) { return std::ranges::find(in, id) == in.end(); });
+    };
+    return static_cast<int>(missing(before, now) + missing(now, before));
+  }
+
+  void remember(std::size_t i, const KeptIndices& kept) {
+    memories_[i] = {ids_of(kept), middle_of(kept)};
+  }
+
+  void time_all(trace::Exploration& result) const {
+    using Clock = std::chrono::steady_clock;
+    constexpr int kRounds = 41;
+    constexpr int kCalls = 24;
+    std::vector<std::vector<double>> times(names_.size());
+    int kept_points = 0;  // printed nowhere, but the compiler cannot know
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t i = 0; i < names_.size(); ++i) {
+        const Clock::time_point begin = Clock::now();
+        for (int call = 0; call < kCalls; ++call) {
+          kept_points += static_cast<int>(run(reducers_[i], memories_[i].ids).kept.size());
+        }
+        const std::chrono::duration<double, std::nano> taken = Clock::now() - begin;
+        times[i].push_back(taken.count() / kCalls);
+      }
+    }
+    sink_ = kept_points;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      std::ranges::sort(times[i]);
+      result.reducers[i].min = times[i].front();
+      result.reducers[i].median = times[i][times[i].size() / 2];
+      result.reducers[i].quarter = times[i][times[i].size() * 3 / 4];
+    }
+  }
+
+  const std::vector<std::string>& names_;
+  std::vector<Reducer<S>> reducers_;
+  std::vector<Memory> memories_;
+  int max_points_;
+  bool started_ = false;
+  Ids ids_;
+  std::vector<ContactPoint<S>> points_;
+  std::vector<ContactPoint<double>> exact_;
+  Vec3<S> normal_ = Vec3<S>::Zero();
+  mutable volatile int sink_ = 0;
+};
+
+const Pose<double>& pose_of(const trace::Frame& frame, const std::string& shape) {
+  return std::ranges::find(frame.poses, shape, &std::pair<std::string, Pose<double>>::first)
+      ->second;
+}
+
+/// The centre of mass, in the world, of the body of a pair that is higher up: the one that rests.
+Vec3d resting_center(const trace::Header& header, const trace::Frame& frame,
+                     const trace::Pair& pair) {
+  const Vec3d up = header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  const auto center = [&](const std::string& name) -> Vec3d {
+    const auto shape = std::ranges::find(header.shapes, name, &trace::Shape::name);
+    return pose_of(frame, name).transform(shape->center_of_mass);
+  };
+  const Vec3d a = center(pair.a);
+  const Vec3d b = center(pair.b);
+  return a.dot(up) > b.dot(up) ? a : b;
+}
+
+/// How far what each body has at a point moved since the frame before, at most.
+double moved(const trace::Frame& before, const trace::Frame& now, const trace::Pair& pair,
+             const std::vector<trace::Point>& points) {
+  double most = 0;
+  for (const std::string& name : {pair.a, pair.b}) {
+    const Pose<double>& from = pose_of(before, name);
+    const Pose<double>& to = pose_of(now, name);
+    for (const trace::Point& point : points) {
+      const Vec3d then = from.transform(to.inverse_transform(point.position));
+      most = std::max(most, (point.position - then).norm());
+    }
+  }
+  return most;
+}
+
+template <class S>
+std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_frame,
+                                           const std::vector<std::string>& names,
+                                           bool measure_time) {
+  const Scenario source = unreduced(scenario);
+  const Runner runner(source);
+  const trace::Header header = runner.header();
+  std::map<PairName, Explorer<S>> explorers;
+  std::vector<trace::Exploration> result;
+  trace::Frame before;
+  for (int f = 0; f <= last_frame; ++f) {
+    const trace::Frame frame = runner.frame_unrecorded(f);
+    for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
+      const trace::Pair& pair = frame.pairs[i];
+      Explorer<S>& explorer =
+          explorers.try_emplace(name_of(pair), names, source.pairs[i].pipeline.max_points)
+              .first->second;
+      if (pair.manifolds.empty()) {
+        explorer.forget();
+        continue;
+      }
+      const trace::Manifold& manifold = pair.manifolds.front();
+      trace::Exploration exploration;
+      exploration.scenario = scenario.name;
+      exploration.frame = f;
+      exploration.a = pair.a;
+      exploration.b = pair.b;
+      exploration.label = pair.label;
+      exploration.points = manifold.points;
+      exploration.normal = manifold.normal;
+      if (f > 0) exploration.bodies_moved = moved(before, frame, pair, manifold.points);
+      explorer.answer(manifold, resting_center(header, frame, pair), measure_time, exploration);
+      result.push_back(std::move(exploration));
+    }
+    before = frame;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame,
+                                        const ExploreOptions& options) {
+  std::vector<std::string> names = options.reducers;
+  if (names.empty()) {
+    for (const ReducerInfo& info : reducers()) {
+      if (info.name != "none") names.push_back(info.name);
+    }
+  }
+  return scenario.scalar == Scalar::Double
+             ? explore_in<double>(scenario, last_frame, names, options.measure_time)
+             : explore_in<float>(scenario, last_frame, names, options.measure_time);
+}
+
+std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& explorations) {
+  std::vector<ReducerSummary> rows;
+  if (explorations.empty()) return rows;
+  for (std::size_t i = 0; i < explorations.front().reducers.size(); ++i) {
+    ReducerSummary row;
+    row.name = explorations.front().reducers[i].name;
+    row.mean_area_ratio = row.deepest_kept = row.supported = 0;
+    double patch = 0;
+    double bodies = 0;
+    std::vector<double> medians;
+    std::vector<double> least;
+    const double share = 1.0 / static_cast<double>(explorations.size());
+    for (const trace::Exploration& exploration : explorations) {
+      const trace::ReducerAnswer& answer = exploration.reducers[i];
+      row.mean_area_ratio += share * answer.area_ratio;
+      row.worst_area_ratio = std::min(row.worst_area_ratio, answer.area_ratio);
+      row.mean_wrench_error += share * answer.wrench_error;
+      row.worst_wrench_error = std::max(row.worst_wrench_error, answer.wrench_error);
+      row.worst_depth_error = std::max(row.worst_depth_error, answer.depth_error);
+      row.deepest_kept += answer.deepest_kept ? share : 0;
+      row.supported += answer.supports_center_of_mass ? share : 0;
+      row.ids_changed += answer.ids_changed;
+      patch += answer.patch_moved;
+      bodies += exploration.bodies_moved;
+      if (answer.median) medians.push_back(*answer.median);
+      if (answer.min) least.push_back(*answer.min);
+    }
+    row.moves = bodies > 0 ? patch / bodies : 0;
+    std::ranges::sort(medians);
+    if (!medians.empty()) row.median = medians[medians.size() / 2];
+    if (!least.empty()) row.min = std::ranges::min(least);
+    rows.push_back(row);
+  }
+  std::ranges::sort(rows, [](const ReducerSummary& a, const ReducerSummary& b) {
+    return std::tuple(-a.mean_area_ratio, a.mean_wrench_error, a.name) <
+           std::tuple(-b.mean_area_ratio, b.mean_wrench_error, b.name);
+  });
+  return rows;
+}
+
+}  // namespace contactscope
