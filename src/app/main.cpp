@@ -95,6 +95,17 @@ int run(int argc, char** argv) {
   add_rendering(*check_verb, command);
   add_common(*check_verb, command);
 
+  CLI::App* explore_verb =
+      program.add_subcommand("explore", "Compare all reducers on a scenario's manifolds");
+  explore_verb->add_option("SCENARIO", options.scenarios, "A file or a name")
+      ->required()
+      ->expected(1);
+  explore_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  explore_verb->add_flag("--json", options.json, "Print JSON lines, one a frame and pair");
+  add_selection(*explore_verb, command);
+  add_rendering(*explore_verb, command);
+  add_common(*explore_verb, command);
+
   CLI::App* doctor_verb = program.add_subcommand("doctor", "Say what each route to OpenGL answers");
   doctor_verb->add_flag("--json", options.json, "Print as JSON");
 
@@ -111,11 +122,12 @@ int run(int argc, char** argv) {
     return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Trouble);
   }
   finish(command);
-  if (*render_verb || *check_verb) choose_backend(command);
+  if (*render_verb || *check_verb || *explore_verb) choose_backend(command);
   ExitCode code = ExitCode::Same;
   if (*render_verb) code = render(options);
   if (*trace_verb) code = trace(options);
   if (*check_verb) code = check(options);
+  if (*explore_verb) code = explore(options);
   if (*doctor_verb) code = doctor(options);
   if (*list_verb) code = list(options);
   std::cout.flush();

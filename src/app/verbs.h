@@ -9,6 +9,7 @@ namespace contactscope::app {
 ExitCode render(const Options& options);
 ExitCode trace(const Options& options);
 ExitCode check(const Options& options);
+ExitCode explore(const Options& options);
 ExitCode doctor(const Options& options);
 ExitCode list(const Options& options);
 

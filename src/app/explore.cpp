@@ -1,0 +1,105 @@
+#include <array>
+#include <cstdio>
+#include <iostream>
+
+#include "app/catalogue.h"
+#include "app/verbs.h"
+#include "reduce/reducer.h"
+#include "study/exploration.h"
+
+namespace contactscope::app {
+namespace {
+
+// A table for people: columns as wide as what they hold, numbers to the right.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> heads) : rows_{std::move(heads)} {}
+
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  void print(std::ostream& out) const {
+    std::vector<std::size_t> widths(rows_.front().size(), 0);
+    for (const std::vector<std::string>& row : rows_) {
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    for (const std::vector<std::string>& row : rows_) {
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string space(widths[i] - row[i].size(), ' ');
+        if (i == 0) {
+          out << row[i] << space;
+        } else {
+          out << "  " << space << row[i];
+        }
+      }
+      out << '\n';
+    }
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string spelled(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+void print_table(const std::vector<trace::Exploration>& explorations, std::ostream& out) {
+  Table table({"reducer", "area %", "worst", "moment lost %", "worst", "depth error mm",
+               "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least"});
+  for (const ReducerSummary& row : summarize(explorations)) {
+    table.add(
+        {row.name, spelled("%.2f", 100 * row.mean_area_ratio),
+         spelled("%.2f", 100 * row.worst_area_ratio), spelled("%.2f", 100 * row.mean_wrench_error),
+         spelled("%.2f", 100 * row.worst_wrench_error),
+         spelled("%.3g", 1000 * row.worst_depth_error), spelled("%.0f", 100 * row.deepest_kept),
+         spelled("%.0f", 100 * row.supported), std::to_string(row.ids_changed),
+         spelled("%.3g", row.moves), row.median > 0 ? spelled("%.0f", row.median) : "-",
+         row.min > 0 ? spelled("%.0f", row.min) : "-"});
+  }
+  table.print(out);
+}
+
+// What a reader must know about the numbers, once and on standard error.
+void print_note(const std::vector<trace::Exploration>& explorations, const Scenario& scenario) {
+  std::size_t most = 0;
+  for (const trace::Exploration& e : explorations) most = std::max(most, e.points.size());
+  std::cerr << scenario.name << ": " << explorations.size()
+            << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
+            << " points";
+  if (!explorations.empty() && static_cast<int>(most) <= scenario.pairs.front().pipeline.max_points)
+    std::cerr << ", which every reducer keeps whole";
+  std::cerr << '\n';
+}
+
+}  // namespace
+
+ExitCode explore(const Options& options) {
+  const std::vector<Scenario> scenarios = load_scenarios(options);
+  if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
+  const Scenario& scenario = scenarios.front();
+  const FrameRange all{0, scenario.frames - 1, 1};
+  const std::vector<int> frames = options.frames.value_or(all).select(scenario.frames);
+
+  ExploreOptions explore_options;
+  if (!options.reducer.empty()) explore_options.reducers = {options.reducer};
+  std::vector<trace::Exploration> explorations =
+      contactscope::explore(scenario, frames.back(), explore_options);
+  // Frames before the first one asked for ran too: some reducers go by what they kept there.
+  std::erase_if(explorations, [&](const trace::Exploration& exploration) {
+    return std::ranges::find(frames, exploration.frame) == frames.end();
+  });
+
+  if (options.json) {
+    for (const trace::Exploration& exploration : explorations) {
+      std::cout << trace::to_json_line(exploration) << '\n';
+    }
+  } else if (!explorations.empty()) {
+    print_table(explorations, std::cout);
+  }
+  if (!options.quiet) print_note(explorations, scenario);
+  return ExitCode::Same;
+}
+
+}  // namespace contactscope::app
