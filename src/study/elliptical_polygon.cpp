@@ -1,0 +1,62 @@
+#include "study/elliptical_polygon.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/pose.h"
+
+namespace contactscope {
+namespace {
+
+// The engine is specified to the bit, the standard distributions are not.
+double uniform(std::mt19937_64& engine, double low, double high) {
+  return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
+}
+
+Vec3d uniform_vector(std::mt19937_64& engine, double reach) {
+  Vec3d v;
+  for (int axis = 0; axis < 3; ++axis) v[axis] = uniform(engine, -reach, reach);
+  return v;
+}
+
+// Shoemake 1992, "Uniform random rotations".
+Quatd any_rotation(std::mt19937_64& engine) {
+  const double share = uniform(engine, 0, 1);
+  const double first = uniform(engine, 0, 2 * std::numbers::pi);
+  const double second = uniform(engine, 0, 2 * std::numbers::pi);
+  const double a = std::sqrt(1 - share);
+  const double b = std::sqrt(share);
+  return Quatd(b * std::cos(second), a * std::sin(first), a * std::cos(first),
+               b * std::sin(second));
+}
+
+}  // namespace
+
+ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count) {
+  const double long_axis = uniform(engine, 0.1, 1);
+  const double short_axis = long_axis / std::pow(5.0, uniform(engine, 0, 1));
+  const double start = uniform(engine, 0, 2 * std::numbers::pi);
+  const double mean_depth = uniform(engine, 0.001, 0.01);
+  const double tilt = uniform(engine, 0, 1);
+  const double downhill = uniform(engine, 0, 2 * std::numbers::pi);
+  const Pose<double> pose{any_rotation(engine), uniform_vector(engine, 5)};
+
+  ContactPolygon polygon;
+  const Vec3d normal = pose.rotation * Vec3d::UnitZ();
+  polygon.normal = normal.cast<float>();
+  for (int i = 0; i < count; ++i) {
+    const double jitter = uniform(engine, -0.4, 0.4);
+    const double angle = start + 2 * std::numbers::pi * (i + jitter) / count;
+    const Vec3d local(long_axis * std::cos(angle), short_axis * std::sin(angle), 0);
+    const Vec3d world = pose.rotation * local + pose.position;
+    const double across =
+        (local.x() * std::cos(downhill) + local.y() * std::sin(downhill)) / long_axis;
+    const double depth = mean_depth * (1 + tilt * across + uniform(engine, -0.05, 0.05));
+    const auto edge = static_cast<std::uint32_t>(i);
+    polygon.points.push_back({world.cast<float>(), static_cast<float>(-depth),
+                              FeatureId::of({Owner::A, edge}, {Owner::B, edge})});
+  }
+  return polygon;
+}
+
+}  // namespace contactscope

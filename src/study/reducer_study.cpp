@@ -1,0 +1,179 @@
+#include "study/reducer_study.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "reduce/reducer.h"
+#include "study/elliptical_polygon.h"
+#include "study/pass_times.h"
+#include "study/reduction_quality.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kPointCounts[] = {5, 6, 8, 12, 16, 32};
+constexpr int kKept = 4;
+// Areas and distances are computed in double from coordinates within 6 m and patches of 0.02 m and
+// more; what is smaller than this is their rounding.
+constexpr double kRounding = 1e-12;
+
+struct Method {
+  std::string name;
+  Reducer<float> reducer;
+};
+
+std::vector<Method> methods() {
+  std::vector<Method> list;
+  for (const ReducerInfo& info : reducers()) {
+    const Reducer<float> reducer = find_reducer<float>(info.name);
+    if (reducer != nullptr) list.push_back({info.name, reducer});  // "none" is no method
+  }
+  return list;
+}
+
+ReduceOptions reduce_options(int index) {
+  ReduceOptions options;
+  options.max_points = kKept;
+  options.seed = static_cast<std::uint64_t>(index) + 1;
+  return options;
+}
+
+Reduction reduced(const Method& method, const std::vector<ContactPolygon>& cases, int index) {
+  const ContactPolygon& polygon = cases[static_cast<std::size_t>(index)];
+  return reduce<float>(method.reducer, polygon.points, polygon.normal, reduce_options(index));
+}
+
+/// Mean and worst error over the cases that did not fail.
+class Errors {
+ public:
+  void add(double error) {
+    const double counted = error < kRounding ? 0 : error;
+    sum_ += counted;
+    worst_ = std::max(worst_, counted);
+    ++count_;
+  }
+  void write(trace::StudyPoint& point) const {
+    if (count_ == 0) return;
+    point.error = sum_ / count_;
+    point.error_worst = worst_;
+  }
+
+ private:
+  double sum_ = 0;
+  double worst_ = 0;
+  int count_ = 0;
+};
+
+/// One method at one number of points: errors by both measures, and times.
+struct Cell {
+  Errors area, wrench;
+  int failed = 0;
+  PassTimes times;
+};
+
+std::optional<ReductionQuality> judge(const Method& method,
+                                      const std::vector<ContactPolygon>& cases, int index) {
+  const Reduction reduction = reduced(method, cases, index);
+  if (reduction.status != ReduceStatus::Reduced || reduction.kept.empty()) return std::nullopt;
+  const ContactPolygon& polygon = cases[static_cast<std::size_t>(index)];
+  std::vector<ContactPoint<double>> points;
+  for (const ContactPoint<float>& point : polygon.points) {
+    points.push_back({point.position.cast<double>(), point.separation, point.id});
+  }
+  const Vec3d normal = polygon.normal.cast<double>().normalized();
+  const ReductionQuality quality =
+      measure_reduction(points, normal, {reduction.kept.begin(), reduction.kept.size()}, kKept);
+  if (!(quality.area > 0)) return std::nullopt;
+  return quality;
+}
+
+void judge_all(const Method& method, const std::vector<ContactPolygon>& cases, Cell& cell) {
+  for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
+    const std::optional<ReductionQuality> quality = judge(method, cases, i);
+    if (!quality) {
+      ++cell.failed;
+      continue;
+    }
+    cell.area.add(1 - quality->area_ratio);
+    cell.wrench.add(quality->wrench_error);
+  }
+}
+
+void time_pass(const Method& method, const std::vector<ContactPolygon>& cases, Cell& cell) {
+  cell.times.measure(static_cast<int>(cases.size()), [&](int i) {
+    const Reduction reduction = reduced(method, cases, i);
+    return reduction.kept.empty() ? 0.0 : static_cast<double>(reduction.kept.back());
+  });
+}
+
+trace::Study described(const StudyOptions& options) {
+  trace::Study study;
+  study.study = "reducers";
+  study.context = study_context("float");
+  study.parameter = "points";
+  study.reference = "all subsets of four points, " + std::to_string(options.cases) +
+                    " elliptical polygons a point, seed " + std::to_string(options.seed);
+  return study;
+}
+
+}  // namespace
+
+std::vector<trace::Study> study_reducers(const StudyOptions& options,
+                                         const StudyProgress& progress) {
+  const std::vector<Method> all = methods();
+  const std::size_t counts = std::size(kPointCounts);
+  std::vector<std::vector<ContactPolygon>> cases(counts);
+  std::vector<std::vector<Cell>> cells(all.size(), std::vector<Cell>(counts));
+
+  const int steps = static_cast<int>(counts) + options.repetitions;
+  int done = 0;
+  std::mt19937_64 engine(options.seed);
+  for (std::size_t c = 0; c < counts; ++c) {
+    for (int i = 0; i < options.cases; ++i) {
+      cases[c].push_back(elliptical_polygon(engine, kPointCounts[c]));
+    }
+    for (std::size_t m = 0; m < all.size(); ++m) judge_all(all[m], cases[c], cells[m][c]);
+    progress(++done, steps, "errors of " + std::to_string(kPointCounts[c]) + " points");
+  }
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    for (std::size_t c = 0; c < counts; ++c) {
+      for (std::size_t turn = 0; turn < all.size(); ++turn) {
+        const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % all.size();
+        time_pass(all[m], cases[c], cells[m][c]);
+      }
+    }
+    progress(++done, steps, "times");
+  }
+
+  trace::Study area = described(options);
+  area.measure = "area";
+  area.title = "What each reducer loses of the contact area";
+  area.error = "lost area, 1 − area / best";
+  trace::Study wrench = described(options);
+  wrench.measure = "wrench";
+  wrench.title = "What each reducer loses of the resisted moment";
+  wrench.error = "lost moment, worst direction";
+  wrench.reference = "all points, " + std::to_string(options.cases) +
+                     " elliptical polygons a point, seed " + std::to_string(options.seed);
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    trace::StudySeries by_area{all[m].name, {}};
+    trace::StudySeries by_wrench{all[m].name, {}};
+    for (std::size_t c = 0; c < counts; ++c) {
+      const Cell& cell = cells[m][c];
+      trace::StudyPoint point;
+      point.parameter = kPointCounts[c];
+      point.nanoseconds = cell.times.summary();
+      point.failed = cell.failed;
+      point.of = options.cases;
+      cell.area.write(point);
+      by_area.points.push_back(point);
+      cell.wrench.write(point);
+      by_wrench.points.push_back(point);
+    }
+    area.series.push_back(std::move(by_area));
+    wrench.series.push_back(std::move(by_wrench));
+  }
+  return {std::move(area), std::move(wrench)};
+}
+
+}  // namespace contactscope

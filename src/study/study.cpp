@@ -1,0 +1,60 @@
+#include "study/study.h"
+
+#include <array>
+#include <ctime>
+#include <fstream>
+
+#include "study/reducer_study.h"
+
+namespace contactscope {
+namespace {
+
+// As the kernel names it; an unknown processor is no reason to fail.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name") && !line.starts_with("Model")) continue;
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "Clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__);
+#elif defined(__GNUC__)
+  return "GCC " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__);
+#else
+  return "unknown compiler";
+#endif
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+std::string build_type() {
+  const std::string type = CONTACTSCOPE_BUILD_TYPE;
+  return type.empty() ? "no build type" : type;
+}
+
+}  // namespace
+
+trace::StudyContext study_context(const std::string& scalar) {
+  return {processor(), compiler(), build_type(), now(), scalar};
+}
+
+const std::vector<StudyInfo>& studies() {
+  static const std::vector<StudyInfo> list = {
+      {"reducers", "what each reducer loses of the contact, against its run time", &study_reducers},
+  };
+  return list;
+}
+
+}  // namespace contactscope

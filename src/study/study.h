@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "trace/study.h"
+
+namespace contactscope {
+
+struct StudyOptions {
+  std::uint64_t seed = 1;  // the same seed gives the same cases and so the same errors
+  int cases = 2000;        // a point, >= 1
+  int repetitions = 25;    // of the passes that are timed, >= 1
+};
+
+/// Told of each step; may throw to stop the study.
+using StudyProgress = std::function<void(int done, int total, const std::string& what)>;
+
+struct StudyInfo {
+  std::string name;
+  std::string summary;  // one line
+  /// One result for each measure of error, the main one first.
+  std::vector<trace::Study> (*run)(const StudyOptions& options, const StudyProgress& progress);
+};
+
+/// Every study, in the order in which to list them.
+const std::vector<StudyInfo>& studies();
+
+/// Processor, compiler and build of this program, and the time now.
+trace::StudyContext study_context(const std::string& scalar);
+
+}  // namespace contactscope

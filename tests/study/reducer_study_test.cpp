@@ -1,0 +1,161 @@
+#include "study/reducer_study.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "reduce/reducer.h"
+#include "study/elliptical_polygon.h"
+
+namespace contactscope {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+StudyOptions small(std::uint64_t seed = 1) {
+  StudyOptions options;
+  options.seed = seed;
+  options.cases = 30;
+  options.repetitions = 3;
+  return options;
+}
+
+void ignore_progress(int /*done*/, int /*total*/, const std::string& /*what*/) {}
+
+const std::vector<trace::Study>& results() {
+  static const std::vector<trace::Study> studies = study_reducers(small(), ignore_progress);
+  return studies;
+}
+
+std::vector<std::string> methods(const trace::Study& study) {
+  std::vector<std::string> names;
+  for (const trace::StudySeries& series : study.series) names.push_back(series.method);
+  return names;
+}
+
+std::vector<std::optional<double>> errors(const trace::Study& study) {
+  std::vector<std::optional<double>> list;
+  for (const trace::StudySeries& series : study.series) {
+    for (const trace::StudyPoint& point : series.points) {
+      list.push_back(point.error);
+      list.push_back(point.error_worst);
+    }
+  }
+  return list;
+}
+
+TEST(ReducerStudy, HasALineForEveryReducerButNone) {
+  std::vector<std::string> wanted;
+  for (const ReducerInfo& info : reducers()) {
+    if (info.name != "none") wanted.push_back(info.name);
+  }
+  ASSERT_EQ(results().size(), 2u);
+  EXPECT_EQ(results()[0].measure, "area");
+  EXPECT_EQ(results()[1].measure, "wrench");
+  for (const trace::Study& study : results()) EXPECT_EQ(methods(study), wanted);
+}
+
+TEST(ReducerStudy, HasAPointForEachNumberOfContacts) {
+  for (const trace::Study& study : results()) {
+    for (const trace::StudySeries& series : study.series) {
+      std::vector<double> parameters;
+      for (const trace::StudyPoint& point : series.points) parameters.push_back(point.parameter);
+      EXPECT_THAT(parameters, ElementsAre(5, 6, 8, 12, 16, 32)) << series.method;
+    }
+  }
+}
+
+TEST(ReducerStudy, ErrorsAreSharesAndTimesAreInOrder) {
+  for (const trace::Study& study : results()) {
+    for (const trace::StudySeries& series : study.series) {
+      for (const trace::StudyPoint& point : series.points) {
+        ASSERT_TRUE(point.error) << series.method;
+        EXPECT_GE(*point.error, 0) << series.method;
+        EXPECT_LE(*point.error, *point.error_worst) << series.method;
+        EXPECT_LE(*point.error_worst, study.measure == "area" ? 1 : 2) << series.method;
+        EXPECT_EQ(point.of, 30);
+        EXPECT_GT(point.nanoseconds.min, 0);
+        EXPECT_LE(point.nanoseconds.min, point.nanoseconds.median);
+        EXPECT_LE(point.nanoseconds.median, point.nanoseconds.max);
+      }
+    }
+  }
+}
+
+TEST(ReducerStudy, AreaLosesSomethingAndAnOptimalReducerNothing) {
+  for (const trace::StudySeries& series : results()[0].series) {
+    double sum = 0;
+    for (const trace::StudyPoint& point : series.points) sum += *point.error;
+    if (series.method == "area") {
+      EXPECT_GT(sum, 0.01);
+    }
+    // Float can take the second best where two differ by less than its rounding.
+    if (series.method == "optimal") {
+      EXPECT_LT(sum, 1e-5);
+    }
+  }
+}
+
+TEST(ReducerStudy, SameSeedGivesTheSameErrorsAndAnotherSeedOthers) {
+  const std::vector<trace::Study> again = study_reducers(small(), ignore_progress);
+  const std::vector<trace::Study> other = study_reducers(small(2), ignore_progress);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(errors(again[i]), errors(results()[i]));
+    EXPECT_NE(errors(other[i]), errors(results()[i]));
+  }
+}
+
+TEST(ReducerStudy, ProgressCountsToItsTotalAndMayStopTheStudy) {
+  int last = 0, most = 0;
+  study_reducers(small(), [&](int done, int total, const std::string& what) {
+    EXPECT_EQ(done, last + 1);
+    EXPECT_FALSE(what.empty());
+    last = done;
+    most = total;
+  });
+  EXPECT_EQ(last, most);
+  EXPECT_THROW(
+      study_reducers(small(), [](int, int, const std::string&) { throw std::runtime_error("no"); }),
+      std::runtime_error);
+}
+
+TEST(StudyContext, NamesProcessorCompilerBuildAndDate) {
+  const trace::StudyContext context = study_context("float");
+  EXPECT_THAT((std::vector<std::string>{context.cpu, context.compiler, context.build_type}),
+              Each(Not("")));
+  EXPECT_THAT(context.date, testing::MatchesRegex("20..-..-..T..:..:..Z"));
+  EXPECT_EQ(context.scalar, "float");
+}
+
+TEST(Studies, AreNamedAndSummarised) {
+  ASSERT_FALSE(studies().empty());
+  EXPECT_EQ(studies().front().name, "reducers");
+  for (const StudyInfo& info : studies()) EXPECT_FALSE(info.summary.empty()) << info.name;
+}
+
+TEST(EllipticalPolygon, IsConvexFlatAndInOrder) {
+  std::mt19937_64 engine(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    const ContactPolygon polygon = elliptical_polygon(engine, 8);
+    ASSERT_EQ(polygon.points.size(), 8u);
+    const Vec3d normal = polygon.normal.cast<double>();
+    EXPECT_NEAR(normal.norm(), 1, 1e-6);
+    const auto at = [&](std::size_t i) -> Vec3d {
+      return polygon.points[i % 8].position.cast<double>();
+    };
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_NEAR(normal.dot(at(i) - at(0)), 0, 1e-5);
+      const Vec3d ahead = at(i + 1) - at(i);
+      const Vec3d after = at(i + 2) - at(i + 1);
+      EXPECT_GT(normal.dot(ahead.cross(after)), 0);
+      EXPECT_LT(polygon.points[i].separation, 0.001f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
