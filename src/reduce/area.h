@@ -15,4 +15,8 @@ template <class S>
 KeptIndices reduce_by_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                            const ReduceOptions& options);
 
+/// The direction of its first step, in the plane with unit `normal`; not of unit length.
+template <class S>
+Vec3<S> fixed_direction(const Vec3<S>& normal);
+
 }  // namespace contactscope

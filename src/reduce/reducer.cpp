@@ -1,6 +1,21 @@
 #include "reduce/reducer.h"
 
 #include "reduce/area.h"
+#include "reduce/area_deepest.h"
+#include "reduce/box3d.h"
+#include "reduce/box3d_mesh.h"
+#include "reduce/bullet.h"
+#include "reduce/deepest.h"
+#include "reduce/distance.h"
+#include "reduce/extremes.h"
+#include "reduce/first.h"
+#include "reduce/jolt.h"
+#include "reduce/mjx.h"
+#include "reduce/newton.h"
+#include "reduce/ode.h"
+#include "reduce/physx.h"
+#include "reduce/physx_cluster.h"
+#include "reduce/random.h"
 
 namespace contactscope {
 namespace {
@@ -17,6 +32,22 @@ template <class S>
 constexpr Entry<S> kReducers[] = {
     {"area", "a support point, the farthest, the largest triangle, the most area outside it",
      &reduce_by_area<S>},
+    {"area_deepest", "as area, but the deepest first", &reduce_by_area_from_deepest<S>},
+    {"distance", "as area, but the fourth is farthest from an edge", &reduce_by_distance<S>},
+    {"extremes", "extremes along two axes of the plane", &reduce_to_extremes<S>},
+    {"deepest", "the deepest", &reduce_to_deepest<S>},
+    {"first", "the first, in the order of clipping", &reduce_to_first<S>},
+    {"random", "any, by the seed", &reduce_at_random<S>},
+    {"box3d", "far and deep, farthest, largest triangle, most area, near ties to the earlier",
+     &reduce_like_box3d<S>},
+    {"box3d_mesh", "the farthest pair, largest triangle, most area", &reduce_like_box3d_mesh<S>},
+    {"jolt", "twice distance times depth, then both sides", &reduce_like_jolt<S>},
+    {"bullet", "one by one, the deepest protected, largest area", &reduce_like_bullet<S>},
+    {"ode", "the deepest, then every 90 degrees", &reduce_like_ode<S>},
+    {"physx", "the deepest, farthest, then both sides", &reduce_like_physx<S>},
+    {"physx_cluster", "the deepest of each of four clusters", &reduce_like_physx_cluster<S>},
+    {"newton", "the diameter, then both sides", &reduce_like_newton<S>},
+    {"mjx", "the first, farthest from it, from the line, from the edges", &reduce_like_mjx<S>},
     {"none", "keeps every point", nullptr},
 };
 

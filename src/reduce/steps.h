@@ -1,0 +1,132 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "reduce/reducer.h"
+
+/// Steps that several reducers take. All of them look at the points as given, relative to one of
+/// them, so that a place far from the origin costs no digits; among equals the earliest wins.
+namespace contactscope::steps {
+
+template <class S>
+using Points = std::span<const ContactPoint<S>>;
+
+template <class S>
+const Vec3<S>& at(Points<S> points, int i) {
+  return points[static_cast<std::size_t>(i)].position;
+}
+
+template <class S>
+int count(Points<S> points) {
+  return static_cast<int>(points.size());
+}
+
+/// The point with the highest score above `more_than`, -1 when none is. A later one must win by the
+/// factor 1 / `handicap`.
+template <class S, class Score>
+int highest(Points<S> points, S more_than, const Score& score, S handicap = S(1)) {
+  int best = -1;
+  S most = more_than;
+  for (int i = 0; i < count(points); ++i) {
+    const S value = score(i);
+    if (handicap * value > most) {
+      most = value;
+      best = i;
+    }
+  }
+  return best;
+}
+
+template <class S>
+int support_point(Points<S> points, const Vec3<S>& direction) {
+  const auto along = [&](int i) { return direction.dot(Vec3<S>(at(points, i) - at(points, 0))); };
+  return highest(points, -std::numeric_limits<S>::infinity(), along);
+}
+
+template <class S>
+int deepest_point(Points<S> points) {
+  return highest(points, -std::numeric_limits<S>::infinity(),
+                 [&](int i) { return -points[static_cast<std::size_t>(i)].separation; });
+}
+
+/// `from` itself when all points coincide.
+template <class S>
+int farthest_from(Points<S> points, int from, S handicap = S(1)) {
+  const auto distance = [&](int i) { return (at(points, i) - at(points, from)).squaredNorm(); };
+  const int farthest = highest(points, S(0), distance, handicap);
+  return farthest < 0 ? from : farthest;
+}
+
+/// The farthest two, lower index first; 0 twice when all points coincide.
+template <class S>
+std::array<int, 2> farthest_pair(Points<S> points) {
+  std::array<int, 2> best = {0, 0};
+  S most = S(0);
+  for (int i = 0; i < count(points); ++i) {
+    for (int k = i + 1; k < count(points); ++k) {
+      const S distance = (at(points, k) - at(points, i)).squaredNorm();
+      if (distance > most) {
+        most = distance;
+        best = {i, k};
+      }
+    }
+  }
+  return best;
+}
+
+/// Mean of the positions.
+template <class S>
+Vec3<S> centre(Points<S> points) {
+  Vec3<S> sum = Vec3<S>::Zero();
+  for (int i = 1; i < count(points); ++i) sum += at(points, i) - at(points, 0);
+  return at(points, 0) + sum / S(count(points));
+}
+
+/// Twice the signed area of the triangle q, a, b; counter-clockwise seen against `normal` is
+/// positive. The talk's 0.5 (QA x QB) . n without the factor.
+template <class S>
+S doubled_area(const Vec3<S>& q, const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& normal) {
+  const Vec3<S> qa = a - q;
+  const Vec3<S> qb = b - q;
+  return qa.cross(qb).dot(normal);
+}
+
+/// Doubled areas up to here, over an edge as long as that from a to b, may be rounding. A
+/// coordinate carries an error of half an ulp of its own size, so a difference of two of them does
+/// too however small it is itself, and an area that error times the length of the edge.
+template <class S>
+S negligible_area(Points<S> points, int a, int b) {
+  const S length = (at(points, b) - at(points, a)).norm();
+  const S coordinate = at(points, a).cwiseAbs().maxCoeff() + length;
+  return S(8) * std::numeric_limits<S>::epsilon() * coordinate * length;
+}
+
+/// The points farthest from the line through a and b on its left and right, -1 where none is.
+template <class S>
+std::array<int, 2> both_sides(Points<S> points, const Vec3<S>& normal, int a, int b) {
+  const S negligible = negligible_area(points, a, b);
+  const auto left = [&](int q) {
+    return doubled_area(at(points, q), at(points, a), at(points, b), normal);
+  };
+  return {highest(points, negligible, left),
+          highest(points, negligible, [&](int q) { return -left(q); })};
+}
+
+inline bool contains(const KeptIndices& kept, int index) {
+  return std::find(kept.begin(), kept.end(), index) != kept.end();
+}
+
+/// Appends a choice unless it is none (-1) or was made before.
+inline void add_once(KeptIndices& kept, int index) {
+  if (index >= 0 && !contains(kept, index)) kept.push_back(index);
+}
+
+/// The first max_points choices.
+inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
+  choices.truncate(std::min(choices.size(), static_cast<std::size_t>(options.max_points)));
+  return choices;
+}
+
+}  // namespace contactscope::steps
