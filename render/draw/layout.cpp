@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/hatch.h"
 #include "draw/palette.h"
 #include "image/font.h"
 
@@ -93,6 +94,24 @@ class Swatch {
     out_.primitives.push_back(
         Fill{{{x, y_}, {x - s, y_ - back * s * 0.5f}, {x - s, y_ + back * s * 0.5f}}, color});
   }
+  void hatched(const Color& color) {
+    const double h = layout_.px(7);
+    const double w = layout_.px(kSwatch - 4);
+    const std::vector<Vec2d> box = {{x_, y_ - h}, {x_ + w, y_ - h}, {x_ + w, y_ + h}, {x_, y_ + h}};
+    hatch(box, {}, layout_.px(5), layout_.px(1.1), color, out_);
+  }
+  // Two rows of a strip: one kept to the end, one given up for the other.
+  void bars(const Color& strong, const Color& faint) {
+    const auto bar = [&](double from, double to, double top, const Color& color) {
+      const float x0 = x_ + layout_.px(from), x1 = x_ + layout_.px(to);
+      const float y0 = y_ + layout_.px(top), y1 = y0 + layout_.px(5);
+      out_.primitives.push_back(Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, color});
+    };
+    bar(0, 12, -6, strong);
+    bar(12, 22, -6, faint);
+    bar(0, 12, 1, faint);
+    bar(12, 22, 1, strong);
+  }
   void upright(double width, const Color& color) {
     const Point2 m = middle();
     out_.primitives.push_back(
@@ -141,6 +160,15 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
     case LegendKind::Kept:
       swatch.dot(0, 3.6, kContact);
       swatch.dot(6.2, 8.2, kContact);
+      break;
+    case LegendKind::LostArea:
+      swatch.hatched(kDropped);
+      break;
+    case LegendKind::BestPolygon:
+      swatch.face(with_alpha(kNormal, 0), kNormal, 1.6, true);
+      break;
+    case LegendKind::KeptIds:
+      swatch.bars(kContact, rgb(0xD5D8DC));
       break;
     case LegendKind::Normal:
       swatch.line(0, 14, 3, kNormal);

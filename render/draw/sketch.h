@@ -74,6 +74,9 @@ enum class LegendKind {
   BeforeMove,
   Contact,
   Kept,
+  LostArea,
+  BestPolygon,
+  KeptIds,
   Normal,
   Axis,
 };

@@ -1,9 +1,16 @@
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include "app/catalogue.h"
+#include "app/encoder_pool.h"
+#include "app/interrupt.h"
+#include "app/ledger.h"
+#include "app/progress.h"
+#include "app/studio.h"
 #include "app/verbs.h"
+#include "draw/reducer_cells.h"
 #include "reduce/reducer.h"
 #include "study/exploration.h"
 
@@ -73,9 +80,71 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
   std::cerr << '\n';
 }
 
+/// The explorations of each pair, frames in order.
+std::vector<std::vector<trace::Exploration>> by_pair(
+    const std::vector<trace::Exploration>& explorations) {
+  std::vector<std::vector<trace::Exploration>> pairs;
+  for (const trace::Exploration& exploration : explorations) {
+    const auto same = [&](const std::vector<trace::Exploration>& pair) {
+      const trace::Exploration& first = pair.front();
+      return first.a == exploration.a && first.b == exploration.b &&
+             first.label == exploration.label;
+    };
+    auto found = std::ranges::find_if(pairs, same);
+    if (found == pairs.end()) found = pairs.emplace(pairs.end());
+    found->push_back(exploration);
+  }
+  return pairs;
+}
+
+// OUT/explore/<group>/<idea>/[<a>-<b>[-<label>]/]frame_0000.png
+std::filesystem::path folder_of(const Options& options, const trace::Exploration& first,
+                                bool several) {
+  std::filesystem::path folder = std::filesystem::path(options.out) / "explore" / first.scenario;
+  if (several) {
+    folder /= first.a + "-" + first.b + (first.label.empty() ? "" : "-" + first.label);
+  }
+  return folder;
+}
+
+std::vector<std::string> order_of(const std::vector<trace::Exploration>& explorations) {
+  std::vector<std::string> names;
+  for (const ReducerSummary& row : summarize(explorations)) names.push_back(row.name);
+  return names;
+}
+
+void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
+                    const Options& options, Ledger& ledger) {
+  const Size size = options.size.value_or(Size{});
+  const std::vector<std::vector<trace::Exploration>> pairs = by_pair(explorations);
+  Studio studio(options.backend, ledger);
+  EncoderPool encoders(options.jobs);
+  {
+    Progress progress(static_cast<int>(explorations.size()), options.quiet);
+    for (const std::vector<trace::Exploration>& pair : pairs) {
+      const draw::ReducerCells cells(scenario.title, scenario.source, scenario.up, pair,
+                                     order_of(pair), size.width, size.height);
+      const std::filesystem::path folder = folder_of(options, pair.front(), pairs.size() > 1);
+      std::filesystem::create_directories(folder);
+      for (std::size_t i = 0; i < pair.size(); ++i) {
+        std::array<char, 32> name{};
+        std::snprintf(name.data(), name.size(), "frame_%04d.png", pair[i].frame);
+        encoders.submit((folder / name.data()).string(), studio.paint(cells.frame(i)));
+        progress.advance(scenario.name);
+      }
+    }
+    encoders.finish();
+  }
+  if (!options.quiet) {
+    std::cerr << explorations.size() << (explorations.size() == 1 ? " picture" : " pictures")
+              << " in " << folder_of(options, explorations.front(), false).string() << '\n';
+  }
+}
+
 }  // namespace
 
 ExitCode explore(const Options& options) {
+  note_interrupts();
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
   const Scenario& scenario = scenarios.front();
@@ -99,6 +168,13 @@ ExitCode explore(const Options& options) {
     print_table(explorations, std::cout);
   }
   if (!options.quiet) print_note(explorations, scenario);
+  Ledger ledger;
+  if (options.tables_only) {
+    ledger.left_out("pictures and OpenGL, for --table asks for the table alone");
+  } else if (!explorations.empty()) {
+    write_pictures(scenario, explorations, options, ledger);
+  }
+  if (options.verbose) ledger.print(std::cerr, "explore");
   return ExitCode::Same;
 }
 

@@ -101,6 +101,7 @@ int run(int argc, char** argv) {
       ->required()
       ->expected(1);
   explore_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  explore_verb->add_flag("--table", options.tables_only, "Write no pictures, and open no OpenGL");
   explore_verb->add_flag("--json", options.json, "Print JSON lines, one a frame and pair");
   add_selection(*explore_verb, command);
   add_rendering(*explore_verb, command);

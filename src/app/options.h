@@ -57,6 +57,7 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
   bool timing = false;
+  bool tables_only = false;
 };
 
 /// The command line is wrong; what() says how and what would be right. Exit code 2.

@@ -80,4 +80,16 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
   }
 }
 
+Image Studio::paint(const draw::Drawing& drawing) {
+  stop_if_interrupted();
+  gl::Rasterizer& canvas = impl_->canvas(drawing.width, drawing.height);
+  {
+    const Timed timed(impl_->ledger, "paint");
+    canvas.begin(drawing.background);
+    canvas.paint(drawing);
+  }
+  const Timed timed(impl_->ledger, "read back");
+  return canvas.read();
+}
+
 }  // namespace contactscope::app

@@ -7,6 +7,7 @@
 
 #include "app/ledger.h"
 #include "app/options.h"
+#include "draw/drawing.h"
 #include "draw/staging.h"
 #include "image/image.h"
 #include "overlay/panels.h"
@@ -29,6 +30,9 @@ class Studio {
   void render(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
               const std::vector<std::size_t>& which, const std::vector<double>& nanoseconds,
               const std::function<void(std::size_t, Image)>& sink);
+
+  /// A drawing by itself, as large as it says.
+  Image paint(const draw::Drawing& drawing);
 
  private:
   struct Impl;
