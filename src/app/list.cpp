@@ -4,6 +4,7 @@
 #include "app/catalogue.h"
 #include "app/verbs.h"
 #include "reduce/reducer.h"
+#include "study/study.h"
 
 namespace contactscope::app {
 namespace {
@@ -33,6 +34,10 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "layers") return plain(known_layers());
   if (what == "panels") return plain(known_panels());
   std::vector<Item> items;
+  if (what == "studies") {
+    for (const StudyInfo& info : studies()) items.push_back({info.name, info.summary});
+    return items;
+  }
   for (const ReducerInfo& info : reducers()) items.push_back({info.name, info.summary});
   return items;
 }
@@ -40,7 +45,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
 }  // namespace
 
 ExitCode list(const Options& options) {
-  std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels"};
+  std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels", "studies"};
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
   for (const std::string& kind : kinds) {

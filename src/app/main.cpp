@@ -107,12 +107,27 @@ int run(int argc, char** argv) {
   add_rendering(*explore_verb, command);
   add_common(*explore_verb, command);
 
+  CLI::App* study_verb =
+      program.add_subcommand("study", "Measure error against run time: plot, CSV and JSON");
+  study_verb->add_option("NAME", options.study, "A name that `list studies` prints")->required();
+  study_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  study_verb->add_option("--cases", options.cases, "Cases a point of a line")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  study_verb->add_option("--seed", options.seed, "Of the random cases")->capture_default_str();
+  study_verb->add_flag("--table", options.tables_only, "Write no plots, and open no OpenGL");
+  study_verb->add_flag("--json", options.json, "Print the results as JSON too, one a line");
+  study_verb->add_option("--out", options.out, "Folder to write to")->capture_default_str();
+  study_verb->add_option("--backend", command.backend,
+                         "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
+  add_common(*study_verb, command);
+
   CLI::App* doctor_verb = program.add_subcommand("doctor", "Say what each route to OpenGL answers");
   doctor_verb->add_flag("--json", options.json, "Print as JSON");
 
   CLI::App* list_verb = program.add_subcommand("list", "List what a scenario may name");
-  list_verb->add_option("WHAT", options.what, "scenarios, reducers, layers or panels")
-      ->check(CLI::IsMember({"scenarios", "reducers", "layers", "panels"}));
+  list_verb->add_option("WHAT", options.what, "scenarios, reducers, layers, panels or studies")
+      ->check(CLI::IsMember({"scenarios", "reducers", "layers", "panels", "studies"}));
   list_verb->add_flag("--json", options.json, "Print as JSON");
   add_common(*list_verb, command);
 
@@ -123,12 +138,13 @@ int run(int argc, char** argv) {
     return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Trouble);
   }
   finish(command);
-  if (*render_verb || *check_verb || *explore_verb) choose_backend(command);
+  if (*render_verb || *check_verb || *explore_verb || *study_verb) choose_backend(command);
   ExitCode code = ExitCode::Same;
   if (*render_verb) code = render(options);
   if (*trace_verb) code = trace(options);
   if (*check_verb) code = check(options);
   if (*explore_verb) code = explore(options);
+  if (*study_verb) code = study(options);
   if (*doctor_verb) code = doctor(options);
   if (*list_verb) code = list(options);
   std::cout.flush();

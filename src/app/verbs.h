@@ -10,6 +10,7 @@ ExitCode render(const Options& options);
 ExitCode trace(const Options& options);
 ExitCode check(const Options& options);
 ExitCode explore(const Options& options);
+ExitCode study(const Options& options);
 ExitCode doctor(const Options& options);
 ExitCode list(const Options& options);
 

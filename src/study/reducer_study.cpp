@@ -16,6 +16,9 @@ constexpr int kKept = 4;
 // Areas and distances are computed in double from coordinates within 6 m and patches of 0.02 m and
 // more; what is smaller than this is their rounding.
 constexpr double kRounding = 1e-12;
+// Float coordinates of that size are off by some 1e-7 m: of two choices that differ by less, a
+// method cannot know the better one.
+constexpr double kResolution = 1e-6;
 
 struct Method {
   std::string name;
@@ -111,6 +114,7 @@ trace::Study described(const StudyOptions& options) {
   study.study = "reducers";
   study.context = study_context("float");
   study.parameter = "points";
+  study.resolution = kResolution;
   study.reference = "all subsets of four points, " + std::to_string(options.cases) +
                     " elliptical polygons a point, seed " + std::to_string(options.seed);
   return study;
@@ -152,7 +156,7 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   trace::Study wrench = described(options);
   wrench.measure = "wrench";
   wrench.title = "What each reducer loses of the resisted moment";
-  wrench.error = "lost moment, worst direction";
+  wrench.error = "lost moment arm / patch radius, worst axis";
   wrench.reference = "all points, " + std::to_string(options.cases) +
                      " elliptical polygons a point, seed " + std::to_string(options.seed);
   for (std::size_t m = 0; m < all.size(); ++m) {

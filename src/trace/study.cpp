@@ -58,6 +58,32 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+Json whole(const Study& study) {
+  Json series = Json::array();
+  for (const StudySeries& one : study.series) {
+    Json points = Json::array();
+    for (const StudyPoint& p : one.points) points.push_back(point(p));
+    series.push_back({{"method", one.method}, {"points", std::move(points)}});
+  }
+  const StudyContext& context = study.context;
+  return {{"schema", kStudySchema},
+          {"study", study.study},
+          {"measure", study.measure},
+          {"title", study.title},
+          {"context",
+           {{"cpu", context.cpu},
+            {"compiler", context.compiler},
+            {"build_type", context.build_type},
+            {"date", context.date},
+            {"scalar", context.scalar}}},
+          {"reference", study.reference},
+          {"error", study.error},
+          {"unit", study.unit},
+          {"resolution", finite(study.resolution, "resolution")},
+          {"parameter", study.parameter},
+          {"series", std::move(series)}};
+}
+
 std::string row(std::initializer_list<std::string> cells) {
   std::string line;
   for (const std::string& cell : cells) line += quoted(cell) + ',';
@@ -68,29 +94,11 @@ std::string row(std::initializer_list<std::string> cells) {
 }  // namespace
 
 std::string to_json(const Study& study) {
-  Json series = Json::array();
-  for (const StudySeries& one : study.series) {
-    Json points = Json::array();
-    for (const StudyPoint& p : one.points) points.push_back(point(p));
-    series.push_back({{"method", one.method}, {"points", std::move(points)}});
-  }
-  const StudyContext& context = study.context;
-  const Json json = {{"schema", kStudySchema},
-                     {"study", study.study},
-                     {"measure", study.measure},
-                     {"title", study.title},
-                     {"context",
-                      {{"cpu", context.cpu},
-                       {"compiler", context.compiler},
-                       {"build_type", context.build_type},
-                       {"date", context.date},
-                       {"scalar", context.scalar}}},
-                     {"reference", study.reference},
-                     {"error", study.error},
-                     {"unit", study.unit},
-                     {"parameter", study.parameter},
-                     {"series", std::move(series)}};
-  return json.dump(1) + "\n";
+  return whole(study).dump(1) + "\n";
+}
+
+std::string to_json_line(const Study& study) {
+  return whole(study).dump();
 }
 
 std::string to_csv(const Study& study) {

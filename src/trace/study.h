@@ -51,6 +51,7 @@ struct Study {
   std::string reference;  // what the error is measured against
   std::string error;      // name of the error
   std::string unit;       // "m"; empty for a ratio
+  double resolution = 0;  // errors up to this one cannot be told from rounding
   std::string parameter;  // "points": what the parameter counts
   std::vector<StudySeries> series;
 };
@@ -58,9 +59,12 @@ struct Study {
 /// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
 /// double. Throws std::domain_error that names the key where a number is not finite.
 ///
-/// Beyond FORMATS.md: "measure", "title", "unit", "parameter"; "scalar" in the context, and
-/// "error_worst" beside each "error". Both errors are null where every case failed.
+/// Beyond FORMATS.md: "measure", "title", "unit", "resolution", "parameter"; "scalar" in the
+/// context, and "error_worst" beside each "error". Both errors are null where every case failed.
 std::string to_json(const Study& study);
+
+/// The same on one line, without the newline.
+std::string to_json_line(const Study& study);
 
 /// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then a line a point;
 /// what holds of the whole study is repeated in every line, so that files can be joined. An error

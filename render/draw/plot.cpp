@@ -1,0 +1,86 @@
+#include "draw/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "draw/layout.h"
+#include "draw/palette.h"
+#include "draw/plot_panel.h"
+#include "draw/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kTitle = 28;
+constexpr double kSubtitle = 15;
+constexpr double kCaption = 14;
+constexpr double kGutter = 22;
+
+std::string context_line(const trace::StudyContext& context) {
+  std::string line;
+  for (const std::string& part : {context.cpu, context.compiler, context.build_type, context.scalar,
+                                  context.date.substr(0, 10)}) {
+    if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
+  }
+  return line;
+}
+
+std::string subtitle(const trace::Study& study) {
+  std::set<double> parameters;
+  for (const trace::StudySeries& series : study.series) {
+    for (const trace::StudyPoint& point : series.points) parameters.insert(point.parameter);
+  }
+  std::string line = "Along a line: ";
+  bool first = true;
+  for (const double parameter : parameters) {
+    line += (first ? "" : ", ") + spell_number(parameter);
+    first = false;
+  }
+  return line + " " + study.parameter +
+         ". Strong: at most of these nothing else is both as fast and as close.";
+}
+
+bool has_worst(const trace::Study& study) {
+  return std::ranges::any_of(study.series, [](const trace::StudySeries& series) {
+    return std::ranges::any_of(series.points, [](const trace::StudyPoint& point) {
+      return point.error_worst.has_value();
+    });
+  });
+}
+
+}  // namespace
+
+Drawing plot(const trace::Study& study, int width, int height) {
+  const Layout layout = make_layout(width, height, false, {});
+  Drawing drawing;
+  drawing.width = width;
+  drawing.height = height;
+  draw_captions(study.title, "Against " + study.reference, context_line(study.context), layout,
+                drawing);
+
+  const double left = layout.legend.x;
+  const double inner = layout.legend.width;
+  double top = left + layout.px(kTitle + 4);
+  Text note;
+  note.text = subtitle(study);
+  note.size = layout.px(kSubtitle);
+  note.at = {static_cast<float>(left), static_cast<float>(top) + 0.8f * note.size};
+  note.color = kQuietText;
+  drawing.primitives.push_back(note);
+  top += layout.px(kSubtitle + 12);
+  const double bottom = height - left - layout.px(kCaption + 6);
+
+  if (!has_worst(study)) {
+    draw_plot_panel(study, ErrorKind::Mean, {left, top, inner, bottom - top}, layout.scale,
+                    drawing);
+    return drawing;
+  }
+  const double column = 0.5 * (inner - layout.px(kGutter));
+  draw_plot_panel(study, ErrorKind::Mean, {left, top, column, bottom - top}, layout.scale, drawing);
+  draw_plot_panel(study, ErrorKind::Worst, {left + inner - column, top, column, bottom - top},
+                  layout.scale, drawing);
+  return drawing;
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,90 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "app/interrupt.h"
+#include "app/ledger.h"
+#include "app/progress.h"
+#include "app/studio.h"
+#include "app/verbs.h"
+#include "draw/plot.h"
+#include "image/png.h"
+#include "image/whole_file.h"
+#include "trace/study.h"
+
+namespace contactscope::app {
+namespace {
+
+const StudyInfo& find_study(const std::string& name) {
+  std::string names;
+  for (const StudyInfo& info : studies()) {
+    if (info.name == name) return info;
+    names += (names.empty() ? "" : ", ") + info.name;
+  }
+  throw UsageError("study '" + name + "' is not known; there is " + names);
+}
+
+std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {
+  const Timed timed(ledger, "study");
+  StudyOptions study_options;
+  study_options.seed = options.seed;
+  study_options.cases = options.cases;
+  std::optional<Progress> progress;
+  return info.run(study_options, [&](int /*done*/, int total, const std::string& what) {
+    stop_if_interrupted();
+    if (!progress) progress.emplace(total, options.quiet);
+    progress->advance(what);
+  });
+}
+
+struct File {
+  std::filesystem::path path;
+  std::vector<std::uint8_t> bytes;
+};
+
+std::vector<std::uint8_t> bytes_of(const std::string& text) {
+  return {text.begin(), text.end()};
+}
+
+}  // namespace
+
+// All is computed before the first file is written: a study that fails leaves those of an earlier
+// run as they are.
+ExitCode study(const Options& options) {
+  note_interrupts();
+  const StudyInfo& info = find_study(options.study);
+  Ledger ledger;
+  const std::vector<trace::Study> results = run_study(info, options, ledger);
+
+  const std::filesystem::path folder = std::filesystem::path(options.out) / "study" / info.name;
+  std::vector<File> files;
+  Studio studio(options.backend, ledger);
+  for (const trace::Study& result : results) {
+    // The main measure has the plain names.
+    const std::string suffix = &result == &results.front() ? "" : "_" + result.measure;
+    files.push_back({folder / ("results" + suffix + ".json"), bytes_of(trace::to_json(result))});
+    files.push_back({folder / ("results" + suffix + ".csv"), bytes_of(trace::to_csv(result))});
+    if (options.tables_only) continue;
+    const Size size = options.size.value_or(Size{});
+    const draw::Drawing drawing = draw::plot(result, size.width, size.height);
+    files.push_back({folder / ("plot" + suffix + ".png"), encode_png(studio.paint(drawing))});
+  }
+  if (options.tables_only) {
+    ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");
+  }
+  stop_if_interrupted();
+  std::filesystem::create_directories(folder);
+  for (const File& file : files) write_whole_file(file.path.string(), file.bytes);
+  if (options.json) {
+    for (const trace::Study& result : results) std::cout << trace::to_json_line(result) << '\n';
+  }
+  if (options.verbose) ledger.print(std::cerr, "study");
+  if (!options.quiet) std::cerr << files.size() << " files in " << folder.string() << '\n';
+  return ExitCode::Same;
+}
+
+}  // namespace contactscope::app
