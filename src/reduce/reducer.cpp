@@ -13,6 +13,8 @@
 #include "reduce/mjx.h"
 #include "reduce/newton.h"
 #include "reduce/ode.h"
+#include "reduce/optimal.h"
+#include "reduce/optimal_deepest.h"
 #include "reduce/physx.h"
 #include "reduce/physx_cluster.h"
 #include "reduce/random.h"
@@ -48,6 +50,9 @@ constexpr Entry<S> kReducers[] = {
     {"physx_cluster", "the deepest of each of four clusters", &reduce_like_physx_cluster<S>},
     {"newton", "the diameter, then both sides", &reduce_like_newton<S>},
     {"mjx", "the first, farthest from it, from the line, from the edges", &reduce_like_mjx<S>},
+    {"optimal", "the largest area", &reduce_to_optimal<S>},
+    {"optimal_deepest", "the largest area of those with the deepest",
+     &reduce_to_optimal_deepest<S>},
     {"none", "keeps every point", nullptr},
 };
 

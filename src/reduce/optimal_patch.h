@@ -1,0 +1,87 @@
+#pragma once
+
+#include <span>
+
+#include "core/manifold.h"
+
+namespace contactscope {
+
+template <class S>
+struct PlanePoint {
+  S x, y;
+};
+
+/// Doubled signed area of the triangle 0, a, b.
+template <class S>
+S cross(const PlanePoint<S>& a, const PlanePoint<S>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <class S>
+S squared_distance(const PlanePoint<S>& a, const PlanePoint<S>& b) {
+  const PlanePoint<S> d = {b.x - a.x, b.y - a.y};
+  return d.x * d.x + d.y * d.y;
+}
+
+/// Contact points seen along the normal: the corners of their convex hull, each coordinate in an
+/// array of its own. It goes round twice and a block of lanes more, so that nothing that goes round
+/// has to wrap: corner i + count is corner i again.
+template <class S>
+class Patch {
+ public:
+  /// At most kMaxManifoldPoints points, at least one; finite, `normal` a unit vector. Points off a
+  /// common plane are laid into it along the normal.
+  Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
+
+  static constexpr int kLanes = 4;
+
+  int count() const { return count_; }
+  /// Metres, relative to the first point. Counter-clockwise in these coordinates.
+  PlanePoint<S> corner(int i) const { return {x_[i], y_[i]}; }
+  const S* x() const { return x_; }
+  const S* y() const { return y_; }
+  /// The contact point at corner i < count().
+  int point(int i) const { return point_[i]; }
+  /// A contact point in the coordinates of the corners.
+  PlanePoint<S> project(const Vec3<S>& position) const;
+
+  /// Doubled area between the chain of corners from i to j and the straight line back, for
+  /// i <= j < 2 count(). A whole round for j = i + count().
+  S doubled_area(int i, int j) const { return swept_[j] - swept_[i] + cross(corner(j), corner(i)); }
+  const S* swept() const { return swept_; }
+  /// All points are on a line, or coincide: the area is nothing but rounding.
+  bool is_flat() const { return is_flat_; }
+  /// A distance within rounding is none.
+  bool coincide(const PlanePoint<S>& a, const PlanePoint<S>& b) const {
+    return squared_distance(a, b) <= rounding_ * rounding_;
+  }
+
+  /// Whether counter-clockwise corners are clockwise seen against the normal.
+  bool is_mirrored() const { return is_mirrored_; }
+  /// Lets corner i stand for another contact point at the same place.
+  void rename(int i, int point) { point_[i] = point; }
+
+ private:
+  static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * kLanes;
+
+  void wrap();
+  void make_convex();
+  void measure();
+
+  Vec3<S> origin_;
+  Vec3<S> u_, v_;
+  int count_;
+  bool is_mirrored_ = false;
+  bool is_flat_ = false;
+  S rounding_;  // of a coordinate, metres
+  // Not initialised: only the first 2 count + kLanes are used.
+  int point_[kMaxManifoldPoints];
+  S x_[kRoom];
+  S y_[kRoom];
+  S swept_[kRoom];  // doubled area that the ray from the first point sweeps up to a corner
+};
+
+extern template class Patch<float>;
+extern template class Patch<double>;
+
+}  // namespace contactscope

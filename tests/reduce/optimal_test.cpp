@@ -1,0 +1,266 @@
+#include "reduce/optimal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reduce/brute_force.h"
+#include "reduce/optimal_deepest.h"
+
+namespace contactscope {
+namespace {
+
+using test::Place;
+using test::RandomPatch;
+using test::Shape;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+template <class S>
+std::vector<int> reduced(Reducer<S> reducer, const std::vector<ContactPoint<S>>& points,
+                         const Vec3<S>& normal, int max_points) {
+  ReduceOptions options;
+  options.max_points = max_points;
+  const Reduction reduction = reduce<S>(reducer, points, normal, options);
+  EXPECT_EQ(reduction.status, ReduceStatus::Reduced);
+  return {reduction.kept.begin(), reduction.kept.end()};
+}
+
+/// Points in the x-y plane, z up, of these separations.
+template <class S>
+std::vector<ContactPoint<S>> points_at(const std::vector<Place>& places,
+                                       const std::vector<double>& separations = {}) {
+  std::vector<ContactPoint<S>> points;
+  for (const Place& place : places) {
+    const double separation = separations.empty() ? 0 : separations[points.size()];
+    points.push_back({Vec3d(place.x, place.y, 0).cast<S>(), static_cast<S>(separation), {}});
+  }
+  return points;
+}
+
+template <class S>
+int deepest(const std::vector<ContactPoint<S>>& points) {
+  int best = 0;
+  for (int i = 1; i < static_cast<int>(points.size()); ++i) {
+    if (points[static_cast<std::size_t>(i)].separation <
+        points[static_cast<std::size_t>(best)].separation) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+template <class S>
+class OptimalReducer : public testing::Test {
+ protected:
+  static std::vector<int> best(const std::vector<ContactPoint<S>>& points, int max_points) {
+    return reduced<S>(&reduce_to_optimal<S>, points, Vec3<S>::UnitZ(), max_points);
+  }
+  static std::vector<int> best_with_deepest(const std::vector<ContactPoint<S>>& points,
+                                            int max_points) {
+    return reduced<S>(&reduce_to_optimal_deepest<S>, points, Vec3<S>::UnitZ(), max_points);
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(OptimalReducer, Scalars);
+
+TYPED_TEST(OptimalReducer, NoChoiceOfAnyPointsHasMoreArea) {
+  using S = TypeParam;
+  test::Random random(21);
+  for (const Shape shape : test::kShapes) {
+    for (int i = 0; i < 400; ++i) {
+      const int count = 5 + random.index(i < 350 ? 5 : 8);
+      const RandomPatch<S> patch = test::random_patch<S>(random, shape, count);
+      const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
+      const double rounding = test::area_rounding(patch.points, places);
+      for (int most = 3; most <= 6; ++most) {
+        if (count <= most) continue;
+        const std::vector<int> kept =
+            reduced<S>(&reduce_to_optimal<S>, patch.points, patch.normal, most);
+        ASSERT_NEAR(test::hull_area(test::at(places, kept)), test::largest_area(places, most),
+                    rounding)
+            << "shape " << static_cast<int>(shape) << ", case " << i << ", most " << most;
+      }
+    }
+  }
+}
+
+TYPED_TEST(OptimalReducer, NoChoiceWithTheDeepestHasMoreArea) {
+  using S = TypeParam;
+  test::Random random(22);
+  for (const Shape shape : test::kShapes) {
+    for (int i = 0; i < 400; ++i) {
+      const int count = 5 + random.index(i < 350 ? 5 : 8);
+      RandomPatch<S> patch = test::random_patch<S>(random, shape, count);
+      // Half of the patches are no tilted planes: any point may be the deepest, also inside.
+      if (random.chance(0.5)) {
+        patch.points[static_cast<std::size_t>(random.index(count))].separation *= S(3);
+      }
+      const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
+      const double rounding = test::area_rounding(patch.points, places);
+      const int first = deepest(patch.points);
+      for (int most = 1; most <= 6; ++most) {
+        if (count <= most) continue;
+        const std::vector<int> kept =
+            reduced<S>(&reduce_to_optimal_deepest<S>, patch.points, patch.normal, most);
+        ASSERT_EQ(kept[0], first);
+        const double largest = test::largest_area(
+            places, most, [&](const std::vector<int>& c) { return std::ranges::count(c, first); });
+        ASSERT_NEAR(test::hull_area(test::at(places, kept)), largest, rounding)
+            << "shape " << static_cast<int>(shape) << ", case " << i << ", most " << most;
+      }
+    }
+  }
+}
+
+TYPED_TEST(OptimalReducer, KeepsTheFarthestTwo) {
+  using S = TypeParam;
+  test::Random random(23);
+  for (const Shape shape : test::kShapes) {
+    for (int i = 0; i < 200; ++i) {
+      const RandomPatch<S> patch = test::random_patch<S>(random, shape, 5 + random.index(8));
+      const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
+      const double extent = test::extent(places);
+      const double tolerance = test::area_rounding(patch.points, places) / extent;
+      const std::vector<int> two = reduced<S>(&reduce_to_optimal<S>, patch.points, patch.normal, 2);
+      ASSERT_NEAR(test::extent(test::at(places, two)), extent, tolerance);
+
+      const std::vector<int> with_deepest =
+          reduced<S>(&reduce_to_optimal_deepest<S>, patch.points, patch.normal, 2);
+      const int first = deepest(patch.points);
+      ASSERT_EQ(with_deepest[0], first);
+      double farthest = 0;
+      for (const Place& place : places) {
+        farthest =
+            std::max(farthest, test::distance(places[static_cast<std::size_t>(first)], place));
+      }
+      ASSERT_NEAR(test::extent(test::at(places, with_deepest)), farthest, tolerance);
+    }
+  }
+}
+
+TYPED_TEST(OptimalReducer, IsExactForManyPointsInAnyOrder) {
+  using S = TypeParam;
+  // Half of the corners are crowded at one place, so that short diagonals matter too.
+  test::Random random(24);
+  for (const int count : {16, 24, 40, 64}) {
+    for (int i = 0; i < 12; ++i) {
+      std::vector<double> angles;
+      const bool crowded = i % 2 == 0;
+      for (int k = 0; k < count; ++k) {
+        angles.push_back(crowded && k > 5 ? random.uniform(0, 0.2) : random.uniform(0, 6.28));
+      }
+      std::sort(angles.begin(), angles.end());
+      std::vector<Place> places;
+      for (const double angle : angles) places.push_back({std::cos(angle), std::sin(angle)});
+      if (i % 3 == 0) std::swap(places[3], places[11]);
+      const std::vector<ContactPoint<S>> points = points_at<S>(places);
+      places = test::seen_along<S>(points, Vec3<S>::UnitZ());
+      // Every diagonal with the farthest place on both sides.
+      double largest = 0;
+      for (const Place& a : places) {
+        for (const Place& b : places) {
+          double left = 0;
+          double right = 0;
+          for (const Place& c : places) {
+            left = std::max(left, test::turn(a, b, c));
+            right = std::max(right, -test::turn(a, b, c));
+          }
+          largest = std::max(largest, 0.5 * (left + right));
+        }
+      }
+      EXPECT_NEAR(test::hull_area(test::at(places, this->best(points, 4))), largest,
+                  test::area_rounding(points, places));
+    }
+  }
+}
+
+TYPED_TEST(OptimalReducer, EveryPointOfARegularPolygonOf256) {
+  using S = TypeParam;
+  std::vector<Place> places;
+  for (int i = 0; i < 256; ++i) {
+    places.push_back({std::cos(i * std::numbers::pi / 128), std::sin(i * std::numbers::pi / 128)});
+  }
+  const auto points = points_at<S>(places);
+  EXPECT_NEAR(test::hull_area(test::at(places, this->best(points, 4))), 2, 1e-5);
+  EXPECT_NEAR(test::hull_area(test::at(places, this->best_with_deepest(points, 4))), 2, 1e-5);
+  const double hexagon = 1.5 * std::sqrt(3.0);
+  EXPECT_NEAR(test::hull_area(test::at(places, this->best(points, 6))), hexagon, 1e-3);
+}
+
+TYPED_TEST(OptimalReducer, GoesRoundCounterClockwiseFromTheDeepest) {
+  using S = TypeParam;
+  const std::vector<Place> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
+  EXPECT_THAT(this->best(points_at<S>(square, {0, 0, -1, 0, -2}), 4), ElementsAre(2, 3, 0, 1));
+  EXPECT_THAT(this->best_with_deepest(points_at<S>(square, {0, 0, -1, 0, 0}), 4),
+              ElementsAre(2, 3, 0, 1));
+  const std::vector<Place> clockwise = {{0, 1}, {1.1, 1.1}, {1, 0}, {0.4, -0.1}, {0, 0}};
+  EXPECT_THAT(this->best(points_at<S>(clockwise, {0, 0, -1, -2, 0}), 4), ElementsAre(2, 1, 0, 4));
+  EXPECT_THAT(this->best_with_deepest(points_at<S>(clockwise, {0, 0, -1, 0, 0}), 4),
+              ElementsAre(2, 1, 0, 4));
+}
+
+TYPED_TEST(OptimalReducer, TheDeepestInsideTakesTheRoomOfACorner) {
+  using S = TypeParam;
+  // The triangle 1 2 3 has an area of 10, and the deepest, outside of its long edge, adds 2.
+  const std::vector<Place> places = {{0, 0}, {4, 0}, {5, 4}, {0, 4}, {2, 1}};
+  EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, 0, -1}), 4),
+              ElementsAre(4, 1, 2, 3));
+}
+
+TYPED_TEST(OptimalReducer, KeepsOneOfTwoCoincidentCorners) {
+  using S = TypeParam;
+  const std::vector<Place> places = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 1}, {0, 0}};
+  EXPECT_THAT(this->best(points_at<S>(places), 4), UnorderedElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, 0, -1, 0}), 4),
+              ElementsAre(4, 3, 0, 1));
+}
+
+TYPED_TEST(OptimalReducer, KeepsTheTwoExtremesOfALineAndTheDeepestBetween) {
+  using S = TypeParam;
+  for (int turn = 0; turn < 64; ++turn) {
+    const double angle = turn * std::numbers::pi / 32;
+    std::vector<Place> line;
+    for (const double t : {0.3, -1.0, 0.0, 0.7, 1.0, -0.2}) {
+      line.push_back({5 + t * std::cos(angle), 3 + t * std::sin(angle)});
+    }
+    const auto points = points_at<S>(line, {0, 0, -1, 0, 0, 0});
+    EXPECT_THAT(this->best(points, 4), UnorderedElementsAre(1, 4)) << "direction " << turn;
+    EXPECT_THAT(this->best(points, 2), UnorderedElementsAre(1, 4)) << "direction " << turn;
+    EXPECT_THAT(this->best_with_deepest(points, 4), UnorderedElementsAre(2, 1, 4));
+    const auto end_deepest = points_at<S>(line, {0, 0, 0, 0, -1, 0});
+    EXPECT_THAT(this->best_with_deepest(end_deepest, 4), ElementsAre(4, 1));
+    EXPECT_THAT(this->best_with_deepest(end_deepest, 2), ElementsAre(4, 1));
+  }
+}
+
+TYPED_TEST(OptimalReducer, KeepsOneOfCoincidentPoints) {
+  using S = TypeParam;
+  const std::vector<Place> places(7, Place{1, 2});
+  for (const int most : {1, 2, 3, 4, 5}) {
+    EXPECT_EQ(this->best(points_at<S>(places), most).size(), 1U);
+    EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, -1, 0, 0, 0}), most),
+                ElementsAre(3));
+  }
+}
+
+TYPED_TEST(OptimalReducer, OneAloneIsTheSupportPointOrTheDeepest) {
+  using S = TypeParam;
+  const std::vector<Place> places = {{-1, -1}, {1, -1}, {1.5, 1.5}, {-1, 1}, {0, 0}};
+  EXPECT_THAT(this->best(points_at<S>(places), 1), ElementsAre(2));
+  EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, 0, -1}), 1), ElementsAre(4));
+}
+
+TYPED_TEST(OptimalReducer, AStarThatTurnsLeftEverywhereIsNoConvexPolygon) {
+  using S = TypeParam;
+  std::vector<Place> places;
+  for (int i = 0; i < 5; ++i) {
+    const double angle = 4 * i * std::numbers::pi / 5;
+    places.push_back({std::cos(angle), std::sin(angle)});
+  }
+  const auto points = points_at<S>(places);
+  const std::vector<int> kept = this->best(points, 4);
+  EXPECT_NEAR(test::hull_area(test::at(places, kept)), test::largest_area(places, 4), 1e-6);
+}
+
+}  // namespace
+}  // namespace contactscope
