@@ -1,4 +1,4 @@
-#include "draw/reducer_cells.h"
+#include "draw/contact_cells.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/convex_polygon.h"
+#include "draw/choice_steps.h"
 #include "draw/hatch.h"
 #include "draw/palette.h"
-#include "draw/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -29,21 +29,6 @@ Vec2d flat(const Point2& p) {
 
 Point2 pixel(const Vec2d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y())};
-}
-
-const trace::ReducerAnswer& answer_of(const trace::Exploration& exploration,
-                                      const std::string& reducer) {
-  return *std::ranges::find(exploration.reducers, reducer, &trace::ReducerAnswer::name);
-}
-
-std::string percent(double share) {
-  std::array<char, 32> text{};
-  // Only what is whole may be called so.
-  const double value = 100 * share;
-  const char* format = value < 99.995 || value >= 99.99999 ? "%.1f %%" : "%.3f %%";
-  if (value > 99.94 && value < 99.99999) format = "%.2f %%";
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
 }
 
 Text written(const std::string& text, double x, double baseline, float size, Weight weight,
@@ -77,18 +62,30 @@ Fill filled(const std::vector<Vec2d>& polygon, const Color& color) {
 
 }  // namespace
 
-ReducerCells::ReducerCells(const std::string& title, const std::string& source,
-                           const std::string& up, const std::vector<trace::Exploration>& sequence,
-                           std::vector<std::string> order, int width, int height)
-    : title_(title), source_(source), sequence_(sequence), order_(std::move(order)) {
+ContactCells::ContactCells(const std::string& title, const std::string& source,
+                           const std::string& up, std::vector<ContactMoment> moments, int choices,
+                           int width, int height)
+    : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
   const float scale = interface_scale(width, height);
   std::vector<float> widths;
   for (const LegendEntry& entry : legend()) widths.push_back(legend_entry_width(entry, scale));
   layout_ = make_layout(width, height, false, {widths});
+  frame_patch(up);
+  grid_ = best_grid();
+}
 
-  // Seen from above where there is an above: x to the right, as on a map.
+/// Axes, middle and extent of all patches of the sequence. Seen from above where there is an above,
+/// with x to the right, as on a map.
+void ContactCells::frame_patch(const std::string& up) {
   const Vec3d above = up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-  Vec3d normal = sequence_.front().normal;
+  Vec3d normal = above;
+  for (const ContactMoment& moment : moments_) {
+    const auto touching = std::ranges::find_if(
+        moment.cells, [](const ContactCell& cell) { return !cell.points.empty(); });
+    if (touching == moment.cells.end()) continue;
+    normal = touching->normal;
+    break;
+  }
   if (normal.dot(above) < 0) normal = -normal;
   const Vec3d right = Vec3d::UnitX() - normal.x() * normal;
   u_ = right.norm() > 0.1 ? Vec3d(right.normalized()) : any_perpendicular(normal);
@@ -96,40 +93,51 @@ ReducerCells::ReducerCells(const std::string& title, const std::string& source,
 
   double low_u = std::numeric_limits<double>::max(), high_u = -low_u;
   double low_v = low_u, high_v = -low_u;
-  for (const trace::Exploration& exploration : sequence_) {
-    for (const trace::Point& point : exploration.points) {
-      low_u = std::min(low_u, u_.dot(point.position));
-      high_u = std::max(high_u, u_.dot(point.position));
-      low_v = std::min(low_v, v_.dot(point.position));
-      high_v = std::max(high_v, v_.dot(point.position));
-      if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points) {
+        low_u = std::min(low_u, u_.dot(point.position));
+        high_u = std::max(high_u, u_.dot(point.position));
+        low_v = std::min(low_v, v_.dot(point.position));
+        high_v = std::max(high_v, v_.dot(point.position));
+        if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
+      }
     }
   }
+  if (ids_.empty()) return;
   center_ = 0.5 * (low_u + high_u) * u_ + 0.5 * (low_v + high_v) * v_;
   // A patch without size is drawn in the middle, at any scale.
   const double least = std::max({high_u - low_u, high_v - low_v, 1e-12});
   extent_u_ = std::max(high_u - low_u, 1e-3 * least);
   extent_v_ = std::max(high_v - low_v, 1e-3 * least);
-  grid_ = best_grid();
 }
 
-double ReducerCells::strip_height() const {
-  if (sequence_.size() < 2) return 0;
+double ContactCells::strip_height() const {
+  if (moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
   return std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
 }
 
+std::size_t ContactCells::row_count() const {
+  if (choices_ > 0) return 0;  // the result is another picture's
+  std::size_t most = 0;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
+  }
+  return most;
+}
+
 /// Height of a cell beside its map, at 720 lines.
-double ReducerCells::furniture() const {
-  return kName + 4 + strip_height() + 3 * kNumberRow;
+double ContactCells::furniture() const {
+  return kName + 4 + strip_height() + kNumberRow * static_cast<double>(row_count());
 }
 
 /// The number of columns that draws the patch largest.
-ReducerCells::Grid ReducerCells::best_grid() const {
+ContactCells::Grid ContactCells::best_grid() const {
   const double gap = layout_.px(kGap);
   const double reserve = layout_.px(2 * kReserve);
   Grid best;
   best.pixels_per_metre = 0;
-  const int count = static_cast<int>(order_.size());
+  const int count = static_cast<int>(cell_count());
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
     Grid grid;
@@ -153,17 +161,31 @@ ReducerCells::Grid ReducerCells::best_grid() const {
   return best;
 }
 
-std::vector<LegendEntry> ReducerCells::legend() const {
-  std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"},
-                                      {LegendKind::Reduced, "reduced away"},
-                                      {LegendKind::Kept, "kept, in order of choice"},
-                                      {LegendKind::LostArea, "lost area"},
-                                      {LegendKind::BestPolygon, "best polygon"}};
-  if (sequence_.size() > 1) entries.push_back({LegendKind::KeptIds, "ids kept, over the frames"});
+std::vector<LegendEntry> ContactCells::legend() const {
+  std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"}};
+  if (choices_ > 0) {
+    entries.push_back({LegendKind::PlainPoint, "contact point"});
+    entries.push_back({LegendKind::Kept, "kept, in order of choice"});
+    return entries;
+  }
+  const auto any = [&](auto&& holds) {
+    return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
+      return std::ranges::any_of(moment.cells, holds);
+    });
+  };
+  const bool reduces =
+      any([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+  if (reduces) entries.push_back({LegendKind::Reduced, "reduced away"});
+  entries.push_back({LegendKind::Kept, reduces ? "kept, in order of choice" : "kept"});
+  if (reduces) entries.push_back({LegendKind::LostArea, "lost area"});
+  if (any([](const ContactCell& cell) { return cell.best.size() > 2; })) {
+    entries.push_back({LegendKind::BestPolygon, "best polygon"});
+  }
+  if (moments_.size() > 1) entries.push_back({LegendKind::KeptIds, "ids kept, over the frames"});
   return entries;
 }
 
-Rect ReducerCells::cell_rect(std::size_t cell) const {
+Rect ContactCells::cell_rect(std::size_t cell) const {
   const auto column = static_cast<double>(static_cast<int>(cell) % grid_.columns);
   const auto row = static_cast<double>(static_cast<int>(cell) / grid_.columns);
   const double gap = layout_.px(kGap);
@@ -171,139 +193,125 @@ Rect ReducerCells::cell_rect(std::size_t cell) const {
           layout_.view.y + row * (grid_.cell_height + gap), grid_.cell_width, grid_.cell_height};
 }
 
-Point2 ReducerCells::at(const Rect& map, const Vec3d& position) const {
+Point2 ContactCells::at(const Rect& map, const Vec3d& position) const {
   const Vec3d from_center = position - center_;
   return {
       static_cast<float>(map.x + 0.5 * map.width + grid_.pixels_per_metre * u_.dot(from_center)),
       static_cast<float>(map.y + 0.5 * map.height - grid_.pixels_per_metre * v_.dot(from_center))};
 }
 
-Drawing ReducerCells::frame(std::size_t index) const {
-  const trace::Exploration& exploration = sequence_[index];
+Drawing ContactCells::frame(int number) const {
+  const auto moment = std::ranges::find(moments_, number, &ContactMoment::frame);
   Drawing drawing;
   drawing.width = layout_.width;
   drawing.height = layout_.height;
-  for (std::size_t cell = 0; cell < order_.size(); ++cell) {
-    draw_cell(cell_rect(cell), exploration, answer_of(exploration, order_[cell]), index, drawing);
-  }
+  const auto index = static_cast<std::size_t>(moment - moments_.begin());
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, drawing);
   draw_legend(legend(), layout_, drawing);
-  std::string moment = exploration.a + " and " + exploration.b;
-  if (!exploration.label.empty()) moment += " (" + exploration.label + ")";
-  moment += ", frame " + std::to_string(exploration.frame);
-  draw_captions(title_, source_, moment, layout_, drawing);
+  draw_captions(title_, source_, moment->caption, layout_, drawing);
   return drawing;
 }
 
-void ReducerCells::draw_cell(const Rect& cell, const trace::Exploration& exploration,
-                             const trace::ReducerAnswer& answer, std::size_t index,
-                             Drawing& drawing) const {
+void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& drawing) const {
+  const Rect rect = cell_rect(number);
+  const ContactCell& cell = moments_[moment].cells[number];
   const double name_height = layout_.px(kName + 4);
-  drawing.primitives.push_back(written(answer.name, cell.x, cell.y + 0.8 * layout_.px(kName),
-                                       layout_.px(kName), Weight::Bold, kText));
-  const Rect map{cell.x, cell.y + name_height, cell.width, grid_.map_height};
-  draw_map(map, exploration, answer, drawing);
+  if (cell_count() > 1) {
+    drawing.primitives.push_back(written(cell.name, rect.x, rect.y + 0.8 * layout_.px(kName),
+                                         layout_.px(kName), Weight::Bold, kText));
+  }
+  const Rect map{rect.x, rect.y + name_height, rect.width, grid_.map_height};
+  if (cell.points.empty()) {
+    Text none = written("no contact in this frame", map.x + 0.5 * map.width,
+                        map.y + 0.5 * map.height, layout_.px(kNumber), Weight::Regular, kQuietText);
+    none.align = Align::Center;
+    drawing.primitives.push_back(none);
+  } else {
+    draw_map(map, cell, drawing);
+  }
   const double strip = layout_.px(strip_height());
   if (strip > 0) {
     const double inset = layout_.px(3);
-    draw_strip({cell.x, map.y + map.height + inset, cell.width, strip - 2 * inset}, answer.name,
-               index, drawing);
+    draw_strip({rect.x, map.y + map.height + inset, rect.width, strip - 2 * inset}, number, moment,
+               drawing);
   }
   const double top = map.y + map.height + strip;
-  draw_numbers({cell.x, top, cell.width, cell.y + cell.height - top}, answer, drawing);
+  if (choices_ == 0)
+    draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, drawing);
 }
 
-void ReducerCells::draw_map(const Rect& map, const trace::Exploration& exploration,
-                            const trace::ReducerAnswer& answer, Drawing& drawing) const {
-  std::vector<Vec2d> places;
-  for (const trace::Point& point : exploration.points)
-    places.push_back(flat(at(map, point.position)));
+void ContactCells::draw_map(const Rect& map, const ContactCell& cell, Drawing& drawing) const {
+  std::vector<Point2> places;
+  std::vector<Vec2d> flats;
+  for (const trace::Point& point : cell.points) {
+    places.push_back(at(map, point.position));
+    flats.push_back(flat(places.back()));
+  }
   const auto chosen = [&](const std::vector<int>& indices) {
     std::vector<Vec2d> result;
-    for (const int i : indices) result.push_back(places[static_cast<std::size_t>(i)]);
+    for (const int i : indices) result.push_back(flats[static_cast<std::size_t>(i)]);
     return convex_polygon(result);
   };
-  const std::vector<Vec2d> all = convex_polygon(places);
-  const std::vector<Vec2d> kept = chosen(answer.kept);
-
+  const std::vector<Vec2d> all = convex_polygon(flats);
   drawing.primitives.push_back(filled(all, with_alpha(kClipPolygon, 0.10f)));
+  if (choices_ > 0) {
+    outline(all, layout_.px(2), kClipPolygon, 0, drawing);
+    const Vec3d direction = choices_ <= static_cast<int>(cell.choices.size())
+                                ? cell.choices[static_cast<std::size_t>(choices_) - 1].direction
+                                : Vec3d(Vec3d::Zero());
+    draw_choice({places, cell.kept, cell.choices, choices_,
+                 Vec2d(u_.dot(direction), -v_.dot(direction)), map, layout_},
+                drawing);
+    return;
+  }
+  const std::vector<Vec2d> kept = chosen(cell.kept);
   if (kept.size() > 2) drawing.primitives.push_back(filled(kept, with_alpha(kContact, 0.16f)));
   hatch(all, kept, layout_.px(kHatchSpacing), layout_.px(1.1), with_alpha(kDropped, 0.8f), drawing);
   outline(all, layout_.px(2), kClipPolygon, 0, drawing);
   outline(kept, layout_.px(2), kContact, 0, drawing);
-  if (exploration.best.size() > 2) {
-    outline(chosen(exploration.best), layout_.px(1.6), kNormal, layout_.px(6), drawing);
+  if (cell.best.size() > 2) {
+    outline(chosen(cell.best), layout_.px(1.6), kNormal, layout_.px(6), drawing);
   }
+  draw_points(places, cell, drawing);
+}
 
+void ContactCells::draw_points(const std::vector<Point2>& places, const ContactCell& cell,
+                               Drawing& drawing) const {
   Vec2d middle = Vec2d::Zero();
-  for (const Vec2d& place : places) middle += place / static_cast<double>(places.size());
-  const float cross = layout_.px(3.6);
+  for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
+  const bool reduces = cell.kept.size() < cell.points.size();
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Point2 p = pixel(places[i]);
-    const auto found = std::ranges::find(answer.kept, static_cast<int>(i));
-    if (found == answer.kept.end()) {
-      for (const auto& [color, width] :
-           {std::pair{with_alpha(kWhite, 0.9f), 4.5f}, {kDropped, 2.0f}}) {
-        drawing.primitives.push_back(Stroke{{p.x - cross, p.y - cross},
-                                            {p.x + cross, p.y + cross},
-                                            layout_.px(width),
-                                            color,
-                                            Cap::Round});
-        drawing.primitives.push_back(Stroke{{p.x - cross, p.y + cross},
-                                            {p.x + cross, p.y - cross},
-                                            layout_.px(width),
-                                            color,
-                                            Cap::Round});
-      }
+    const auto found = std::ranges::find(cell.kept, static_cast<int>(i));
+    if (found == cell.kept.end()) {
+      draw_dropped_point(places[i], layout_, drawing);
       continue;
     }
-    drawing.primitives.push_back(Disc{p, 0, layout_.px(5.6), kWhite});
-    drawing.primitives.push_back(Disc{p, 0, layout_.px(4.2), kContact});
-    drawing.primitives.push_back(Disc{p, layout_.px(6.4), layout_.px(8.2), kContact});
-    if (answer.kept.size() == exploration.points.size()) continue;  // nothing was chosen
-    Vec2d out = places[i] - middle;
-    out = out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
-    const double reach = layout_.px(15);
-    Text digit = written(std::to_string(found - answer.kept.begin() + 1), p.x + reach * out.x(),
-                         p.y + reach * out.y() + layout_.px(4.8), layout_.px(kNumber), Weight::Bold,
-                         kContact);
-    digit.align = Align::Center;
-    digit.halo = layout_.px(2);
-    drawing.primitives.push_back(digit);
+    draw_kept_point(places[i], layout_, drawing);
+    if (!reduces) continue;  // nothing was chosen
+    draw_choice_number(places[i], static_cast<int>(found - cell.kept.begin()) + 1, middle, layout_,
+                       kNumber, drawing);
   }
 }
 
-void ReducerCells::draw_numbers(const Rect& cell, const trace::ReducerAnswer& answer,
-                                Drawing& drawing) const {
-  const auto row = [&](int number, const std::string& text, Weight weight) {
-    const double baseline = cell.y + (number + 0.8) * layout_.px(kNumberRow);
-    drawing.primitives.push_back(
-        written(text, cell.x, baseline, layout_.px(kNumber), weight, kText));
-  };
-  row(0, "area " + percent(answer.area_ratio), Weight::Regular);
-  std::array<char, 32> lost{};
-  const bool loses = answer.wrench_error > 1e-6;
-  std::snprintf(lost.data(), lost.size(), "moments −%.1f %%", 100 * answer.wrench_error);
-  row(1, loses ? lost.data() : "moments whole", Weight::Regular);
-  std::string verdict = answer.deepest_kept ? "deepest kept" : "deepest lost";
-  if (!answer.supports_center_of_mass) verdict += ", tips over";
-  const bool good = answer.deepest_kept && answer.supports_center_of_mass;
-  row(2, verdict, good ? Weight::Regular : Weight::Bold);
-  if (answer.median) {
-    std::array<char, 32> time{};
-    std::snprintf(time.data(), time.size(), "%.0f ns", *answer.median);
-    Text right = written(time.data(), cell.x + cell.width, cell.y + 0.8 * layout_.px(kNumberRow),
-                         layout_.px(kNumber), Weight::Regular, kQuietText);
+void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const {
+  double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
+  for (const ContactCell::Row& row : cell.rows) {
+    drawing.primitives.push_back(written(row.left, rect.x, baseline, layout_.px(kNumber),
+                                         row.strong ? Weight::Bold : Weight::Regular, kText));
+    Text right = written(row.right, rect.x + rect.width, baseline, layout_.px(kNumber),
+                         Weight::Regular, kQuietText);
     right.align = Align::Right;
-    drawing.primitives.push_back(right);
+    if (!row.right.empty()) drawing.primitives.push_back(right);
+    baseline += layout_.px(kNumberRow);
   }
 }
 
 /// One row an id, in the order of appearance: grey while the point is there, vermilion while it is
 /// kept. A line marks this frame.
-void ReducerCells::draw_strip(const Rect& strip, const std::string& reducer, std::size_t index,
+void ContactCells::draw_strip(const Rect& strip, std::size_t cell, std::size_t moment,
                               Drawing& drawing) const {
   const double row = strip.height / static_cast<double>(ids_.size());
-  const double column = strip.width / static_cast<double>(sequence_.size());
+  const double column = strip.width / static_cast<double>(moments_.size());
   const auto bar = [&](std::size_t id, std::size_t from, std::size_t to, const Color& color) {
     const double gap = row > 2.5 ? 0.18 * row : 0;
     const auto x0 = static_cast<float>(strip.x + column * static_cast<double>(from));
@@ -314,24 +322,25 @@ void ReducerCells::draw_strip(const Rect& strip, const std::string& reducer, std
   };
   for (std::size_t id = 0; id < ids_.size(); ++id) {
     enum class State { Absent, Dropped, Kept };
-    const auto state = [&](const trace::Exploration& exploration) {
-      const auto found = std::ranges::find(exploration.points, ids_[id], &trace::Point::id);
-      if (found == exploration.points.end()) return State::Absent;
-      const auto place = static_cast<int>(found - exploration.points.begin());
-      const std::vector<int>& kept = answer_of(exploration, reducer).kept;
-      return std::ranges::find(kept, place) == kept.end() ? State::Dropped : State::Kept;
+    const auto state = [&](const ContactMoment& at_moment) {
+      const ContactCell& facts = at_moment.cells[cell];
+      const auto found = std::ranges::find(facts.points, ids_[id], &trace::Point::id);
+      if (found == facts.points.end()) return State::Absent;
+      const auto place = static_cast<int>(found - facts.points.begin());
+      return std::ranges::find(facts.kept, place) == facts.kept.end() ? State::Dropped
+                                                                      : State::Kept;
     };
     std::size_t from = 0;
-    while (from < sequence_.size()) {
-      const State now = state(sequence_[from]);
+    while (from < moments_.size()) {
+      const State now = state(moments_[from]);
       std::size_t to = from + 1;
-      while (to < sequence_.size() && state(sequence_[to]) == now) ++to;
+      while (to < moments_.size() && state(moments_[to]) == now) ++to;
       if (now == State::Kept) bar(id, from, to, kContact);
       if (now == State::Dropped) bar(id, from, to, rgb(0xD5D8DC));
       from = to;
     }
   }
-  const auto x = static_cast<float>(strip.x + column * (static_cast<double>(index) + 0.5));
+  const auto x = static_cast<float>(strip.x + column * (static_cast<double>(moment) + 0.5));
   const auto y0 = static_cast<float>(strip.y - layout_.px(2));
   const auto y1 = static_cast<float>(strip.y + strip.height + layout_.px(2));
   drawing.primitives.push_back(

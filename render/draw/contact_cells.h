@@ -3,26 +3,64 @@
 #include <string>
 #include <vector>
 
+#include "core/view.h"
 #include "draw/drawing.h"
 #include "draw/layout.h"
 #include "trace/exploration.h"
+#include "trace/trace.h"
 
 namespace contactscope::draw {
 
-/// Small multiples: one cell a reducer, each with the contact plane seen along the normal, at the
-/// same scale and place in all cells and all frames. In a cell: all points, the kept ones with
-/// their order of choice, the lost area hatched, the best polygon dashed, and the numbers beneath;
-/// for a sequence also a strip of which ids are kept over time, one row an id.
-class ReducerCells {
- public:
-  /// `sequence`: one pair's explorations, frames in order, not empty; outlives this. `order`: the
-  /// names of the reducers, as cells follow each other. `up`: "y" or "z".
-  ReducerCells(const std::string& title, const std::string& source, const std::string& up,
-               const std::vector<trace::Exploration>& sequence, std::vector<std::string> order,
-               int width, int height);
+/// One reduction, seen along the normal.
+struct ContactCell {
+  /// A line of text beneath the map.
+  struct Row {
+    std::string left;
+    std::string right;  // quieter
+    bool strong = false;
+  };
 
-  /// The picture of sequence[index].
-  Drawing frame(std::size_t index) const;
+  std::string name;
+  Vec3d normal = Vec3d::Zero();
+  std::vector<trace::Point> points;    // all, before
+  std::vector<int> kept;               // in the order of choice
+  std::vector<int> best;               // points of the best polygon; empty: not drawn
+  std::vector<trace::Choice> choices;  // how the kept ones were chosen, where that is known
+  std::vector<Row> rows;
+};
+
+/// One picture of a sequence: the same cells in every moment. A cell without points is one in which
+/// nothing touches.
+struct ContactMoment {
+  int frame = 0;
+  std::string caption;
+  std::vector<ContactCell> cells;
+};
+
+/// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.
+std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
+                                    const std::vector<std::string>& order);
+
+/// From recorded frames: a cell for every pair whose reduction was recorded, named by its label, or
+/// by its reducer where it has none.
+std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
+
+/// Small multiples: the contact plane of each cell at the same scale and place in all cells and all
+/// frames. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
+/// the best polygon dashed, and the rows beneath; for a sequence also a strip of which ids are kept
+/// over time, one row an id.
+class ContactCells {
+ public:
+  /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
+  /// it; 0: all, and the result.
+  ContactCells(const std::string& title, const std::string& source, const std::string& up,
+               std::vector<ContactMoment> moments, int choices, int width, int height);
+
+  int width() const { return layout_.width; }
+  int height() const { return layout_.height; }
+
+  /// The picture of the moment with this frame number.
+  Drawing frame(int number) const;
 
  private:
   struct Grid {
@@ -35,20 +73,22 @@ class ReducerCells {
   Grid best_grid() const;
   double furniture() const;
   double strip_height() const;
+  std::size_t row_count() const;
+  std::size_t cell_count() const { return moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   Rect cell_rect(std::size_t cell) const;
   Point2 at(const Rect& map, const Vec3d& position) const;
-  void draw_cell(const Rect& cell, const trace::Exploration& exploration,
-                 const trace::ReducerAnswer& answer, std::size_t index, Drawing& drawing) const;
-  void draw_map(const Rect& map, const trace::Exploration& exploration,
-                const trace::ReducerAnswer& answer, Drawing& drawing) const;
-  void draw_numbers(const Rect& cell, const trace::ReducerAnswer& answer, Drawing& drawing) const;
-  void draw_strip(const Rect& strip, const std::string& reducer, std::size_t index,
-                  Drawing& drawing) const;
+  void frame_patch(const std::string& up);
+  void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
+  void draw_map(const Rect& map, const ContactCell& cell, Drawing& drawing) const;
+  void draw_points(const std::vector<Point2>& places, const ContactCell& cell,
+                   Drawing& drawing) const;
+  void draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const;
+  void draw_strip(const Rect& strip, std::size_t cell, std::size_t moment, Drawing& drawing) const;
 
   std::string title_, source_;
-  const std::vector<trace::Exploration>& sequence_;
-  std::vector<std::string> order_;
+  std::vector<ContactMoment> moments_;
+  int choices_;
   Layout layout_;
   Vec3d u_ = Vec3d::UnitX(), v_ = Vec3d::UnitY();  // of the contact plane: right and up on the page
   Vec3d center_ = Vec3d::Zero();

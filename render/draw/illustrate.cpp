@@ -63,6 +63,7 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
 }
 
 Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
+  if (staging.cells) return staging.cells->frame(frame.frame);
   Drawing drawing;
   drawing.width = staging.layout.width;
   drawing.height = staging.layout.height;

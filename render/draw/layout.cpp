@@ -157,6 +157,9 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       swatch.upright(2.5, kContact);
       swatch.dot(0, 4.8, kContact);
       break;
+    case LegendKind::PlainPoint:
+      swatch.dot(0, 4.8, kContact);
+      break;
     case LegendKind::Kept:
       swatch.dot(0, 3.6, kContact);
       swatch.dot(6.2, 8.2, kContact);

@@ -55,6 +55,7 @@ std::string spell_area(double square_metres) {
   };
   constexpr std::array<Unit, 4> kUnits{
       {{1e6, 1e5, "km²"}, {1.0, 0.01, "m²"}, {1e-6, 1e-8, "mm²"}, {1e-12, 0, "µm²"}}};
+  if (square_metres < 0) return "−" + spell_area(-square_metres);
   if (!(square_metres > 0)) return "0 m²";
   const double rounded = std::strtod(printed("%.*e", 3, square_metres).c_str(), nullptr);
   for (const Unit& unit : kUnits) {

@@ -11,6 +11,7 @@ std::string spell_number(double value);
 std::string spell_length(double metres);
 
 /// An area in the unit that fits (km², m², mm², µm²), four significant digits: "0.5858 m²".
+/// Signed areas have a real minus sign.
 std::string spell_area(double square_metres);
 
 }  // namespace contactscope::draw

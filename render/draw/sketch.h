@@ -73,6 +73,7 @@ enum class LegendKind {
   Reduced,
   BeforeMove,
   Contact,
+  PlainPoint,
   Kept,
   LostArea,
   BestPolygon,

@@ -23,7 +23,7 @@ trace::Stages stages_shown(const std::vector<View>& views) {
                   names_any(view.layers, {"reference_face", "incident_face", "side_planes",
                                           "clip_polygons", "dropped", "coherent"}) ||
                   names_any(view.panels, {"contact_plane"});
-    stages.reduction = stages.reduction ||
+    stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane ||
                        names_any(view.layers, {"contacts", "reduced", "ids", "coherent"}) ||
                        names_any(view.panels, {"summary", "contact_plane"});
   }

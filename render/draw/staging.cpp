@@ -213,7 +213,13 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
                   meshes,
                   without_legend,
                   fit_camera(header, frames, meshes, view, without_legend.view),
-                  1};
+                  1,
+                  nullptr};
+  if (view.kind == ViewKind::ContactPlane) {
+    staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
+                                                   reduced(frames), view.choices, width, height);
+    return staging;
+  }
   staging.depth_factor = fit_depth_factor(frames, staging.camera, staging.layout.scale);
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {

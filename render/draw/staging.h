@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/view.h"
 #include "draw/camera.h"
+#include "draw/contact_cells.h"
 #include "draw/layout.h"
 #include "draw/scene.h"
 #include "trace/trace.h"
@@ -19,6 +21,7 @@ struct Staging {
   Layout layout;
   Camera camera;
   double depth_factor = 1;
+  std::shared_ptr<const ContactCells> cells;  // of a contact plane, which has no camera
 };
 
 /// Looks through all frames once. The view's own eye, target and lens are used where it names them;

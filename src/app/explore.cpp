@@ -10,7 +10,7 @@
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/verbs.h"
-#include "draw/reducer_cells.h"
+#include "draw/contact_cells.h"
 #include "reduce/reducer.h"
 #include "study/exploration.h"
 
@@ -122,14 +122,15 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
   {
     Progress progress(static_cast<int>(explorations.size()), options.quiet);
     for (const std::vector<trace::Exploration>& pair : pairs) {
-      const draw::ReducerCells cells(scenario.title, scenario.source, scenario.up, pair,
-                                     order_of(pair), size.width, size.height);
+      const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
+                                     draw::explored(pair, order_of(pair)), 0, size.width,
+                                     size.height);
       const std::filesystem::path folder = folder_of(options, pair.front(), pairs.size() > 1);
       std::filesystem::create_directories(folder);
       for (std::size_t i = 0; i < pair.size(); ++i) {
         std::array<char, 32> name{};
         std::snprintf(name.data(), name.size(), "frame_%04d.png", pair[i].frame);
-        encoders.submit((folder / name.data()).string(), studio.paint(cells.frame(i)));
+        encoders.submit((folder / name.data()).string(), studio.paint(cells.frame(pair[i].frame)));
         progress.advance(scenario.name);
       }
     }

@@ -8,6 +8,12 @@
 
 namespace contactscope {
 
+/// What a view is a picture of.
+enum class ViewKind {
+  Scene,         // shapes in space
+  ContactPlane,  // one cell a pair: the reduction, seen along the normal
+};
+
 /// What a view reveals over a sequence.
 enum class Story {
   None,       // every frame shows all of its layers
@@ -20,6 +26,10 @@ enum class Focus { Contact, Shapes };
 /// One camera on a scenario, and what it shows.
 struct View {
   std::string name = "main";
+  ViewKind kind = ViewKind::Scene;
+  /// Of a contact plane: how many choices of the reducer are shown, the last one with what each
+  /// candidate was worth. 0: the result.
+  int choices = 0;
   std::optional<Vec3d> eye;  // metres; default: fitted
   std::optional<Vec3d> target;
   std::optional<double> fov_degrees;

@@ -5,6 +5,7 @@
 
 #include "manifold/edge_contact.h"
 #include "query/tolerance.h"
+#include "reduce/choices.h"
 #include "reduce/polygon_area.h"
 
 namespace contactscope {
@@ -35,15 +36,29 @@ EdgeQuery<S> best_edges(const HullPair<S>& pair, const SatResult<S>& axes, Prefe
   return query_edges(pair, faces_a, -std::numeric_limits<S>::infinity(), tie);
 }
 
-trace::Reduction measured(const std::string& method, std::vector<trace::Point> points,
-                          std::vector<int> kept, const Vec3d& normal, int max_points) {
+/// The best that as many points can span, and how the method came to its choice.
+void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, int max_points,
+             trace::Reduction& reduction) {
   std::vector<Vec3d> all;
   std::vector<Vec3d> chosen;
-  for (const trace::Point& point : points) all.push_back(point.position);
-  for (const int index : kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
-  const double area = convex_area(chosen, normal);
-  const double best_area = best_convex_area(all, normal, max_points);
-  return {method, std::move(points), std::move(kept), area, best_area};
+  for (const ContactPoint<double>& point : points) all.push_back(point.position);
+  for (const int index : reduction.kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
+  reduction.area = convex_area(chosen, normal);
+  reduction.best_area = best_convex_area(all, normal, max_points);
+  if (reduction.kept.size() == points.size()) return;  // nothing was chosen
+
+  ReduceOptions options;
+  options.max_points = max_points;
+  const Reduction best = reduce<double>(find_reducer<double>("optimal"), points, normal, options);
+  reduction.best.assign(best.kept.begin(), best.kept.end());
+  for (const ChoiceMade& made : choices_made(reduction.method, points, normal, reduction.kept)) {
+    trace::Choice& choice = reduction.choices.emplace_back();
+    choice.rule = made.rule;
+    choice.direction = made.direction;
+    for (const ChoiceMeasure& m : made.measures) {
+      choice.measures.push_back({m.point, m.a, m.b, m.value});
+    }
+  }
 }
 
 }  // namespace
@@ -147,8 +162,16 @@ template <class S>
 void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                                  int max_points, const KeptIndices& kept) {
   if (!stages_.reduction) return;
-  pair_.reduction = measured(reducer_name_, trace_points(points), {kept.begin(), kept.end()},
-                             normal.template cast<double>(), max_points);
+  trace::Reduction& reduction = pair_.reduction.emplace();
+  reduction.method = reducer_name_;
+  reduction.points = trace_points(points);
+  reduction.kept.assign(kept.begin(), kept.end());
+  std::vector<ContactPoint<double>> exact;
+  for (const ContactPoint<S>& point : points) {
+    exact.push_back(
+        {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
+  }
+  measure(exact, normal.template cast<double>(), max_points, reduction);
 }
 
 template <class S>

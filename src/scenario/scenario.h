@@ -15,15 +15,20 @@
 ///     [pipeline]
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
 ///
-///     [[pairs]]                        # several settings for the same two shapes, told apart by
-///     label a = "crate" b = "floor" label = "preference off"         # once a second entry names
-///     the same two shapes preference = "none"              # and any other key of [pipeline] but
-///     scalar
+///     [[pairs]]                        # several settings for the same two shapes, told apart
+///     a = "crate"                      # by their labels
+///     b = "floor"
+///     label = "preference off"         # once a second entry names the same two shapes
+///     preference = "none"              # and any other key of [pipeline] but scalar
 ///
 ///     [[views]]
 ///     focus = "contact"                # or "shapes": what the fitted camera frames
-///     story = "clip_steps"             # frame k shows k side planes; "none": every frame shows
-///     all
+///     kind  = "contact_plane"          # or "scene": one cell a pair, its reduction seen along the
+///                                      # normal; pairs of the same shapes with different reducers
+///                                      # stand side by side
+///     choices = 3                      # of a contact plane: so many choices, and what the last one
+///                                      # was made by; 0: the result
+///     story = "clip_steps"             # frame k shows k side planes; "none": all of them
 ///
 ///     [[expect]]
 ///     label = "preference off"         # of the pair

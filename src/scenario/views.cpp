@@ -56,9 +56,30 @@ std::vector<std::string> read_names(const Value& value, const std::vector<std::s
   return names;
 }
 
+/// A view of kind "contact_plane" has no camera, layers or panels of its own.
+View read_contact_plane(const Table& table) {
+  View view;
+  view.kind = ViewKind::ContactPlane;
+  for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
+                          "layers", "panels"}) {
+    if (const auto value = table.find(key))
+      value->fail(std::string("'") + key +
+                  "' has no effect on a view of kind \"contact_plane\"; remove it");
+  }
+  if (const auto name = table.find("name")) view.name = read_view_name(*name);
+  if (const auto choices = table.find("choices")) view.choices = choices->integer(0, 64);
+  return view;
+}
+
 View read_view(const Value& value) {
   const Table table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
-                                   "focus", "story", "layers", "panels"});
+                                   "focus", "story", "layers", "panels",
+                                   "kind", "choices"});
+  const auto kind = table.find("kind");
+  if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
+    return read_contact_plane(table);
+  if (const auto choices = table.find("choices"))
+    choices->fail("'choices' is for a view of kind = \"contact_plane\"; name that kind");
   View view = default_view();
   view.focus = Focus::Contact;  // who asks for a view wants to see the contact
   if (const auto name = table.find("name")) view.name = read_view_name(*name);

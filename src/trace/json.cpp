@@ -68,12 +68,32 @@ Json clip(const Clip& c) {
           {"dropped", std::move(dropped)}};
 }
 
+Json choice(const Choice& c) {
+  Json json = {{"rule", c.rule}};
+  if (!c.direction.isZero()) json["direction"] = vector(c.direction, "direction");
+  Json measures = Json::array();
+  for (const Measure& m : c.measures) {
+    Json measure = {{"point", m.point}};
+    if (m.a >= 0) measure["edge"] = Json::array({m.a, m.b});
+    measure["value"] = number(m.value, "value");
+    measures.push_back(std::move(measure));
+  }
+  json["measures"] = std::move(measures);
+  return json;
+}
+
 Json reduction(const Reduction& r) {
-  return {{"method", r.method},
-          {"points", points(r.points)},
-          {"kept", r.kept},
-          {"area", number(r.area, "area")},
-          {"best_area", number(r.best_area, "best_area")}};
+  Json json = {{"method", r.method},
+               {"points", points(r.points)},
+               {"kept", r.kept},
+               {"area", number(r.area, "area")},
+               {"best_area", number(r.best_area, "best_area")}};
+  if (!r.best.empty()) json["best"] = r.best;
+  if (!r.choices.empty()) {
+    json["choices"] = Json::array();
+    for (const Choice& made : r.choices) json["choices"].push_back(choice(made));
+  }
+  return json;
 }
 
 Json pair(const Pair& p) {

@@ -21,6 +21,9 @@ inline constexpr const char* kSchema = "contactscope.trace/1";
 /// as "a:e3" count in this list) and "center_of_mass", in its local frame. A pair has "label" where
 /// one is set. The axes in "sat" have "normal" (from a to b), face axes the "support" vertex of the
 /// other shape, edge axes the closest points "point_a" and "point_b"; "sat" has "preference".
+/// "reduction" has "best", the points that span the best area, and where the method chooses step by
+/// step "choices", one a kept point: the "rule", the "direction" of a support point, and what each
+/// candidate was worth ("measures": "point", the "edge" it was held against, "value").
 std::string to_json_line(const Header& header);
 std::string to_json_line(const Frame& frame);
 

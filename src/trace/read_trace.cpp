@@ -210,6 +210,25 @@ Clip read_clip(const Node& node) {
   return clip;
 }
 
+Choice read_choice(const Node& node, std::size_t points) {
+  Choice choice;
+  choice.rule = node.at("rule").string();
+  if (const auto direction = node.find("direction")) choice.direction = direction->vector();
+  for (const Node& item : node.at("measures").items()) {
+    Measure measure;
+    measure.point = item.at("point").index(points, "points");
+    if (const auto edge = item.find("edge")) {
+      const std::vector<Node> ends = edge->items();
+      if (ends.size() != 2) edge->fail("must have two indices");
+      measure.a = ends[0].index(points, "points");
+      measure.b = ends[1].index(points, "points");
+    }
+    measure.value = item.at("value").number();
+    choice.measures.push_back(measure);
+  }
+  return choice;
+}
+
 Reduction read_reduction(const Node& node) {
   Reduction reduction;
   reduction.method = node.at("method").string();
@@ -218,6 +237,14 @@ Reduction read_reduction(const Node& node) {
     reduction.kept.push_back(kept.index(reduction.points.size(), "points"));
   reduction.area = node.at("area").number();
   reduction.best_area = node.at("best_area").number();
+  if (const auto best = node.find("best")) {
+    for (const Node& index : best->items())
+      reduction.best.push_back(index.index(reduction.points.size(), "points"));
+  }
+  if (const auto choices = node.find("choices")) {
+    for (const Node& choice : choices->items())
+      reduction.choices.push_back(read_choice(choice, reduction.points.size()));
+  }
   return reduction;
 }
 

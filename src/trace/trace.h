@@ -93,12 +93,28 @@ struct Clip {
   std::vector<DroppedPoint> dropped;
 };
 
+/// What one point was worth at one step of a reducer, seen against the normal.
+struct Measure {
+  int point = -1;      // index into the points
+  int a = -1, b = -1;  // edge that it was measured against, where it was one
+  double value = 0;    // metres, or square metres with a sign for areas
+};
+
+/// How one kept point was chosen.
+struct Choice {
+  std::string rule;                 // "support", "deepest", "farthest", "triangle", "outside"
+  Vec3d direction = Vec3d::Zero();  // unit, of "support"
+  std::vector<Measure> measures;    // of every candidate what decided; of the chosen one all
+};
+
 struct Reduction {
   std::string method;
-  std::vector<Point> points;  // all, before
-  std::vector<int> kept;      // indices into points, in the order of choice
-  double area = 0;            // square metres, of the convex hull of the kept points in the plane
-  double best_area = 0;       // largest that as many points can span
+  std::vector<Point> points;    // all, before
+  std::vector<int> kept;        // indices into points, in the order of choice
+  double area = 0;              // square metres, of the convex hull of the kept points in the plane
+  double best_area = 0;         // largest that as many points can span
+  std::vector<int> best;        // the points that span it; empty where nobody looked
+  std::vector<Choice> choices;  // for each kept point, where the method has such steps
 };
 
 /// Which optional stages to record: what no picture shows need not be written down.

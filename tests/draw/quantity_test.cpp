@@ -30,6 +30,7 @@ TEST(SpellArea, HasFourDigitsAndNoTrailingPoint) {
   EXPECT_EQ(spell_area(1e8), "100.0 km²");
   EXPECT_EQ(spell_area(2.5e-9), "2500 µm²");
   EXPECT_EQ(spell_area(0), "0 m²");
+  EXPECT_EQ(spell_area(-0.0012), "−1200 mm²");
 }
 
 TEST(SpellNumber, HasARealMinusSign) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "core/convex_polygon.h"
+#include "draw/drawing.h"
+#include "draw/layout.h"
+#include "trace/trace.h"
+
+namespace contactscope::draw {
+
+/// The marks of the contact plane, in pixels: the same in every picture of it.
+void draw_kept_point(const Point2& at, const Layout& layout, Drawing& drawing);
+void draw_plain_point(const Point2& at, const Layout& layout, Drawing& drawing);
+void draw_dropped_point(const Point2& at, const Layout& layout, Drawing& drawing);
+/// Beside the point, away from `middle`; `size` of the digit at 720 lines.
+void draw_choice_number(const Point2& at, int number, const Vec2d& middle, const Layout& layout,
+                        double size, Drawing& drawing);
+
+/// One step of a reducer on the contact plane.
+struct ChoiceStep {
+  const std::vector<Point2>& places;  // of all points, pixels
+  const std::vector<int>& kept;
+  const std::vector<trace::Choice>& choices;
+  int shown;        // the first so many choices; the last of them with its candidates
+  Vec2d direction;  // of a support point, on the page, y down; zero: none
+  const Rect& map;
+  const Layout& layout;
+};
+
+/// Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (4)": what each candidate was
+/// worth, and why the last shown one won.
+void draw_choice(const ChoiceStep& step, Drawing& drawing);
+
+}  // namespace contactscope::draw

@@ -1,0 +1,118 @@
+#include "reduce/choices.h"
+
+#include <algorithm>
+
+#include "reduce/area.h"
+#include "reduce/steps.h"
+
+namespace contactscope {
+namespace {
+
+using Points = std::span<const ContactPoint<double>>;
+
+double signed_area(Points points, const Vec3d& normal, int q, int a, int b) {
+  return 0.5 * steps::doubled_area(steps::at(points, q), steps::at(points, a), steps::at(points, b),
+                                   normal);
+}
+
+bool among(std::span<const int> kept, int point) {
+  return std::ranges::find(kept, point) != kept.end();
+}
+
+ChoiceMade first_choice(std::string_view reducer, Points points, const Vec3d& normal) {
+  ChoiceMade choice;
+  if (reducer == "area_deepest") {
+    choice.rule = "deepest";
+    for (int q = 0; q < steps::count(points); ++q) {
+      choice.measures.push_back({q, -1, -1, -points[static_cast<std::size_t>(q)].separation});
+    }
+    return choice;
+  }
+  choice.rule = "support";
+  choice.direction = fixed_direction(normal).normalized();
+  for (int q = 0; q < steps::count(points); ++q) {
+    const Vec3d arm = steps::at(points, q) - steps::at(points, 0);
+    choice.measures.push_back({q, -1, -1, choice.direction.dot(arm)});
+  }
+  return choice;
+}
+
+ChoiceMade second_choice(Points points, int first) {
+  ChoiceMade choice;
+  choice.rule = "farthest";
+  for (int q = 0; q < steps::count(points); ++q) {
+    if (q == first) continue;
+    choice.measures.push_back(
+        {q, -1, -1, (steps::at(points, q) - steps::at(points, first)).norm()});
+  }
+  return choice;
+}
+
+ChoiceMade third_choice(Points points, const Vec3d& normal, int first, int second) {
+  ChoiceMade choice;
+  choice.rule = "triangle";
+  for (int q = 0; q < steps::count(points); ++q) {
+    if (q == first || q == second) continue;
+    choice.measures.push_back({q, first, second, signed_area(points, normal, q, first, second)});
+  }
+  return choice;
+}
+
+/// The kept points as a polygon, counter-clockwise seen against the normal, from the first on.
+std::vector<int> ring_of(Points points, const Vec3d& normal, std::span<const int> kept) {
+  std::vector<int> ring(kept.begin(), kept.begin() + 3);
+  if (signed_area(points, normal, ring[0], ring[1], ring[2]) < 0) std::swap(ring[1], ring[2]);
+  for (const int next : kept.subspan(3)) {
+    std::size_t after = 0;
+    double least = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const double area = signed_area(points, normal, next, ring[k], ring[(k + 1) % ring.size()]);
+      if (area < least) {
+        least = area;
+        after = k;
+      }
+    }
+    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(after) + 1, next);
+  }
+  return ring;
+}
+
+ChoiceMade later_choice(Points points, const Vec3d& normal, std::span<const int> before,
+                        int chosen) {
+  ChoiceMade choice;
+  choice.rule = "outside";
+  const std::vector<int> ring = ring_of(points, normal, before);
+  for (int q = 0; q < steps::count(points); ++q) {
+    if (among(before, q)) continue;
+    std::vector<ChoiceMeasure> all;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const int a = ring[k];
+      const int b = ring[(k + 1) % ring.size()];
+      all.push_back({q, a, b, signed_area(points, normal, q, a, b)});
+    }
+    if (q == chosen) {
+      choice.measures.insert(choice.measures.end(), all.begin(), all.end());
+    } else {
+      choice.measures.push_back(*std::ranges::min_element(all, {}, &ChoiceMeasure::value));
+    }
+  }
+  return choice;
+}
+
+}  // namespace
+
+std::vector<ChoiceMade> choices_made(std::string_view reducer, Points points, const Vec3d& normal,
+                                     std::span<const int> kept) {
+  std::vector<ChoiceMade> choices;
+  const bool talk = reducer == "area" || reducer == "area_deepest" || reducer == "distance";
+  if (!talk || kept.size() >= points.size() || kept.empty()) return choices;
+  choices.push_back(first_choice(reducer, points, normal));
+  if (kept.size() > 1) choices.push_back(second_choice(points, kept[0]));
+  if (kept.size() > 2) choices.push_back(third_choice(points, normal, kept[0], kept[1]));
+  for (std::size_t k = 3; k < kept.size(); ++k) {
+    choices.push_back(later_choice(points, normal, kept.first(k), kept[k]));
+  }
+  return choices;
+}
+
+}  // namespace contactscope
