@@ -27,6 +27,7 @@ struct Entry {
   const char* name;
   const char* summary;
   Reducer<S> reducer;  // nullptr keeps every point
+  bool remembers = false;
 };
 
 /// Every reducer has one line here and a file of its own.
@@ -92,7 +93,7 @@ const std::vector<ReducerInfo>& reducers() {
   static const std::vector<ReducerInfo> infos = [] {
     std::vector<ReducerInfo> list;
     for (const Entry<double>& entry : kReducers<double>)
-      list.push_back({entry.name, entry.summary});
+      list.push_back({entry.name, entry.summary, entry.remembers});
     return list;
   }();
   return infos;

@@ -50,7 +50,8 @@ Reducer<S> find_reducer(std::string_view name);
 
 struct ReducerInfo {
   std::string name;
-  std::string summary;  // one line
+  std::string summary;     // one line
+  bool remembers = false;  // goes by ReduceOptions::previous
 };
 
 /// Every reducer, in the order in which to list them.

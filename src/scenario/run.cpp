@@ -42,6 +42,11 @@ void keep_manifold(const Manifold<S>& manifold, trace::Pair& pair) {
   pair.manifolds.push_back(std::move(kept));
 }
 
+bool remembers(const std::string& reducer) {
+  const auto found = std::ranges::find(reducers(), reducer, &ReducerInfo::name);
+  return found != reducers().end() && found->remembers;
+}
+
 template <class S>
 trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
   trace::Shape traced;
@@ -60,7 +65,7 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
 }  // namespace
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
-    : scenario_(&scenario), stages_(stages) {
+    : scenario_(&scenario), stages_(stages), memories_(scenario.pairs.size()) {
   if (scenario.scalar == Scalar::Double)
     hulls_ = rounded_hulls<double>(scenario);
   else
@@ -84,6 +89,38 @@ trace::Header Runner::header() const {
   return header;
 }
 
+/// Ids that the reducer of a pair kept in the frame before; none in frame 0, after a frame without
+/// contact, and where the reducer has no use for them.
+template <class S>
+std::vector<FeatureId> Runner::kept_before(const std::vector<Hull<S>>& hulls, std::size_t pair,
+                                           int frame) const {
+  const ScenarioPair& facts = scenario_->pairs[pair];
+  if (frame == 0 || !remembers(facts.pipeline.reducer)) return {};
+  Memory memory;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Memory& last = memories_[pair];
+    if (last.frame < frame && last.settings == facts.pipeline) memory = last;
+  }
+  while (memory.frame < frame - 1) {
+    ++memory.frame;
+    const double time = memory.frame * scenario_->dt;
+    const auto a = static_cast<std::size_t>(facts.a);
+    const auto b = static_cast<std::size_t>(facts.b);
+    CollideOptions<S> options = options_of<S>(facts.pipeline);
+    options.reduction.previous = memory.kept;
+    const Manifold<S> manifold = collide_hull_hull(
+        hulls[a], pose_at(scenario_->shapes[a], time).template cast<S>(), hulls[b],
+        pose_at(scenario_->shapes[b], time).template cast<S>(), options);
+    memory.kept.clear();
+    for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+  }
+  memory.settings = facts.pipeline;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  memories_[pair] = memory;
+  return memory.kept;
+}
+
 template <class S>
 trace::Frame Runner::run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const {
   trace::Frame result;
@@ -94,10 +131,13 @@ trace::Frame Runner::run(const std::vector<Hull<S>>& hulls, int frame, bool reco
     poses.push_back(pose_at(shape, result.time).template cast<S>());
     result.poses.emplace_back(shape.name, poses.back().template cast<double>());
   }
-  for (const ScenarioPair& pair : scenario_->pairs) {
+  for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
+    const ScenarioPair& pair = scenario_->pairs[i];
     const auto a = static_cast<std::size_t>(pair.a);
     const auto b = static_cast<std::size_t>(pair.b);
-    const CollideOptions<S> options = options_of<S>(pair.pipeline);
+    const std::vector<FeatureId> before = kept_before(hulls, i, frame);
+    CollideOptions<S> options = options_of<S>(pair.pipeline);
+    options.reduction.previous = before;
     trace::Pair record;
     record.a = scenario_->shapes[a].name;
     record.b = scenario_->shapes[b].name;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <mutex>
 #include <variant>
 #include <vector>
 
+#include "core/feature_id.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
@@ -10,7 +12,8 @@ namespace contactscope {
 
 /// Runs the frames of one scenario. Hulls are rounded to the scenario's scalar once, here. Holds on
 /// to the scenario, which must outlive it and keep its shapes; settings of pairs may change between
-/// frames. Frames are independent of each other, and may run on several threads at once.
+/// frames. Any frame can be asked for, in any order and on several threads at once, and is the same
+/// each time: where a reducer goes by what was kept before, the frames from 0 on are run for it.
 class Runner {
  public:
   /// `stages`: the optional stages that recorded frames hold.
@@ -35,10 +38,22 @@ class Runner {
  private:
   template <class S>
   trace::Frame run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const;
+  template <class S>
+  std::vector<FeatureId> kept_before(const std::vector<Hull<S>>& hulls, std::size_t pair,
+                                     int frame) const;
+
+  /// What a pair kept in one frame, so that the next one need not run all before it again.
+  struct Memory {
+    int frame = -1;
+    std::vector<FeatureId> kept;
+    PipelineSettings settings;  // that it was kept with
+  };
 
   const Scenario* scenario_;
   trace::Stages stages_;
   std::variant<std::vector<Hull<float>>, std::vector<Hull<double>>> hulls_;  // one a shape
+  mutable std::mutex mutex_;
+  mutable std::vector<Memory> memories_;  // one a pair, guarded by mutex_
 };
 
 /// For one call; whoever runs a sequence keeps a Runner.

@@ -78,6 +78,8 @@ struct PipelineSettings {
   double margin = 0;  // metres
   bool cache = true;
   Preference preference = Preference::Relative;
+
+  friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
 
 /// Two shapes to collide, by index into Scenario::shapes, with the settings for this pair: those of
