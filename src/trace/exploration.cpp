@@ -17,9 +17,10 @@ Json answer(const ReducerAnswer& a) {
                  {"ids_changed", a.ids_changed},
                  {"patch_moved", number(a.patch_moved, "patch_moved")}};
   if (a.median) {
-    result["nanoseconds"] = {{"median", number(*a.median, "median")},
-                             {"min", number(a.min.value_or(*a.median), "min")},
-                             {"upper_quartile", number(a.quarter.value_or(*a.median), "quartile")}};
+    result["nanoseconds"] = {
+        {"median", number(*a.median, "median")},
+        {"min", number(a.min.value_or(*a.median), "min")},
+        {"upper_quartile", number(a.quarter.value_or(*a.median), "upper_quartile")}};
   }
   return result;
 }

@@ -67,6 +67,20 @@ TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
   EXPECT_THAT(keys_of(pair["clip"]["steps"][0]["plane"]), ElementsAre("normal", "offset"));
   EXPECT_THAT(keys_of(pair["clip"]["dropped"][0]), ElementsAre("position", "reason"));
   EXPECT_THAT(keys_of(pair["reduction"]),
+              ElementsAre("method", "points", "kept", "area", "best_area", "best", "choices"));
+  const auto& choices = pair["reduction"]["choices"];
+  EXPECT_THAT(keys_of(choices[0]), ElementsAre("rule", "direction", "measures"));
+  EXPECT_THAT(keys_of(choices[0]["measures"][0]), ElementsAre("point", "value"));
+  EXPECT_THAT(keys_of(choices[1]), ElementsAre("rule", "measures"));
+  EXPECT_THAT(keys_of(choices[1]["measures"][0]), ElementsAre("point", "edge", "value"));
+}
+
+TEST(TraceJson, AReductionWithoutStepsOrABestPolygonHasNoKeyForThem) {
+  Frame frame = sample_frame();
+  frame.pairs[0].reduction->best.clear();
+  frame.pairs[0].reduction->choices.clear();
+  const auto line = nlohmann::ordered_json::parse(to_json_line(frame));
+  EXPECT_THAT(keys_of(line["pairs"][0]["reduction"]),
               ElementsAre("method", "points", "kept", "area", "best_area"));
 }
 
@@ -166,6 +180,22 @@ TEST(TraceJson, EveryFieldComesBack) {
   EXPECT_THAT(pair.reduction->kept, ElementsAre(1, 0));
   EXPECT_EQ(pair.reduction->area, 0.0625);
   EXPECT_EQ(pair.reduction->best_area, 0.125);
+  EXPECT_THAT(pair.reduction->best, ElementsAre(0, 1));
+  ASSERT_EQ(pair.reduction->choices.size(), 2u);
+  const Choice& support = pair.reduction->choices[0];
+  EXPECT_EQ(support.rule, "support");
+  EXPECT_EQ(support.direction, Vec3d(0.6, 0, 0.8));
+  ASSERT_EQ(support.measures.size(), 2u);
+  EXPECT_EQ(support.measures[1].point, 1);
+  EXPECT_EQ(support.measures[1].a, -1);
+  EXPECT_EQ(support.measures[1].b, -1);
+  EXPECT_EQ(support.measures[1].value, double(0.1f));
+  const Choice& outside = pair.reduction->choices[1];
+  EXPECT_EQ(outside.rule, "outside");
+  EXPECT_EQ(outside.direction, Vec3d(0, 0, 0));
+  EXPECT_EQ(outside.measures.at(0).a, 1);
+  EXPECT_EQ(outside.measures.at(0).b, 0);
+  EXPECT_EQ(outside.measures.at(0).value, -1e-300);
   EXPECT_FALSE(read.pairs[1].sat || read.pairs[1].clip || read.pairs[1].reduction);
 }
 
@@ -217,6 +247,12 @@ TEST(TraceJson, WhatIsNotFiniteIsNotWritten) {
   EXPECT_THROW(to_json_line(frame), std::domain_error);
   frame = sample_frame();
   frame.pairs[0].clip->steps[0].offset = infinity;
+  EXPECT_THROW(to_json_line(frame), std::domain_error);
+  frame = sample_frame();
+  frame.pairs[0].reduction->choices[1].measures[0].value = nan;
+  EXPECT_THROW(to_json_line(frame), std::domain_error);
+  frame = sample_frame();
+  frame.pairs[0].reduction->choices[0].direction.y() = -infinity;
   EXPECT_THROW(to_json_line(frame), std::domain_error);
   Header header = sample_header();
   header.shapes[0].vertices[0].x() = infinity;

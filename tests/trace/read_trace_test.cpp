@@ -98,6 +98,27 @@ TEST(ReadTrace, AnIndexThatPointsNowhereIsRefused) {
   EXPECT_THAT(complaint(header.dump()), HasSubstr("is -1, but there are 4 vertices"));
 }
 
+TEST(ReadTrace, AnIndexOfTheBestPolygonOrOfAChoiceIsCheckedToo) {
+  EXPECT_THAT(complaint(frame_with("/pairs/0/reduction/best/1", 2)),
+              HasSubstr("'pairs[0].reduction.best[1]' is 2, but there are 2 points"));
+  EXPECT_THAT(complaint(frame_with("/pairs/0/reduction/best", "all")),
+              HasSubstr("'pairs[0].reduction.best' is of type string; an array"));
+  const std::string measure = "/pairs/0/reduction/choices/1/measures/0";
+  const std::string place = "'pairs[0].reduction.choices[1].measures[0].";
+  EXPECT_THAT(complaint(frame_with((measure + "/point").c_str(), -1)),
+              HasSubstr(place + "point' is -1, but there are 2 points"));
+  EXPECT_THAT(complaint(frame_with((measure + "/edge/0").c_str(), 7)),
+              HasSubstr(place + "edge[0]' is 7, but there are 2 points"));
+  EXPECT_THAT(complaint(frame_with((measure + "/edge").c_str(), {1, 0, 1})),
+              HasSubstr(place + "edge' must have two indices"));
+  EXPECT_THAT(complaint(frame_with((measure + "/value").c_str(), "much")),
+              HasSubstr(place + "value' is of type string; a number"));
+  EXPECT_THAT(complaint(frame_without("/pairs/0/reduction/choices/0", "rule")),
+              HasSubstr("'pairs[0].reduction.choices[0]' has no key 'rule'"));
+  EXPECT_THAT(complaint(frame_without("/pairs/0/reduction/choices/0", "measures")),
+              HasSubstr("'pairs[0].reduction.choices[0]' has no key 'measures'"));
+}
+
 TEST(ReadTrace, ATraceWithUnknownKeysIsRead) {
   ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
   frame["engine"] = "another";
@@ -119,12 +140,15 @@ TEST(ReadTrace, OnlyTheKeysOfTheFormatAreNeeded) {
   sat.erase("preference");
   for (const char* key : {"normal", "support"}) sat["face_a"].erase(key);
   for (const char* key : {"normal", "point_a", "point_b"}) sat["edge"].erase(key);
+  for (const char* key : {"best", "choices"}) frame["pairs"][0]["reduction"].erase(key);
   std::istringstream in(header.dump() + "\n\n" + frame.dump() + "\r\n");
   const Trace trace = read_trace(in, "run.jsonl");
   ASSERT_EQ(trace.header.shapes.size(), 2u);
   EXPECT_EQ(trace.header.shapes[0].edges.size(), 6u);  // of the tetrahedron's faces
   EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->face_a->normal, Vec3d(0, 0, 0));
   EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->edge->separation, -0.125);
+  EXPECT_TRUE(trace.frames.at(0).pairs.at(0).reduction->best.empty());
+  EXPECT_TRUE(trace.frames.at(0).pairs.at(0).reduction->choices.empty());
 }
 
 TEST(ReadTrace, FramesKeepTheirOrder) {

@@ -56,7 +56,10 @@ Frame sample_frame() {
   clip.steps.push_back({{0, 0, 1}, -0.75, {}});
   clip.dropped.push_back({{3, 2, 1}, "above the reference face"});
   pair.clip = clip;
-  pair.reduction = Reduction{"area", manifold.points, {1, 0}, 0.0625, 0.125};
+  pair.reduction = Reduction{"area", manifold.points, {1, 0}, 0.0625, 0.125, {0, 1}, {}};
+  pair.reduction->choices = {
+      {"support", {0.6, -0.0, 0.8}, {{0, -1, -1, -0.0}, {1, -1, -1, double(0.1f)}}},
+      {"outside", {0, 0, 0}, {{0, 1, 0, -1e-300}}}};
   frame.pairs.push_back(pair);
 
   frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});
