@@ -54,11 +54,12 @@ float LogAxis::at(double value) const {
   return from_ + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to_ - from_);
 }
 
-std::vector<LogAxis::Tick> LogAxis::ticks() const {
+std::vector<LogAxis::Tick> LogAxis::ticks(float least_decade) const {
+  const bool minor = std::abs(to_ - from_) >= least_decade * (high_ - low_);
   std::vector<Tick> list;
   int decades = 0;
   for (int exponent = static_cast<int>(std::floor(low_)); exponent <= high_; ++exponent) {
-    for (int factor = 1; factor <= 9; ++factor) {
+    for (int factor = 1; factor <= (minor ? 9 : 1); ++factor) {
       const double logarithm = exponent + std::log10(factor);
       if (logarithm < low_ - kRounding || logarithm > high_ + kRounding) continue;
       Tick tick;

@@ -21,9 +21,10 @@ class LogAxis {
     bool decade = false;  // a power of ten
     bool labelled = false;
   };
-  /// Every 1 to 9 times a power of ten on the axis, in growing order. Decades are labelled; where
-  /// there are fewer than three of them, 2 and 5 as well.
-  std::vector<Tick> ticks() const;
+  /// Every power of ten on the axis, and 2 to 9 times each where a decade is at least
+  /// `least_decade` pixels long, in growing order. Decades are labelled; where there are fewer than
+  /// three of them, 2 and 5 as well.
+  std::vector<Tick> ticks(float least_decade = 0) const;
 
  private:
   double low_, high_;  // logarithms

@@ -38,7 +38,7 @@ std::string subtitle(const trace::Study& study) {
     first = false;
   }
   return line + " " + study.parameter +
-         ". Strong: at most of these nothing else is both as fast and as close.";
+         ". Strong: at half of these or more, nothing else is both as fast and as close.";
 }
 
 bool has_worst(const trace::Study& study) {

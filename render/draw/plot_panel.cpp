@@ -17,6 +17,7 @@ constexpr float kTickColumn = 54;
 constexpr float kStrongMarker = 5.0f;
 constexpr float kMutedMarker = 3.3f;
 constexpr float kCross = 4;
+constexpr float kLeastDecade = 70;  // shorter ones would be a grey of minor lines
 
 constexpr Color kGrid = rgb(0xD5DADF);
 constexpr Color kMinorGrid = rgb(0xEEF0F2);
@@ -88,10 +89,10 @@ class Panel {
   void draw_grid() {
     for (const bool decades : {false, true}) {
       const Color& color = decades ? kGrid : kMinorGrid;
-      for (const LogAxis::Tick& tick : plot_.x.ticks()) {
+      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
         if (tick.decade == decades) line({tick.at, top_}, {tick.at, bottom_}, 1, color);
       }
-      for (const LogAxis::Tick& tick : plot_.y.ticks()) {
+      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
         if (tick.decade == decades) line({left_, tick.at}, {right_, tick.at}, 1, color);
       }
     }
@@ -103,7 +104,7 @@ class Panel {
   void draw_time_ticks() {
     std::vector<std::array<float, 2>> taken;
     for (const bool decades : {true, false}) {
-      for (const LogAxis::Tick& tick : plot_.x.ticks()) {
+      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
         if (!tick.labelled || tick.decade != decades) continue;
         const std::string label = spell_tick_time(tick.value);
         const float half = 0.5f * text_width(label, px(kPlotText), FontWeight::Regular);
@@ -132,7 +133,7 @@ class Panel {
     }
     if (plot_.failures_end > top_) label("failed", 0.5f * (top_ + plot_.failures_end));
     for (const bool decades : {true, false}) {
-      for (const LogAxis::Tick& tick : plot_.y.ticks()) {
+      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
         if (!tick.labelled || tick.decade != decades) continue;
         label(spell_tick_error(tick.value, study_.unit), tick.at);
       }

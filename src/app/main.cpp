@@ -111,9 +111,8 @@ int run(int argc, char** argv) {
       program.add_subcommand("study", "Measure error against run time: plot, CSV and JSON");
   study_verb->add_option("NAME", options.study, "A name that `list studies` prints")->required();
   study_verb->add_option("--size", command.size, "WxH, default 1280x720");
-  study_verb->add_option("--cases", options.cases, "Cases a point of a line")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
+  study_verb->add_option("--cases", options.cases, "Cases a point of a line, default: the study's")
+      ->check(CLI::Range(1, 1000000));
   study_verb->add_option("--seed", options.seed, "Of the random cases")->capture_default_str();
   study_verb->add_flag("--table", options.tables_only, "Write no plots, and open no OpenGL");
   study_verb->add_flag("--json", options.json, "Print the results as JSON too, one a line");

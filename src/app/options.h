@@ -53,10 +53,10 @@ struct Options {
   std::string reducer;
   std::string what;  // of `list`
   Update update = Update::Never;
-  int jobs = 0;            // 0: as many as there are processors
-  std::string study;       // name of the study to run
-  std::uint64_t seed = 1;  // of its cases
-  int cases = 2000;        // a point of a study
+  int jobs = 0;              // 0: as many as there are processors
+  std::string study;         // name of the study to run
+  std::uint64_t seed = 1;    // of its cases
+  std::optional<int> cases;  // a point of a study; the study knows a default
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -4,30 +4,15 @@
 #include <numbers>
 
 #include "core/pose.h"
+#include "study/uniform.h"
 
 namespace contactscope {
 namespace {
-
-// The engine is specified to the bit, the standard distributions are not.
-double uniform(std::mt19937_64& engine, double low, double high) {
-  return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
-}
 
 Vec3d uniform_vector(std::mt19937_64& engine, double reach) {
   Vec3d v;
   for (int axis = 0; axis < 3; ++axis) v[axis] = uniform(engine, -reach, reach);
   return v;
-}
-
-// Shoemake 1992, "Uniform random rotations".
-Quatd any_rotation(std::mt19937_64& engine) {
-  const double share = uniform(engine, 0, 1);
-  const double first = uniform(engine, 0, 2 * std::numbers::pi);
-  const double second = uniform(engine, 0, 2 * std::numbers::pi);
-  const double a = std::sqrt(1 - share);
-  const double b = std::sqrt(share);
-  return Quatd(b * std::cos(second), a * std::sin(first), a * std::cos(first),
-               b * std::sin(second));
 }
 
 }  // namespace
@@ -39,7 +24,7 @@ ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count) {
   const double mean_depth = uniform(engine, 0.001, 0.01);
   const double tilt = uniform(engine, 0, 1);
   const double downhill = uniform(engine, 0, 2 * std::numbers::pi);
-  const Pose<double> pose{any_rotation(engine), uniform_vector(engine, 5)};
+  const Pose<double> pose{uniform_rotation(engine), uniform_vector(engine, 5)};
 
   ContactPolygon polygon;
   const Vec3d normal = pose.rotation * Vec3d::UnitZ();

@@ -5,6 +5,7 @@
 
 #include "reduce/reducer.h"
 #include "study/elliptical_polygon.h"
+#include "study/errors.h"
 #include "study/pass_times.h"
 #include "study/reduction_quality.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int kPointCounts[] = {5, 6, 8, 12, 16, 32};
 constexpr int kKept = 4;
+constexpr int kCases = 2000;
+constexpr int kRepetitions = 25;
 // Areas and distances are computed in double from coordinates within 6 m and patches of 0.02 m and
 // more; what is smaller than this is their rounding.
 constexpr double kRounding = 1e-12;
@@ -46,27 +49,6 @@ Reduction reduced(const Method& method, const std::vector<ContactPolygon>& cases
   return reduce<float>(method.reducer, polygon.points, polygon.normal, reduce_options(index));
 }
 
-/// Mean and worst error over the cases that did not fail.
-class Errors {
- public:
-  void add(double error) {
-    const double counted = error < kRounding ? 0 : error;
-    sum_ += counted;
-    worst_ = std::max(worst_, counted);
-    ++count_;
-  }
-  void write(trace::StudyPoint& point) const {
-    if (count_ == 0) return;
-    point.error = sum_ / count_;
-    point.error_worst = worst_;
-  }
-
- private:
-  double sum_ = 0;
-  double worst_ = 0;
-  int count_ = 0;
-};
-
 /// One method at one number of points: errors by both measures, and times.
 struct Cell {
   Errors area, wrench;
@@ -90,6 +72,10 @@ std::optional<ReductionQuality> judge(const Method& method,
   return quality;
 }
 
+double without_rounding(double error) {
+  return error < kRounding ? 0 : error;
+}
+
 void judge_all(const Method& method, const std::vector<ContactPolygon>& cases, Cell& cell) {
   for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
     const std::optional<ReductionQuality> quality = judge(method, cases, i);
@@ -97,8 +83,8 @@ void judge_all(const Method& method, const std::vector<ContactPolygon>& cases, C
       ++cell.failed;
       continue;
     }
-    cell.area.add(1 - quality->area_ratio);
-    cell.wrench.add(quality->wrench_error);
+    cell.area.add(without_rounding(1 - quality->area_ratio));
+    cell.wrench.add(without_rounding(quality->wrench_error));
   }
 }
 
@@ -109,13 +95,13 @@ void time_pass(const Method& method, const std::vector<ContactPolygon>& cases, C
   });
 }
 
-trace::Study described(const StudyOptions& options) {
+trace::Study described(const StudyOptions& options, int count) {
   trace::Study study;
   study.study = "reducers";
   study.context = study_context("float");
   study.parameter = "points";
   study.resolution = kResolution;
-  study.reference = "all subsets of four points, " + std::to_string(options.cases) +
+  study.reference = "all subsets of four points, " + std::to_string(count) +
                     " elliptical polygons a point, seed " + std::to_string(options.seed);
   return study;
 }
@@ -124,22 +110,24 @@ trace::Study described(const StudyOptions& options) {
 
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
+  const int count = options.cases.value_or(kCases);
+  const int repetitions = options.repetitions.value_or(kRepetitions);
   const std::vector<Method> all = methods();
   const std::size_t counts = std::size(kPointCounts);
   std::vector<std::vector<ContactPolygon>> cases(counts);
   std::vector<std::vector<Cell>> cells(all.size(), std::vector<Cell>(counts));
 
-  const int steps = static_cast<int>(counts) + options.repetitions;
+  const int steps = static_cast<int>(counts) + repetitions;
   int done = 0;
   std::mt19937_64 engine(options.seed);
   for (std::size_t c = 0; c < counts; ++c) {
-    for (int i = 0; i < options.cases; ++i) {
+    for (int i = 0; i < count; ++i) {
       cases[c].push_back(elliptical_polygon(engine, kPointCounts[c]));
     }
     for (std::size_t m = 0; m < all.size(); ++m) judge_all(all[m], cases[c], cells[m][c]);
     progress(++done, steps, "errors of " + std::to_string(kPointCounts[c]) + " points");
   }
-  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t c = 0; c < counts; ++c) {
       for (std::size_t turn = 0; turn < all.size(); ++turn) {
         const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % all.size();
@@ -149,15 +137,15 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
     progress(++done, steps, "times");
   }
 
-  trace::Study area = described(options);
+  trace::Study area = described(options, count);
   area.measure = "area";
   area.title = "What each reducer loses of the contact area";
   area.error = "lost area, 1 − area / best";
-  trace::Study wrench = described(options);
+  trace::Study wrench = described(options, count);
   wrench.measure = "wrench";
   wrench.title = "What each reducer loses of the resisted moment";
   wrench.error = "lost moment arm / patch radius, worst axis";
-  wrench.reference = "all points, " + std::to_string(options.cases) +
+  wrench.reference = "all points, " + std::to_string(count) +
                      " elliptical polygons a point, seed " + std::to_string(options.seed);
   for (std::size_t m = 0; m < all.size(); ++m) {
     trace::StudySeries by_area{all[m].name, {}};
@@ -168,7 +156,7 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
       point.parameter = kPointCounts[c];
       point.nanoseconds = cell.times.summary();
       point.failed = cell.failed;
-      point.of = options.cases;
+      point.of = count;
       cell.area.write(point);
       by_area.points.push_back(point);
       cell.wrench.write(point);

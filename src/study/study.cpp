@@ -4,6 +4,7 @@
 #include <ctime>
 #include <fstream>
 
+#include "study/hull_precision_study.h"
 #include "study/reducer_study.h"
 
 namespace contactscope {
@@ -53,6 +54,8 @@ trace::StudyContext study_context(const std::string& scalar) {
 const std::vector<StudyInfo>& studies() {
   static const std::vector<StudyInfo> list = {
       {"reducers", "what each reducer loses of the contact, against its run time", &study_reducers},
+      {"hull_precision", "float against double, and what the Gauss map saves of the edge pairs",
+       &study_hull_precision},
   };
   return list;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@
 namespace contactscope {
 
 struct StudyOptions {
-  std::uint64_t seed = 1;  // the same seed gives the same cases and so the same errors
-  int cases = 2000;        // a point, >= 1
-  int repetitions = 25;    // of the passes that are timed, >= 1
+  std::uint64_t seed = 1;          // the same seed gives the same cases and so the same errors
+  std::optional<int> cases;        // a point, >= 1; each study has a default of its own
+  std::optional<int> repetitions;  // of the passes that are timed, >= 1; likewise
 };
 
 /// Told of each step; may throw to stop the study.

@@ -60,6 +60,12 @@ TEST(LogAxis, TicksGrowAndHoldTheDecades) {
   }
 }
 
+TEST(LogAxis, ShortDecadesHaveNoMinorTicks) {
+  const LogAxis axis(0.9, 1.1e4, 0, 200, 0, 0);  // some 49 pixels a decade
+  EXPECT_EQ(axis.ticks(60).size(), 5u);
+  EXPECT_GT(axis.ticks(40).size(), 36u);
+}
+
 TEST(TickText, TimesCarryTheUnitThatFits) {
   EXPECT_EQ(spell_tick_time(50), "50 ns");
   EXPECT_EQ(spell_tick_time(1000), "1 µs");

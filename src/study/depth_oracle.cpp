@@ -1,0 +1,111 @@
+#include "study/depth_oracle.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace contactscope {
+namespace {
+
+using Real = long double;
+using Vec = Vec3<Real>;
+
+struct Edge {
+  Vec from, along;       // along is unit
+  Vec normal1, normal2;  // of the faces beside it
+};
+
+struct Body {
+  std::vector<Vec> vertices;
+  std::vector<Vec> normals;
+  std::vector<Vec> on_faces;
+  std::vector<Edge> edges;
+  Vec center = Vec::Zero();
+};
+
+/// By the fan of triangles about the first vertex.
+Vec face_normal(const std::vector<Vec>& vertices, const std::vector<int>& loop) {
+  const auto at = [&](std::size_t i) -> const Vec& {
+    return vertices[static_cast<std::size_t>(loop[i])];
+  };
+  Vec sum = Vec::Zero();
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Vec first = at(i) - at(0);
+    const Vec second = at(i + 1) - at(0);
+    sum += first.cross(second);
+  }
+  return sum / sum.norm();
+}
+
+Body make_body(const Hull<double>& hull, const Pose<double>& pose) {
+  const Quat<Real> rotation = pose.rotation.cast<Real>().normalized();
+  const Mat3<Real> turn = rotation.toRotationMatrix();
+  Body body;
+  for (const Vec3d& vertex : hull.vertices) {
+    const Vec placed = turn * vertex.cast<Real>() + pose.position.cast<Real>();
+    body.vertices.push_back(placed);
+    body.center += placed;
+  }
+  body.center /= static_cast<Real>(hull.vertex_count());
+  for (int face = 0; face < hull.face_count(); ++face) {
+    const std::vector<int> loop = face_vertices(hull, face);
+    body.normals.push_back(face_normal(body.vertices, loop));
+    body.on_faces.push_back(body.vertices[static_cast<std::size_t>(loop.front())]);
+  }
+  for (std::size_t h = 0; h < hull.half_edges.size(); h += 2) {
+    const HalfEdge& one = hull.half_edges[h];
+    const HalfEdge& other = hull.half_edges[h + 1];
+    const Vec& from = body.vertices[static_cast<std::size_t>(one.origin)];
+    const Vec along = body.vertices[static_cast<std::size_t>(other.origin)] - from;
+    body.edges.push_back({from, along / along.norm(),
+                          body.normals[static_cast<std::size_t>(one.face)],
+                          body.normals[static_cast<std::size_t>(other.face)]});
+  }
+  return body;
+}
+
+Real best_face(const Body& body, const Body& other) {
+  Real best = -std::numeric_limits<Real>::infinity();
+  for (std::size_t f = 0; f < body.normals.size(); ++f) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const Vec& vertex : other.vertices) {
+      least = std::min(least, body.normals[f].dot(Vec(vertex - body.on_faces[f])));
+    }
+    best = std::max(best, least);
+  }
+  return best;
+}
+
+bool is_minkowski_face(const Edge& a, const Edge& b) {
+  const Vec c = -b.normal1;
+  const Vec d = -b.normal2;
+  const Vec b_x_a = a.normal2.cross(a.normal1);
+  const Vec d_x_c = d.cross(c);
+  const Real cba = c.dot(b_x_a);
+  const Real dba = d.dot(b_x_a);
+  const Real adc = a.normal1.dot(d_x_c);
+  const Real bdc = a.normal2.dot(d_x_c);
+  return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
+}
+
+}  // namespace
+
+double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
+  const Body body_a = make_body(a, {});
+  const Body body_b = make_body(b, b_in_a);
+  Real best = std::max(best_face(body_a, body_b), best_face(body_b, body_a));
+  for (const Edge& edge_a : body_a.edges) {
+    for (const Edge& edge_b : body_b.edges) {
+      if (!is_minkowski_face(edge_a, edge_b)) continue;
+      const Vec cross = edge_a.along.cross(edge_b.along);
+      const Real sine = cross.norm();
+      if (!(sine > 0)) continue;
+      Vec normal = cross / sine;
+      if (normal.dot(Vec(edge_a.from - body_a.center)) < 0) normal = -normal;
+      best = std::max(best, normal.dot(Vec(edge_b.from - edge_a.from)));
+    }
+  }
+  return static_cast<double>(best);
+}
+
+}  // namespace contactscope

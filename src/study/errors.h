@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+
+#include "trace/study.h"
+
+namespace contactscope {
+
+/// Mean and worst error over the cases that did not fail.
+class Errors {
+ public:
+  void add(double error) {
+    sum_ += error;
+    worst_ = std::max(worst_, error);
+    ++count_;
+  }
+  /// Leaves both empty where nothing was added.
+  void write(trace::StudyPoint& point) const {
+    point.error.reset();
+    point.error_worst.reset();
+    if (count_ == 0) return;
+    point.error = sum_ / count_;
+    point.error_worst = worst_;
+  }
+
+ private:
+  double sum_ = 0;
+  double worst_ = 0;
+  int count_ = 0;
+};
+
+}  // namespace contactscope

@@ -1,0 +1,202 @@
+#include "study/hull_precision_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/hull_builder.h"
+#include "query/sat.h"
+#include "study/all_edge_pairs.h"
+#include "study/depth_oracle.h"
+#include "study/errors.h"
+#include "study/pass_times.h"
+#include "study/uniform.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kVertexCounts[] = {8, 16, 32, 64};
+// The slowest method takes milliseconds a pair.
+constexpr int kCases = 100;
+constexpr int kRepetitions = 7;
+
+Vec3d unit_vector(std::mt19937_64& engine) {
+  const double z = uniform(engine, -1, 1);
+  const double turn = uniform(engine, 0, 2 * std::numbers::pi);
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) {
+  const Quatd turn = uniform_rotation(engine);
+  Vec3d axes;
+  for (int i = 0; i < 3; ++i) axes[i] = size * uniform(engine, 0.5, 1);
+  std::vector<Vec3d> points;
+  for (int i = 0; i < vertices; ++i) {
+    const Vec3d on_sphere = unit_vector(engine);
+    points.push_back(turn * Vec3d(axes.cwiseProduct(on_sphere)));
+  }
+  return build_hull(points);
+}
+
+/// A pair as one scalar sees it.
+template <class S>
+struct Case {
+  Hull<S> a, b;
+  Pose<S> b_in_a;
+
+  explicit Case(const OverlappingHulls& hulls)
+      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
+};
+
+template <class S>
+double walked(const Case<S>& c) {
+  const HullPair<S> pair(c.a, c.b, c.b_in_a);
+  const SatResult<S> result = sat(pair, S(0), Preference::None);
+  return static_cast<double>(
+      result.separation(result.status == SatStatus::Separated ? result.chosen : result.deepest));
+}
+
+template <class S>
+double asked(const Case<S>& c) {
+  return static_cast<double>(separation_by_minkowski_faces(HullPair<S>(c.a, c.b, c.b_in_a)));
+}
+
+template <class S>
+double all_pairs(const Case<S>& c) {
+  return static_cast<double>(separation_by_all_edge_pairs(HullPair<S>(c.a, c.b, c.b_in_a)));
+}
+
+/// The cases of one size of hull, in both scalars.
+struct Cases {
+  std::vector<OverlappingHulls> exact;
+  std::vector<Case<float>> as_float;
+  std::vector<Case<double>> as_double;
+
+  int count() const { return static_cast<int>(exact.size()); }
+};
+
+Cases make_cases(std::mt19937_64& engine, int vertices, int count) {
+  Cases cases;
+  for (int i = 0; i < count; ++i) {
+    cases.exact.push_back(overlapping_hulls(engine, vertices));
+    cases.as_float.emplace_back(cases.exact.back());
+    cases.as_double.emplace_back(cases.exact.back());
+  }
+  return cases;
+}
+
+struct Method {
+  const char* name;
+  double (*separation)(const Cases& cases, std::size_t index);
+};
+
+constexpr Method kMethods[] = {
+    {"float, walked arcs", [](const Cases& c, std::size_t i) { return walked(c.as_float[i]); }},
+    {"float, every pair asked", [](const Cases& c, std::size_t i) { return asked(c.as_float[i]); }},
+    {"float, every pair measured",
+     [](const Cases& c, std::size_t i) { return all_pairs(c.as_float[i]); }},
+    {"double, walked arcs", [](const Cases& c, std::size_t i) { return walked(c.as_double[i]); }},
+    {"double, every pair asked",
+     [](const Cases& c, std::size_t i) { return asked(c.as_double[i]); }},
+    {"double, every pair measured",
+     [](const Cases& c, std::size_t i) { return all_pairs(c.as_double[i]); }},
+};
+
+struct Cell {
+  Errors errors;
+  int failed = 0;
+  PassTimes times;
+};
+
+void judge_all(const Method& method, const Cases& cases, Cell& cell) {
+  for (std::size_t i = 0; i < cases.exact.size(); ++i) {
+    const OverlappingHulls& exact = cases.exact[i];
+    const double separation = method.separation(cases, i);
+    if (!(separation < 0)) {
+      ++cell.failed;
+    } else {
+      cell.errors.add(std::abs(separation - exact.separation) / exact.size);
+    }
+  }
+}
+
+}  // namespace
+
+OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
+  for (;;) {
+    OverlappingHulls hulls;
+    hulls.size = std::pow(10.0, uniform(engine, -3, 3));
+    hulls.a = ellipsoid_hull(engine, vertices, hulls.size);
+    hulls.b = ellipsoid_hull(engine, vertices, hulls.size);
+    hulls.b_in_a.rotation = uniform_rotation(engine);
+    const Vec3d direction = unit_vector(engine);
+    const double overlap = hulls.size * uniform(engine, 0.01, 0.1);
+    double reach_a = 0, reach_b = 0;
+    for (const Vec3d& v : hulls.a.vertices) reach_a = std::max(reach_a, direction.dot(v));
+    for (const Vec3d& v : hulls.b.vertices) {
+      reach_b = std::max(reach_b, -direction.dot(hulls.b_in_a.rotate(v)));
+    }
+    hulls.b_in_a.position = (reach_a + reach_b - overlap) * direction;
+    hulls.separation = oracle_separation(hulls.a, hulls.b, hulls.b_in_a);
+    // A kiss is no overlap: what float makes of it is chance.
+    if (hulls.separation < -1e-3 * hulls.size) return hulls;
+  }
+}
+
+std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
+                                               const StudyProgress& progress) {
+  const int count = options.cases.value_or(kCases);
+  const int repetitions = options.repetitions.value_or(kRepetitions);
+  const std::size_t methods = std::size(kMethods), sizes = std::size(kVertexCounts);
+  std::vector<std::vector<Cell>> cells(methods, std::vector<Cell>(sizes));
+  std::vector<Cases> cases;
+
+  const int steps = static_cast<int>(sizes) + repetitions;
+  int done = 0;
+  std::mt19937_64 engine(options.seed);
+  for (std::size_t size = 0; size < sizes; ++size) {
+    cases.push_back(make_cases(engine, kVertexCounts[size], count));
+    for (std::size_t m = 0; m < methods; ++m) judge_all(kMethods[m], cases[size], cells[m][size]);
+    progress(++done, steps, "errors of " + std::to_string(kVertexCounts[size]) + " vertices");
+  }
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (std::size_t size = 0; size < sizes; ++size) {
+      for (std::size_t turn = 0; turn < methods; ++turn) {
+        const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % methods;
+        cells[m][size].times.measure(count, [&](int i) {
+          return kMethods[m].separation(cases[size], static_cast<std::size_t>(i));
+        });
+      }
+    }
+    progress(++done, steps, "times");
+  }
+
+  trace::Study study;
+  study.study = "hull_precision";
+  study.measure = "depth";
+  study.title = "The depth of two hulls: precision and run time of the separating axis test";
+  study.context = study_context("float and double");
+  study.reference = "extended precision, " + std::to_string(count) +
+                    " overlapping pairs of 1 mm to 1 km a point, seed " +
+                    std::to_string(options.seed);
+  study.error = "error of the depth / size of the hulls";
+  study.parameter = "vertices";
+  for (std::size_t m = 0; m < methods; ++m) {
+    trace::StudySeries series{kMethods[m].name, {}};
+    for (std::size_t size = 0; size < sizes; ++size) {
+      const Cell& cell = cells[m][size];
+      trace::StudyPoint point;
+      point.parameter = kVertexCounts[size];
+      point.nanoseconds = cell.times.summary();
+      point.failed = cell.failed;
+      point.of = count;
+      cell.errors.write(point);
+      series.points.push_back(point);
+    }
+    study.series.push_back(std::move(series));
+  }
+  return {std::move(study)};
+}
+
+}  // namespace contactscope

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "core/pose.h"
+#include "geometry/hull.h"
+#include "study/study.h"
+
+namespace contactscope {
+
+struct OverlappingHulls {
+  Hull<double> a, b;
+  Pose<double> b_in_a;
+  double size = 1;        // metres: the longest semi-axis of both
+  double separation = 0;  // metres, < 0: the oracle's (depth_oracle.h)
+};
+
+/// Two hulls of `vertices` points each on ellipsoids with semi-axes of 0.5 to 1 times a size of 1 mm
+/// to 1 km (log-uniform), turned at random, moved along a random direction until they overlap by 1
+/// to 10% of the size along it; drawn again where another axis separates them.
+OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices);
+
+/// The depth that the separating axis test finds, in float and in double, for hulls of 8, 16, 32 and
+/// 64 vertices: walking the Gauss map as sat() does, asking every pair of edges whether it makes a
+/// Minkowski face, and measuring every pair by support points. The error is |separation - oracle|
+/// over the size of the hulls; for float it includes what rounding the input to float costs. A call
+/// has failed when it finds no overlap.
+std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
+                                               const StudyProgress& progress);
+
+}  // namespace contactscope
