@@ -7,8 +7,11 @@ template <class S>
 void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
   const int size = static_cast<int>(ring.corners.size());
   const int step = patch.is_mirrored() ? size - 1 : 1;
-  for (int i = 0, at = begin; i < size; ++i, at = (at + step) % size) {
+  int at = begin;
+  for (int i = 0; i < size; ++i) {
     kept.push_back(patch.point(ring.corners[static_cast<std::size_t>(at)]));
+    at += step;
+    if (at >= size) at -= size;
   }
 }
 
@@ -22,10 +25,10 @@ int deepest_of(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
     const int point = patch.point(ring.corners[static_cast<std::size_t>(i)]);
     const S depth = points[static_cast<std::size_t>(point)].separation;
     const S most = points[static_cast<std::size_t>(best_point)].separation;
-    if (depth < most || (depth == most && point < best_point)) {
-      best = i;
-      best_point = point;
-    }
+    // Without a branch that nothing could foresee.
+    const bool is_better = (depth < most) | ((depth == most) & (point < best_point));
+    best = is_better ? i : best;
+    best_point = is_better ? point : best_point;
   }
   return best;
 }

@@ -15,30 +15,13 @@ Lanes<S> load(const S* from) {
   return Eigen::Map<const Lanes<S>>(from);
 }
 
-enum class Order { CounterClockwise, Clockwise, None };
-
-/// Whether the corners go round a strictly convex polygon once. All turns to one side are not
-/// enough, a star has them too; but it goes round twice, and meets two local maxima of x.
+/// Whether points that are in convex order are clockwise seen against the normal: as any three.
 template <class S>
-Order order_of(const S* x, const S* y, int count) {
-  Lanes<S> least = Lanes<S>::Constant(std::numeric_limits<S>::infinity());
-  Lanes<S> most = -least;
-  for (int i = 0; i < count; i += Patch<S>::kLanes) {
-    const Lanes<S> middle_x = load(x + i + 1);
-    const Lanes<S> middle_y = load(y + i + 1);
-    const Lanes<S> turn = (middle_x - load(x + i)) * (load(y + i + 2) - middle_y) -
-                          (middle_y - load(y + i)) * (load(x + i + 2) - middle_x);
-    least = least.min(turn);
-    most = most.max(turn);
-  }
-  const bool left = least.minCoeff() > S(0);
-  if (!left && !(most.maxCoeff() < S(0))) return Order::None;
-  int rounds = 0;
-  for (int i = 0; i < count; ++i) {
-    rounds += static_cast<int>(x[i + 1] > x[i]) & static_cast<int>(x[i + 1] >= x[i + 2]);
-  }
-  if (rounds != 1) return Order::None;
-  return left ? Order::CounterClockwise : Order::Clockwise;
+bool is_clockwise(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
+  const std::size_t third = points.size() / 3;
+  const Vec3<S> a = points[third].position - points[0].position;
+  const Vec3<S> b = points[2 * third].position - points[0].position;
+  return a.cross(b).dot(normal) < S(0);
 }
 
 }  // namespace
@@ -52,7 +35,9 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
   const S a = S(-1) / (sign + normal.z());
   const S b = normal.x() * normal.y() * a;
   u_ = {S(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
-  v_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
+  is_mirrored_ = is_clockwise(points, normal);
+  const S up = is_mirrored_ ? S(-1) : S(1);
+  v_ = {up * b, up * (sign + normal.y() * normal.y() * a), -up * normal.y()};
   for (int i = 0; i < count_; ++i) {
     const PlanePoint<S> place = project(points[static_cast<std::size_t>(i)].position);
     x_[i] = place.x;
@@ -60,16 +45,11 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
     point_[i] = i;
   }
   wrap();
-  const Order order = count_ < 3 ? Order::None : order_of(x_, y_, count_);
-  if (order == Order::None) {
+  if (!measure()) {
     make_convex();
     wrap();
-  } else if (order == Order::Clockwise) {
-    is_mirrored_ = true;
-    v_ = -v_;
-    for (int i = 0; i < 2 * count_ + kLanes; ++i) y_[i] = -y_[i];
+    measure();
   }
-  measure();
 }
 
 template <class S>
@@ -130,24 +110,43 @@ void Patch<S>::make_convex() {
   std::copy_n(chain, size, point_);
 }
 
+/// Corners are in convex order when all turns are to the left and they go round once. For the
+/// latter, seen from the first corner, each is to the left of the one before and none is to the
+/// right of the second: all of them together make less than half a turn.
 template <class S>
-void Patch<S>::measure() {
-  swept_[0] = S(0);
-  for (int i = 0; i < count_; ++i) swept_[i + 1] = swept_[i] + cross(corner(i), corner(i + 1));
-  const S round = swept_[count_];
-  for (int i = 1; i < count_ + kLanes; ++i) swept_[count_ + i] = round + swept_[i];
-
-  Lanes<S> far_x = Lanes<S>::Zero();
-  Lanes<S> far_y = Lanes<S>::Zero();
+bool Patch<S>::measure() {
+  Lanes<S> least_turn = Lanes<S>::Constant(std::numeric_limits<S>::infinity());
+  Lanes<S> least_side = least_turn;
+  Lanes<S> far = Lanes<S>::Zero();
+  // Doubled areas of the triangles of the edges and the first point, which is the first corner, too,
+  // before a hull was made.
+  S fan[kMaxManifoldPoints + kLanes];
   for (int i = 0; i < count_; i += kLanes) {
-    far_x = far_x.max(load(x_ + i).abs());
-    far_y = far_y.max(load(y_ + i).abs());
+    const Lanes<S> x = load(x_ + i);
+    const Lanes<S> y = load(y_ + i);
+    const Lanes<S> next_x = load(x_ + i + 1);
+    const Lanes<S> next_y = load(y_ + i + 1);
+    const Lanes<S> turn =
+        (next_x - x) * (load(y_ + i + 2) - next_y) - (next_y - y) * (load(x_ + i + 2) - next_x);
+    least_turn = least_turn.min(turn);
+    least_side = least_side.min(x_[1] * y - y_[1] * x);
+    far = far.max(x.abs()).max(y.abs());
+    Eigen::Map<Lanes<S>> stored(fan + i);
+    stored = x * next_y - y * next_x;
   }
+  doubled_area_ = S(0);
+  S least_fan = std::numeric_limits<S>::infinity();
+  for (int i = 0; i < count_; ++i) doubled_area_ += fan[i];
+  for (int i = 1; i < count_ - 1; ++i) least_fan = std::min(least_fan, fan[i]);
+
   // A coordinate carries an error of half an ulp of its own size, so a difference of two of them
   // does too however small it is itself, and an area that error times the length of the patch.
-  const S length = S(2) * far_x.max(far_y).maxCoeff();
-  rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (origin_.cwiseAbs().maxCoeff() + length);
-  is_flat_ = count_ < 3 || round <= rounding_ * length;
+  const S length = S(2) * far.maxCoeff();
+  const S coordinate =
+      std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));
+  rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (coordinate + length);
+  is_flat_ = !(doubled_area_ > rounding_ * length);
+  return least_turn.minCoeff() > S(0) && least_side.minCoeff() >= S(0) && least_fan > S(0);
 }
 
 template class Patch<float>;

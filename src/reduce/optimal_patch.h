@@ -45,10 +45,8 @@ class Patch {
   /// A contact point in the coordinates of the corners.
   PlanePoint<S> project(const Vec3<S>& position) const;
 
-  /// Doubled area between the chain of corners from i to j and the straight line back, for
-  /// i <= j < 2 count(). A whole round for j = i + count().
-  S doubled_area(int i, int j) const { return swept_[j] - swept_[i] + cross(corner(j), corner(i)); }
-  const S* swept() const { return swept_; }
+  /// Of the whole hull.
+  S doubled_area() const { return doubled_area_; }
   /// All points are on a line, or coincide: the area is nothing but rounding.
   bool is_flat() const { return is_flat_; }
   /// A distance within rounding is none.
@@ -66,19 +64,20 @@ class Patch {
 
   void wrap();
   void make_convex();
-  void measure();
+  /// Area and lengths. False when the corners are not in convex order.
+  bool measure();
 
   Vec3<S> origin_;
   Vec3<S> u_, v_;
   int count_;
   bool is_mirrored_ = false;
   bool is_flat_ = false;
+  S doubled_area_;
   S rounding_;  // of a coordinate, metres
   // Not initialised: only the first 2 count + kLanes are used.
   int point_[kMaxManifoldPoints];
   S x_[kRoom];
   S y_[kRoom];
-  S swept_[kRoom];  // doubled area that the ray from the first point sweeps up to a corner
 };
 
 extern template class Patch<float>;

@@ -14,6 +14,8 @@ Lanes<S> load(const S* from) {
   return Eigen::Map<const Lanes<S>>(from);
 }
 
+constexpr int kFewCorners = 10;
+
 /// For the diagonals from corners i, i + 1, ... to the corners `gap` further on: the doubled areas
 /// of the largest quadrilaterals that they split. As d x p_l - d x p_k, for the corner k farthest
 /// to the right of a diagonal d and the corner l farthest to its left.
@@ -31,31 +33,63 @@ Lanes<S> largest_across(const Patch<S>& patch, int i, int gap) {
   return left - right;
 }
 
+/// Doubled areas of the triangles that the first point makes with the edges up to a corner, over two
+/// rounds. swept[j] - swept[i] and the triangle back are what the chain from i to j encloses.
+template <class S>
+void sweep(const Patch<S>& patch, S* swept) {
+  const int count = patch.count();
+  swept[0] = S(0);
+  for (int i = 0; i < count; ++i) {
+    swept[i + 1] = swept[i] + cross(patch.corner(i), patch.corner(i + 1));
+  }
+  const S round = swept[count];
+  for (int i = 0; i < count + Patch<S>::kLanes; i += Patch<S>::kLanes) {
+    Eigen::Map<Lanes<S>> second_round(swept + count + i);
+    second_round = round + load(swept + i);
+  }
+}
+
 /// The largest doubled area that `edges` edges in a row and the line back enclose.
 template <class S>
-S largest_chain(const Patch<S>& patch, int edges) {
+S largest_chain(const Patch<S>& patch, const S* swept, int edges) {
   Lanes<S> most = Lanes<S>::Zero();
   for (int i = 0; i < patch.count(); i += Patch<S>::kLanes) {
     const S* x = patch.x() + i;
     const S* y = patch.y() + i;
     const Lanes<S> back = load(x + edges) * load(y) - load(y + edges) * load(x);
-    most = most.max(load(patch.swept() + i + edges) - load(patch.swept() + i) + back);
+    most = most.max(load(swept + i + edges) - load(swept + i) + back);
   }
   return most.maxCoeff();
 }
 
-/// The corner in (first, last) that is farthest along `sign` times the normal of the diagonal.
+/// The diagonal from corner `from` < count to corner `to` < 2 count and the farthest corners on both
+/// sides of it.
 template <class S>
-int farthest_across(const Patch<S>& patch, const PlanePoint<S>& diagonal, S sign, int first,
-                    int last) {
-  int best = first + 1;
-  S most = -std::numeric_limits<S>::infinity();
-  for (int m = first + 1; m < last; ++m) {
-    const S across = sign * cross(diagonal, patch.corner(m));
-    best = across > most ? m : best;
+CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
+  const int count = patch.count();
+  if (to >= count) to -= count;
+  const PlanePoint<S> a = patch.corner(from);
+  const PlanePoint<S> b = patch.corner(to);
+  const PlanePoint<S> diagonal = {b.x - a.x, b.y - a.y};
+  int right = 0;
+  int left = 0;
+  S least = cross(diagonal, patch.corner(0));
+  S most = least;
+  for (int m = 1; m < count; ++m) {
+    const S across = cross(diagonal, patch.corner(m));
+    right = across < least ? m : right;
+    left = across > most ? m : left;
+    least = std::min(least, across);
     most = std::max(most, across);
   }
-  return best;
+  CornerRing<S> ring;
+  ring.doubled_area = doubled_area;
+  ring.corners.push_back(from);
+  // On a side where all is straight but for rounding an end may come out farthest.
+  if (right != from && right != to) ring.corners.push_back(right);
+  ring.corners.push_back(to);
+  if (left != from && left != to) ring.corners.push_back(left);
+  return ring;
 }
 
 }  // namespace
@@ -78,39 +112,76 @@ int farthest_across(const Patch<S>& patch, const PlanePoint<S>& diagonal, S sign
 template <class S>
 CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
   const int count = patch.count();
-  Lanes<S> most = Lanes<S>::Constant(-std::numeric_limits<S>::infinity());
-  // Which diagonal, as gap * 2 count + start: exact in float, for it is below 2^24.
-  Lanes<S> which = Lanes<S>::Zero();
-  const Lanes<S> lane = Lanes<S>::LinSpaced(S(0), S(Patch<S>::kLanes - 1));
+  S most = S(0);
+  int best_gap = count / 2;
+  // Of the diagonals of one gap, and of the best gap. Not initialised.
+  S rows[2][kMaxManifoldPoints + Patch<S>::kLanes];
+  S swept[2 * (kMaxManifoldPoints + Patch<S>::kLanes)];
+  bool is_swept = false;
+  S* row = rows[0];
+  S* best_row = rows[1];
+  best_row[0] = S(0);
   for (int gap = count / 2; gap >= 2; --gap) {
+    // Looked at where it pays: on a circle the best quadrilateral is as large as a chain of 57% of
+    // the edges, and a few diagonals are faster tried than avoided.
     const int chain = 2 * gap - 1;
-    if (chain + 2 <= count && largest_chain(patch, chain) <= most.maxCoeff()) break;
+    if (count >= kFewCorners && 5 * chain <= 3 * count) {
+      if (!is_swept) sweep(patch, swept);
+      is_swept = true;
+      if (largest_chain(patch, swept, chain) <= most) break;
+    }
     const int starts = 2 * gap == count ? gap : count;
+    Lanes<S> most_of_gap = Lanes<S>::Zero();
     for (int i = 0; i < starts; i += Patch<S>::kLanes) {
       const Lanes<S> area = largest_across(patch, i, gap);
-      which = (area > most).select(lane + S(gap * 2 * count + i), which);
-      most = most.max(area);
+      Eigen::Map<Lanes<S>> stored(row + i);
+      stored = area;
+      most_of_gap = most_of_gap.max(area);
     }
+    const S largest = most_of_gap.maxCoeff();
+    // Selected, not branched on: nothing could foresee it.
+    const bool improves = largest > most;
+    S* const written = row;
+    row = improves ? best_row : written;
+    best_row = improves ? written : best_row;
+    best_gap = improves ? gap : best_gap;
+    most = improves ? largest : most;
   }
-  Eigen::Index best = 0;
-  CornerRing<S> ring;
-  ring.doubled_area = most.maxCoeff(&best);
-  const int code = static_cast<int>(which[best]);
-  const int from = code % (2 * count);
-  const int to = from + code / (2 * count);
-  const PlanePoint<S> a = patch.corner(from);
-  const PlanePoint<S> b = patch.corner(to);
-  const PlanePoint<S> diagonal = {b.x - a.x, b.y - a.y};
-  const int right = farthest_across(patch, diagonal, S(-1), from, to);
-  const int left = farthest_across(patch, diagonal, S(1), to, from + count);
-  for (const int corner : {from, right, to, left}) {
-    ring.corners.push_back(
-        corner >= count ? (corner >= 2 * count ? corner - 2 * count : corner - count) : corner);
+  int from = 0;
+  while (best_row[from] != most) ++from;
+  if (from >= count) from -= count;
+  return ring_across(patch, from, from + best_gap, most);
+}
+
+/// Only the diagonals that begin at the one corner. Their two sides are not told apart: beyond the
+/// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
+template <class S>
+CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
+  const int count = patch.count();
+  const S* x = patch.x() + through;
+  const S* y = patch.y() + through;
+  S row[kMaxManifoldPoints + Patch<S>::kLanes];
+  for (int to = 2; to < count - 1; to += Patch<S>::kLanes) {
+    const Lanes<S> dx = load(x + to) - x[0];
+    const Lanes<S> dy = load(y + to) - y[0];
+    Lanes<S> left = dx * y[0] - dy * x[0];
+    Lanes<S> right = left;
+    for (int m = 1; m < count; ++m) {
+      const Lanes<S> across = dx * y[m] - dy * x[m];
+      left = left.max(across);
+      right = right.min(across);
+    }
+    Eigen::Map<Lanes<S>> stored(row + to);
+    stored = left - right;
   }
-  return ring;
+  int best = 2;
+  for (int to = 3; to < count - 1; ++to) best = row[to] > row[best] ? to : best;
+  return ring_across(patch, through, through + best, row[best]);
 }
 
 template CornerRing<float> best_quadrilateral(const Patch<float>&);
 template CornerRing<double> best_quadrilateral(const Patch<double>&);
+template CornerRing<float> best_quadrilateral_through(const Patch<float>&, int);
+template CornerRing<double> best_quadrilateral_through(const Patch<double>&, int);
 
 }  // namespace contactscope

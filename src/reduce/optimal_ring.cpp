@@ -98,7 +98,7 @@ template <class S>
 CornerRing<S> every_corner(const Patch<S>& patch) {
   CornerRing<S> ring;
   for (int i = 0; i < patch.count(); ++i) ring.corners.push_back(i);
-  ring.doubled_area = patch.doubled_area(0, patch.count());
+  ring.doubled_area = patch.doubled_area();
   return ring;
 }
 
@@ -123,6 +123,7 @@ CornerRing<S> best_ring(const Patch<S>& patch, int most) {
 template <class S>
 CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
   if (patch.count() <= most) return every_corner(patch);
+  if (most == 4) return best_quadrilateral_through(patch, through);
   CornerRing<S> best;
   Table<S> chains(most, patch.count());
   improve_from(patch, patch.corner(through), through, through + patch.count() - 1, most, chains,

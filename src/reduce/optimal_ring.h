@@ -16,6 +16,10 @@ struct CornerRing {
 template <class S>
 CornerRing<S> best_quadrilateral(const Patch<S>& patch);
 
+/// The same, of those that contain corner `through`.
+template <class S>
+CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through);
+
 /// The largest polygon of at most `most` corners, of any patch and `most` >= 2.
 template <class S>
 CornerRing<S> best_ring(const Patch<S>& patch, int most);
