@@ -100,11 +100,9 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
 /// often not needed.
 ///
 ///        i___            Let both diagonals span at most g edges. Going round, the gaps between
-///       /    \.          the corners are a, b, c, d edges with a + b <= g and b + c <= g (say; d
-///       is
-///      |       l         the long one), so a + b + c <= 2g - b <= 2g - 1: all four corners are on
-///      a k      /          chain of 2g - 1 edges, and the quadrilateral is no larger than what
-///      such
+///       /    \.          the corners are a, b, c, d edges with a + b <= g and b + c <= g (say; d is
+///      |       l         the long one), so a + b + c <= 2g - b <= 2g - 1: all four corners are on a
+///      k      /          chain of 2g - 1 edges, and the quadrilateral is no larger than what such
 ///       \__ j            a chain encloses.
 ///
 /// Steps: go from the longest diagonals to shorter ones; stop when no chain encloses more than the
@@ -161,6 +159,7 @@ CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   const S* x = patch.x() + through;
   const S* y = patch.y() + through;
   S row[kMaxManifoldPoints + Patch<S>::kLanes];
+  row[2] = S(0);  // written below, but the compiler does not know that there are four corners
   for (int to = 2; to < count - 1; to += Patch<S>::kLanes) {
     const Lanes<S> dx = load(x + to) - x[0];
     const Lanes<S> dy = load(y + to) - y[0];
