@@ -16,6 +16,7 @@ constexpr std::array<double, 11> kRings = {9, 13, 18, 25, 34, 46, 62, 84, 112, 1
 constexpr double kLeaderFrom = 15;  // pixels at 720 lines; nearer labels need none
 constexpr double kMarkerRadius = 6;
 constexpr double kPadding = 1.5;  // free space around a label
+constexpr double kBetween = 5;    // more of it beside another: two names must not read as one
 // What a pixel of a covered line, a covered marker and so on cost, in pixels of distance.
 constexpr double kCoveredPixel = 1.2;
 constexpr double kCoveredMarker = 45;
@@ -141,7 +142,9 @@ class Placement {
 
   bool allowed(const Rect& box, std::size_t label) const {
     if (!inside(box, frame_)) return false;
-    const Rect room = grown(box, kPadding * scale_);
+    const double between = kBetween * scale_;
+    const Rect padded = grown(box, kPadding * scale_);
+    const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
     for (const Rect& taken : obstacles_.boxes) {
       if (overlap(room, taken)) return false;
     }
