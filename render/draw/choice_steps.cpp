@@ -116,19 +116,21 @@ class ChoicePainter {
       labels_.push_back(
           {flat(place(measure.point)), spell_area(std::abs(measure.value)), color, winner});
     } else if (rule == "outside") {
-      outside(measure, winner);
+      outside(measure, spell_area(measure.value), winner);
+    } else if (rule == "distance") {
+      outside(measure, spell_length(measure.value), winner);
     } else if (rule == "deepest") {
       labels_.push_back({flat(place(measure.point)), spell_length(-measure.value), color, winner});
     }
   }
 
-  /// The winner with each edge, as on the talk's slides: one negative area, and positive ones that
-  /// are skipped. Of the others the area that decides.
-  void outside(const trace::Measure& measure, bool winner) {
+  /// The winner with each edge, as on the talk's slides: one negative area (or distance), and
+  /// positive ones that are skipped. Of the others the one that decides.
+  void outside(const trace::Measure& measure, const std::string& spelled, bool winner) {
     if (!winner) {
       for (const int end : {measure.a, measure.b})
         stroke(place(end), place(measure.point), 1.2f, with_alpha(kDropped, 0.55f));
-      labels_.push_back({flat(place(measure.point)), spell_area(measure.value), kDropped, false});
+      labels_.push_back({flat(place(measure.point)), spelled, kDropped, false});
       return;
     }
     if (measure.value < 0) {
@@ -137,11 +139,11 @@ class ChoicePainter {
       hatch(convex_polygon(corners), {}, layout_.px(5), layout_.px(1.3), kContact, out_);
       for (const int end : {measure.a, measure.b}) line(end, measure.point, 2.5f, kContact);
       const Vec2d middle = (corners[0] + corners[1] + corners[2]) / 3;
-      labels_.push_back({middle, spell_area(measure.value), kContact, true});
+      labels_.push_back({middle, spelled, kContact, true});
     } else {
       labels_.push_back({between(measure.a, measure.b, 0.5),
-                         "edge " + edge(measure) + ": +" + spell_area(measure.value) + ", skipped",
-                         kDropped, false, true});
+                         "edge " + edge(measure) + ": +" + spelled + ", skipped", kDropped, false,
+                         true});
     }
   }
 

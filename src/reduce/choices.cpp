@@ -58,17 +58,27 @@ ChoiceMade third_choice(Points points, const Vec3d& normal, int first, int secon
   return choice;
 }
 
-/// The kept points as a polygon, counter-clockwise seen against the normal, from the first on.
-std::vector<int> ring_of(Points points, const Vec3d& normal, std::span<const int> kept) {
+/// How an edge values a point.
+using EdgeMeasure = double (*)(Points points, const Vec3d& normal, int q, int a, int b);
+
+double signed_distance(Points points, const Vec3d& normal, int q, int a, int b) {
+  const double length = (steps::at(points, b) - steps::at(points, a)).norm();
+  return 2 * signed_area(points, normal, q, a, b) / length;
+}
+
+/// The kept points as a polygon, counter-clockwise seen against the normal, from the first on. Each
+/// goes behind the edge that it was chosen for.
+std::vector<int> ring_of(Points points, const Vec3d& normal, std::span<const int> kept,
+                         EdgeMeasure measure) {
   std::vector<int> ring(kept.begin(), kept.begin() + 3);
   if (signed_area(points, normal, ring[0], ring[1], ring[2]) < 0) std::swap(ring[1], ring[2]);
   for (const int next : kept.subspan(3)) {
     std::size_t after = 0;
     double least = 0;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const double area = signed_area(points, normal, next, ring[k], ring[(k + 1) % ring.size()]);
-      if (area < least) {
-        least = area;
+      const double value = measure(points, normal, next, ring[k], ring[(k + 1) % ring.size()]);
+      if (value < least) {
+        least = value;
         after = k;
       }
     }
@@ -77,18 +87,20 @@ std::vector<int> ring_of(Points points, const Vec3d& normal, std::span<const int
   return ring;
 }
 
-ChoiceMade later_choice(Points points, const Vec3d& normal, std::span<const int> before,
-                        int chosen) {
+ChoiceMade later_choice(std::string_view reducer, Points points, const Vec3d& normal,
+                        std::span<const int> before, int chosen) {
+  const bool by_distance = reducer == "distance";
+  const EdgeMeasure measure = by_distance ? &signed_distance : &signed_area;
   ChoiceMade choice;
-  choice.rule = "outside";
-  const std::vector<int> ring = ring_of(points, normal, before);
+  choice.rule = by_distance ? "distance" : "outside";
+  const std::vector<int> ring = ring_of(points, normal, before, measure);
   for (int q = 0; q < steps::count(points); ++q) {
     if (among(before, q)) continue;
     std::vector<ChoiceMeasure> all;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const int a = ring[k];
       const int b = ring[(k + 1) % ring.size()];
-      all.push_back({q, a, b, signed_area(points, normal, q, a, b)});
+      all.push_back({q, a, b, measure(points, normal, q, a, b)});
     }
     if (q == chosen) {
       choice.measures.insert(choice.measures.end(), all.begin(), all.end());
@@ -110,7 +122,7 @@ std::vector<ChoiceMade> choices_made(std::string_view reducer, Points points, co
   if (kept.size() > 1) choices.push_back(second_choice(points, kept[0]));
   if (kept.size() > 2) choices.push_back(third_choice(points, normal, kept[0], kept[1]));
   for (std::size_t k = 3; k < kept.size(); ++k) {
-    choices.push_back(later_choice(points, normal, kept.first(k), kept[k]));
+    choices.push_back(later_choice(reducer, points, normal, kept.first(k), kept[k]));
   }
   return choices;
 }

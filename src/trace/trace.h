@@ -102,7 +102,8 @@ struct Measure {
 
 /// How one kept point was chosen.
 struct Choice {
-  std::string rule;                 // "support", "deepest", "farthest", "triangle", "outside"
+  /// "support", "deepest", "farthest", "triangle", "outside", "distance".
+  std::string rule;
   Vec3d direction = Vec3d::Zero();  // unit, of "support"
   std::vector<Measure> measures;    // of every candidate what decided; of the chosen one all
 };
