@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "scenario/run.h"
 #include "study/reduction_quality.h"
@@ -19,13 +20,15 @@ PairName name_of(const trace::Pair& pair) {
   return {pair.a, pair.b, pair.label};
 }
 
-/// The scenario without reduction, each pair of shapes once for each setting that changes points.
+/// The scenario without reduction, each pair of shapes once for each setting but the reducer that
+/// changes what is kept.
 Scenario unreduced(const Scenario& scenario) {
   Scenario result = scenario;
-  std::set<std::tuple<int, int, double, Preference>> seen;
+  std::set<std::tuple<int, int, int, double, Preference>> seen;
   std::erase_if(result.pairs, [&](const ScenarioPair& pair) {
     const PipelineSettings& settings = pair.pipeline;
-    return !seen.emplace(pair.a, pair.b, settings.margin, settings.preference).second;
+    return !seen.emplace(pair.a, pair.b, settings.max_points, settings.margin, settings.preference)
+                .second;
   });
   for (ScenarioPair& pair : result.pairs) pair.pipeline.reducer = "none";
   return result;
@@ -109,7 +112,9 @@ class Explorer {
   }
 
   double best_convex_area(const Vec3d& normal) const {
-    return measure_reduction(exact_, normal, {}, max_points_).best_area;
+    std::vector<Vec3d> places;
+    for (const ContactPoint<double>& point : exact_) places.push_back(point.position);
+    return contactscope::best_convex_area(places, normal, max_points_);
   }
 
   trace::ReducerAnswer describe(std::size_t i, const KeptIndices& kept, const Vec3d& normal,
@@ -219,6 +224,8 @@ double moved(const trace::Frame& before, const trace::Frame& now, const trace::P
   for (const std::string& name : {pair.a, pair.b}) {
     const Pose<double>& from = pose_of(before, name);
     const Pose<double>& to = pose_of(now, name);
+    // There and back through the local frame would leave rounding.
+    if (from.position == to.position && from.rotation.coeffs() == to.rotation.coeffs()) continue;
     for (const trace::Point& point : points) {
       const Vec3d then = from.transform(to.inverse_transform(point.position));
       most = std::max(most, (point.position - then).norm());
