@@ -21,6 +21,7 @@ constexpr double kNumberRow = 17;    // height of a row of numbers
 constexpr double kReserve = 20;      // around the patch in a map, for rings and digits
 constexpr double kMostStrip = 30;    // height of the strip of ids
 constexpr double kStripRow = 4;      // of one id, where there is room
+constexpr double kLeastMap = 44;     // height of a map that shows anything
 constexpr double kHatchSpacing = 5;  // pixels between lines
 
 Vec2d flat(const Point2& p) {
@@ -66,11 +67,23 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
                            const std::string& up, std::vector<ContactMoment> moments, int choices,
                            int width, int height)
     : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
+  frame_patch(up);
+  fit(width, height);
+}
+
+/// Gives up one thing after the other until the maps have room.
+void ContactCells::fit(int width, int height) {
   const float scale = interface_scale(width, height);
   std::vector<float> widths;
   for (const LegendEntry& entry : legend()) widths.push_back(legend_entry_width(entry, scale));
+  for (bool Detail::*given_up : {&Detail::strip, &Detail::rows, &Detail::legend, &Detail::names}) {
+    layout_ = make_layout(width, height, false, {widths});
+    grid_ = best_grid();
+    if (grid_.map_height >= layout_.px(kLeastMap)) return;
+    detail_.*given_up = false;
+    if (!detail_.legend) widths.clear();
+  }
   layout_ = make_layout(width, height, false, {widths});
-  frame_patch(up);
   grid_ = best_grid();
 }
 
@@ -113,12 +126,12 @@ void ContactCells::frame_patch(const std::string& up) {
 }
 
 double ContactCells::strip_height() const {
-  if (moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
+  if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
   return std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
 }
 
 std::size_t ContactCells::row_count() const {
-  if (choices_ > 0) return 0;  // the result is another picture's
+  if (!detail_.rows || choices_ > 0) return 0;  // the result of choices is another picture's
   std::size_t most = 0;
   for (const ContactMoment& moment : moments_) {
     for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
@@ -126,9 +139,13 @@ std::size_t ContactCells::row_count() const {
   return most;
 }
 
+double ContactCells::name_height() const {
+  return detail_.names ? kName + 4 : 0;
+}
+
 /// Height of a cell beside its map, at 720 lines.
 double ContactCells::furniture() const {
-  return kName + 4 + strip_height() + kNumberRow * static_cast<double>(row_count());
+  return name_height() + strip_height() + kNumberRow * static_cast<double>(row_count());
 }
 
 /// The number of columns that draws the patch largest.
@@ -138,6 +155,7 @@ ContactCells::Grid ContactCells::best_grid() const {
   Grid best;
   best.pixels_per_metre = 0;
   const int count = static_cast<int>(cell_count());
+  if (count == 0) return Grid{};
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
     Grid grid;
@@ -145,6 +163,7 @@ ContactCells::Grid ContactCells::best_grid() const {
     grid.cell_width = (layout_.view.width - (columns - 1) * gap) / columns;
     grid.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
     grid.map_height = grid.cell_height - layout_.px(furniture());
+    if (grid.cell_width <= reserve || grid.map_height <= reserve) continue;
     grid.pixels_per_metre =
         std::min((grid.cell_width - reserve) / extent_u_, (grid.map_height - reserve) / extent_v_);
     if (grid.pixels_per_metre > best.pixels_per_metre) best = grid;
@@ -153,15 +172,15 @@ ContactCells::Grid ContactCells::best_grid() const {
   if (best.pixels_per_metre <= 0) {
     best.columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(count))));
     const int rows = (count + best.columns - 1) / best.columns;
-    best.cell_width = layout_.view.width / best.columns;
-    best.cell_height = layout_.view.height / rows;
-    best.map_height = std::max(1.0, best.cell_height - layout_.px(furniture()));
-    best.pixels_per_metre = 1e-3;
+    best.cell_width = (layout_.view.width - (best.columns - 1) * gap) / best.columns;
+    best.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
+    best.map_height = best.cell_height - layout_.px(furniture());
   }
   return best;
 }
 
 std::vector<LegendEntry> ContactCells::legend() const {
+  if (cell_count() == 0 || !detail_.legend) return {};
   std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"}};
   if (choices_ > 0) {
     entries.push_back({LegendKind::PlainPoint, "contact point"});
@@ -207,6 +226,13 @@ Drawing ContactCells::frame(int number) const {
   drawing.height = layout_.height;
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, drawing);
+  if (cell_count() == 0) {
+    Text nothing = written(
+        "nothing touches, so nothing is reduced", layout_.view.x + 0.5 * layout_.view.width,
+        layout_.view.y + 0.5 * layout_.view.height, layout_.px(kName), Weight::Regular, kQuietText);
+    nothing.align = Align::Center;
+    drawing.primitives.push_back(nothing);
+  }
   draw_legend(legend(), layout_, drawing);
   draw_captions(title_, source_, moment->caption, layout_, drawing);
   return drawing;
@@ -215,15 +241,18 @@ Drawing ContactCells::frame(int number) const {
 void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& drawing) const {
   const Rect rect = cell_rect(number);
   const ContactCell& cell = moments_[moment].cells[number];
-  const double name_height = layout_.px(kName + 4);
-  if (cell_count() > 1) {
-    drawing.primitives.push_back(written(cell.name, rect.x, rect.y + 0.8 * layout_.px(kName),
-                                         layout_.px(kName), Weight::Bold, kText));
+  const double name_room = layout_.px(name_height());
+  if (cell_count() > 1 && detail_.names) {
+    drawing.primitives.push_back(written(
+        fitted(cell.name, layout_.px(kName), FontWeight::Bold, static_cast<float>(rect.width)),
+        rect.x, rect.y + 0.8 * layout_.px(kName), layout_.px(kName), Weight::Bold, kText));
   }
-  const Rect map{rect.x, rect.y + name_height, rect.width, grid_.map_height};
+  const Rect map{rect.x, rect.y + name_room, rect.width, grid_.map_height};
   if (cell.points.empty()) {
-    Text none = written("no contact in this frame", map.x + 0.5 * map.width,
-                        map.y + 0.5 * map.height, layout_.px(kNumber), Weight::Regular, kQuietText);
+    Text none = written(fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular,
+                               static_cast<float>(map.width)),
+                        map.x + 0.5 * map.width, map.y + 0.5 * map.height, layout_.px(kNumber),
+                        Weight::Regular, kQuietText);
     none.align = Align::Center;
     drawing.primitives.push_back(none);
   } else {
@@ -236,7 +265,7 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& dr
                drawing);
   }
   const double top = map.y + map.height + strip;
-  if (choices_ == 0)
+  if (choices_ == 0 && detail_.rows)
     draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, drawing);
 }
 
@@ -296,12 +325,18 @@ void ContactCells::draw_points(const std::vector<Point2>& places, const ContactC
 void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const {
   double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
   for (const ContactCell::Row& row : cell.rows) {
-    drawing.primitives.push_back(written(row.left, rect.x, baseline, layout_.px(kNumber),
-                                         row.strong ? Weight::Bold : Weight::Regular, kText));
-    Text right = written(row.right, rect.x + rect.width, baseline, layout_.px(kNumber),
-                         Weight::Regular, kQuietText);
+    const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
+    const float size = layout_.px(kNumber);
+    const auto width = static_cast<float>(rect.width);
+    const float left_width = text_width(row.left, size, weight);
+    drawing.primitives.push_back(written(fitted(row.left, size, weight, width), rect.x, baseline,
+                                         size, row.strong ? Weight::Bold : Weight::Regular, kText));
+    Text right =
+        written(row.right, rect.x + rect.width, baseline, size, Weight::Regular, kQuietText);
     right.align = Align::Right;
-    if (!row.right.empty()) drawing.primitives.push_back(right);
+    const float right_width = text_width(row.right, size, FontWeight::Regular);
+    const bool fits = left_width + layout_.px(6) + right_width <= width;
+    if (!row.right.empty() && fits) drawing.primitives.push_back(right);
     baseline += layout_.px(kNumberRow);
   }
 }

@@ -48,7 +48,8 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
 /// Small multiples: the contact plane of each cell at the same scale and place in all cells and all
 /// frames. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
 /// the best polygon dashed, and the rows beneath; for a sequence also a strip of which ids are kept
-/// over time, one row an id.
+/// over time, one row an id. On a canvas too small for all of it the strip is left out first, then
+/// the rows, the legend and the names. Where nothing touches in any frame, a line says so.
 class ContactCells {
  public:
   /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
@@ -70,11 +71,18 @@ class ContactCells {
     double pixels_per_metre = 1;
   };
 
+  /// What beside the maps there is room for.
+  struct Detail {
+    bool strip = true, rows = true, legend = true, names = true;
+  };
+
+  void fit(int width, int height);
   Grid best_grid() const;
+  double name_height() const;
   double furniture() const;
   double strip_height() const;
   std::size_t row_count() const;
-  std::size_t cell_count() const { return moments_.front().cells.size(); }
+  std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   Rect cell_rect(std::size_t cell) const;
   Point2 at(const Rect& map, const Vec3d& position) const;
@@ -94,6 +102,7 @@ class ContactCells {
   Vec3d center_ = Vec3d::Zero();
   double extent_u_ = 1, extent_v_ = 1;  // metres that the sequence fills
   std::vector<std::string> ids_;        // in order of appearance
+  Detail detail_;
   Grid grid_;
 };
 

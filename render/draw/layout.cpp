@@ -35,23 +35,6 @@ int rows_of(const std::vector<float>& widths, double available) {
   return rows;
 }
 
-// Text that must fit: shortened with an ellipsis where it does not.
-std::string fitted(const std::string& text, float size, FontWeight weight, float available) {
-  if (text_width(text, size, weight) <= available) return text;
-  std::string shortened = text;
-  while (!shortened.empty()) {
-    // Whole UTF-8 characters only.
-    do {
-      shortened.pop_back();
-    } while (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0x80);
-    if (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0xC0) {
-      shortened.pop_back();
-    }
-    if (text_width(shortened + "…", size, weight) <= available) return shortened + "…";
-  }
-  return shortened;
-}
-
 class Swatch {
  public:
   Swatch(const Layout& layout, double x, double middle, Drawing& drawing)
@@ -195,6 +178,22 @@ float interface_scale(int width, int height) {
 float legend_entry_width(const LegendEntry& entry, float scale) {
   return scale * static_cast<float>(kSwatch + 6 + kEntryGap) +
          text_width(entry.text, scale * static_cast<float>(kLegendSize), FontWeight::Regular);
+}
+
+std::string fitted(const std::string& text, float size, FontWeight weight, float available) {
+  if (text_width(text, size, weight) <= available) return text;
+  std::string shortened = text;
+  while (!shortened.empty()) {
+    // Whole UTF-8 characters only.
+    do {
+      shortened.pop_back();
+    } while (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0x80);
+    if (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0xC0) {
+      shortened.pop_back();
+    }
+    if (text_width(shortened + "…", size, weight) <= available) return shortened + "…";
+  }
+  return shortened;
 }
 
 Layout make_layout(int width, int height, bool has_panels,

@@ -6,6 +6,7 @@
 #include "draw/camera.h"
 #include "draw/drawing.h"
 #include "draw/sketch.h"
+#include "image/font.h"
 
 namespace contactscope::draw {
 
@@ -25,6 +26,9 @@ struct Layout {
 /// the view is as large in every frame.
 Layout make_layout(int width, int height, bool has_panels,
                    const std::vector<std::vector<float>>& legend_widths);
+
+/// Text that must fit into `available` pixels: shortened with an ellipsis where it does not.
+std::string fitted(const std::string& text, float size, FontWeight weight, float available);
 
 /// Scale of text and lines on a canvas; 1 at 720 lines.
 float interface_scale(int width, int height);

@@ -1,0 +1,411 @@
+#include "draw/contact_cells.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+
+/// An octagon with depths, on the floor.
+std::vector<trace::Point> octagon(double shift = 0) {
+  std::vector<trace::Point> points;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.3 + i * 0.7853981633974483;
+    points.push_back({Vec3d(shift + 2 * std::cos(angle), 0, std::sin(angle)), -0.001 * (i + 1),
+                      "a:e" + std::to_string(i) + " b:e1"});
+  }
+  return points;
+}
+
+ContactCell cell_of(const std::string& name, std::vector<trace::Point> points) {
+  ContactCell cell;
+  cell.name = name;
+  cell.normal = Vec3d::UnitY();
+  cell.points = std::move(points);
+  if (cell.points.size() > 6) {
+    cell.kept = {1, 5, 3, 0};
+    cell.best = {0, 2, 4, 6};
+  } else {
+    for (int i = 0; i < static_cast<int>(cell.points.size()); ++i) cell.kept.push_back(i);
+  }
+  cell.rows = {{"area 99.954 %", "1234 ns", false},
+               {"moments −12.3 %", "", false},
+               {"deepest lost, tips over", "", true}};
+  return cell;
+}
+
+std::vector<ContactMoment> moments_of(int cells, int frames) {
+  std::vector<ContactMoment> moments;
+  for (int f = 0; f < frames; ++f) {
+    ContactMoment moment;
+    moment.frame = f;
+    moment.caption = "crate and floor, frame " + std::to_string(f);
+    for (int c = 0; c < cells; ++c) {
+      moment.cells.push_back(cell_of("reducer_" + std::to_string(c), octagon(0.01 * f)));
+    }
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
+Drawing drawn(const std::vector<ContactMoment>& moments, int frame, int width = 1280,
+              int height = 720, int choices = 0) {
+  return ContactCells("A crate on a floor", "Gregorius 2015", "y", moments, choices, width, height)
+      .frame(frame);
+}
+
+template <class T>
+std::vector<T> all(const Drawing& drawing) {
+  std::vector<T> list;
+  for (const Primitive& primitive : drawing.primitives) {
+    if (const T* one = std::get_if<T>(&primitive)) list.push_back(*one);
+  }
+  return list;
+}
+
+std::vector<std::string> words(const Drawing& drawing) {
+  std::vector<std::string> list;
+  for (const Text& text : all<Text>(drawing)) list.push_back(text.text);
+  return list;
+}
+
+/// The rings of kept points, without the legend beneath the cells.
+std::vector<Disc> rings(const Drawing& drawing) {
+  std::vector<Disc> list;
+  for (const Disc& disc : all<Disc>(drawing)) {
+    if (disc.inner > 0) list.push_back(disc);
+  }
+  return list;
+}
+
+Rect box_of(const Text& text) {
+  const FontWeight weight = text.weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
+  const double width = text_width(text.text, text.size, weight);
+  const double share = text.align == Align::Left ? 0 : text.align == Align::Center ? 0.5 : 1;
+  return {text.at.x - share * width, text.at.y - 0.62 * text.size, width, 0.75 * text.size};
+}
+
+/// Every place that a primitive paints about, NaN among them.
+std::vector<Point2> places(const Primitive& primitive) {
+  if (const Fill* fill = std::get_if<Fill>(&primitive)) return fill->polygon;
+  if (const Stroke* s = std::get_if<Stroke>(&primitive)) return {s->from, s->to};
+  if (const Disc* d = std::get_if<Disc>(&primitive)) {
+    return {{d->center.x - d->outer, d->center.y - d->outer},
+            {d->center.x + d->outer, d->center.y + d->outer}};
+  }
+  const Rect box = box_of(std::get<Text>(primitive));
+  return {{static_cast<float>(box.x), static_cast<float>(box.y)},
+          {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)}};
+}
+
+/// Fails where anything is painted off the canvas, or nowhere.
+void expect_on_canvas(const Drawing& drawing, const std::string& what) {
+  int outside = 0;
+  std::string first;
+  for (const Primitive& primitive : drawing.primitives) {
+    for (const Point2& p : places(primitive)) {
+      // What is not a number fails every comparison.
+      const bool in = p.x >= -0.5f && p.y >= -0.5f && p.x <= drawing.width + 0.5f &&
+                      p.y <= drawing.height + 0.5f;
+      if (in) continue;
+      if (outside++ > 0) continue;
+      const Text* text = std::get_if<Text>(&primitive);
+      first = (text ? text->text : "kind " + std::to_string(primitive.index())) + " at " +
+              std::to_string(p.x) + ", " + std::to_string(p.y);
+    }
+  }
+  EXPECT_EQ(outside, 0) << what << ": first " << first;
+}
+
+TEST(ContactCells, StayOnTheCanvasAtEverySize) {
+  for (const auto& [width, height] : {std::pair{320, 180}, {640, 360}, {1280, 720}}) {
+    for (const int cells : {1, 2, 18}) {
+      for (const int frames : {1, 60}) {
+        const std::vector<ContactMoment> moments = moments_of(cells, frames);
+        const ContactCells picture("A crate on a floor", "Gregorius 2015", "y", moments, 0, width,
+                                   height);
+        EXPECT_EQ(picture.width(), width);
+        EXPECT_EQ(picture.height(), height);
+        for (const int frame : {0, frames - 1}) {
+          const Drawing drawing = picture.frame(frame);
+          expect_on_canvas(drawing, std::to_string(width) + " wide, " + std::to_string(cells) +
+                                        " cells, " + std::to_string(frames) + " frames");
+          EXPECT_GE(rings(drawing).size(), 4u * static_cast<std::size_t>(cells));
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactCells, HoldEachOtherApart) {
+  for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
+    for (const int cells : {2, 18}) {
+      const std::vector<Text> list = all<Text>(drawn(moments_of(cells, 60), 30, width, height));
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        if (list[i].text.size() == 1) continue;  // digits of the order of choice, near their points
+        for (std::size_t j = 0; j < i; ++j) {
+          if (list[j].text.size() == 1) continue;
+          const Rect a = box_of(list[i]);
+          const Rect b = box_of(list[j]);
+          EXPECT_FALSE(a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+                       b.y < a.y + a.height)
+              << width << " wide, " << cells << " cells: " << list[i].text << " on "
+              << list[j].text;
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactCells, HaveARingForEachKeptPointAndItsNumber) {
+  const std::vector<ContactMoment> moments = moments_of(3, 1);
+  const Drawing drawing = drawn(moments, 0);
+  // One more in the legend.
+  EXPECT_EQ(rings(drawing).size(), 3u * 4 + 1);
+  const std::vector<std::string> said = words(drawing);
+  for (const char* digit : {"1", "2", "3", "4"}) {
+    EXPECT_EQ(std::ranges::count(said, digit), 3) << digit;
+  }
+  EXPECT_THAT(said, Not(Contains("5")));
+  EXPECT_THAT(said, IsSupersetOf({"reducer_0", "reducer_2", "A crate on a floor", "area 99.954 %",
+                                  "1234 ns", "deepest lost, tips over", "lost area"}));
+}
+
+TEST(ContactCells, AllPointsKeptAreRingedWithoutNumbers) {
+  std::vector<trace::Point> four = octagon();
+  four.resize(4);
+  ContactMoment moment;
+  moment.cells = {cell_of("area", four)};
+  const Drawing drawing = drawn({moment}, 0);
+  EXPECT_EQ(rings(drawing).size(), 4u + 1);
+  EXPECT_THAT(words(drawing), Not(Contains("1")));
+  EXPECT_THAT(words(drawing), Not(Contains("lost area")));
+}
+
+TEST(ContactCells, ShowAPointAtTheSamePlaceInAllCellsAndFrames) {
+  std::vector<ContactMoment> moments = moments_of(6, 1);
+  moments.push_back(moments_of(6, 1).front());
+  moments[1].frame = 1;
+  // In the second frame every cell loses a point that it did not keep, and the rest stays.
+  for (ContactCell& cell : moments[1].cells) {
+    cell.points.pop_back();
+    cell.best.clear();
+  }
+  const std::vector<Disc> now = rings(drawn(moments, 0));
+  const std::vector<Disc> then = rings(drawn(moments, 1));
+  ASSERT_EQ(now.size(), 6u * 4 + 1);
+  ASSERT_EQ(then.size(), now.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    EXPECT_EQ(now[i].center.x, then[i].center.x);
+    EXPECT_EQ(now[i].center.y, then[i].center.y);
+  }
+  for (std::size_t cell = 1; cell < 6; ++cell) {
+    const float dx = now[4 * cell].center.x - now[0].center.x;
+    const float dy = now[4 * cell].center.y - now[0].center.y;
+    EXPECT_GT(std::hypot(dx, dy), 50);
+    for (std::size_t k = 1; k < 4; ++k) {
+      EXPECT_NEAR(now[4 * cell + k].center.x - now[k].center.x, dx, 1e-3);
+      EXPECT_NEAR(now[4 * cell + k].center.y - now[k].center.y, dy, 1e-3);
+    }
+  }
+}
+
+TEST(ContactCells, AreMapsSeenFromAboveAtOneScale) {
+  ContactMoment moment;
+  std::vector<trace::Point> places;
+  for (const Vec3d& p : {Vec3d(0, 0, 0), Vec3d(3, 0, 0), Vec3d(0, 0, -1)}) {
+    places.push_back({p, -0.01, "a:e" + std::to_string(places.size())});
+  }
+  moment.cells = {cell_of("area", places)};
+  for (const double sign : {1.0, -1.0}) {  // whichever body is the first
+    moment.cells[0].normal = sign * Vec3d::UnitY();
+    const std::vector<Disc> discs = rings(drawn({moment}, 0));
+    ASSERT_GE(discs.size(), 3u);
+    EXPECT_GT(discs[1].center.x, discs[0].center.x + 50);
+    EXPECT_NEAR(discs[1].center.y, discs[0].center.y, 1e-3);
+    EXPECT_NEAR(discs[2].center.x, discs[0].center.x, 1e-3);
+    EXPECT_NEAR(discs[0].center.y - discs[2].center.y, (discs[1].center.x - discs[0].center.x) / 3,
+                0.01);
+  }
+}
+
+TEST(ContactCells, ACellWithoutContactSaysSo) {
+  std::vector<ContactMoment> moments = moments_of(2, 2);
+  moments[1].cells[0].points.clear();
+  moments[1].cells[0].kept.clear();
+  moments[1].cells[0].best.clear();
+  EXPECT_THAT(words(drawn(moments, 0)), Not(Contains("no contact in this frame")));
+  const Drawing drawing = drawn(moments, 1);
+  EXPECT_EQ(std::ranges::count(words(drawing), "no contact in this frame"), 1);
+  EXPECT_EQ(rings(drawing).size(), 4u + 1);
+  expect_on_canvas(drawing, "one without contact");
+}
+
+TEST(ContactCells, WhereNothingTouchesOneLineSaysSo) {
+  std::vector<trace::Frame> frames(3);
+  for (int f = 0; f < 3; ++f) frames[static_cast<std::size_t>(f)].frame = f;
+  frames[0].pairs.push_back({"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}});
+  for (const int choices : {0, 3}) {
+    for (const auto& [width, height] : {std::pair{320, 180}, {1280, 720}}) {
+      const Drawing drawing = drawn(reduced(frames), 1, width, height, choices);
+      expect_on_canvas(drawing, "nothing touches");
+      EXPECT_THAT(words(drawing), Contains("nothing touches, so nothing is reduced"));
+      for (const Text& text : all<Text>(drawing)) {
+        if (text.text.starts_with("nothing")) {
+          EXPECT_NEAR(text.at.x, width / 2.0, 1);
+        }
+      }
+      EXPECT_TRUE(rings(drawing).empty());
+    }
+  }
+}
+
+TEST(ContactCells, CoincidentAndCollinearPointsHavePlaces) {
+  for (const Vec3d& step : {Vec3d(0, 0, 0), Vec3d(0.1, 0, 0), Vec3d(0, 0, 0.2),
+                            Vec3d(1e-9, 0, -1e-9), Vec3d(0.1, 0, 0.1)}) {
+    ContactMoment moment;
+    std::vector<trace::Point> points;
+    for (int i = 0; i < 8; ++i) {
+      points.push_back({Vec3d(5, 1, 2) + i * step, -0.01, "a:e" + std::to_string(i)});
+    }
+    moment.cells = {cell_of("one", points), cell_of("two", points)};
+    for (const int choices : {0, 1, 2, 3, 4}) {
+      for (const auto& [width, height] : {std::pair{320, 180}, {1280, 720}}) {
+        expect_on_canvas(drawn({moment}, 0, width, height, choices),
+                         std::to_string(choices) + " choices");
+      }
+    }
+  }
+}
+
+/// The octagon with how its four points were chosen.
+std::vector<ContactMoment> chosen() {
+  std::vector<ContactMoment> moments = moments_of(1, 1);
+  ContactCell& cell = moments[0].cells[0];
+  cell.choices.resize(4);
+  cell.choices[0].rule = "support";
+  cell.choices[0].direction = Vec3d(0.6, 0, 0.8);
+  cell.choices[1].rule = "farthest";
+  cell.choices[2].rule = "triangle";
+  cell.choices[3].rule = "outside";
+  for (int q = 0; q < 8; ++q) {
+    if (q == 1) continue;
+    cell.choices[1].measures.push_back({q, -1, -1, 1.234 + q});
+    if (q == 5) continue;
+    cell.choices[2].measures.push_back({q, 1, 5, q % 2 ? 0.5 : -0.25});
+    if (q == 3) continue;
+    cell.choices[3].measures.push_back({q, 1, 3, q == 0 ? -0.5 : -0.1});
+  }
+  cell.choices[3].measures.push_back({0, 3, 5, 0.75});
+  cell.choices[3].measures.push_back({0, 5, 1, 0.25});
+  return moments;
+}
+
+TEST(ContactCells, LabelsOfAChoiceKeepApart) {
+  for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
+    for (int choices = 1; choices <= 4; ++choices) {
+      const Drawing drawing = drawn(chosen(), 0, width, height, choices);
+      expect_on_canvas(drawing, std::to_string(choices) + " choices");
+      const std::vector<Text> list = all<Text>(drawing);
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const Rect a = box_of(list[i]);
+          const Rect b = box_of(list[j]);
+          EXPECT_FALSE(a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+                       b.y < a.y + a.height)
+              << width << " wide, " << choices << " choices: " << list[i].text << " on "
+              << list[j].text;
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
+  EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 1)), Contains("fixed direction"));
+  const std::vector<std::string> second = words(drawn(chosen(), 0, 1280, 720, 2));
+  EXPECT_EQ(std::ranges::count_if(second, [](const std::string& s) { return s.ends_with(" m"); }),
+            7);
+  const std::vector<std::string> third = words(drawn(chosen(), 0, 1280, 720, 3));
+  EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
+  const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
+  EXPECT_EQ(
+      std::ranges::count_if(fourth, [](const std::string& s) { return s.ends_with("skipped"); }),
+      2);
+  EXPECT_THAT(fourth, Contains(HasSubstr("edge 3–2: +")));
+  // Rings of the choices so far, and the legend's.
+  for (int choices = 1; choices <= 4; ++choices) {
+    EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, choices)).size(),
+              static_cast<std::size_t>(choices) + 1);
+  }
+}
+
+TEST(ContactCells, MoreChoicesThanWereMadeShowTheLast) {
+  EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, 64)).size(), 4u + 1);
+}
+
+TEST(Explored, HasACellForEachReducerInTheOrderAsked) {
+  trace::Exploration exploration;
+  exploration.frame = 7;
+  exploration.a = "crate";
+  exploration.b = "floor";
+  exploration.points = octagon();
+  exploration.normal = Vec3d::UnitY();
+  exploration.best = {0, 2, 4, 6};
+  for (const char* name : {"area", "first"}) {
+    trace::ReducerAnswer answer;
+    answer.name = name;
+    answer.kept = {3, 1};
+    exploration.reducers.push_back(answer);
+  }
+  exploration.reducers[1].deepest_kept = exploration.reducers[1].supports_center_of_mass = true;
+  const std::vector<ContactMoment> moments = explored({exploration}, {"first", "area"});
+  ASSERT_EQ(moments.size(), 1u);
+  EXPECT_EQ(moments[0].frame, 7);
+  EXPECT_THAT(moments[0].caption, HasSubstr("crate and floor"));
+  ASSERT_EQ(moments[0].cells.size(), 2u);
+  EXPECT_EQ(moments[0].cells[0].name, "first");
+  EXPECT_EQ(moments[0].cells[1].name, "area");
+  EXPECT_THAT(moments[0].cells[1].kept, testing::ElementsAre(3, 1));
+  EXPECT_EQ(moments[0].cells[0].points.size(), 8u);
+  EXPECT_FALSE(moments[0].cells[0].rows.back().strong);
+  EXPECT_TRUE(moments[0].cells[1].rows.back().strong);
+}
+
+TEST(Reduced, HasACellForEachPairThatIsReducedInAnyFrame) {
+  trace::Pair touching{"crate", "floor", "", "hull-hull", "touching", -0.01, {}, {}, {}, {}};
+  touching.manifolds.push_back({Vec3d::UnitY(), "face_a", {}, {}});
+  touching.reduction = trace::Reduction{"area", octagon(), {1, 5, 3, 0}, 1, 2, {0, 2, 4, 6}, {}};
+  trace::Pair apart{"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}};
+  trace::Pair labelled = touching;
+  labelled.label = "by hand";
+  std::vector<trace::Frame> frames(2);
+  frames[0].frame = 4;
+  frames[0].pairs = {apart, labelled};
+  frames[1].frame = 5;
+  frames[1].pairs = {touching, labelled};
+  const std::vector<ContactMoment> moments = reduced(frames);
+  ASSERT_EQ(moments.size(), 2u);
+  EXPECT_EQ(moments[1].frame, 5);
+  for (const ContactMoment& moment : moments) {
+    ASSERT_EQ(moment.cells.size(), 2u);
+    EXPECT_EQ(moment.cells[0].name, "by hand");
+    EXPECT_EQ(moment.cells[1].name, "area");
+  }
+  EXPECT_TRUE(moments[0].cells[1].points.empty());
+  EXPECT_EQ(moments[1].cells[1].points.size(), 8u);
+  EXPECT_EQ(moments[1].cells[1].best.size(), 4u);
+}
+
+}  // namespace
+}  // namespace contactscope::draw
