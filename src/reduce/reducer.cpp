@@ -5,6 +5,7 @@
 #include "reduce/box3d.h"
 #include "reduce/box3d_mesh.h"
 #include "reduce/bullet.h"
+#include "reduce/coherent.h"
 #include "reduce/deepest.h"
 #include "reduce/distance.h"
 #include "reduce/extremes.h"
@@ -54,6 +55,8 @@ constexpr Entry<S> kReducers[] = {
     {"optimal", "the largest area", &reduce_to_optimal<S>},
     {"optimal_deepest", "the largest area of those with the deepest",
      &reduce_to_optimal_deepest<S>},
+    {"coherent", "those of the last frame while deep and large enough, else nearly optimal",
+     &reduce_coherently<S>},
     {"none", "keeps every point", nullptr},
 };
 
