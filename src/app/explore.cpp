@@ -70,12 +70,17 @@ void print_table(const std::vector<trace::Exploration>& explorations, std::ostre
 
 // What a reader must know about the numbers, once and on standard error.
 void print_note(const std::vector<trace::Exploration>& explorations, const Scenario& scenario) {
+  if (explorations.empty()) {
+    std::cerr << scenario.name
+              << ": nothing touches in these frames, so there is nothing to reduce\n";
+    return;
+  }
   std::size_t most = 0;
   for (const trace::Exploration& e : explorations) most = std::max(most, e.points.size());
   std::cerr << scenario.name << ": " << explorations.size()
             << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
             << " points";
-  if (!explorations.empty() && static_cast<int>(most) <= scenario.pairs.front().pipeline.max_points)
+  if (static_cast<int>(most) <= scenario.pairs.front().pipeline.max_points)
     std::cerr << ", which every reducer keeps whole";
   std::cerr << '\n';
 }

@@ -202,6 +202,45 @@ INSTANTIATE_TEST_SUITE_P(
                "width and height in pixels"}),
     name_of_test);
 
+std::string plane_view(const std::string& rest) {  // `rest` begins on line 10
+  return two_boxes("[[views]]\nkind = \"contact_plane\"\n" + rest);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ContactPlane, BrokenFile,
+    ::testing::Values(
+        Broken{"UnknownKind", two_boxes("[[views]]\nkind = \"contact_plan\""), "9:8",
+               "unknown kind 'contact_plan'; did you mean 'contact_plane'?"},
+        Broken{"KindIsNoString", two_boxes("[[views]]\nkind = 2"), "9:8",
+               "'kind' is an integer; a string is needed"},
+        Broken{"ChoicesWithoutTheKind", two_boxes("[[views]]\nchoices = 3"), "9:11",
+               "name that kind"},
+        Broken{"ChoicesOfAScene", two_boxes("[[views]]\nkind = \"scene\"\nchoices = 3"), "10:11",
+               "'choices' is for a view of kind = \"contact_plane\""},
+        Broken{"ManyChoices", plane_view("choices = 65"), "10:11",
+               "'choices' is 65; it may be 0 to 64"},
+        Broken{"NegativeChoices", plane_view("choices = -1"), "10:11", "it may be 0 to 64"},
+        Broken{"ChoicesInWords", plane_view("choices = \"three\""), "10:11",
+               "an integer from 0 to 64"},
+        Broken{"LayersOfAPlane", plane_view("layers = [\"ids\"]"), "10:10",
+               "'layers' has no effect on a view of kind \"contact_plane\"; remove it"},
+        Broken{"PanelsOfAPlane", plane_view("panels = [\"summary\"]"), "10:10",
+               "'panels' has no effect"},
+        Broken{"EyeOfAPlane", plane_view("eye = [1, 2, 3]"), "10:7", "'eye' has no effect"},
+        Broken{"TargetOfAPlane", plane_view("target = [1, 2, 3]"), "10:10",
+               "'target' has no effect"},
+        Broken{"LensOfAPlane", plane_view("fov_degrees = 35"), "10:15",
+               "'fov_degrees' has no effect"},
+        Broken{"HeightOfAPlane", plane_view("orthographic_height = 2"), "10:23",
+               "'orthographic_height' has no effect"},
+        Broken{"FocusOfAPlane", plane_view("focus = \"contact\""), "10:9", "'focus' has no effect"},
+        Broken{"StoryOfAPlane", plane_view("story = \"none\""), "10:9", "'story' has no effect"},
+        Broken{"PlaneNamedTwice", plane_view("name = \"x\"\n[[views]]\nname = \"x\""), "11:1",
+               "two views are named 'x'"},
+        Broken{"PlaneInAnotherFolder", plane_view("name = \"../x\""), "10:8",
+               "the view's name becomes a folder"}),
+    name_of_test);
+
 std::string expecting(const std::string& rest) {  // `rest` begins on line 11
   return two_boxes("[[expect]]\na = \"crate\"\nb = \"floor\"\n" + rest);
 }

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "reduce/reducer.h"
 #include "scenario/broken.h"
 #include "scenario/expect.h"
 #include "trace/json.h"
@@ -168,6 +169,35 @@ TEST_P(Run, FramesAreIndependentOfEachOtherAndOfThreads) {
   }
   EXPECT_EQ(together, alone);
   EXPECT_NE(alone[0], alone[2]);
+}
+
+// A turning crate, once for each reducer: those that go by the frame before have a choice to keep.
+TEST_P(Run, FramesAskedForInAnyOrderAreTheSame) {
+  std::string text =
+      two_boxes("position = [0, -0.99, 0]\n[time]\nframes = 8\ndt = 0.1\n[pipeline]\nscalar = \"" +
+                std::string(GetParam()) + "\"\n");
+  text.replace(text.find("[2, 0.5, 2]"), 11, "[0.5, 0.5, 0.5]");
+  text.replace(text.find("half_extents"), 0,
+               "rotation = { axis = [0, 1, 0], degrees = 35 }\n"
+               "motion = { angular_velocity = [0.002, 0.3, 0.001] }\n");
+  for (const ReducerInfo& info : reducers())
+    text += "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"" + info.name + "\"\nreducer = \"" +
+            info.name + "\"\n";
+  const Scenario scenario = parse_scenario(text, "g/a.toml");
+  const auto in_order = [&](const std::vector<int>& order) {
+    const Runner runner(scenario);
+    std::vector<std::string> lines(8);
+    for (const int frame : order)
+      lines[static_cast<std::size_t>(frame)] = trace::to_json_line(runner.frame(frame));
+    return lines;
+  };
+  const std::vector<std::string> rising = in_order({0, 1, 2, 3, 4, 5, 6, 7});
+  EXPECT_EQ(in_order({7, 6, 5, 4, 3, 2, 1, 0}), rising);
+  EXPECT_EQ(in_order({3, 3, 7, 0, 5, 1, 6, 4, 2, 2}), rising);
+  for (int frame = 0; frame < 8; ++frame)
+    EXPECT_EQ(trace::to_json_line(run_frame(scenario, frame)),
+              rising[static_cast<std::size_t>(frame)]);
+  EXPECT_EQ(run_frame(scenario, 5).pairs.front().reduction->points.size(), 8u);
 }
 
 TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {

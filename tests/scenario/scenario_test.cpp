@@ -253,6 +253,26 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(scenario.snapshots.height, 240);
 }
 
+TEST(Scenario, AViewMayBeOfTheContactPlane) {
+  const Scenario scenario =
+      parse_scenario(two_boxes("[[views]]\nkind = \"contact_plane\"\n[[views]]\nname = \"third\"\n"
+                               "choices = 3\nkind = \"contact_plane\"\n[[views]]\n"
+                               "name = \"space\"\nkind = \"scene\"\nlayers = [\"ids\"]\n"),
+                     "g/a.toml");
+  ASSERT_EQ(scenario.views.size(), 3u);
+  EXPECT_EQ(scenario.views[0].name, "main");
+  EXPECT_EQ(scenario.views[0].kind, ViewKind::ContactPlane);
+  EXPECT_EQ(scenario.views[0].choices, 0);
+  EXPECT_EQ(scenario.views[1].name, "third");
+  EXPECT_EQ(scenario.views[1].kind, ViewKind::ContactPlane);
+  EXPECT_EQ(scenario.views[1].choices, 3);
+  EXPECT_EQ(scenario.views[2].kind, ViewKind::Scene);
+  EXPECT_THAT(scenario.views[2].layers, ElementsAre("ids"));
+  EXPECT_EQ(parse_scenario(two_boxes(), "g/a.toml").views[0].kind, ViewKind::Scene);
+  EXPECT_EQ(complaint(two_boxes("[[views]]\nkind = \"contact_plane\"\nchoices = 64")),
+            "no complaint");
+}
+
 TEST(Scenario, PairsDefaultToEveryPairInFileOrder) {
   const std::string shape = "\ntype = \"box\"\nhalf_extents = [1, 1, 1]\n";
   const Scenario scenario = parse_scenario(

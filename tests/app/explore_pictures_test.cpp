@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+#include "image/png.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(ExplorePictures, StandUnderExploreGroupAndIdea) {
+  const TemporaryFolder folder;
+  const ProgramRun result =
+      run("explore hull/eight_points_to_four --frames 0:8:4 --size 640x360 --out '" +
+          (folder / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("reducer "));
+  EXPECT_THAT(result.err, HasSubstr("3 pictures in "));
+  EXPECT_THAT(files_below(folder / "out"),
+              ElementsAre("explore/hull/eight_points_to_four/frame_0000.png",
+                          "explore/hull/eight_points_to_four/frame_0004.png",
+                          "explore/hull/eight_points_to_four/frame_0008.png"));
+  const Image image = read_png(folder / "out/explore/hull/eight_points_to_four/frame_0004.png");
+  EXPECT_EQ(image.width, 640);
+  EXPECT_EQ(image.height, 360);
+}
+
+TEST(ExplorePictures, SeveralPairsHaveFoldersOfTheirOwn) {
+  const TemporaryFolder folder;
+  folder.write("g/two.toml", small_scenario() +
+                                 "[shapes.post]\ntype = \"box\"\nhalf_extents = [0.1, 0.5, 0.1]\n"
+                                 "position = [0.8, 0.495, 0.0]\n");
+  const ProgramRun result =
+      run("explore '" + (folder / "g/two.toml") + "' --frames 1 --size 320x180 --quiet --out '" +
+          (folder / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files_below(folder / "out"), ElementsAre("explore/g/two/slab-crate/frame_0001.png",
+                                                       "explore/g/two/slab-post/frame_0001.png"));
+}
+
+TEST(ExplorePictures, UnwritableFolderIsTroubleAndNamed) {
+  const ProgramRun result =
+      run("explore hull/eight_points_to_four --frames 0 --size 320x180 --out /proc/nowhere");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("/proc/nowhere"));
+}
+
+}  // namespace
+}  // namespace contactscope::test
