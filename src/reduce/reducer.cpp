@@ -56,7 +56,7 @@ constexpr Entry<S> kReducers[] = {
     {"optimal_deepest", "the largest area of those with the deepest",
      &reduce_to_optimal_deepest<S>},
     {"coherent", "those of the last frame while deep and large enough, else nearly optimal",
-     &reduce_coherently<S>},
+     &reduce_coherently<S>, true},
     {"none", "keeps every point", nullptr},
 };
 

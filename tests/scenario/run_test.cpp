@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "manifold/collide_hull_hull.h"
 #include "reduce/reducer.h"
 #include "scenario/broken.h"
 #include "scenario/expect.h"
@@ -198,6 +199,53 @@ TEST_P(Run, FramesAskedForInAnyOrderAreTheSame) {
     EXPECT_EQ(trace::to_json_line(run_frame(scenario, frame)),
               rising[static_cast<std::size_t>(frame)]);
   EXPECT_EQ(run_frame(scenario, 5).pairs.front().reduction->points.size(), 8u);
+}
+
+// The oracle is the pipeline itself, run from the first frame on with what it kept handed on.
+TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
+  int remembering = 0;
+  for (const ReducerInfo& info : reducers()) {
+    if (!info.remembers) continue;
+    ++remembering;
+    const Scenario scenario = parse_scenario(
+        "title = \"Turning\"\n[time]\nframes = 40\ndt = 0.1\n[pipeline]\nscalar = \"double\"\n"
+        "reducer = \"" +
+            info.name +
+            "\"\n[shapes.floor]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\n"
+            "[shapes.crate]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\n"
+            "position = [0, 0.99, 0]\nrotation = { axis = [0, 1, 0], degrees = 30 }\n"
+            "motion = { angular_velocity = [0, 0.1, 0] }\n",
+        "g/a.toml");
+    const Runner runner(scenario);
+    const auto ids_of = [](const Manifold<double>& manifold) {
+      std::vector<FeatureId> ids;
+      for (const ContactPoint<double>& point : manifold.points) ids.push_back(point.id);
+      return ids;
+    };
+    std::vector<FeatureId> before;
+    int swayed = 0;  // frames in which the memory decides
+    for (int frame = 0; frame < scenario.frames; ++frame) {
+      CollideOptions<double> options;
+      options.reducer = find_reducer<double>(info.name);
+      const auto manifold = [&](const std::vector<FeatureId>& previous) {
+        options.reduction.previous = previous;
+        const double time = frame * scenario.dt;
+        return collide_hull_hull(*scenario.shapes[0].hull, pose_at(scenario.shapes[0], time),
+                                 *scenario.shapes[1].hull, pose_at(scenario.shapes[1], time),
+                                 options);
+      };
+      const std::vector<FeatureId> expected = ids_of(manifold(before));
+      if (expected != ids_of(manifold({}))) ++swayed;
+      before = expected;
+      std::vector<std::string> spelled, found;
+      for (const FeatureId& id : expected) spelled.push_back(to_string(id));
+      for (const trace::Point& point : runner.frame(frame).pairs.at(0).manifolds.at(0).points)
+        found.push_back(point.id);
+      ASSERT_EQ(found, spelled) << info.name << ", frame " << frame;
+    }
+    EXPECT_GT(swayed, 0) << info.name << " has no use for its memory here";
+  }
+  EXPECT_GT(remembering, 0);
 }
 
 TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
