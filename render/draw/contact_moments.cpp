@@ -12,7 +12,7 @@ std::string percent(double share) {
   std::array<char, 32> text{};
   const double value = 100 * share;
   // Only what is whole may be called so.
-  const bool nearly = value > 99.94 && value < 100 - 1e-5;
+  const bool nearly = value > 99.94 && value < 99.9995;
   std::snprintf(text.data(), text.size(), nearly ? "%.3f %%" : "%.1f %%", value);
   return text.data();
 }
@@ -40,11 +40,10 @@ std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
 
 std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   std::vector<ContactCell::Row> rows;
-  const std::string share =
-      reduction.best_area > 0
-          ? ", " + percent(reduction.area / reduction.best_area) + " of the best"
-          : "";
-  rows.push_back({"area " + spell_area(reduction.area) + share, "", false});
+  const bool has_best = reduction.best_area > 0;
+  rows.push_back({"area " + spell_area(reduction.area) +
+                      (has_best ? ", " + percent(reduction.area / reduction.best_area) : ""),
+                  "", false});
   double deepest = 0;
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   double kept = 0;
@@ -52,9 +51,8 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
     kept = std::min(kept, reduction.points[static_cast<std::size_t>(i)].separation);
   }
   const bool has_deepest = kept == deepest;
-  rows.push_back({has_deepest ? "deepest point kept, " + spell_length(deepest)
-                              : "deepest point lost: " + spell_length(deepest) + ", kept " +
-                                    spell_length(kept),
+  rows.push_back({has_deepest ? "deepest kept, " + spell_length(deepest)
+                              : "deepest lost by " + spell_length(kept - deepest),
                   "", !has_deepest});
   return rows;
 }

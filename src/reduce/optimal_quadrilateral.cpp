@@ -115,19 +115,17 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
   // Of the diagonals of one gap, and of the best gap. Not initialised.
   S rows[2][kMaxManifoldPoints + Patch<S>::kLanes];
   S swept[2 * (kMaxManifoldPoints + Patch<S>::kLanes)];
-  bool is_swept = false;
   S* row = rows[0];
   S* best_row = rows[1];
   best_row[0] = S(0);
+  if (count >= kFewCorners) sweep(patch, swept);
   for (int gap = count / 2; gap >= 2; --gap) {
-    // Looked at where it pays: on a circle the best quadrilateral is as large as a chain of 57% of
-    // the edges, and a few diagonals are faster tried than avoided.
-    const int chain = 2 * gap - 1;
-    if (count >= kFewCorners && 5 * chain <= 3 * count) {
-      if (!is_swept) sweep(patch, swept);
-      is_swept = true;
-      if (largest_chain(patch, swept, chain) <= most) break;
-    }
+    // What bounds the shorter diagonals, asked for before it is needed, so that the processor can
+    // work on it beside the diagonals. Only where it pays: on a circle the best quadrilateral is as
+    // large as a chain of 57% of the edges, and a few diagonals are faster tried than avoided.
+    const int chain = 2 * gap - 3;
+    const bool may_stop = count >= kFewCorners && 5 * chain <= 3 * count;
+    const S enclosed = may_stop ? largest_chain(patch, swept, chain) : S(0);
     const int starts = 2 * gap == count ? gap : count;
     Lanes<S> most_of_gap = Lanes<S>::Zero();
     for (int i = 0; i < starts; i += Patch<S>::kLanes) {
@@ -144,6 +142,7 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
     best_row = improves ? written : best_row;
     best_gap = improves ? gap : best_gap;
     most = improves ? largest : most;
+    if (may_stop && enclosed <= most) break;
   }
   int from = 0;
   while (best_row[from] != most) ++from;

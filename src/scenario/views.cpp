@@ -73,8 +73,7 @@ View read_contact_plane(const Table& table) {
 
 View read_view(const Value& value) {
   const Table table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
-                                   "focus", "story", "layers", "panels",
-                                   "kind", "choices"});
+                                   "focus", "story", "layers", "panels", "kind", "choices"});
   const auto kind = table.find("kind");
   if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
     return read_contact_plane(table);

@@ -217,9 +217,12 @@ Choice read_choice(const Node& node, std::size_t points) {
   for (const Node& item : node.at("measures").items()) {
     Measure measure;
     measure.point = item.at("point").index(points, "points");
-    if (const auto edge = item.find("edge")) {
-      const std::vector<Node> ends = edge->items();
-      if (ends.size() != 2) edge->fail("must have two indices");
+    const bool against_edge =
+        choice.rule == "triangle" || choice.rule == "outside" || choice.rule == "distance";
+    if (against_edge) {
+      const Node edge = item.at("edge");
+      const std::vector<Node> ends = edge.items();
+      if (ends.size() != 2) edge.fail("must have two indices");
       measure.a = ends[0].index(points, "points");
       measure.b = ends[1].index(points, "points");
     }
