@@ -239,7 +239,8 @@ TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
       before = expected;
       std::vector<std::string> spelled, found;
       for (const FeatureId& id : expected) spelled.push_back(to_string(id));
-      for (const trace::Point& point : runner.frame(frame).pairs.at(0).manifolds.at(0).points)
+      const trace::Frame recorded = runner.frame(frame);
+      for (const trace::Point& point : recorded.pairs.at(0).manifolds.at(0).points)
         found.push_back(point.id);
       ASSERT_EQ(found, spelled) << info.name << ", frame " << frame;
     }
