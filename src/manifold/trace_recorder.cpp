@@ -51,14 +51,7 @@ void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, 
   options.max_points = max_points;
   const Reduction best = reduce<double>(find_reducer<double>("optimal"), points, normal, options);
   reduction.best.assign(best.kept.begin(), best.kept.end());
-  for (const ChoiceMade& made : choices_made(reduction.method, points, normal, reduction.kept)) {
-    trace::Choice& choice = reduction.choices.emplace_back();
-    choice.rule = made.rule;
-    choice.direction = made.direction;
-    for (const ChoiceMeasure& m : made.measures) {
-      choice.measures.push_back({m.point, m.a, m.b, m.value});
-    }
-  }
+  reduction.choices = choices_made(reduction.method, points, normal, reduction.kept);
 }
 
 }  // namespace

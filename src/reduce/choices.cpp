@@ -19,8 +19,8 @@ bool among(std::span<const int> kept, int point) {
   return std::ranges::find(kept, point) != kept.end();
 }
 
-ChoiceMade first_choice(std::string_view reducer, Points points, const Vec3d& normal) {
-  ChoiceMade choice;
+trace::Choice first_choice(std::string_view reducer, Points points, const Vec3d& normal) {
+  trace::Choice choice;
   if (reducer == "area_deepest") {
     choice.rule = "deepest";
     for (int q = 0; q < steps::count(points); ++q) {
@@ -37,8 +37,8 @@ ChoiceMade first_choice(std::string_view reducer, Points points, const Vec3d& no
   return choice;
 }
 
-ChoiceMade second_choice(Points points, int first) {
-  ChoiceMade choice;
+trace::Choice second_choice(Points points, int first) {
+  trace::Choice choice;
   choice.rule = "farthest";
   for (int q = 0; q < steps::count(points); ++q) {
     if (q == first) continue;
@@ -48,8 +48,8 @@ ChoiceMade second_choice(Points points, int first) {
   return choice;
 }
 
-ChoiceMade third_choice(Points points, const Vec3d& normal, int first, int second) {
-  ChoiceMade choice;
+trace::Choice third_choice(Points points, const Vec3d& normal, int first, int second) {
+  trace::Choice choice;
   choice.rule = "triangle";
   for (int q = 0; q < steps::count(points); ++q) {
     if (q == first || q == second) continue;
@@ -87,16 +87,16 @@ std::vector<int> ring_of(Points points, const Vec3d& normal, std::span<const int
   return ring;
 }
 
-ChoiceMade later_choice(std::string_view reducer, Points points, const Vec3d& normal,
-                        std::span<const int> before, int chosen) {
+trace::Choice later_choice(std::string_view reducer, Points points, const Vec3d& normal,
+                           std::span<const int> before, int chosen) {
   const bool by_distance = reducer == "distance";
   const EdgeMeasure measure = by_distance ? &signed_distance : &signed_area;
-  ChoiceMade choice;
+  trace::Choice choice;
   choice.rule = by_distance ? "distance" : "outside";
   const std::vector<int> ring = ring_of(points, normal, before, measure);
   for (int q = 0; q < steps::count(points); ++q) {
     if (among(before, q)) continue;
-    std::vector<ChoiceMeasure> all;
+    std::vector<trace::Measure> all;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const int a = ring[k];
       const int b = ring[(k + 1) % ring.size()];
@@ -105,7 +105,7 @@ ChoiceMade later_choice(std::string_view reducer, Points points, const Vec3d& no
     if (q == chosen) {
       choice.measures.insert(choice.measures.end(), all.begin(), all.end());
     } else {
-      choice.measures.push_back(*std::ranges::min_element(all, {}, &ChoiceMeasure::value));
+      choice.measures.push_back(*std::ranges::min_element(all, {}, &trace::Measure::value));
     }
   }
   return choice;
@@ -113,9 +113,9 @@ ChoiceMade later_choice(std::string_view reducer, Points points, const Vec3d& no
 
 }  // namespace
 
-std::vector<ChoiceMade> choices_made(std::string_view reducer, Points points, const Vec3d& normal,
-                                     std::span<const int> kept) {
-  std::vector<ChoiceMade> choices;
+std::vector<trace::Choice> choices_made(std::string_view reducer, Points points,
+                                        const Vec3d& normal, std::span<const int> kept) {
+  std::vector<trace::Choice> choices;
   const bool talk = reducer == "area" || reducer == "area_deepest" || reducer == "distance";
   if (!talk || kept.size() >= points.size() || kept.empty()) return choices;
   choices.push_back(first_choice(reducer, points, normal));

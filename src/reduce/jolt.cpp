@@ -29,13 +29,7 @@ KeptIndices reduce_like_jolt(std::span<const ContactPoint<S>> points, const Vec3
   };
   const int first = farthest_and_deep(middle);
   const int second = farthest_and_deep(steps::at(points, first));
-  const auto [left, right] = steps::both_sides(points, normal, first, second);
-  KeptIndices choices;
-  steps::add_once(choices, first);
-  steps::add_once(choices, second);
-  steps::add_once(choices, left);
-  steps::add_once(choices, right);
-  return steps::first_of(choices, options);
+  return steps::two_and_both_sides(points, normal, first, second, options);
 }
 
 template KeptIndices reduce_like_jolt(std::span<const ContactPoint<float>>, const Vec3<float>&,

@@ -46,13 +46,7 @@ KeptIndices reduce_like_newton(std::span<const ContactPoint<S>> points, const Ve
                                const ReduceOptions& options) {
   const Vec3<S> u = any_perpendicular(normal);
   const auto [a, b] = diameter(steps::convex_corners(points, u, Vec3<S>(normal.cross(u))));
-  const auto [left, right] = steps::both_sides(points, normal, a, b);
-  KeptIndices choices;
-  steps::add_once(choices, a);
-  steps::add_once(choices, b);
-  steps::add_once(choices, left);
-  steps::add_once(choices, right);
-  return steps::first_of(choices, options);
+  return steps::two_and_both_sides(points, normal, a, b, options);
 }
 
 template KeptIndices reduce_like_newton(std::span<const ContactPoint<float>>, const Vec3<float>&,

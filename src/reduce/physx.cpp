@@ -12,13 +12,7 @@ KeptIndices reduce_like_physx(std::span<const ContactPoint<S>> points, const Vec
                               const ReduceOptions& options) {
   const int first = steps::deepest_point(points);
   const int second = steps::farthest_from(points, first);
-  const auto [left, right] = steps::both_sides(points, normal, first, second);
-  KeptIndices choices;
-  steps::add_once(choices, first);
-  steps::add_once(choices, second);
-  steps::add_once(choices, left);
-  steps::add_once(choices, right);
-  return steps::first_of(choices, options);
+  return steps::two_and_both_sides(points, normal, first, second, options);
 }
 
 template KeptIndices reduce_like_physx(std::span<const ContactPoint<float>>, const Vec3<float>&,

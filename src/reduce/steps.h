@@ -129,4 +129,15 @@ inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
   return choices;
 }
 
+/// Two points and the farthest on either side of the line through them; fewer where a side
+/// is empty, or the two are one.
+template <class S>
+KeptIndices two_and_both_sides(Points<S> points, const Vec3<S>& normal, int first, int second,
+                               const ReduceOptions& options) {
+  const auto [left, right] = both_sides(points, normal, first, second);
+  KeptIndices choices;
+  for (const int index : {first, second, left, right}) add_once(choices, index);
+  return first_of(choices, options);
+}
+
 }  // namespace contactscope::steps

@@ -18,27 +18,27 @@ using testing::IsEmpty;
 
 const Vec3d kUp = Vec3d::UnitY();
 
-std::vector<ChoiceMade> choices(const std::string& reducer,
-                                const std::vector<ContactPoint<double>>& points,
-                                int max_points = 4) {
+std::vector<trace::Choice> choices(const std::string& reducer,
+                                   const std::vector<ContactPoint<double>>& points,
+                                   int max_points = 4) {
   return choices_made(reducer, points, kUp, kept_by(reducer, points, max_points));
 }
 
-std::vector<std::string> rules(const std::vector<ChoiceMade>& made) {
+std::vector<std::string> rules(const std::vector<trace::Choice>& made) {
   std::vector<std::string> list;
-  for (const ChoiceMade& choice : made) list.emplace_back(choice.rule);
+  for (const trace::Choice& choice : made) list.emplace_back(choice.rule);
   return list;
 }
 
-std::vector<double> values(const ChoiceMade& choice) {
+std::vector<double> values(const trace::Choice& choice) {
   std::vector<double> list;
-  for (const ChoiceMeasure& measure : choice.measures) list.push_back(measure.value);
+  for (const trace::Measure& measure : choice.measures) list.push_back(measure.value);
   return list;
 }
 
-std::vector<int> candidates(const ChoiceMade& choice) {
+std::vector<int> candidates(const trace::Choice& choice) {
   std::vector<int> list;
-  for (const ChoiceMeasure& measure : choice.measures) list.push_back(measure.point);
+  for (const trace::Measure& measure : choice.measures) list.push_back(measure.point);
   return list;
 }
 
@@ -61,7 +61,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   const std::vector<ContactPoint<double>> points =
       points_at({{0, 0, 1}, {4, 0, 2}, {4, 3, 7}, {0, 3, 3}, {2, 5, 4}, {6, 1, 5}});
   const std::vector<int> kept = {2, 0, 5, 3};
-  const std::vector<ChoiceMade> made = choices_made("area_deepest", points, kUp, kept);
+  const std::vector<trace::Choice> made = choices_made("area_deepest", points, kUp, kept);
   ASSERT_EQ(made.size(), 4u);
   EXPECT_THAT(values(made[0]), ElementsAre(1, 2, 7, 3, 4, 5));  // depths
   EXPECT_THAT(candidates(made[1]), ElementsAre(0, 1, 3, 4, 5));
@@ -76,7 +76,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   EXPECT_DOUBLE_EQ(std::abs(triangles[3]), 7);
   EXPECT_LT(triangles[0] * triangles[1], 0);
   EXPECT_LT(triangles[2] * triangles[3], 0);
-  for (const ChoiceMeasure& measure : made[2].measures) {
+  for (const trace::Measure& measure : made[2].measures) {
     EXPECT_EQ(measure.a, 2);
     EXPECT_EQ(measure.b, 0);
   }
@@ -100,11 +100,11 @@ TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
   const std::vector<int> kept = kept_by("distance", points, 4);
-  const std::vector<ChoiceMade> made = choices_made("distance", points, kUp, kept);
+  const std::vector<trace::Choice> made = choices_made("distance", points, kUp, kept);
   ASSERT_EQ(made.size(), 4u);
   double most = 0;
   int farthest = -1;
-  for (const ChoiceMeasure& measure : made[3].measures) {
+  for (const trace::Measure& measure : made[3].measures) {
     const Vec3d a = points[static_cast<std::size_t>(measure.a)].position;
     const Vec3d along = points[static_cast<std::size_t>(measure.b)].position - a;
     const Vec3d arm = points[static_cast<std::size_t>(measure.point)].position - a;
@@ -119,7 +119,7 @@ TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
 }
 
 TEST(Choices, StartFromTheFixedDirection) {
-  const std::vector<ChoiceMade> made = choices("area", hand_made());
+  const std::vector<trace::Choice> made = choices("area", hand_made());
   EXPECT_NEAR(made[0].direction.norm(), 1, 1e-15);
   EXPECT_NEAR(made[0].direction.dot(kUp), 0, 1e-15);
   EXPECT_NEAR(made[0].direction.cross(fixed_direction<double>(kUp)).norm(), 0, 1e-15);
@@ -128,10 +128,10 @@ TEST(Choices, StartFromTheFixedDirection) {
 }
 
 /// The measure that decides for a point at one step: the most is best.
-double worth(const ChoiceMade& choice, int point) {
+double worth(const trace::Choice& choice, int point) {
   const std::string rule = choice.rule;
   double most = -std::numeric_limits<double>::infinity();
-  for (const ChoiceMeasure& measure : choice.measures) {
+  for (const trace::Measure& measure : choice.measures) {
     if (measure.point != point) continue;
     double value = measure.value;
     if (rule == "triangle") value = std::abs(value);
@@ -156,7 +156,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
     const KeptIndices kept =
         reduce<double>(find_reducer<double>(GetParam()), polygon.points, polygon.normal, options)
             .kept;
-    const std::vector<ChoiceMade> made =
+    const std::vector<trace::Choice> made =
         choices_made(GetParam(), polygon.points, polygon.normal, kept);
     if (kept.size() == polygon.points.size()) {
       EXPECT_THAT(made, IsEmpty());
@@ -198,10 +198,10 @@ TEST_P(ChoicesOf, EdgeAreasOfAFourthPointAddUpToTheTriangle) {
     const KeptIndices kept =
         reduce<double>(find_reducer<double>(GetParam()), polygon.points, polygon.normal, {}).kept;
     if (kept.size() < 4) continue;
-    const std::vector<ChoiceMade> made =
+    const std::vector<trace::Choice> made =
         choices_made(GetParam(), polygon.points, polygon.normal, kept);
     double sum = 0;
-    for (const ChoiceMeasure& measure : made[3].measures) {
+    for (const trace::Measure& measure : made[3].measures) {
       if (measure.point == kept[3]) sum += measure.value;
     }
     const auto at = [&](int k) {
@@ -217,9 +217,9 @@ TEST_P(ChoicesOf, PointsOnALineOrInOnePlaceHaveFiniteMeasures) {
                              std::vector<PlanePoint>{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4, 1}}}) {
     const std::vector<ContactPoint<double>> points = points_at(places);
     const std::vector<int> kept = kept_by(GetParam(), points, 4);
-    const std::vector<ChoiceMade> made = choices_made(GetParam(), points, kUp, kept);
+    const std::vector<trace::Choice> made = choices_made(GetParam(), points, kUp, kept);
     EXPECT_EQ(made.size(), kept.size());
-    for (const ChoiceMade& choice : made) {
+    for (const trace::Choice& choice : made) {
       EXPECT_TRUE(choice.direction.allFinite());
       for (const double value : values(choice)) EXPECT_TRUE(std::isfinite(value)) << choice.rule;
     }
