@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "core/vec3.h"
+
+namespace contactscope {
+
+/// Axis-aligned bounding box, closed, metres. Made empty: lower = +infinity, upper = -infinity, so
+/// that merging needs no special case.
+template <class S>
+struct Aabb {
+  Vec3<S> lower = Vec3<S>::Constant(std::numeric_limits<S>::infinity());
+  Vec3<S> upper = Vec3<S>::Constant(-std::numeric_limits<S>::infinity());
+
+  /// No point is inside. True for a box with NaN too.
+  bool empty() const {
+    return !(lower.x() <= upper.x() && lower.y() <= upper.y() && lower.z() <= upper.z());
+  }
+  Vec3<S> center() const { return S(0.5) * lower + S(0.5) * upper; }
+  Vec3<S> extent() const { return upper - lower; }
+
+  bool contains(const Vec3<S>& point) const {
+    return lower.x() <= point.x() && point.x() <= upper.x() && lower.y() <= point.y() &&
+           point.y() <= upper.y() && lower.z() <= point.z() && point.z() <= upper.z();
+  }
+  /// Every point of `other` is inside; an empty box is inside every box.
+  bool contains(const Aabb& other) const {
+    return other.empty() || (contains(other.lower) && contains(other.upper));
+  }
+  /// Grows by a point or a box.
+  void include(const Vec3<S>& point) {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  void include(const Aabb& other) {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+
+  /// Each coordinate rounded to the nearest of the other scalar. Rounding is monotone: the result
+  /// is exactly the box of the rounded points, if this is the box of the points.
+  template <class T>
+  Aabb<T> cast() const {
+    return {lower.template cast<T>(), upper.template cast<T>()};
+  }
+
+  friend bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+/// Boxes that touch overlap. An empty box, or one with NaN, overlaps nothing.
+template <class S>
+bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
+  // Without short circuits: which of the six decides is a coin toss that a processor cannot learn.
+  return (a.lower.x() <= b.upper.x()) & (b.lower.x() <= a.upper.x()) &
+         (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
+         (a.lower.z() <= b.upper.z()) & (b.lower.z() <= a.upper.z());
+}
+
+/// Smallest box around both.
+template <class S>
+Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
+  a.include(b);
+  return a;
+}
+
+/// Square metres, all six sides; 0 for an empty box.
+template <class S>
+S surface_area(const Aabb<S>& box) {
+  if (box.empty()) return S(0);
+  const Vec3<S> e = box.extent();
+  return S(2) * (e.x() * e.y() + e.y() * e.z() + e.z() * e.x());
+}
+
+}  // namespace contactscope

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/vec3.h"
+#include "geometry/aabb.h"
+
+namespace contactscope {
+
+/// What a recorded query looked at, in the order in which it did.
+template <class S>
+struct AabbTreeRecord {
+  struct Visit {
+    Aabb<S> box;
+    int depth;      // 0 at the root
+    bool leaf;      // holds triangles
+    bool overlaps;  // with the box of the query; only then what is below was looked at
+  };
+  std::vector<Visit> visits;
+  std::vector<int> tested;      // triangles of the leaves reached, whose own boxes were compared
+  std::vector<int> candidates;  // those of them that the query reports
+};
+
+/// Tree of boxes over triangles, in the frame and the unit of their vertices.
+///
+///     nodes   0 -------- root          node 0 comes first, then all of its left subtree, then
+///            /        |                all of its right one: a query walks the array forwards,
+///           1         4                and where a box misses it goes on behind the subtree. It
+///          / |       / |               needs neither a stack nor parents.
+///         2   3     5   6
+///
+/// The order of visits is that of the array: left before right, triangles of a leaf ascending. It
+/// depends on the boxes alone.
+template <class S>
+struct AabbTree {
+  struct Node {
+    Aabb<S> box;
+    int next;   // of a leaf: its first triangle in `triangles`; else: the node behind the subtree
+    int count;  // of a leaf: how many triangles; else: 0
+
+    bool leaf() const { return count > 0; }
+  };
+
+  std::vector<Node> nodes;     // empty for no triangles
+  std::vector<int> triangles;  // in tree order
+  std::vector<Aabb<S>> boxes;  // of each of `triangles`
+
+  /// The box of everything; empty for no triangles.
+  Aabb<S> bounds() const { return nodes.empty() ? Aabb<S>{} : nodes.front().box; }
+
+  /// Calls visit(triangle) for each triangle whose own box overlaps `box`; touching counts. Nothing
+  /// is allocated.
+  template <class Visit>
+  void query(const Aabb<S>& box, Visit&& visit) const {
+    const int node_count = static_cast<int>(nodes.size());
+    int i = 0;
+    while (i < node_count) {
+      const Node& node = nodes[static_cast<std::size_t>(i)];
+      const bool hit = overlaps(node.box, box);
+      if (hit && node.leaf()) visit_leaf(node, box, visit);
+      i = hit || node.leaf() ? i + 1 : node.next;
+    }
+  }
+
+  /// The same triangles in the same order, and how they were found.
+  AabbTreeRecord<S> recorded_query(const Aabb<S>& box) const;
+
+  /// Makes all boxes anew after vertices moved; the shape of the tree stays, so that it gets slower
+  /// the more the mesh is distorted. `corners` are the vertex indices of each triangle, as many as
+  /// at the build.
+  void refit(std::span<const Vec3<S>> vertices, std::span<const std::array<int, 3>> corners);
+
+  /// Nodes on the longest way from the root to a leaf, both counted.
+  int depth() const;
+
+ private:
+  template <class Visit>
+  void visit_leaf(const Node& node, const Aabb<S>& box, Visit&& visit) const {
+    for (int k = node.next; k < node.next + node.count; ++k) {
+      const std::size_t at = static_cast<std::size_t>(k);
+      if (overlaps(boxes[at], box)) visit(triangles[at]);
+    }
+  }
+};
+
+/// No way from the root to a leaf has more nodes, whatever the triangles.
+inline constexpr int kMaxAabbTreeDepth = 64;
+
+/// Box of one triangle.
+template <class S>
+Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corners);
+
+/// Tree over the boxes of triangles 0, 1, 2, ...; none of them empty. O(n log n).
+/// Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies".
+AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes);
+
+/// The same tree in another scalar. Its boxes are exactly those of the rounded triangles, because
+/// rounding is monotone.
+template <class T>
+AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree);
+
+}  // namespace contactscope
