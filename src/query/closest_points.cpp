@@ -1,0 +1,189 @@
+#include "query/closest_points.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "query/tolerance.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+struct Segment {
+  Segment(const Vec3<S>& start, const Vec3<S>& end)
+      : from(start), to(end), along(end - start), squared_length(along.squaredNorm()) {}
+
+  /// From the nearer end, so that both ends are met exactly and neither is preferred.
+  Vec3<S> at(S parameter) const {
+    if (parameter <= S(0.5)) return from + parameter * along;
+    return to - (S(1) - parameter) * along;
+  }
+
+  const Vec3<S>&from, &to;
+  Vec3<S> along;
+  S squared_length;
+};
+
+/// Where the perpendicular from `point` meets the segment's line; 0 without a line.
+template <class S>
+S foot(const Vec3<S>& point, const Segment<S>& segment) {
+  if (!(segment.squared_length > S(0))) return S(0);
+  // From the nearer end: what is left of a long segment's rounding is relative to the distance.
+  const Vec3<S> from_start = point - segment.from;
+  const Vec3<S> from_end = point - segment.to;
+  if (from_start.squaredNorm() <= from_end.squaredNorm()) {
+    return from_start.dot(segment.along) / segment.squared_length;
+  }
+  return S(1) + from_end.dot(segment.along) / segment.squared_length;
+}
+
+template <class S>
+bool is_within(S parameter) {
+  return S(0) <= parameter && parameter <= S(1);
+}
+
+/// A pair of points that may be the closest one.
+template <class S>
+struct Candidate {
+  S parameter_a, parameter_b;
+  S squared_distance;
+  S squared_overhang;  // metres squared: from the foot of the perpendicular to the segment's end
+};
+
+/// Whether the point lies beside the other segment. The foot is uncertain by a few roundings of the
+/// distance and of the segment's length.
+template <class S>
+bool is_beside(const Candidate<S>& candidate, const Segment<S>& a, const Segment<S>& b) {
+  constexpr S kRounding = S(8) * std::numeric_limits<S>::epsilon();
+  const S squared_scale = candidate.squared_distance + a.squared_length + b.squared_length;
+  return candidate.squared_overhang <= kRounding * kRounding * squared_scale;
+}
+
+template <class S>
+Candidate<S> from_point_of_a(S parameter_a, const Segment<S>& a, const Segment<S>& b) {
+  const Vec3<S> point = a.at(parameter_a);
+  const S foot_b = foot(point, b);
+  const S parameter_b = std::clamp(foot_b, S(0), S(1));
+  const Vec3<S> between = b.at(parameter_b) - point;
+  const S overhang = foot_b - parameter_b;
+  return {parameter_a, parameter_b, between.squaredNorm(), overhang * overhang * b.squared_length};
+}
+
+template <class S>
+Candidate<S> from_point_of_b(S parameter_b, const Segment<S>& a, const Segment<S>& b) {
+  const Candidate<S> mirrored = from_point_of_a(parameter_b, b, a);
+  return {mirrored.parameter_b, mirrored.parameter_a, mirrored.squared_distance,
+          mirrored.squared_overhang};
+}
+
+/// The middle between the smallest and the largest parameters of several candidates. It does not
+/// depend on their order, nor on which segment is A.
+template <class S>
+class Middle {
+ public:
+  void add(const Candidate<S>& candidate) {
+    low_a_ = std::min(low_a_, candidate.parameter_a);
+    high_a_ = std::max(high_a_, candidate.parameter_a);
+    low_b_ = std::min(low_b_, candidate.parameter_b);
+    high_b_ = std::max(high_b_, candidate.parameter_b);
+  }
+  bool empty() const { return low_a_ > high_a_; }
+  S a() const { return S(0.5) * (low_a_ + high_a_); }
+  S b() const { return S(0.5) * (low_b_ + high_b_); }
+
+ private:
+  S low_a_ = S(2), high_a_ = S(-1);
+  S low_b_ = S(2), high_b_ = S(-1);
+};
+
+template <class S>
+ClosestOfSegments<S> at_parameters(S parameter_a, S parameter_b, const Segment<S>& a,
+                                   const Segment<S>& b) {
+  const Vec3<S> on_a = a.at(parameter_a);
+  const Vec3<S> on_b = b.at(parameter_b);
+  const Vec3<S> between = on_b - on_a;
+  return {on_a, on_b, parameter_a, parameter_b, between.norm()};
+}
+
+/// The nearest candidates; those that are equally near meet in the middle.
+template <class S>
+Middle<S> nearest(const Candidate<S>* candidates, int count) {
+  S least = std::numeric_limits<S>::infinity();
+  for (int i = 0; i < count; ++i) least = std::min(least, candidates[i].squared_distance);
+  Middle<S> middle;
+  for (int i = 0; i < count; ++i) {
+    if (candidates[i].squared_distance == least) middle.add(candidates[i]);
+  }
+  return middle;
+}
+
+}  // namespace
+
+template <class S>
+ClosestOnSegment<S> closest_on_segment(const Vec3<S>& point, const Vec3<S>& from,
+                                       const Vec3<S>& to) {
+  const Segment<S> segment(from, to);
+  const S parameter = std::clamp(foot(point, segment), S(0), S(1));
+  return {segment.at(parameter), parameter};
+}
+
+/// Follows Ericson, "Real-Time Collision Detection" 2005, section 5.1.9, in that the closest points
+/// of the lines are tried first. They are found with cross products instead of a determinant of dot
+/// products, whose cancellation loses the angle between lines at its square. Where they do not lie
+/// on the segments, we take the nearest of four candidates, each end and its closest point on the
+/// other segment, instead of clamping one parameter after the other: it treats A and B alike.
+///
+/// Steps: 1. the lines' closest points, if well defined and on the segments; 2. parallel segments:
+/// all ends that have a foot on the other segment bound the stretch to choose from; 3. the nearest
+/// of the four ends' candidates, and, if the lines are nearly parallel, of each line's closest point
+/// with its own foot on the other, as both parameters are then uncertain along the segments, but
+/// not a foot.
+template <class S>
+ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& to_a,
+                                         const Vec3<S>& from_b, const Vec3<S>& to_b) {
+  const Segment<S> a(from_a, to_a), b(from_b, to_b);
+  const Vec3<S> normal = a.along.cross(b.along);
+  const S squared_sine = normal.squaredNorm();  // times both squared lengths
+  const S squared_lengths = a.squared_length * b.squared_length;
+  const bool is_parallel = squared_sine <= kParallelSine<S> * kParallelSine<S> * squared_lengths;
+
+  Candidate<S> candidates[6];
+  int count = 0;
+  if (!is_parallel) {
+    const Vec3<S> offset = from_b - from_a;
+    const S line_a = offset.cross(b.along).dot(normal) / squared_sine;
+    const S line_b = offset.cross(a.along).dot(normal) / squared_sine;
+    if (is_within(line_a) && is_within(line_b)) {
+      if (squared_sine > kNoisySine<S> * kNoisySine<S> * squared_lengths) {
+        return at_parameters(line_a, line_b, a, b);
+      }
+      candidates[count++] = from_point_of_a(line_a, a, b);
+      candidates[count++] = from_point_of_b(line_b, a, b);
+    }
+  }
+  candidates[count++] = from_point_of_a(S(0), a, b);
+  candidates[count++] = from_point_of_a(S(1), a, b);
+  candidates[count++] = from_point_of_b(S(0), a, b);
+  candidates[count++] = from_point_of_b(S(1), a, b);
+
+  if (is_parallel && squared_lengths > S(0)) {
+    Middle<S> beside;
+    for (int i = 0; i < count; ++i) {
+      if (is_beside(candidates[i], a, b)) beside.add(candidates[i]);
+    }
+    if (!beside.empty()) return at_parameters(beside.a(), beside.b(), a, b);
+  }
+  const Middle<S> middle = nearest(candidates, count);
+  return at_parameters(middle.a(), middle.b(), a, b);
+}
+
+template ClosestOnSegment<float> closest_on_segment(const Vec3<float>&, const Vec3<float>&,
+                                                    const Vec3<float>&);
+template ClosestOnSegment<double> closest_on_segment(const Vec3<double>&, const Vec3<double>&,
+                                                     const Vec3<double>&);
+template ClosestOfSegments<float> closest_of_segments(const Vec3<float>&, const Vec3<float>&,
+                                                      const Vec3<float>&, const Vec3<float>&);
+template ClosestOfSegments<double> closest_of_segments(const Vec3<double>&, const Vec3<double>&,
+                                                       const Vec3<double>&, const Vec3<double>&);
+
+}  // namespace contactscope
