@@ -9,6 +9,7 @@
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
+#include "app/table.h"
 #include "app/verbs.h"
 #include "draw/contact_cells.h"
 #include "reduce/reducer.h"
@@ -16,41 +17,6 @@
 
 namespace contactscope::app {
 namespace {
-
-// A table for people: columns as wide as what they hold, numbers to the right.
-class Table {
- public:
-  explicit Table(std::vector<std::string> heads) : rows_{std::move(heads)} {}
-
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  void print(std::ostream& out) const {
-    std::vector<std::size_t> widths(rows_.front().size(), 0);
-    for (const std::vector<std::string>& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    for (const std::vector<std::string>& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const std::string space(widths[i] - row[i].size(), ' ');
-        if (i == 0) {
-          out << row[i] << space;
-        } else {
-          out << "  " << space << row[i];
-        }
-      }
-      out << '\n';
-    }
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
-
-std::string spelled(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 void print_table(const std::vector<trace::Exploration>& explorations, std::ostream& out) {
   Table table({"reducer", "area %", "worst", "moment lost %", "worst", "depth error mm",

@@ -10,6 +10,7 @@
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
+#include "app/table.h"
 #include "app/verbs.h"
 #include "draw/plot.h"
 #include "image/png.h"
@@ -50,6 +51,59 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
+// Errors of all methods at all parameters.
+void print_errors(const trace::Study& result, std::ostream& out) {
+  const std::vector<trace::StudyPoint>& parameters = result.series.front().points;
+  const bool has_worst = std::ranges::any_of(
+      parameters, [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
+  out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
+      << (has_worst ? ": mean / worst" : ": mean") << ", by " << result.parameter << '\n';
+  std::vector<std::string> heads = {"method"};
+  for (const trace::StudyPoint& point : parameters) heads.push_back(spelled("%g", point.parameter));
+  heads.push_back("failed");
+  Table table(heads);
+  for (const trace::StudySeries& series : result.series) {
+    std::vector<std::string> cells = {series.method};
+    int failed = 0;
+    for (const trace::StudyPoint& point : series.points) {
+      std::string cell = point.error ? spelled("%.2g", *point.error) : "-";
+      if (has_worst) cell += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
+      cells.push_back(cell);
+      failed += point.failed;
+    }
+    cells.push_back(std::to_string(failed));
+    table.add(cells);
+  }
+  table.print(out);
+}
+
+void print_times(const trace::Study& result, std::ostream& out) {
+  out << "nanoseconds a call: median / least, by " << result.parameter << '\n';
+  std::vector<std::string> heads = {"method"};
+  for (const trace::StudyPoint& point : result.series.front().points) {
+    heads.push_back(spelled("%g", point.parameter));
+  }
+  Table table(heads);
+  for (const trace::StudySeries& series : result.series) {
+    std::vector<std::string> cells = {series.method};
+    for (const trace::StudyPoint& point : series.points) {
+      cells.push_back(spelled("%.0f", point.nanoseconds.median) +
+                      spelled(" / %.0f", point.nanoseconds.min));
+    }
+    table.add(cells);
+  }
+  table.print(out);
+}
+
+// Times are those of the same runs in all results of a study.
+void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
+  for (const trace::Study& result : results) {
+    print_errors(result, out);
+    out << '\n';
+  }
+  print_times(results.front(), out);
+}
+
 }  // namespace
 
 // All is computed before the first file is written: a study that fails leaves those of an earlier
@@ -81,6 +135,8 @@ ExitCode study(const Options& options) {
   for (const File& file : files) write_whole_file(file.path.string(), file.bytes);
   if (options.json) {
     for (const trace::Study& result : results) std::cout << trace::to_json_line(result) << '\n';
+  } else {
+    print_tables(results, std::cout);
   }
   if (options.verbose) ledger.print(std::cerr, "study");
   if (!options.quiet) std::cerr << files.size() << " files in " << folder.string() << '\n';

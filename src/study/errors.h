@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "study/pass_times.h"
 #include "trace/study.h"
 
 namespace contactscope {
@@ -28,5 +29,17 @@ class Errors {
   double worst_ = 0;
   int count_ = 0;
 };
+
+/// What one method measured at one parameter; `failed` of `of` cases have no error.
+inline trace::StudyPoint study_point(double parameter, const Errors& errors, const PassTimes& times,
+                                     int failed, int of) {
+  trace::StudyPoint point;
+  point.parameter = parameter;
+  point.nanoseconds = times.summary();
+  point.failed = failed;
+  point.of = of;
+  errors.write(point);
+  return point;
+}
 
 }  // namespace contactscope

@@ -186,13 +186,8 @@ std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
     trace::StudySeries series{kMethods[m].name, {}};
     for (std::size_t size = 0; size < sizes; ++size) {
       const Cell& cell = cells[m][size];
-      trace::StudyPoint point;
-      point.parameter = kVertexCounts[size];
-      point.nanoseconds = cell.times.summary();
-      point.failed = cell.failed;
-      point.of = count;
-      cell.errors.write(point);
-      series.points.push_back(point);
+      series.points.push_back(
+          study_point(kVertexCounts[size], cell.errors, cell.times, cell.failed, count));
     }
     study.series.push_back(std::move(series));
   }

@@ -49,9 +49,9 @@ Reduction reduced(const Method& method, const std::vector<ContactPolygon>& cases
   return reduce<float>(method.reducer, polygon.points, polygon.normal, reduce_options(index));
 }
 
-/// One method at one number of points: errors by both measures, and times.
+/// One method at one number of points: errors by each measure, and times.
 struct Cell {
-  Errors area, wrench;
+  Errors area, wrench, deepest;
   int failed = 0;
   PassTimes times;
 };
@@ -85,6 +85,7 @@ void judge_all(const Method& method, const std::vector<ContactPolygon>& cases, C
     }
     cell.area.add(without_rounding(1 - quality->area_ratio));
     cell.wrench.add(without_rounding(quality->wrench_error));
+    cell.deepest.add(quality->deepest_kept ? 0 : 1);
   }
 }
 
@@ -95,14 +96,18 @@ void time_pass(const Method& method, const std::vector<ContactPolygon>& cases, C
   });
 }
 
+std::string cases_spelled(const StudyOptions& options, int count) {
+  return std::to_string(count) + " elliptical polygons a point, seed " +
+         std::to_string(options.seed);
+}
+
 trace::Study described(const StudyOptions& options, int count) {
   trace::Study study;
   study.study = "reducers";
   study.context = study_context("float");
   study.parameter = "points";
   study.resolution = kResolution;
-  study.reference = "all subsets of four points, " + std::to_string(count) +
-                    " elliptical polygons a point, seed " + std::to_string(options.seed);
+  study.reference = "all subsets of four points, " + cases_spelled(options, count);
   return study;
 }
 
@@ -145,27 +150,28 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   wrench.measure = "wrench";
   wrench.title = "What each reducer loses of the resisted moment";
   wrench.error = "lost moment arm / patch radius, worst axis";
-  wrench.reference = "all points, " + std::to_string(count) +
-                     " elliptical polygons a point, seed " + std::to_string(options.seed);
+  wrench.reference = "all points, " + cases_spelled(options, count);
+  trace::Study deepest = described(options, count);
+  deepest.measure = "deepest";
+  deepest.title = "How often each reducer loses the deepest point";
+  deepest.error = "share of the patches whose deepest point is lost";
+  deepest.reference = wrench.reference;
+  deepest.resolution = 0;  // counted
   for (std::size_t m = 0; m < all.size(); ++m) {
-    trace::StudySeries by_area{all[m].name, {}};
-    trace::StudySeries by_wrench{all[m].name, {}};
+    for (trace::Study* study : {&area, &wrench, &deepest})
+      study->series.push_back({all[m].name, {}});
     for (std::size_t c = 0; c < counts; ++c) {
       const Cell& cell = cells[m][c];
-      trace::StudyPoint point;
-      point.parameter = kPointCounts[c];
-      point.nanoseconds = cell.times.summary();
-      point.failed = cell.failed;
-      point.of = count;
-      cell.area.write(point);
-      by_area.points.push_back(point);
-      cell.wrench.write(point);
-      by_wrench.points.push_back(point);
+      const auto point = [&](const Errors& errors) {
+        return study_point(kPointCounts[c], errors, cell.times, cell.failed, count);
+      };
+      area.series.back().points.push_back(point(cell.area));
+      wrench.series.back().points.push_back(point(cell.wrench));
+      deepest.series.back().points.push_back(point(cell.deepest));
+      deepest.series.back().points.back().error_worst.reset();  // a share has none
     }
-    area.series.push_back(std::move(by_area));
-    wrench.series.push_back(std::move(by_wrench));
   }
-  return {std::move(area), std::move(wrench)};
+  return {std::move(area), std::move(wrench), std::move(deepest)};
 }
 
 }  // namespace contactscope

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -27,12 +28,12 @@ TEST(Study, WritesJsonAndCsvForEachMeasureAndOpensNoOpenGlForATable) {
   const ProgramRun result =
       run("study reducers --cases 20 --table --verbose --out '" + (folder / "out") + "'");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, IsEmpty());
   EXPECT_THAT(result.err, HasSubstr("left out: plots and OpenGL"));
   EXPECT_THAT(result.err, Not(HasSubstr("OpenGL through")));
   EXPECT_THAT(
       files_below(folder / "out"),
       ElementsAre("study/reducers/results.csv", "study/reducers/results.json",
+                  "study/reducers/results_deepest.csv", "study/reducers/results_deepest.json",
                   "study/reducers/results_wrench.csv", "study/reducers/results_wrench.json"));
   const auto json = nlohmann::json::parse(read_text(folder / "out/study/reducers/results.json"));
   EXPECT_EQ(json["schema"], "contactscope.study/1");
@@ -46,6 +47,50 @@ TEST(Study, WritesJsonAndCsvForEachMeasureAndOpensNoOpenGlForATable) {
               StartsWith("study,measure,method,parameter,error,"));
 }
 
+/// The tables on standard output, each a heading and rows of cells; an empty line is between two.
+std::vector<std::vector<std::string>> tables_of(const std::string& text) {
+  std::vector<std::vector<std::string>> tables(1);
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) {
+      tables.emplace_back();
+    } else {
+      tables.back().push_back(line);
+    }
+  }
+  return tables;
+}
+
+TEST(Study, PrintsATableForEachMeasureAndOneOfTimes) {
+  const TemporaryFolder folder;
+  const ProgramRun result =
+      run("study reducers --cases 20 --table --quiet --out '" + (folder / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, IsEmpty());
+  const std::vector<std::vector<std::string>> tables = tables_of(result.out);
+  ASSERT_EQ(tables.size(), 4u);
+  EXPECT_THAT(tables[0][0], StartsWith("lost area, 1 − area / best: mean / worst, by points"));
+  EXPECT_THAT(tables[1][0], StartsWith("lost moment arm"));
+  EXPECT_THAT(tables[2][0], StartsWith("share of the patches whose deepest point is lost: mean, "));
+  EXPECT_THAT(tables[3][0], StartsWith("nanoseconds a call: median / least, by points"));
+  const auto json = nlohmann::json::parse(read_text(folder / "out/study/reducers/results.json"));
+  for (const std::vector<std::string>& table : tables) {
+    ASSERT_EQ(table.size(), 2 + json["series"].size());
+    EXPECT_THAT(table[1], testing::ContainsRegex("^method +5 +6 +8 +12 +16 +32"));
+    for (std::size_t i = 1; i < table.size(); ++i) {
+      EXPECT_EQ(table[i].size(), table[1].size()) << table[i];
+      if (i < 2) continue;
+      const std::string method = json["series"][i - 2]["method"];
+      EXPECT_THAT(table[i], StartsWith(method + " "));
+    }
+  }
+  // A number of the table is that of the file.
+  const auto& first = json["series"][0]["points"][0];
+  char error[32];
+  std::snprintf(error, sizeof error, "%.2g / ", first["error"].get<double>());
+  EXPECT_THAT(tables[0][2], HasSubstr(std::string("  ") + error));
+}
+
 TEST(Study, JsonPrintsTheResultsOneALineAndQuietSilencesTheRest) {
   const TemporaryFolder folder;
   const ProgramRun result =
@@ -53,9 +98,10 @@ TEST(Study, JsonPrintsTheResultsOneALineAndQuietSilencesTheRest) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, IsEmpty());
   const std::vector<nlohmann::json> lines = json_lines(result.out);
-  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0]["measure"], "area");
   EXPECT_EQ(lines[1]["measure"], "wrench");
+  EXPECT_EQ(lines[2]["measure"], "deepest");
   EXPECT_EQ(lines[1],
             nlohmann::json::parse(read_text(folder / "out/study/reducers/results_wrench.json")));
 }

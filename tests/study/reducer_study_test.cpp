@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -53,9 +54,10 @@ TEST(ReducerStudy, HasALineForEveryReducerButNone) {
   for (const ReducerInfo& info : reducers()) {
     if (info.name != "none") wanted.push_back(info.name);
   }
-  ASSERT_EQ(results().size(), 2u);
+  ASSERT_EQ(results().size(), 3u);
   EXPECT_EQ(results()[0].measure, "area");
   EXPECT_EQ(results()[1].measure, "wrench");
+  EXPECT_EQ(results()[2].measure, "deepest");
   for (const trace::Study& study : results()) EXPECT_EQ(methods(study), wanted);
 }
 
@@ -75,8 +77,10 @@ TEST(ReducerStudy, ErrorsAreSharesAndTimesAreInOrder) {
       for (const trace::StudyPoint& point : series.points) {
         ASSERT_TRUE(point.error) << series.method;
         EXPECT_GE(*point.error, 0) << series.method;
-        EXPECT_LE(*point.error, *point.error_worst) << series.method;
-        EXPECT_LE(*point.error_worst, study.measure == "area" ? 1 : 2) << series.method;
+        ASSERT_EQ(point.error_worst.has_value(), study.measure != "deepest") << series.method;
+        const double worst = point.error_worst.value_or(1);
+        EXPECT_LE(*point.error, worst) << series.method;
+        EXPECT_LE(worst, study.measure == "wrench" ? 2 : 1) << series.method;
         EXPECT_EQ(point.of, 30);
         EXPECT_GT(point.nanoseconds.min, 0);
         EXPECT_LE(point.nanoseconds.min, point.nanoseconds.median);
@@ -100,10 +104,21 @@ TEST(ReducerStudy, AreaLosesSomethingAndAnOptimalReducerNothing) {
   }
 }
 
+TEST(ReducerStudy, OnlyWhoAsksForTheDeepestNeverLosesIt) {
+  for (const trace::StudySeries& series : results()[2].series) {
+    const std::vector<std::string> always = {
+        "area_deepest", "deepest", "bullet", "ode", "physx", "optimal_deepest", "physx_cluster"};
+    const bool asks = std::ranges::find(always, series.method) != always.end();
+    double sum = 0;
+    for (const trace::StudyPoint& point : series.points) sum += *point.error;
+    EXPECT_EQ(sum == 0, asks) << series.method << " loses " << sum;
+  }
+}
+
 TEST(ReducerStudy, SameSeedGivesTheSameErrorsAndAnotherSeedOthers) {
   const std::vector<trace::Study> again = study_reducers(small(), ignore_progress);
   const std::vector<trace::Study> other = study_reducers(small(2), ignore_progress);
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(errors(again[i]), errors(results()[i]));
     EXPECT_NE(errors(other[i]), errors(results()[i]));
   }
