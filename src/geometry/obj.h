@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,21 @@ namespace contactscope {
 /// coordinate is missing or not a finite number, a face names a vertex that does not exist, or
 /// there is no vertex at all.
 std::vector<Vec3d> load_obj_vertices(const std::string& path);
+
+/// What build_mesh needs, as a file has it.
+struct ObjMesh {
+  std::vector<Vec3d> vertices;                // all of the file, in its order
+  std::vector<std::array<int, 3>> triangles;  // vertex indices, counted from 0
+  std::vector<int> lines;                     // for each triangle the line of its face, from 1
+};
+
+/// Triangles of a Wavefront .obj file: its faces in file order, those with more corners cut into
+/// triangles (triangulate_polygon). Normals, texture coordinates and materials are ignored: the
+/// front of a face is where its vertices run counter-clockwise. Faces without an area are left to
+/// build_mesh.
+///
+/// Throws InputError as load_obj_vertices does, and where there is no face, or one has fewer than
+/// three vertices.
+ObjMesh load_obj_mesh(const std::string& path);
 
 }  // namespace contactscope

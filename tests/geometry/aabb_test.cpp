@@ -1,0 +1,91 @@
+#include "geometry/aabb.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/random_geometry.h"
+
+namespace contactscope::test {
+namespace {
+
+using Box = Aabb<double>;
+
+const Box kUnit{Vec3d(0, 0, 0), Vec3d(1, 1, 1)};
+
+TEST(Aabb, BoxesThatTouchInAFaceAnEdgeOrACornerOverlap) {
+  EXPECT_TRUE(overlaps(kUnit, Box{Vec3d(1, 0, 0), Vec3d(2, 1, 1)}));
+  EXPECT_TRUE(overlaps(kUnit, Box{Vec3d(1, -1, 0), Vec3d(2, 0, 1)}));
+  EXPECT_TRUE(overlaps(kUnit, Box{Vec3d(-1, -1, -1), Vec3d(0, 0, 0)}));
+}
+
+TEST(Aabb, AGapAlongOneAxisIsEnough) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double shift : {1.0000001, -1.0000001}) {
+      const Vec3d by = shift * Vec3d::Unit(axis);
+      const Box other{kUnit.lower + by, kUnit.upper + by};
+      EXPECT_FALSE(overlaps(kUnit, other)) << axis;
+      EXPECT_FALSE(overlaps(other, kUnit)) << axis;
+    }
+  }
+}
+
+TEST(Aabb, ABoxInsideAnotherOverlapsAndIsContained) {
+  const Box inner{Vec3d(0.2, 0.2, 0.2), Vec3d(0.3, 1, 0.3)};
+  EXPECT_TRUE(overlaps(kUnit, inner));
+  EXPECT_TRUE(kUnit.contains(inner));
+  EXPECT_TRUE(kUnit.contains(kUnit));
+  EXPECT_FALSE(inner.contains(kUnit));
+  EXPECT_TRUE(kUnit.contains(Vec3d(1, 0, 0.5)));
+  EXPECT_FALSE(kUnit.contains(Vec3d(1.1, 0, 0.5)));
+}
+
+TEST(Aabb, TheEmptyBoxOverlapsNothingAndMergesIntoTheOther) {
+  const Box empty;
+  EXPECT_TRUE(empty.empty());
+  EXPECT_FALSE(kUnit.empty());
+  EXPECT_FALSE(overlaps(empty, kUnit));
+  EXPECT_FALSE(overlaps(empty, empty));
+  EXPECT_TRUE(kUnit.contains(empty));
+  EXPECT_FALSE(empty.contains(kUnit));
+  EXPECT_EQ(merged(empty, kUnit), kUnit);
+  EXPECT_EQ(merged(kUnit, empty), kUnit);
+  EXPECT_EQ(surface_area(empty), 0);
+}
+
+TEST(Aabb, ABoxWithNanOverlapsNothing) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Box bad = kUnit;
+    bad.lower[axis] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(bad.empty());
+    EXPECT_FALSE(overlaps(bad, kUnit));
+    EXPECT_FALSE(overlaps(kUnit, bad));
+  }
+}
+
+TEST(Aabb, SurfaceAreaCountsAllSixSides) {
+  EXPECT_EQ(surface_area(Box{Vec3d(1, 1, 1), Vec3d(2, 3, 4)}), 2 * (2 + 6 + 3));
+  EXPECT_EQ(surface_area(Box{Vec3d(1, 1, 1), Vec3d(1, 3, 4)}), 2 * 6);  // flat
+}
+
+TEST(Aabb, MergingHoldsBothAndNoMore) {
+  EXPECT_EQ(merged(kUnit, Box{Vec3d(-1, 0.5, 2), Vec3d(0, 0.6, 3)}),
+            (Box{Vec3d(-1, 0, 0), Vec3d(1, 1, 3)}));
+}
+
+TEST(Aabb, ARoundedBoxIsTheBoxOfTheRoundedPoints) {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    Box box;
+    Aabb<float> rounded;
+    for (int k = 0; k < 5; ++k) {
+      const Vec3d point = random.decade(-4, 4) * random.unit_vector();
+      box.include(point);
+      rounded.include(Vec3f(point.cast<float>()));
+    }
+    EXPECT_EQ(box.cast<float>(), rounded);
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::test
