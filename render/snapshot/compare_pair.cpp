@@ -77,6 +77,7 @@ void compare_manifolds(const trace::Pair& expected, const trace::Pair& actual,
     Changes changes(which, tolerance);
     changes.direction("normal ", before.normal, after.normal);
     changes.exact("axis ", before.axis, after.axis);
+    changes.exact("type ", before.type, after.type);
     changes.exact("triangle ", expected_keys[i], actual_keys[j]);
     changes.tell(parts);
     compare_points(which + "point", before.points, after.points, tolerance, parts);
@@ -173,6 +174,12 @@ std::vector<std::string> compare_pair(const trace::Pair& expected, const trace::
   if (state_changed) pair.tell(parts);
   compare_manifolds(expected, actual, tolerance, parts);
   if (!state_changed) pair.tell(parts);
+  if (both_there("degenerate", expected.degenerate, actual.degenerate, parts)) {
+    Changes changes("degenerate: ", tolerance);
+    changes.exact("geometry ", expected.degenerate->geometry, actual.degenerate->geometry);
+    changes.exact("answer ", expected.degenerate->answer, actual.degenerate->answer);
+    changes.tell(parts);
+  }
   if (both_there("sat", expected.sat, actual.sat, parts)) {
     compare_sat(*expected.sat, *actual.sat, tolerance, parts);
   }

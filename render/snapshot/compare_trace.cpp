@@ -29,6 +29,12 @@ double largest_coordinate(const std::vector<Vec3d>& points) {
   return largest;
 }
 
+/// Largest local coordinate of a shape. A plane reaches everywhere; what rounds there is its offset.
+double extent(const trace::Shape& shape) {
+  if (shape.half_space) return std::abs(shape.half_space->offset);
+  return largest_coordinate(shape.vertices) + shape.radius;
+}
+
 /// What tolerances are derived from: the expected trace alone, so that nothing wild in the actual
 /// one can excuse itself.
 class Scale {
@@ -36,7 +42,7 @@ class Scale {
   explicit Scale(const trace::Header& header)
       : ulp_(std::ldexp(1.0, header.scalar == "double" ? -52 : -23)) {
     for (const trace::Shape& shape : header.shapes) {
-      extents_[shape.name] = largest_coordinate(shape.vertices);
+      extents_[shape.name] = extent(shape);
     }
   }
 
@@ -128,6 +134,12 @@ Parts compare_shape(const trace::Shape& expected, const trace::Shape& actual,
   changes.exact("type ", expected.type, actual.type);
   changes.vertices(expected.vertices, actual.vertices);
   changes.position("centre of mass ", expected.center_of_mass, actual.center_of_mass);
+  changes.length("radius ", expected.radius, actual.radius);
+  const trace::HalfSpace none{Vec3d::Zero(), 0};
+  const trace::HalfSpace before = expected.half_space.value_or(none);
+  const trace::HalfSpace after = actual.half_space.value_or(none);
+  changes.direction("normal ", before.normal, after.normal);
+  changes.length("offset ", before.offset, after.offset);
   for (const std::string& difference : {first_difference("face", expected.faces, actual.faces),
                                         first_difference("edge", expected.edges, actual.edges)}) {
     if (!difference.empty()) changes.add(difference);

@@ -1,6 +1,7 @@
 #include "app/catalogue.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -110,6 +111,10 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     if (options.frames && options.frames->select(scenario.frames).empty()) {
       throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
                        std::to_string(scenario.frames - 1));
+    }
+    if (!options.quiet) {
+      for (const std::string& warning : scenario.warnings)
+        std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), warning.c_str());
     }
     scenarios.push_back(std::move(scenario));
   }

@@ -3,8 +3,9 @@
 namespace contactscope {
 
 std::string to_string(const FeatureId& id) {
-  const auto spell = [](const EdgeRef& ref) {
-    return std::string(ref.owner == Owner::A ? "a" : "b") + ":e" + std::to_string(ref.edge);
+  const auto spell = [](const FeatureRef& ref) {
+    const char kind = "vef"[static_cast<int>(ref.kind)];
+    return std::string(ref.owner == Owner::A ? "a:" : "b:") + kind + std::to_string(ref.index);
   };
   return spell(id.first) + " " + spell(id.second);
 }

@@ -12,34 +12,57 @@ constexpr Owner other(Owner owner) {
   return owner == Owner::A ? Owner::B : Owner::A;
 }
 
-/// One edge of one shape. `edge` is the undirected edge, half-edge index / 2.
-struct EdgeRef {
-  Owner owner = Owner::A;
-  std::uint32_t edge = 0;
+enum class FeatureKind : std::uint8_t { Vertex = 0, Edge = 1, Face = 2 };
 
-  friend constexpr auto operator<=>(const EdgeRef&, const EdgeRef&) = default;
+/// One feature of one shape; an edge unless a kind is named. An edge is undirected: half-edge
+/// index / 2. A sphere is the vertex 0; a capsule has the vertices 0 and 1 and the edge 0 between
+/// them; of a mesh triangle features count within the triangle, and its face is the triangle; a
+/// plane is the face 0.
+struct FeatureRef {
+  Owner owner = Owner::A;
+  FeatureKind kind = FeatureKind::Edge;
+  std::uint32_t index = 0;
+
+  constexpr FeatureRef() = default;
+  constexpr FeatureRef(Owner of, std::uint32_t edge) : owner(of), index(edge) {}
+  constexpr FeatureRef(Owner of, FeatureKind feature, std::uint32_t number)
+      : owner(of), kind(feature), index(number) {}
+
+  friend constexpr auto operator<=>(const FeatureRef&, const FeatureRef&) = default;
 };
 
-/// Contact id: the two edges whose crossing made the point (Catto 2007, "Feature-Based Contact
-/// Points"). Kept sorted, A before B and then by edge, so that the same crossing has the same id
-/// whichever shape was the reference.
-struct FeatureId {
-  EdgeRef first;
-  EdgeRef second;
+constexpr FeatureRef vertex_ref(Owner owner, int vertex) {
+  return {owner, FeatureKind::Vertex, static_cast<std::uint32_t>(vertex)};
+}
+constexpr FeatureRef edge_ref(Owner owner, int edge) {
+  return {owner, FeatureKind::Edge, static_cast<std::uint32_t>(edge)};
+}
+constexpr FeatureRef face_ref(Owner owner, int face) {
+  return {owner, FeatureKind::Face, static_cast<std::uint32_t>(face)};
+}
 
-  static constexpr FeatureId of(EdgeRef one, EdgeRef two) {
+/// Contact id: the two features that made the point. Where hulls are clipped, these are the two
+/// edges whose crossing it is (Catto 2007, "Feature-Based Contact Points"); where closest points
+/// touch, the feature of each shape that they lie on. Kept sorted, A before B and then by kind and
+/// index, so that the same crossing has the same id whichever shape was the reference.
+struct FeatureId {
+  FeatureRef first;
+  FeatureRef second;
+
+  static constexpr FeatureId of(FeatureRef one, FeatureRef two) {
     return one < two ? FeatureId{one, two} : FeatureId{two, one};
   }
 
   /// The id of the same point when the shapes trade places.
   constexpr FeatureId flipped() const {
-    return of({other(first.owner), first.edge}, {other(second.owner), second.edge});
+    return of({other(first.owner), first.kind, first.index},
+              {other(second.owner), second.kind, second.index});
   }
 
   friend constexpr auto operator<=>(const FeatureId&, const FeatureId&) = default;
 };
 
-/// "a:e3 b:e7", as traces spell it.
+/// "a:e3 b:e7", "a:v0 b:f2", as traces spell it: v vertex, e edge, f face.
 std::string to_string(const FeatureId& id);
 
 }  // namespace contactscope

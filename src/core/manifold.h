@@ -21,10 +21,11 @@ struct ContactPoint {
   FeatureId id;
 };
 
-/// Which axis of the separating axis test made the manifold.
-enum class AxisKind { FaceA, FaceB, EdgeEdge };
+/// What made the normal: an axis of the separating axis test, or the closest points of two shapes
+/// whose cores are apart (Gregorius 2015, "Shallow Contact" and "Deep Contact").
+enum class AxisKind { FaceA, FaceB, EdgeEdge, ClosestPoints };
 
-/// "face_a", "face_b", "edge_edge", as traces spell it.
+/// "face_a", "face_b", "edge_edge", "closest_points", as traces spell it.
 constexpr const char* to_string(AxisKind kind) {
   switch (kind) {
     case AxisKind::FaceA:
@@ -33,16 +34,59 @@ constexpr const char* to_string(AxisKind kind) {
       return "face_b";
     case AxisKind::EdgeEdge:
       return "edge_edge";
+    case AxisKind::ClosestPoints:
+      return "closest_points";
   }
   return "?";
 }
 
+/// The same axis when the shapes trade places.
+constexpr AxisKind mirrored(AxisKind kind) {
+  if (kind == AxisKind::FaceA) return AxisKind::FaceB;
+  if (kind == AxisKind::FaceB) return AxisKind::FaceA;
+  return kind;
+}
+
+/// Which features of the two shapes touch, the simpler one first (lecture on contact generation,
+/// "Contact types"). The points of a round shape are its centre or the ends of its axis, its edge
+/// is that axis.
+enum class ContactType { PointPoint, PointEdge, PointFace, EdgeEdge, EdgeFace, FaceFace };
+
+/// "point-face", as traces spell it.
+constexpr const char* to_string(ContactType type) {
+  constexpr const char* kNames[] = {"point-point", "point-edge", "point-face",
+                                    "edge-edge",   "edge-face",  "face-face"};
+  return kNames[static_cast<int>(type)];
+}
+
+/// The type of a contact between two features.
+constexpr ContactType contact_type(FeatureKind one, FeatureKind two) {
+  const FeatureKind low = one < two ? one : two;
+  const FeatureKind high = one < two ? two : one;
+  if (low == FeatureKind::Vertex) {
+    if (high == FeatureKind::Vertex) return ContactType::PointPoint;
+    return high == FeatureKind::Edge ? ContactType::PointEdge : ContactType::PointFace;
+  }
+  if (low == FeatureKind::Face) return ContactType::FaceFace;
+  return high == FeatureKind::Edge ? ContactType::EdgeEdge : ContactType::EdgeFace;
+}
+
+/// The type of a contact made by clipping against a face that gave `points` points, before they are
+/// reduced.
+constexpr ContactType face_contact_type(std::size_t points) {
+  if (points == 1) return ContactType::PointFace;
+  return points == 2 ? ContactType::EdgeFace : ContactType::FaceFace;
+}
+
 /// Gregorius 2015, "Contact Manifolds": contact points that share a normal. Empty when the shapes
-/// are apart by more than the margin, never empty when they overlap.
+/// are apart by more than the margin, never empty when they overlap, unless the geometry is
+/// degenerate and the options say to skip it.
 template <class S>
 struct Manifold {
   Vec3<S> normal = Vec3<S>::Zero();  // world, unit, from A to B
   AxisKind axis = AxisKind::FaceA;
+  ContactType type = ContactType::FaceFace;
+  int triangle = -1;  // of a mesh, that the manifold belongs to; -1: neither shape is a mesh
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;
 };
 

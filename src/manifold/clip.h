@@ -7,7 +7,7 @@
 
 namespace contactscope {
 
-/// EdgeRef in one word, in the same order. Clipping copies corners about; an EdgeRef that is
+/// FeatureRef in one word, in the same order. Clipping copies corners about; an FeatureRef that is
 /// written as a byte and an int and read back as eight bytes stalls the processor each time.
 enum class EdgeKey : std::uint32_t {};
 
@@ -16,7 +16,7 @@ constexpr EdgeKey edge_key(Owner owner, int half_edge) {
   return static_cast<EdgeKey>((owner == Owner::B ? 0x80000000u : 0u) | edge);
 }
 
-constexpr EdgeRef edge_ref(EdgeKey key) {
+constexpr FeatureRef edge_ref(EdgeKey key) {
   const auto word = static_cast<std::uint32_t>(key);
   return {word >> 31 != 0 ? Owner::B : Owner::A, word & 0x7fffffffu};
 }

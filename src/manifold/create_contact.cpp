@@ -1,6 +1,7 @@
 #include "manifold/create_contact.h"
 
 #include "manifold/edge_contact.h"
+#include "manifold/face_contact.h"
 #include "manifold/recorder.h"
 #include "query/tolerance.h"
 #ifndef CONTACTSCOPE_WITHOUT_RECORDER
@@ -32,16 +33,16 @@ S face_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin, Cont
 
 template <class S>
 void edge_contact(const HullPair<S>& pair, const SatResult<S>& axes, Contact<S>& contact) {
+  contact.type = ContactType::EdgeEdge;
   contact.normal = axes.edge.normal;
   contact.points.clear();
   contact.points.push_back(create_edge_contact(pair, axes.edge));
 }
 
-}  // namespace
-
+/// The contact of the chosen axis; leaves the type of a face contact open.
 template <class S, class Recorder>
-void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
-                    Preference preference, Contact<S>& contact, Recorder& recorder) {
+void contact_of_axis(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
+                     Preference preference, Contact<S>& contact, Recorder& recorder) {
   contact.axis = axes.chosen;
   if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
 
@@ -64,6 +65,15 @@ void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
   const ContactPoint<S> support =
       support_contact(pair, on_a ? Owner::A : Owner::B, on_a ? axes.face_a : axes.face_b, recorder);
   if (contact.points.size() < contact.points.capacity()) contact.points.push_back(support);
+}
+
+}  // namespace
+
+template <class S, class Recorder>
+void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
+                    Preference preference, Contact<S>& contact, Recorder& recorder) {
+  contact_of_axis(pair, axes, margin, preference, contact, recorder);
+  if (contact.axis != AxisKind::EdgeEdge) contact.type = face_contact_type(contact.points.size());
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \

@@ -1,19 +1,10 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "core/preference.h"
-#include "manifold/face_contact.h"
+#include "manifold/contact.h"
 #include "query/sat.h"
 
 namespace contactscope {
-
-/// What one axis makes, in A's frame.
-template <class S>
-struct Contact {
-  AxisKind axis = AxisKind::FaceA;
-  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
-  PointSet<S> points;
-};
 
 /// Gregorius 2015, "Hull vs Hull: Contact Creation": a face contact or an edge contact from the
 /// axis that the separating axis test chose. `axes` must be touching.

@@ -33,8 +33,8 @@ template <class S>
 ContactPoint<S> create_edge_contact(const HullPair<S>& pair, const EdgeQuery<S>& query) {
   const ClosestPoints<S> closest = closest_points(pair, query);
   const Vec3<S> middle = S(0.5) * (closest.on_a + closest.on_b);
-  const EdgeRef edge_a{Owner::A, static_cast<std::uint32_t>(query.edge_a / 2)};
-  const EdgeRef edge_b{Owner::B, static_cast<std::uint32_t>(query.edge_b / 2)};
+  const FeatureRef edge_a{Owner::A, static_cast<std::uint32_t>(query.edge_a / 2)};
+  const FeatureRef edge_b{Owner::B, static_cast<std::uint32_t>(query.edge_b / 2)};
   return {middle, query.separation, FeatureId::of(edge_a, edge_b)};
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
 #include "manifold/clip.h"
+#include "manifold/contact.h"
 #include "query/sat.h"
 
 namespace contactscope {
-
-/// Contact points while they are worked on: as in Manifold, but positions in A's frame.
-template <class S>
-using PointSet = StaticVector<ContactPoint<S>, kMaxManifoldPoints>;
 
 /// The face of `hull` that is most anti-parallel to `reference_normal`, among those that meet at
 /// its vertex `support`, the deepest below the reference face. The talk looks through all faces.

@@ -4,6 +4,7 @@
 #include "core/plane.h"
 #include "core/preference.h"
 #include "manifold/clip.h"
+#include "manifold/collide_options.h"
 #include "query/sat.h"
 #include "reduce/reducer.h"
 
@@ -26,6 +27,8 @@ struct NoRecorder {
   void clip_abandoned() {}
   void contact_axis(AxisKind) {}
   void reduction(std::span<const ContactPoint<S>>, const Vec3<S>&, int, const KeptIndices&) {}
+  void degenerate(const char*, Degenerate) {}
+  void separation(S) {}
   void manifold(const Manifold<S>&) {}
 };
 

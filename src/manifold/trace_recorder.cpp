@@ -11,20 +11,6 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-trace::Point trace_point(const ContactPoint<S>& point) {
-  return {point.position.template cast<double>(), static_cast<double>(point.separation),
-          to_string(point.id)};
-}
-
-template <class S>
-std::vector<trace::Point> trace_points(std::span<const ContactPoint<S>> points) {
-  std::vector<trace::Point> result;
-  result.reserve(points.size());
-  for (const ContactPoint<S>& point : points) result.push_back(trace_point(point));
-  return result;
-}
-
 /// The pipeline leaves out edge pairs that cannot beat the faces. A picture of the test shows the
 /// best of each query, so for the record the query runs again without that floor.
 template <class S>
@@ -58,10 +44,15 @@ void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, 
 
 template <class S>
 TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name,
-                                const trace::Stages& stages, trace::Pair& pair)
-    : to_world_(to_world), reducer_name_(reducer_name), stages_(stages), pair_(pair) {
-  pair_.kind = "hull-hull";
+                                const trace::Stages& stages, bool mirrored, trace::Pair& pair)
+    : to_world_(to_world),
+      reducer_name_(reducer_name),
+      stages_(stages),
+      mirrored_(mirrored),
+      pair_(pair) {
+  pair_.state = "separated";
   pair_.manifolds.clear();
+  pair_.degenerate.reset();
   pair_.sat.reset();
   pair_.clip.reset();
   pair_.reduction.reset();
@@ -78,6 +69,31 @@ Vec3d TraceRecorder<S>::direction(const Vec3<S>& in_a) const {
 }
 
 template <class S>
+Vec3d TraceRecorder<S>::normal(const Vec3<S>& in_a) const {
+  return mirrored_ ? Vec3d(-direction(in_a)) : direction(in_a);
+}
+
+template <class S>
+const std::string& TraceRecorder<S>::name(Owner owner) const {
+  return (owner == Owner::A) != mirrored_ ? pair_.a : pair_.b;
+}
+
+template <class S>
+trace::Point TraceRecorder<S>::trace_point(const ContactPoint<S>& in_world) const {
+  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
+          to_string(mirrored_ ? in_world.id.flipped() : in_world.id)};
+}
+
+template <class S>
+std::vector<trace::Point> TraceRecorder<S>::trace_points(
+    std::span<const ContactPoint<S>> in_world) const {
+  std::vector<trace::Point> result;
+  result.reserve(in_world.size());
+  for (const ContactPoint<S>& point : in_world) result.push_back(trace_point(point));
+  return result;
+}
+
+template <class S>
 trace::Polygon TraceRecorder<S>::polygon(const ClipPolygon<S>& in_a) const {
   trace::Polygon result;
   result.reserve(in_a.size());
@@ -88,29 +104,33 @@ trace::Polygon TraceRecorder<S>::polygon(const ClipPolygon<S>& in_a) const {
 template <class S>
 void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
                             Preference preference) {
-  axis_separation_ = axes.separation(axes.chosen);
   if (!stages_.sat) return;
   trace::Sat& sat = pair_.sat.emplace();
-  sat.chosen = to_string(axes.chosen);
+  sat.chosen = to_string(told(axes.chosen));
   sat.preference = to_string(preference);
   if (axes.queries_run >= 1) {
     const FaceQuery<S>& query = axes.face_a;
-    sat.face_a =
-        trace::FaceAxis{query.face, query.separation, direction(pair.a.normals[query.face]),
+    (mirrored_ ? sat.face_b : sat.face_a) =
+        trace::FaceAxis{query.face, query.separation, normal(pair.a.normals[query.face]),
                         point(pair.b.vertices[query.support])};
   }
   if (axes.queries_run >= 2) {
     const FaceQuery<S>& query = axes.face_b;
-    sat.face_b = trace::FaceAxis{query.face, query.separation,
-                                 direction(Vec3<S>(-pair.b.normals[query.face])),
-                                 point(pair.a.vertices[query.support])};
+    (mirrored_ ? sat.face_a : sat.face_b) =
+        trace::FaceAxis{query.face, query.separation, normal(Vec3<S>(-pair.b.normals[query.face])),
+                        point(pair.a.vertices[query.support])};
   }
   if (axes.queries_run >= 3) {
     const EdgeQuery<S> query = best_edges(pair, axes, preference);
     if (query.edge_a < 0) return;
     const ClosestPoints<S> closest = closest_points(pair, query);
-    sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
-                               direction(query.normal), point(closest.on_a), point(closest.on_b)};
+    trace::EdgeAxis& edge = sat.edge.emplace();
+    edge = {query.edge_a / 2,     query.edge_b / 2,    query.separation,
+            normal(query.normal), point(closest.on_a), point(closest.on_b)};
+    if (mirrored_) {
+      std::swap(edge.a, edge.b);
+      std::swap(edge.point_a, edge.point_b);
+    }
   }
 }
 
@@ -123,9 +143,9 @@ void TraceRecorder<S>::clip_begins(const HullPair<S>& pair, Owner reference, int
   const PlacedHull<S>& hull = on_a ? pair.a : pair.b;
   const PlacedHull<S>& other_hull = on_a ? pair.b : pair.a;
   trace::Clip& clip = pair_.clip.emplace();
-  clip.reference = {on_a ? pair_.a : pair_.b, reference_face,
-                    direction(hull.normals[reference_face]), polygon(reference_polygon)};
-  clip.incident = {on_a ? pair_.b : pair_.a, incident_face,
+  clip.reference = {name(reference), reference_face, direction(hull.normals[reference_face]),
+                    polygon(reference_polygon)};
+  clip.incident = {name(other(reference)), incident_face,
                    direction(other_hull.normals[incident_face]), polygon(incident_polygon)};
 }
 
@@ -148,7 +168,7 @@ void TraceRecorder<S>::clip_abandoned() {
 
 template <class S>
 void TraceRecorder<S>::contact_axis(AxisKind kind) {
-  if (stages_.sat) pair_.sat->chosen = to_string(kind);
+  if (stages_.sat) pair_.sat->chosen = to_string(told(kind));
 }
 
 template <class S>
@@ -168,16 +188,27 @@ void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const 
 }
 
 template <class S>
-void TraceRecorder<S>::manifold(const Manifold<S>& result) {
-  pair_.state = result.points.empty() ? "separated" : "touching";
-  pair_.separation = axis_separation_;
-  if (result.points.empty()) return;
+void TraceRecorder<S>::degenerate(const char* geometry, Degenerate answer) {
+  pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
+}
 
+template <class S>
+void TraceRecorder<S>::separation(S separation) {
+  pair_.separation = separation;
+}
+
+template <class S>
+void TraceRecorder<S>::manifold(const Manifold<S>& result) {
+  // Of several manifolds, a mesh's, the deepest point stands for the pair.
+  if (pair_.manifolds.empty()) pair_.separation = std::numeric_limits<double>::infinity();
+  pair_.state = "touching";
   trace::Manifold& manifold = pair_.manifolds.emplace_back();
   manifold.normal = result.normal.template cast<double>();
-  manifold.axis = to_string(result.axis);
+  if (mirrored_) manifold.normal = -manifold.normal;
+  manifold.axis = to_string(told(result.axis));
+  manifold.type = to_string(result.type);
+  if (result.triangle >= 0) manifold.triangle = result.triangle;
   manifold.points = trace_points(std::span<const ContactPoint<S>>(result.points));
-  pair_.separation = std::numeric_limits<double>::infinity();
   for (const trace::Point& kept : manifold.points) {
     pair_.separation = std::min(pair_.separation, kept.separation);
   }

@@ -7,15 +7,17 @@
 namespace contactscope {
 
 /// Writes what each stage decided into a trace::Pair: from A's frame to the world in the pipeline's
-/// own scalar, then exactly to double.
+/// own scalar, then exactly to double. A mirrored record is told as if the shapes had been given
+/// the other way round.
 template <class S>
 class TraceRecorder {
  public:
   static constexpr bool kRecords = true;
 
-  /// `pair` must outlive this; its names of the shapes are set already. Stages are emptied.
+  /// `pair` must outlive this; its names of the shapes are set already, in the order of the record.
+  /// Stages are emptied.
   TraceRecorder(const ToWorld<S>& to_world, const char* reducer_name, const trace::Stages& stages,
-                trace::Pair& pair);
+                bool mirrored, trace::Pair& pair);
 
   void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
   void clip_begins(const HullPair<S>& pair, Owner reference, int reference_face, int incident_face,
@@ -30,19 +32,29 @@ class TraceRecorder {
   /// `points` and `normal` in the world.
   void reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal, int max_points,
                  const KeptIndices& kept);
-  /// The result, in the world; also decides the state.
+  /// The geometry had no normal of its own; what was done about it.
+  void degenerate(const char* geometry, Degenerate answer);
+  /// Of the pair, metres: what stands in the record when no point does.
+  void separation(S separation);
+  /// A result, in the world; also decides the state.
   void manifold(const Manifold<S>& result);
 
  private:
   Vec3d point(const Vec3<S>& in_a) const;
   Vec3d direction(const Vec3<S>& in_a) const;
+  /// From the record's a to its b.
+  Vec3d normal(const Vec3<S>& in_a) const;
+  const std::string& name(Owner owner) const;
+  AxisKind told(AxisKind kind) const { return mirrored_ ? contactscope::mirrored(kind) : kind; }
+  trace::Point trace_point(const ContactPoint<S>& in_world) const;
+  std::vector<trace::Point> trace_points(std::span<const ContactPoint<S>> in_world) const;
   trace::Polygon polygon(const ClipPolygon<S>& in_a) const;
 
   ToWorld<S> to_world_;
   const char* reducer_name_;
   trace::Stages stages_;
+  bool mirrored_;
   trace::Pair& pair_;
-  double axis_separation_ = 0;
 };
 
 }  // namespace contactscope

@@ -66,10 +66,9 @@ struct SatResult {
         return face_a.separation;
       case AxisKind::FaceB:
         return face_b.separation;
-      case AxisKind::EdgeEdge:
-        break;
+      default:
+        return edge.separation;
     }
-    return edge.separation;
   }
 };
 

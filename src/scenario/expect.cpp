@@ -72,6 +72,11 @@ std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& p
                           spell(direction.normal) + " (tolerance " + spell(expected.tolerance) +
                           ")");
   }
+  if (expected.type && pair.manifolds.empty())
+    sentences.push_back("expected type " + *expected.type + ", got none");
+  for (const trace::Manifold& manifold : pair.manifolds)
+    if (expected.type && manifold.type != *expected.type)
+      sentences.push_back("expected type " + *expected.type + ", got " + manifold.type);
   if (expected.separation &&
       !(std::abs(pair.separation - *expected.separation) <= expected.tolerance))
     sentences.push_back("expected separation " + spell(*expected.separation) + " m, got " +

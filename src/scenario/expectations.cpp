@@ -42,8 +42,8 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
 }
 
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
-  const Table table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "normal",
-                                   "separation", "tolerance"});
+  const Table table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "type",
+                                   "normal", "separation", "tolerance"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -76,7 +76,11 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
           "'points' contradicts 'state'; a touching pair has points, a separated has none");
   }
   if (const auto axis = table.find("axis"))
-    expectation.axis = axis->one_of({"face_a", "face_b", "edge_edge"}, "axis");
+    expectation.axis = axis->one_of({"face_a", "face_b", "edge_edge", "closest_points"}, "axis");
+  if (const auto type = table.find("type"))
+    expectation.type = type->one_of(
+        {"point-point", "point-edge", "point-face", "edge-edge", "edge-face", "face-face"},
+        "contact type");
   if (const auto normal = table.find("normal")) {
     expectation.normal = normal->vector3();
     // Loose enough for three written digits; a vector that was never normalised is far off.
@@ -88,9 +92,9 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     expectation.separation = separation->number("metres");
   if (const auto tolerance = table.find("tolerance"))
     expectation.tolerance = tolerance->not_negative("metres");
-  if (!expectation.state && !expectation.points && !expectation.axis && !expectation.normal &&
-      !expectation.separation)
-    value.fail("this entry expects nothing; add state, points, axis, normal or separation");
+  if (!expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
+      !expectation.normal && !expectation.separation)
+    value.fail("this entry expects nothing; add state, points, axis, type, normal or separation");
   return expectation;
 }
 

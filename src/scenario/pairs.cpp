@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "manifold/dispatch.h"
 #include "reduce/reducer.h"
 #include "scenario/placement.h"
 
@@ -42,14 +43,18 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
     settings.preference = preference->one_of({"relative", "none"}, "preference") == "none"
                               ? Preference::None
                               : Preference::Relative;
+  if (const auto degenerate = table.find("degenerate"))
+    settings.degenerate = degenerate->one_of({"fallback", "skip"}, "answer") == "skip"
+                              ? Degenerate::Skip
+                              : Degenerate::Fallback;
   return settings;
 }
 
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Table table =
-      value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference"});
+  const Table table = value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache",
+                                   "preference", "degenerate"});
   PipelineSettings settings;
   if (const auto scalar = table.find("scalar"))
     settings.scalar =
@@ -82,7 +87,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
     const Table table = item.table({"a", "b", "label", "scalar", "manifold", "reducer",
-                                    "max_points", "margin", "cache", "preference"});
+                                    "max_points", "margin", "cache", "preference", "degenerate"});
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");
@@ -110,6 +115,22 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
   for (int a = 0; a < shape_count; ++a)
     for (int b = a + 1; b < shape_count; ++b) pairs.push_back({a, b, "", settings});
   return pairs;
+}
+
+std::vector<std::string> pairs_without_contact(const std::vector<ScenarioPair>& pairs,
+                                               const std::vector<ScenarioShape>& shapes) {
+  std::vector<std::string> sentences;
+  std::set<std::string> told;
+  for (const ScenarioPair& pair : pairs) {
+    const ScenarioShape& a = shapes[static_cast<std::size_t>(pair.a)];
+    const ScenarioShape& b = shapes[static_cast<std::size_t>(pair.b)];
+    if (can_collide(kind_of(*a.geometry), kind_of(*b.geometry))) continue;
+    const std::string kind = pair_kind(*a.geometry, *b.geometry);
+    if (!told.insert(kind).second) continue;
+    sentences.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " + kind +
+                        " pairs are not collided; leave them out of [[pairs]], or use other types");
+  }
+  return sentences;
 }
 
 }  // namespace contactscope::scenario_file

@@ -18,6 +18,10 @@ std::vector<ScenarioPair> read_pairs(const toml_reader::Value& value,
                                      const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings);
 
+/// One sentence for each two kinds of shapes that are paired and make no contacts.
+std::vector<std::string> pairs_without_contact(const std::vector<ScenarioPair>& pairs,
+                                               const std::vector<ScenarioShape>& shapes);
+
 /// Every pair of `shapes` in file order, each with `settings`. More than kMaxPairs throw, at `at`.
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings,

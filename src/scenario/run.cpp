@@ -1,19 +1,21 @@
 #include "scenario/run.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/feature_id.h"
-#include "manifold/collide_hull_hull.h"
+#include "manifold/dispatch.h"
 
 namespace contactscope {
 namespace {
 
 template <class S>
-std::vector<Hull<S>> rounded_hulls(const Scenario& scenario) {
-  std::vector<Hull<S>> hulls;
-  hulls.reserve(scenario.shapes.size());
-  for (const ScenarioShape& shape : scenario.shapes) hulls.push_back(hull_cast<S>(*shape.hull));
-  return hulls;
+std::vector<Shape<S>> rounded_shapes(const Scenario& scenario) {
+  std::vector<Shape<S>> shapes;
+  shapes.reserve(scenario.shapes.size());
+  for (const ScenarioShape& shape : scenario.shapes)
+    shapes.push_back(shape_cast<S>(*shape.geometry));
+  return shapes;
 }
 
 template <class S>
@@ -21,6 +23,7 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
   CollideOptions<S> options;
   options.margin = static_cast<S>(settings.margin);
   options.preference = settings.preference;
+  options.degenerate = settings.degenerate;
   options.reducer = find_reducer<S>(settings.reducer);
   options.reduction.max_points = settings.max_points;
   return options;
@@ -28,18 +31,22 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
 
 /// What an engine that records nothing still knows of a pair.
 template <class S>
-void keep_manifold(const Manifold<S>& manifold, trace::Pair& pair) {
-  pair.kind = "hull-hull";
-  pair.state = manifold.points.empty() ? "separated" : "touching";
-  if (manifold.points.empty()) return;
-  trace::Manifold kept;
-  kept.normal = manifold.normal.template cast<double>();
-  kept.axis = to_string(manifold.axis);
-  for (const ContactPoint<S>& point : manifold.points)
-    kept.points.push_back({point.position.template cast<double>(),
-                           static_cast<double>(point.separation), to_string(point.id)});
-  pair.separation = std::ranges::min(kept.points, {}, &trace::Point::separation).separation;
-  pair.manifolds.push_back(std::move(kept));
+void keep_manifolds(const Manifolds<S>& manifolds, trace::Pair& pair) {
+  pair.state = manifolds.empty() ? "separated" : "touching";
+  if (manifolds.empty()) return;
+  pair.separation = std::numeric_limits<double>::infinity();
+  for (const Manifold<S>& manifold : manifolds) {
+    trace::Manifold& kept = pair.manifolds.emplace_back();
+    kept.normal = manifold.normal.template cast<double>();
+    kept.axis = to_string(manifold.axis);
+    kept.type = to_string(manifold.type);
+    if (manifold.triangle >= 0) kept.triangle = manifold.triangle;
+    for (const ContactPoint<S>& point : manifold.points) {
+      kept.points.push_back({point.position.template cast<double>(),
+                             static_cast<double>(point.separation), to_string(point.id)});
+      pair.separation = std::min(pair.separation, kept.points.back().separation);
+    }
+  }
 }
 
 bool remembers(const std::string& reducer) {
@@ -48,10 +55,22 @@ bool remembers(const std::string& reducer) {
 }
 
 template <class S>
-trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
-  trace::Shape traced;
-  traced.name = shape.name;
-  traced.type = shape.type;
+void describe(const Sphere<S>& sphere, trace::Shape& traced) {
+  traced.vertices = {Vec3d::Zero()};
+  traced.radius = sphere.radius;
+}
+
+template <class S>
+void describe(const Capsule<S>& capsule, trace::Shape& traced) {
+  for (const Vec3<S>& point : capsule.points)
+    traced.vertices.push_back(point.template cast<double>());
+  traced.edges = {{0, 1}};
+  traced.radius = capsule.radius;
+  traced.center_of_mass = 0.5 * (traced.vertices[0] + traced.vertices[1]);
+}
+
+template <class S>
+void describe(const Hull<S>& hull, trace::Shape& traced) {
   for (const Vec3<S>& vertex : hull.vertices)
     traced.vertices.push_back(vertex.template cast<double>());
   for (int face = 0; face < hull.face_count(); ++face)
@@ -59,6 +78,20 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
   for (std::size_t edge = 0; edge < hull.half_edges.size(); edge += 2)
     traced.edges.push_back({hull.half_edges[edge].origin, hull.half_edges[edge + 1].origin});
   traced.center_of_mass = hull.centroid.template cast<double>();
+}
+
+template <class S>
+void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
+  const Plane<double> plane = half_space.plane.template cast<double>();
+  traced.half_space = trace::HalfSpace{plane.normal, plane.offset};
+}
+
+template <class S>
+trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
+  trace::Shape traced;
+  traced.name = shape.name;
+  traced.type = shape.type;
+  std::visit([&](const auto& kind) { describe(kind, traced); }, rounded);
   return traced;
 }
 
@@ -67,9 +100,9 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Hull<S>& hull) {
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
     : scenario_(&scenario), stages_(stages), memories_(scenario.pairs.size()) {
   if (scenario.scalar == Scalar::Double)
-    hulls_ = rounded_hulls<double>(scenario);
+    shapes_ = rounded_shapes<double>(scenario);
   else
-    hulls_ = rounded_hulls<float>(scenario);
+    shapes_ = rounded_shapes<float>(scenario);
 }
 
 trace::Header Runner::header() const {
@@ -81,18 +114,42 @@ trace::Header Runner::header() const {
   header.up = scenario_->up;
   header.frames = scenario_->frames;
   std::visit(
-      [&](const auto& hulls) {
-        for (std::size_t i = 0; i < hulls.size(); ++i)
-          header.shapes.push_back(traced_shape(scenario_->shapes[i], hulls[i]));
+      [&](const auto& shapes) {
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+          header.shapes.push_back(traced_shape(scenario_->shapes[i], shapes[i]));
       },
-      hulls_);
+      shapes_);
   return header;
+}
+
+/// One pair at a time in seconds, written into `record` where there is one. Whichever shape a file
+/// names first as `a`, the earlier of its shapes is A for the pipeline: then trading a and b mirrors
+/// every result.
+template <class S>
+Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
+                                  double time, const CollideOptions<S>& options,
+                                  trace::Pair* record) const {
+  const bool mirrored = pair.a > pair.b;
+  const auto a = static_cast<std::size_t>(std::min(pair.a, pair.b));
+  const auto b = static_cast<std::size_t>(std::max(pair.a, pair.b));
+  const Pose<S> pose_a = pose_at(scenario_->shapes[a], time).template cast<S>();
+  const Pose<S> pose_b = pose_at(scenario_->shapes[b], time).template cast<S>();
+  Manifolds<S> manifolds;
+  if (record == nullptr) {
+    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds);
+  } else {
+    const Recording recording{pair.pipeline.reducer.c_str(), stages_, mirrored};
+    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, recording, *record);
+  }
+  if (!mirrored) return manifolds;
+  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+  return manifolds;
 }
 
 /// Ids that the reducer of a pair kept in the frame before; none in frame 0, after a frame without
 /// contact, and where the reducer has no use for them.
 template <class S>
-std::vector<FeatureId> Runner::kept_before(const std::vector<Hull<S>>& hulls, std::size_t pair,
+std::vector<FeatureId> Runner::kept_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
                                            int frame) const {
   const ScenarioPair& facts = scenario_->pairs[pair];
   if (frame == 0 || !remembers(facts.pipeline.reducer)) return {};
@@ -104,16 +161,13 @@ std::vector<FeatureId> Runner::kept_before(const std::vector<Hull<S>>& hulls, st
   }
   while (memory.frame < frame - 1) {
     ++memory.frame;
-    const double time = memory.frame * scenario_->dt;
-    const auto a = static_cast<std::size_t>(facts.a);
-    const auto b = static_cast<std::size_t>(facts.b);
     CollideOptions<S> options = options_of<S>(facts.pipeline);
     options.reduction.previous = memory.kept;
-    const Manifold<S> manifold = collide_hull_hull(
-        hulls[a], pose_at(scenario_->shapes[a], time).template cast<S>(), hulls[b],
-        pose_at(scenario_->shapes[b], time).template cast<S>(), options);
+    const Manifolds<S> manifolds =
+        collide_pair(shapes, facts, memory.frame * scenario_->dt, options, nullptr);
     memory.kept.clear();
-    for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+    for (const Manifold<S>& manifold : manifolds)
+      for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
   }
   memory.settings = facts.pipeline;
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -122,42 +176,41 @@ std::vector<FeatureId> Runner::kept_before(const std::vector<Hull<S>>& hulls, st
 }
 
 template <class S>
-trace::Frame Runner::run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const {
+trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const {
   trace::Frame result;
   result.frame = frame;
   result.time = frame * scenario_->dt;
-  std::vector<Pose<S>> poses;
   for (const ScenarioShape& shape : scenario_->shapes) {
-    poses.push_back(pose_at(shape, result.time).template cast<S>());
-    result.poses.emplace_back(shape.name, poses.back().template cast<double>());
+    const Pose<S> pose = pose_at(shape, result.time).template cast<S>();
+    result.poses.emplace_back(shape.name, pose.template cast<double>());
   }
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
     const ScenarioPair& pair = scenario_->pairs[i];
-    const auto a = static_cast<std::size_t>(pair.a);
-    const auto b = static_cast<std::size_t>(pair.b);
-    const std::vector<FeatureId> before = kept_before(hulls, i, frame);
+    const std::vector<FeatureId> before = kept_before(shapes, i, frame);
     CollideOptions<S> options = options_of<S>(pair.pipeline);
     options.reduction.previous = before;
     trace::Pair record;
-    record.a = scenario_->shapes[a].name;
-    record.b = scenario_->shapes[b].name;
+    record.a = scenario_->shapes[static_cast<std::size_t>(pair.a)].name;
+    record.b = scenario_->shapes[static_cast<std::size_t>(pair.b)].name;
     record.label = pair.label;
-    if (recorded)
-      collide_hull_hull(hulls[a], poses[a], hulls[b], poses[b], options,
-                        pair.pipeline.reducer.c_str(), stages_, record);
-    else
-      keep_manifold(collide_hull_hull(hulls[a], poses[a], hulls[b], poses[b], options), record);
+    const Manifolds<S> manifolds =
+        collide_pair(shapes, pair, result.time, options, recorded ? &record : nullptr);
+    if (!recorded) {
+      record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
+                              shapes[static_cast<std::size_t>(pair.b)]);
+      keep_manifolds(manifolds, record);
+    }
     result.pairs.push_back(std::move(record));
   }
   return result;
 }
 
 trace::Frame Runner::frame(int frame) const {
-  return std::visit([&](const auto& hulls) { return run(hulls, frame, true); }, hulls_);
+  return std::visit([&](const auto& shapes) { return run(shapes, frame, true); }, shapes_);
 }
 
 trace::Frame Runner::frame_unrecorded(int frame) const {
-  return std::visit([&](const auto& hulls) { return run(hulls, frame, false); }, hulls_);
+  return std::visit([&](const auto& shapes) { return run(shapes, frame, false); }, shapes_);
 }
 
 trace::Header trace_header(const Scenario& scenario) {

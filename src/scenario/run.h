@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/feature_id.h"
+#include "manifold/dispatch.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
 namespace contactscope {
 
-/// Runs the frames of one scenario. Hulls are rounded to the scenario's scalar once, here. Holds on
+/// Runs the frames of one scenario. Shapes are rounded to the scenario's scalar once, here. Holds on
 /// to the scenario, which must outlive it and keep its shapes; settings of pairs may change between
 /// frames. Any frame can be asked for, in any order and on several threads at once, and is the same
 /// each time: where a reducer goes by what was kept before, the frames from 0 on are run for it.
@@ -37,9 +38,13 @@ class Runner {
 
  private:
   template <class S>
-  trace::Frame run(const std::vector<Hull<S>>& hulls, int frame, bool recorded) const;
+  trace::Frame run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const;
   template <class S>
-  std::vector<FeatureId> kept_before(const std::vector<Hull<S>>& hulls, std::size_t pair,
+  Manifolds<S> collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
+                            double time, const CollideOptions<S>& options,
+                            trace::Pair* record) const;
+  template <class S>
+  std::vector<FeatureId> kept_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
                                      int frame) const;
 
   /// What a pair kept in one frame, so that the next one need not run all before it again.
@@ -51,7 +56,7 @@ class Runner {
 
   const Scenario* scenario_;
   trace::Stages stages_;
-  std::variant<std::vector<Hull<float>>, std::vector<Hull<double>>> hulls_;  // one a shape
+  std::variant<std::vector<Shape<float>>, std::vector<Shape<double>>> shapes_;  // one a shape
   mutable std::mutex mutex_;
   mutable std::vector<Memory> memories_;  // one a pair, guarded by mutex_
 };

@@ -91,6 +91,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   else
     scenario.pairs = every_pair(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
+  scenario.warnings = pairs_without_contact(scenario.pairs, scenario.shapes);
 
   if (const auto world = file.find("world")) check_world(*world);
   if (const auto solver = file.find("solver")) check_solver(*solver);

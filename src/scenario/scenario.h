@@ -8,12 +8,14 @@
 #include "core/pose.h"
 #include "core/preference.h"
 #include "core/view.h"
-#include "geometry/hull.h"
+#include "geometry/shape.h"
+#include "manifold/collide_options.h"
 
 /// The scenario format of FORMATS.md, and what it has grown since:
 ///
 ///     [pipeline]
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
+///     degenerate = "fallback"          # or "skip": what to do where geometry gives no normal
 ///
 ///     [[pairs]]                        # several settings for the same two shapes, told apart
 ///     a = "crate"                      # by their labels
@@ -32,7 +34,8 @@
 ///
 ///     [[expect]]
 ///     label = "preference off"         # of the pair
-///     axis  = "face_b"                 # or "face_a", "edge_edge"
+///     axis  = "face_b"                 # or "face_a", "edge_edge", "closest_points"
+///     type  = "point-face"             # which features touch, the simpler one first
 ///
 ///     [snapshots]
 ///     frames = [0, 11, 23]             # that `check` stores; default first, middle, last
@@ -41,7 +44,7 @@
 /// Lengths may be 1e-9 to 1e9 metres, frames up to 100000, segments 3 to 64, max_points 1 to 64,
 /// pairs up to 4096, points of a hull up to 100000, the file up to 16 MiB. `segments` has no
 /// default. A view's name becomes a folder: letters, digits, '_' and '-'. Keys that serve what is
-/// not built yet (sphere, capsule, mesh, plane, dynamic shapes, incremental manifolds) are checked
+/// not built yet (mesh, dynamic shapes, incremental manifolds) are checked
 /// and then refused; [world] and [solver] are checked and have no effect on scripted shapes.
 namespace contactscope {
 
@@ -63,10 +66,13 @@ struct Motion {
 
 struct ScenarioShape {
   std::string name;
-  std::string type;  // "box", "hull", "cylinder", "cone"
-  std::shared_ptr<const Hull<double>> hull;
+  std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "plane"
+  std::shared_ptr<const Shape<double>> geometry;
   Pose<double> pose;
   Motion motion;
+
+  /// nullptr for shapes that are no hulls.
+  const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
 };
 
 enum class Scalar { Float, Double };
@@ -78,6 +84,7 @@ struct PipelineSettings {
   double margin = 0;  // metres
   bool cache = true;
   Preference preference = Preference::Relative;
+  Degenerate degenerate = Degenerate::Fallback;
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
@@ -102,7 +109,8 @@ struct Expectation {
   std::string label;
   std::optional<ExpectedState> state;
   std::optional<int> points;
-  std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge"
+  std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge", "closest_points"
+  std::optional<std::string> type;  // "point-face", ...
   std::optional<Vec3d> normal;
   std::optional<double> separation;  // metres, deepest point
   double tolerance = 1e-5;           // metres, and for each component of the normal
@@ -131,6 +139,7 @@ struct Scenario {
   std::vector<View> views;  // at least one
   std::vector<Expectation> expectations;
   SnapshotSettings snapshots;
+  std::vector<std::string> warnings;  // what a reader should know though nothing is wrong
 };
 
 /// Names that a file may use; kept here so that `list` and the parser agree.

@@ -1,6 +1,7 @@
 #include "scenario/shapes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <system_error>
 
@@ -70,7 +71,7 @@ fs::path existing_file(const Value& value, const fs::path& folder) {
   return path;
 }
 
-Hull<double> read_hull(const Table& table, const fs::path& folder) {
+Shape<double> read_hull(const Table& table, const fs::path& folder) {
   const auto vertices = table.find("vertices");
   const auto file = table.find("file");
   if (vertices && file) file->fail("give 'vertices' or 'file', not both");
@@ -88,7 +89,7 @@ Hull<double> read_hull(const Table& table, const fs::path& folder) {
   return hull_of_points(points, *file);
 }
 
-Hull<double> read_box(const Table& table, const fs::path&) {
+Shape<double> read_box(const Table& table, const fs::path&) {
   const Value value = table.require("half_extents", "half_extents = [0.5, 0.5, 0.5] (metres)");
   value.numbers(3);
   Vec3d half_extents;
@@ -110,37 +111,58 @@ Round read_round(const Table& table) {
               .integer(3, kMaxSegments)};
 }
 
-Hull<double> read_cylinder(const Table& table, const fs::path&) {
+Shape<double> read_cylinder(const Table& table, const fs::path&) {
   const Round round = read_round(table);
   return build_at(table.value(),
                   [&] { return make_cylinder(round.radius, round.half_height, round.segments); });
 }
 
-Hull<double> read_cone(const Table& table, const fs::path&) {
+Shape<double> read_cone(const Table& table, const fs::path&) {
   const Round round = read_round(table);
   return build_at(table.value(),
                   [&] { return make_cone(round.radius, round.half_height, round.segments); });
 }
 
-// Shapes that cannot collide yet. Their keys are checked all the same, so that a file that is
-// refused today for its type alone will be right tomorrow.
-
-void check_sphere(const Table& table, const fs::path&) {
-  read_length(table.require("radius", "radius = 0.5 (metres)"));
+Shape<double> read_sphere(const Table& table, const fs::path&) {
+  return Sphere<double>{read_length(table.require("radius", "radius = 0.5 (metres)"))};
 }
 
-void check_capsule(const Table& table, const fs::path&) {
-  read_length(table.require("radius", "radius = 0.5 (metres)"));
+Shape<double> read_capsule(const Table& table, const fs::path&) {
+  Capsule<double> capsule;
+  capsule.radius = read_length(table.require("radius", "radius = 0.5 (metres)"));
   const auto points = table.find("points");
   const auto half_height = table.find("half_height");
   if (points && half_height) half_height->fail("give 'points' or 'half_height', not both");
   if (!points && !half_height)
     table.fail("the capsule '" + table.value().name() +
                "' has no length; add points = [[..], [..]] or half_height = 0.5");
-  if (half_height) read_length(*half_height);
-  if (points && read_points(*points).size() != 2)
+  if (half_height) {
+    const double length = read_length(*half_height);
+    capsule.points = {Vec3d(0, -length, 0), Vec3d(0, length, 0)};
+    return capsule;
+  }
+  const std::vector<Value> centres = points->array();
+  if (centres.size() != 2)
     points->fail("'points' of a capsule are its two centres, [[x, y, z], [x, y, z]]");
+  capsule.points = {read_position(centres[0]), read_position(centres[1])};
+  return capsule;
 }
+
+Shape<double> read_plane(const Table& table, const fs::path&) {
+  const Value normal = table.require("normal", "normal = [0, 1, 0]");
+  const Vec3d direction = normal.vector3();
+  const double largest = direction.cwiseAbs().maxCoeff();
+  if (largest == 0) normal.fail("'normal' is zero; give a direction, such as [0, 1, 0]");
+  const Value offset = table.require("offset", "offset = 0.0 (metres)");
+  const double distance = offset.number("metres");
+  if (std::abs(distance) > kLargestLength)
+    offset.fail("'offset' is too far away; it may be up to 1e9 metres");
+  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
+  return HalfSpace<double>{{Vec3d(direction / largest).normalized(), distance}};
+}
+
+// Shapes that cannot collide yet. Their keys are checked all the same, so that a file that is
+// refused today for its type alone will be right tomorrow.
 
 void check_grid(const Value& value) {
   const Table grid = value.table({"size", "cells", "amplitude"});
@@ -176,18 +198,11 @@ void check_mesh(const Table& table, const fs::path& folder) {
   if (grid) check_grid(*grid);
 }
 
-void check_plane(const Table& table, const fs::path&) {
-  const Value normal = table.require("normal", "normal = [0, 1, 0]");
-  if (normal.vector3().isZero(0))
-    normal.fail("'normal' is zero; give a direction, such as [0, 1, 0]");
-  table.require("offset", "offset = 0.0 (metres)").number("metres");
-}
-
 /// A type of shape: its own keys, and either what reads it or what checks it.
 struct Type {
   std::string name;
   Keys keys;
-  Hull<double> (*read)(const Table&, const fs::path&);
+  Shape<double> (*read)(const Table&, const fs::path&);
   void (*check)(const Table&, const fs::path&);
 };
 
@@ -197,10 +212,10 @@ const std::vector<Type>& types() {
       {"hull", {"vertices", "file"}, read_hull, nullptr},
       {"cylinder", {"radius", "half_height", "segments"}, read_cylinder, nullptr},
       {"cone", {"radius", "half_height", "segments"}, read_cone, nullptr},
-      {"sphere", {"radius"}, nullptr, check_sphere},
-      {"capsule", {"radius", "points", "half_height"}, nullptr, check_capsule},
+      {"sphere", {"radius"}, read_sphere, nullptr},
+      {"capsule", {"radius", "points", "half_height"}, read_capsule, nullptr},
       {"mesh", {"vertices", "triangles", "file", "grid"}, nullptr, check_mesh},
-      {"plane", {"normal", "offset"}, nullptr, check_plane},
+      {"plane", {"normal", "offset"}, read_plane, nullptr},
   };
   return all;
 }
@@ -246,9 +261,9 @@ ScenarioShape read_shape(const Value& value, const fs::path& folder, double end_
   if (type.read == nullptr) {
     type.check(table, folder);
     type_value.fail(type.name +
-                    " shapes are parsed but cannot collide yet; use box, hull, cylinder or cone");
+                    " shapes are parsed but cannot collide yet; use another type of shape");
   }
-  shape.hull = std::make_shared<const Hull<double>>(type.read(table, folder));
+  shape.geometry = std::make_shared<const Shape<double>>(type.read(table, folder));
   return shape;
 }
 

@@ -6,18 +6,24 @@ namespace contactscope::trace {
 namespace {
 
 Json shape(const Shape& s) {
-  return {{"type", s.type},
-          {"vertices", vectors(s.vertices, "vertices")},
-          {"faces", s.faces},
-          {"edges", s.edges},
-          {"center_of_mass", vector(s.center_of_mass, "center_of_mass")}};
+  Json json = {{"type", s.type},
+               {"vertices", vectors(s.vertices, "vertices")},
+               {"faces", s.faces},
+               {"edges", s.edges},
+               {"center_of_mass", vector(s.center_of_mass, "center_of_mass")}};
+  if (s.radius != 0) json["radius"] = number(s.radius, "radius");
+  if (s.half_space)
+    json["half_space"] = {{"normal", vector(s.half_space->normal, "normal")},
+                          {"offset", number(s.half_space->offset, "offset")}};
+  return json;
 }
 
 Json manifold(const Manifold& m) {
-  return {{"normal", vector(m.normal, "normal")},
-          {"axis", m.axis},
-          {"triangle", m.triangle ? Json(*m.triangle) : Json(nullptr)},
-          {"points", points(m.points)}};
+  Json json = {{"normal", vector(m.normal, "normal")}, {"axis", m.axis}};
+  if (!m.type.empty()) json["type"] = m.type;
+  json["triangle"] = m.triangle ? Json(*m.triangle) : Json(nullptr);
+  json["points"] = points(m.points);
+  return json;
 }
 
 Json face_axis(const FaceAxis& axis) {
@@ -107,6 +113,8 @@ Json pair(const Pair& p) {
   if (p.sat) json["sat"] = sat(*p.sat);
   if (p.clip) json["clip"] = clip(*p.clip);
   if (p.reduction) json["reduction"] = reduction(*p.reduction);
+  if (p.degenerate)
+    json["degenerate"] = {{"geometry", p.degenerate->geometry}, {"answer", p.degenerate->answer}};
   return json;
 }
 

@@ -146,6 +146,10 @@ Shape read_shape(const std::string& name, const Node& node) {
     shape.edges = edges_of(shape.faces);
   }
   shape.center_of_mass = node.vector_or_zero("center_of_mass");
+  if (const auto radius = node.find("radius")) shape.radius = radius->number();
+  if (const auto half_space = node.find("half_space"))
+    shape.half_space =
+        HalfSpace{half_space->at("normal").vector(), half_space->at("offset").number()};
   return shape;
 }
 
@@ -263,6 +267,7 @@ Pair read_pair(const Node& node) {
     Manifold manifold;
     manifold.normal = item.at("normal").vector();
     manifold.axis = item.at("axis").string();
+    manifold.type = item.string_or_empty("type");
     if (const auto triangle = item.find("triangle")) manifold.triangle = triangle->integer();
     manifold.points = read_points(item.at("points"));
     pair.manifolds.push_back(std::move(manifold));
@@ -270,6 +275,9 @@ Pair read_pair(const Node& node) {
   if (const auto sat = node.find("sat")) pair.sat = read_sat(*sat);
   if (const auto clip = node.find("clip")) pair.clip = read_clip(*clip);
   if (const auto reduction = node.find("reduction")) pair.reduction = read_reduction(*reduction);
+  if (const auto degenerate = node.find("degenerate"))
+    pair.degenerate =
+        Degenerate{degenerate->at("geometry").string(), degenerate->at("answer").string()};
   return pair;
 }
 

@@ -16,14 +16,25 @@ namespace contactscope::trace {
 
 using Polygon = std::vector<Vec3d>;
 
+/// Half-space of a shape of type "plane": normal . x <= offset.
+struct HalfSpace {
+  Vec3d normal = Vec3d::UnitY();  // unit
+  double offset = 0;              // metres
+
+  friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
+};
+
 /// A shape as far as a drawing needs it, in its local frame.
 struct Shape {
   std::string name;
-  std::string type;  // "box", "hull", "cylinder", "cone"
+  std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "mesh", "plane"
+  /// Of a sphere its centre, of a capsule the ends of its segment, of a plane none.
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;    // vertex indices, counter-clockwise seen from outside
   std::vector<std::array<int, 2>> edges;  // vertex indices; ids such as "a:e3" count in this list
   Vec3d center_of_mass = Vec3d::Zero();
+  double radius = 0;  // metres; of a sphere or capsule: everything so near to its vertices and edge
+  std::optional<HalfSpace> half_space{};
 };
 
 /// A contact point: separation in metres along the normal, negative = overlap.
@@ -35,9 +46,10 @@ struct Point {
 
 struct Manifold {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
-  std::string axis;              // "face_a", "face_b", "edge_edge", ...
+  std::string axis;              // "face_a", "face_b", "edge_edge", "closest_points"
   std::optional<int> triangle;   // mesh triangle that the manifold belongs to
   std::vector<Point> points;
+  std::string type{};  // "point-face", ...: which features touch, the simpler one first
 };
 
 /// Best axis of one face query of the separating axis test.
@@ -118,6 +130,14 @@ struct Reduction {
   std::vector<Choice> choices;  // for each kept point, where the method has such steps
 };
 
+/// The geometry had no normal of its own.
+struct Degenerate {
+  std::string geometry;  // "coincident centres", ...
+  std::string answer;    // "fallback": a normal was chosen; "skip": no contact was made
+
+  friend bool operator==(const Degenerate&, const Degenerate&) = default;
+};
+
 /// Which optional stages to record: what no picture shows need not be written down.
 struct Stages {
   bool sat = true;
@@ -129,13 +149,14 @@ struct Pair {
   std::string a;
   std::string b;
   std::string label;      // set when a scenario runs one pair with several settings
-  std::string kind;       // "hull-hull"
+  std::string kind;       // "hull-hull", "sphere-plane", ..., a first
   std::string state;      // "touching" or "separated"
   double separation = 0;  // deepest point when touching, best axis when separated
   std::vector<Manifold> manifolds;
   std::optional<Sat> sat;
   std::optional<Clip> clip;
   std::optional<Reduction> reduction;
+  std::optional<Degenerate> degenerate{};
 };
 
 struct Frame {

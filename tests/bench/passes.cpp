@@ -5,6 +5,10 @@
 
 #include "bench/workload.h"
 #include "manifold/collide_hull_hull.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/finish_contact.h"
+#include "manifold/trace_recorder.h"
+#endif
 
 namespace contactscope::bench {
 namespace {
@@ -47,8 +51,15 @@ double pass_recorded(int workload) {
   record.a = std::string("first");
   record.b = std::string("second");
   for (const WorkloadPair& pair : pairs_of(workload)) {
-    sum += digest(
-        collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, settings, "area", {}, record));
+    const ToWorld<float> to_world(pair.pose_a);
+    TraceRecorder<float> recorder(to_world, "area", {}, false, record);
+    Contact<float> contact;
+    Manifold<float> manifold;
+    collide_hull_hull(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b), settings, contact,
+                      recorder);
+    finish_contact(to_world, settings, contact, manifold, recorder);
+    recorder.manifold(manifold);
+    sum += digest(manifold);
   }
   return sum;
 }

@@ -8,11 +8,11 @@ namespace contactscope {
 namespace {
 
 TEST(FeatureId, TheSameCrossingHasOneIdInEitherOrder) {
-  const EdgeRef a3{Owner::A, 3};
-  const EdgeRef b7{Owner::B, 7};
+  const FeatureRef a3{Owner::A, 3};
+  const FeatureRef b7{Owner::B, 7};
   EXPECT_EQ(FeatureId::of(a3, b7), FeatureId::of(b7, a3));
   EXPECT_EQ(FeatureId::of(b7, a3).first, a3);
-  EXPECT_EQ(FeatureId::of({Owner::A, 9}, {Owner::A, 2}).first, (EdgeRef{Owner::A, 2}));
+  EXPECT_EQ(FeatureId::of({Owner::A, 9}, {Owner::A, 2}).first, (FeatureRef{Owner::A, 2}));
 }
 
 TEST(FeatureId, FlippingTradesTheOwnersAndStaysSorted) {

@@ -81,12 +81,12 @@ TEST(Clip, TwoPlanesThatMeetInsideMakeACornerOfTheReferenceFace) {
 }
 
 TEST(Clip, KeysHoldEdgesInTheOrderOfTheirIds) {
-  const EdgeRef edges[] = {
+  const FeatureRef edges[] = {
       {Owner::A, 0}, {Owner::A, 7}, {Owner::A, 70000}, {Owner::B, 0}, {Owner::B, 9}};
-  for (const EdgeRef& one : edges) {
-    for (const EdgeRef& two : edges) {
-      const EdgeKey one_key = edge_key(one.owner, 2 * static_cast<int>(one.edge));
-      const EdgeKey two_key = edge_key(two.owner, 2 * static_cast<int>(two.edge) + 1);
+  for (const FeatureRef& one : edges) {
+    for (const FeatureRef& two : edges) {
+      const EdgeKey one_key = edge_key(one.owner, 2 * static_cast<int>(one.index));
+      const EdgeKey two_key = edge_key(two.owner, 2 * static_cast<int>(two.index) + 1);
       EXPECT_EQ(edge_ref(one_key), one);
       EXPECT_EQ(Crossing::of(one_key, two_key).id(), FeatureId::of(one, two));
     }

@@ -35,7 +35,7 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   made.axes.status = SatStatus::Touching;
   made.axes.chosen = chosen;
   made.axes.deepest = deepest;
-  TraceRecorder<double> recorder(ToWorld<double>(pair.pose_a), "none", {}, made.record);
+  TraceRecorder<double> recorder(ToWorld<double>(pair.pose_a), "none", {}, false, made.record);
   recorder.axes(placed, made.axes, Preference::None);
   create_contact(placed, made.axes, 0.0, Preference::None, made.contact, recorder);
   return made;
@@ -51,7 +51,7 @@ TEST(CreateContact, SupportVertexJoinsWhenItsFaceIsTheDeepestAxis) {
   EXPECT_NEAR(last.position.y(), 0.5, 1e-12);  // moved onto the reference face
   EXPECT_EQ(last.id.first.owner, Owner::B);
   EXPECT_EQ(last.id.second.owner, Owner::B);
-  EXPECT_NE(last.id.first.edge, last.id.second.edge);
+  EXPECT_NE(last.id.first.index, last.id.second.index);
   ASSERT_TRUE(made.record.clip.has_value());
   bool told = false;
   for (const trace::DroppedPoint& dropped : made.record.clip->dropped) {

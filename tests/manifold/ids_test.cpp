@@ -102,7 +102,7 @@ TYPED_TEST(ContactIds, OfACornerInsideTheOtherFaceAreItsTwoEdges) {
   for (const ContactPoint<S>& point : collide(pair.cast<S>()).points) {
     EXPECT_EQ(point.id.first.owner, Owner::B);
     EXPECT_EQ(point.id.second.owner, Owner::B);
-    EXPECT_NE(point.id.first.edge, point.id.second.edge);
+    EXPECT_NE(point.id.first.index, point.id.second.index);
   }
 }
 

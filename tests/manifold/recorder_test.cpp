@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "manifold/dispatch.h"
 #include "support/builders.h"
 
 namespace contactscope {
@@ -15,7 +16,10 @@ Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions<S>& options,
                      trace::Pair& record) {
   record.a = "crate";
   record.b = "floor";
-  return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, "area", {}, record);
+  Manifolds<S> manifolds;
+  collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, manifolds,
+          Recording{"area", {}}, record);
+  return manifolds.empty() ? Manifold<S>() : manifolds.front();
 }
 
 /// By bits, so that a zero and a negative zero differ.

@@ -135,8 +135,8 @@ TYPED_TEST(CoherentReducer, BoundsAreaAndDepthWhateverWasKeptBefore) {
       }
       if (random.chance(0.3)) {  // ids that occur several times
         for (auto& point : patch.points) {
-          point.id.first.edge %= 3;
-          point.id.second.edge %= 3;
+          point.id.first.index %= 3;
+          point.id.second.index %= 3;
         }
       }
       std::vector<FeatureId> previous;

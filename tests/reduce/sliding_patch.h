@@ -11,7 +11,7 @@ namespace contactscope::test {
 
 struct LabelledCorner {
   Place place;
-  EdgeRef edge;  // that leaves it
+  FeatureRef edge;  // that leaves it
 };
 
 inline std::vector<LabelledCorner> regular_polygon(Owner owner, int corners, double radius,
@@ -84,7 +84,7 @@ std::vector<ContactPoint<S>> patch_at(const Slide& slide, double time, double no
   std::vector<ContactPoint<S>> points;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Place& p = polygon[i].place;
-    const EdgeRef arriving = polygon[(i + polygon.size() - 1) % polygon.size()].edge;
+    const FeatureRef arriving = polygon[(i + polygon.size() - 1) % polygon.size()].edge;
     const Vec3d position(p.x + random.uniform(-noise, noise), p.y + random.uniform(-noise, noise),
                          0.3);
     const double separation = -0.005 + down.x * p.x + down.y * p.y + random.uniform(-noise, noise);

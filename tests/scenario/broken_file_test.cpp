@@ -279,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"TouchingWithoutPoints", expecting("points = 0\nstate = \"touching\""), "11:10",
                "'points' contradicts 'state'"},
         Broken{"UnknownAxis", expecting("axis = \"face\""), "11:8",
-               "known: 'face_a', 'face_b' and 'edge_edge'"},
+               "known: 'face_a', 'face_b', 'edge_edge' and 'closest_points'"},
         Broken{"NormalNotUnit", expecting("normal = [0, -2, 0]"), "11:10",
                "'normal' has length 2.000000; give a unit vector"},
         Broken{"NanInNormal", expecting("normal = [0, nan, 0]"), "11:14",

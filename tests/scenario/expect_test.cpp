@@ -27,6 +27,7 @@ trace::Frame touching() {
   frame.frame = 3;
   trace::Pair pair{"crate", "floor", "", "hull-hull", "touching", -0.005, {}, {}, {}, {}};
   trace::Manifold manifold{{0, -1, 0}, "face_a", {}, {}};
+  manifold.type = "face-face";
   manifold.points = {{{0, 0, 0}, -0.005, ""}, {{1, 0, 0}, -0.001, ""}, {{0, 0, 1}, 0, ""}};
   pair.manifolds.push_back(manifold);
   frame.pairs.push_back(pair);
@@ -48,6 +49,7 @@ trace::Frame separated() {
 
 TEST(Expect, WhatHoldsSaysNothing) {
   EXPECT_THAT(unmet_expectations(expecting("state = \"touching\"\npoints = 3\naxis = \"face_a\"\n"
+                                           "type = \"face-face\"\n"
                                            "normal = [0, -1, 0]\nseparation = -0.005"),
                                  touching()),
               IsEmpty());
@@ -56,6 +58,15 @@ TEST(Expect, WhatHoldsSaysNothing) {
                                            "separation = 0.25"),
                                  separated()),
               IsEmpty());
+}
+
+TEST(Expect, AnotherContactTypeOrNoneIsTold) {
+  EXPECT_THAT(
+      unmet_expectations(expecting("type = \"point-face\""), touching()),
+      ElementsAre("hull/a.toml:10: frame 3, crate-floor: expected type point-face, got face-face"));
+  EXPECT_THAT(
+      unmet_expectations(expecting("type = \"point-face\""), separated()),
+      ElementsAre("hull/a.toml:10: frame 3, crate-floor: expected type point-face, got none"));
 }
 
 TEST(Expect, EachKeyIsASentenceWithItsPlace) {

@@ -230,8 +230,8 @@ TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
       const auto manifold = [&](const std::vector<FeatureId>& previous) {
         options.reduction.previous = previous;
         const double time = frame * scenario.dt;
-        return collide_hull_hull(*scenario.shapes[0].hull, pose_at(scenario.shapes[0], time),
-                                 *scenario.shapes[1].hull, pose_at(scenario.shapes[1], time),
+        return collide_hull_hull(*scenario.shapes[0].hull(), pose_at(scenario.shapes[0], time),
+                                 *scenario.shapes[1].hull(), pose_at(scenario.shapes[1], time),
                                  options);
       };
       const std::vector<FeatureId> expected = ids_of(manifold(before));

@@ -33,8 +33,8 @@ TEST(Scenario, TheSmallestFileGetsTheDefaults) {
   EXPECT_EQ(crate.pose.position, Vec3d(0, 0, 0));
   EXPECT_EQ(crate.pose.rotation.coeffs(), Quatd::Identity().coeffs());
   EXPECT_THAT(crate.motion.keyframes, IsEmpty());
-  ASSERT_NE(crate.hull, nullptr);
-  EXPECT_EQ(crate.hull->vertex_count(), 8);
+  ASSERT_NE(crate.hull(), nullptr);
+  EXPECT_EQ(crate.hull()->vertex_count(), 8);
 
   ASSERT_EQ(scenario.pairs.size(), 1u);
   const ScenarioPair& pair = scenario.pairs[0];
@@ -181,10 +181,10 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(scenario.shapes[0].name, "tower");
   EXPECT_EQ(scenario.shapes[1].name, "anvil");
   EXPECT_EQ(scenario.shapes[2].name, "a shard");
-  EXPECT_EQ(scenario.shapes[0].hull->vertex_count(), 24);
-  EXPECT_EQ(scenario.shapes[0].hull->face_count(), 14);
-  EXPECT_EQ(scenario.shapes[1].hull->vertex_count(), 4);
-  EXPECT_EQ(scenario.shapes[2].hull->face_count(), 4);
+  EXPECT_EQ(scenario.shapes[0].hull()->vertex_count(), 24);
+  EXPECT_EQ(scenario.shapes[0].hull()->face_count(), 14);
+  EXPECT_EQ(scenario.shapes[1].hull()->vertex_count(), 4);
+  EXPECT_EQ(scenario.shapes[2].hull()->face_count(), 4);
   ASSERT_EQ(scenario.shapes[0].motion.keyframes.size(), 2u);
   EXPECT_EQ(scenario.shapes[0].motion.keyframes[1].time, 0.5);
   EXPECT_EQ(scenario.shapes[0].motion.keyframes[1].pose.position, Vec3d(0, 3, 0));
@@ -369,8 +369,8 @@ TEST(Scenario, ObjFilesAreFoundBesideTheScenario) {
   const Scenario scenario = load_scenario(path);
   EXPECT_EQ(scenario.name, "hull/from_file");
   ASSERT_EQ(scenario.shapes.size(), 1u);
-  EXPECT_EQ(scenario.shapes[0].hull->vertex_count(), 6);
-  EXPECT_EQ(scenario.shapes[0].hull->face_count(), 5);
+  EXPECT_EQ(scenario.shapes[0].hull()->vertex_count(), 6);
+  EXPECT_EQ(scenario.shapes[0].hull()->face_count(), 5);
 }
 
 }  // namespace

@@ -36,9 +36,12 @@ TEST(TraceJson, HeaderHasTheKeysOfTheFormatInItsOrder) {
                                          "frames", "shapes"));
   EXPECT_EQ(line["schema"], "contactscope.trace/1");
   EXPECT_EQ(line["frames"], 24);
-  EXPECT_THAT(keys_of(line["shapes"]), ElementsAre("zebra", "apple"));
+  EXPECT_THAT(keys_of(line["shapes"]), ElementsAre("zebra", "apple", "pill", "ground"));
   EXPECT_THAT(keys_of(line["shapes"]["zebra"]),
               ElementsAre("type", "vertices", "faces", "edges", "center_of_mass"));
+  EXPECT_THAT(keys_of(line["shapes"]["pill"]),
+              ElementsAre("type", "vertices", "faces", "edges", "center_of_mass", "radius"));
+  EXPECT_THAT(keys_of(line["shapes"]["ground"]["half_space"]), ElementsAre("normal", "offset"));
   EXPECT_EQ(line["shapes"]["zebra"]["faces"][0], json({0, 2, 1}));
   EXPECT_EQ(line["shapes"]["zebra"]["edges"][1], json({1, 2}));
 }
@@ -50,8 +53,9 @@ TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
   EXPECT_EQ(line["poses"]["zebra"]["quat_wxyz"], json({0.5, -0.5, 0.5, -0.5}));
   const auto& pair = line["pairs"][0];
   EXPECT_THAT(keys_of(pair), ElementsAre("a", "b", "label", "kind", "state", "separation",
-                                         "manifolds", "sat", "clip", "reduction"));
-  EXPECT_THAT(keys_of(pair["manifolds"][0]), ElementsAre("normal", "axis", "triangle", "points"));
+                                         "manifolds", "sat", "clip", "reduction", "degenerate"));
+  EXPECT_THAT(keys_of(pair["manifolds"][0]),
+              ElementsAre("normal", "axis", "type", "triangle", "points"));
   EXPECT_THAT(keys_of(pair["manifolds"][0]["points"][0]),
               ElementsAre("position", "separation", "id"));
   EXPECT_THAT(keys_of(pair["sat"]),
@@ -125,13 +129,18 @@ TEST(TraceJson, EveryFieldComesBack) {
   EXPECT_EQ(trace.header.scalar, header.scalar);
   EXPECT_EQ(trace.header.up, header.up);
   EXPECT_EQ(trace.header.frames, header.frames);
-  ASSERT_EQ(trace.header.shapes.size(), 2u);
+  ASSERT_EQ(trace.header.shapes.size(), 4u);
   EXPECT_EQ(trace.header.shapes[0].name, "zebra");
   EXPECT_EQ(trace.header.shapes[1].type, "box");
   EXPECT_EQ(trace.header.shapes[0].vertices, header.shapes[0].vertices);
   EXPECT_EQ(trace.header.shapes[0].faces, header.shapes[0].faces);
   EXPECT_EQ(trace.header.shapes[0].edges, header.shapes[0].edges);
   EXPECT_EQ(trace.header.shapes[0].center_of_mass, header.shapes[0].center_of_mass);
+  EXPECT_EQ(trace.header.shapes[0].radius, 0);
+  EXPECT_EQ(trace.header.shapes[0].half_space, std::nullopt);
+  EXPECT_EQ(trace.header.shapes[2].radius, double(0.1f));
+  EXPECT_EQ(trace.header.shapes[3].half_space->normal, Vec3d(0.6, 0, -0.8));
+  EXPECT_EQ(trace.header.shapes[3].half_space->offset, -0.25);
 
   const Frame frame = sample_frame();
   const Frame& read = trace.frames.at(0);
@@ -149,6 +158,11 @@ TEST(TraceJson, EveryFieldComesBack) {
   ASSERT_EQ(pair.manifolds.size(), 2u);
   EXPECT_EQ(pair.manifolds[0].normal, Vec3d(0, -1, 0));
   EXPECT_EQ(pair.manifolds[0].axis, "face_b");
+  EXPECT_EQ(pair.manifolds[0].type, "face-face");
+  EXPECT_EQ(pair.manifolds[1].type, "");
+  EXPECT_EQ(pair.degenerate->geometry, "coincident centres");
+  EXPECT_EQ(pair.degenerate->answer, "skip");
+  EXPECT_EQ(read.pairs[1].degenerate, std::nullopt);
   EXPECT_EQ(pair.manifolds[0].triangle, std::nullopt);
   EXPECT_EQ(pair.manifolds[1].triangle, 17);
   EXPECT_EQ(pair.manifolds[0].points.at(0).id, "a:e3 b:e7");

@@ -143,7 +143,7 @@ TEST(ReadTrace, OnlyTheKeysOfTheFormatAreNeeded) {
   for (const char* key : {"best", "choices"}) frame["pairs"][0]["reduction"].erase(key);
   std::istringstream in(header.dump() + "\n\n" + frame.dump() + "\r\n");
   const Trace trace = read_trace(in, "run.jsonl");
-  ASSERT_EQ(trace.header.shapes.size(), 2u);
+  ASSERT_EQ(trace.header.shapes.size(), 4u);
   EXPECT_EQ(trace.header.shapes[0].edges.size(), 6u);  // of the tetrahedron's faces
   EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->face_a->normal, Vec3d(0, 0, 0));
   EXPECT_EQ(trace.frames.at(0).pairs.at(0).sat->edge->separation, -0.125);

@@ -16,6 +16,16 @@ Shape sample_shape(std::string name, std::string type) {
   return shape;
 }
 
+Shape sample_round_shape() {
+  Shape shape;
+  shape.name = "pill";
+  shape.type = "capsule";
+  shape.vertices = {{0, -0.5, 0}, {0, 0.5, 0}};
+  shape.edges = {{0, 1}};
+  shape.radius = double(0.1f);
+  return shape;
+}
+
 }  // namespace
 
 Header sample_header() {
@@ -28,6 +38,12 @@ Header sample_header() {
                 {}};
   // Not sorted by name: shapes stay in file order.
   header.shapes = {sample_shape("zebra", "hull"), sample_shape("apple", "box")};
+  header.shapes.push_back(sample_round_shape());
+  Shape ground;
+  ground.name = "ground";
+  ground.type = "plane";
+  ground.half_space = HalfSpace{{0.6, 0, -0.8}, -0.25};
+  header.shapes.push_back(ground);
   return header;
 }
 
@@ -43,7 +59,9 @@ Frame sample_frame() {
             {},      {}};
   Manifold manifold{{0, -1, -0.0}, "face_b", {}, {}};
   manifold.points = {{{0.1, 0.2, 0.3}, -0.005, "a:e3 b:e7"}, {{1e-300, 4, 5}, -0.0, "a:e1 a:e2"}};
+  manifold.type = "face-face";
   pair.manifolds.push_back(manifold);
+  manifold.type.clear();
   manifold.triangle = 17;
   pair.manifolds.push_back(manifold);
   pair.sat =
@@ -60,6 +78,7 @@ Frame sample_frame() {
   pair.reduction->choices = {
       {"support", {0.6, -0.0, 0.8}, {{0, -1, -1, -0.0}, {1, -1, -1, double(0.1f)}}},
       {"outside", {0, 0, 0}, {{0, 1, 0, -1e-300}}}};
+  pair.degenerate = Degenerate{"coincident centres", "skip"};
   frame.pairs.push_back(pair);
 
   frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});

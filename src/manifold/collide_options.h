@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/preference.h"
+#include "reduce/reducer.h"
+
+namespace contactscope {
+
+/// What to do where geometry gives no normal: coincident centres, crossing axes.
+enum class Degenerate {
+  Fallback,  // a normal that is as good as any other and changes continuously where it can
+  Skip,      // no contact
+};
+
+/// "fallback", "skip", as scenarios spell it.
+constexpr const char* to_string(Degenerate degenerate) {
+  return degenerate == Degenerate::Fallback ? "fallback" : "skip";
+}
+
+template <class S>
+struct CollideOptions {
+  S margin = 0;  // metres; points up to this separation are kept
+  Preference preference = Preference::Relative;
+  Degenerate degenerate = Degenerate::Fallback;
+  Reducer<S> reducer = nullptr;  // nullptr keeps all points
+  ReduceOptions reduction;
+};
+
+}  // namespace contactscope

@@ -1,0 +1,45 @@
+#include "manifold/collide_sphere_sphere.h"
+
+#include "manifold/recorder.h"
+#include "manifold/round_contact.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+
+template <class S, class Recorder>
+S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
+                        const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+  const Vec3<S>& center_b = b_in_a.position;
+  const S distance = safe_norm(center_b);
+  const S separation = distance - (a.radius + b.radius);
+  if (separation > options.margin) return separation;
+
+  if (distance > S(0)) {
+    contact.normal = center_b / distance;
+  } else {
+    recorder.degenerate("coincident centres", options.degenerate);
+    if (options.degenerate == Degenerate::Skip) return separation;
+    contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
+  }
+  contact.axis = AxisKind::ClosestPoints;
+  contact.type = ContactType::PointPoint;
+  const FeatureId id = FeatureId::of(vertex_ref(Owner::A, 0), vertex_ref(Owner::B, 0));
+  add_round_point(Vec3<S>(Vec3<S>::Zero()), a.radius, center_b, b.radius, contact.normal, distance,
+                  id, contact);
+  return separation;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
+  template S collide_sphere_sphere(const Sphere<S>&, const Sphere<S>&, const Pose<S>&, \
+                                   const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

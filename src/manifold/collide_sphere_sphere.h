@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/pose.h"
+#include "geometry/sphere.h"
+#include "manifold/collide_options.h"
+#include "manifold/contact.h"
+
+namespace contactscope {
+
+/// Gregorius 2015, "Sphere vs Sphere": the normal joins the centres, the one point lies in the
+/// middle of the two surface points. Fills `contact` in A's frame and returns the distance of the
+/// surfaces in metres, negative in overlap. Coincident centres have no normal: the fallback is the
+/// direction of B's y axis, which turns with the body, so that the contact does not jump from frame
+/// to frame.
+template <class S, class Recorder>
+S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
+                        const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+
+}  // namespace contactscope

@@ -1,0 +1,135 @@
+#include "manifold/dispatch.h"
+
+#include <algorithm>
+
+#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_sphere_sphere.h"
+#include "manifold/finish_contact.h"
+#include "manifold/recorder.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// Two shapes placed in the world.
+template <class S>
+struct PlacedPair {
+  const Shape<S>& a;
+  const Pose<S>& pose_a;
+  const Shape<S>& b;
+  const Pose<S>& pose_b;
+};
+
+template <class S, class Recorder>
+using Entry = void (*)(const PlacedPair<S>&, const CollideOptions<S>&, Manifolds<S>&, Recorder&);
+
+template <class S, class Recorder, class A, class B>
+using CollideConvex = S (*)(const A&, const B&, const Pose<S>&, const CollideOptions<S>&,
+                            Contact<S>&, Recorder&);
+
+/// Two convex shapes: one manifold at most.
+template <class S, class Recorder, class A, class B, CollideConvex<S, Recorder, A, B> kCollide>
+void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+            Recorder& recorder) {
+  Contact<S> contact;
+  const S separation =
+      kCollide(*std::get_if<A>(&pair.a), *std::get_if<B>(&pair.b),
+               relative_pose(pair.pose_a, pair.pose_b), options, contact, recorder);
+  recorder.separation(separation);
+  if (contact.points.empty()) return;
+  Manifold<S>& manifold = manifolds.emplace_back();
+  finish_contact(ToWorld<S>(pair.pose_a), options, contact, manifold, recorder);
+  recorder.manifold(manifold);
+}
+
+/// The upper half of the table; nullptr where there is nothing to do.
+template <class S, class R>
+Entry<S, R> entry(ShapeKind a, ShapeKind b) {
+  using Sp = Sphere<S>;
+  using Hu = Hull<S>;
+  static constexpr Entry<S, R> kTable[kShapeKinds][kShapeKinds] = {
+      {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>, nullptr, nullptr, nullptr},
+      {nullptr, nullptr, nullptr, nullptr},
+      {nullptr, nullptr, convex<S, R, Hu, Hu, collide_hull_hull<S, R>>, nullptr},
+      {nullptr, nullptr, nullptr, nullptr},
+  };
+  return kTable[static_cast<int>(a)][static_cast<int>(b)];
+}
+
+/// Works on the pair in the order of the table.
+template <class S, class Recorder>
+void collide_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
+                      Manifolds<S>& manifolds, Recorder& recorder) {
+  manifolds.clear();
+  const auto collide_pair = entry<S, Recorder>(kind_of(pair.a), kind_of(pair.b));
+  if (collide_pair != nullptr) collide_pair(pair, options, manifolds, recorder);
+}
+
+template <class S>
+bool against_the_table(const Shape<S>& a, const Shape<S>& b) {
+  return kind_of(a) > kind_of(b);
+}
+
+}  // namespace
+
+bool can_collide(ShapeKind one, ShapeKind other) {
+  return entry<double, NoRecorder<double>>(std::min(one, other), std::max(one, other)) != nullptr;
+}
+
+template <class S>
+void mirror(Manifold<S>& manifold) {
+  manifold.normal = -manifold.normal;
+  manifold.axis = mirrored(manifold.axis);
+  for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
+}
+
+template <class S>
+void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
+             const CollideOptions<S>& options, Manifolds<S>& manifolds) {
+  NoRecorder<S> recorder;
+  if (!against_the_table(a, b)) {
+    collide_in_order<S>({a, pose_a, b, pose_b}, options, manifolds, recorder);
+    return;
+  }
+  collide_in_order<S>({b, pose_b, a, pose_a}, options, manifolds, recorder);
+  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                       \
+  template void mirror(Manifold<S>&);                                                     \
+  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, \
+                        const CollideOptions<S>&, Manifolds<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+
+template <class S>
+void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
+             const CollideOptions<S>& options, Manifolds<S>& manifolds, const Recording& recording,
+             trace::Pair& record) {
+  const bool swap = against_the_table(a, b);
+  const PlacedPair<S> pair =
+      swap ? PlacedPair<S>{b, pose_b, a, pose_a} : PlacedPair<S>{a, pose_a, b, pose_b};
+  const bool told_mirrored = recording.mirrored != swap;
+  record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
+  TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, recording.stages,
+                            told_mirrored, record);
+  collide_in_order(pair, options, manifolds, recorder);
+  if (!swap) return;
+  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                       \
+  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, \
+                        const CollideOptions<S>&, Manifolds<S>&, const Recording&, trace::Pair&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+#endif
+
+}  // namespace contactscope
