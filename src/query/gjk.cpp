@@ -1,0 +1,277 @@
+#include "query/gjk.h"
+
+#include <cmath>
+#include <limits>
+
+#include "query/simplex.h"
+#include "query/tolerance.h"
+
+namespace contactscope {
+namespace {
+
+/// Steps that bring the simplex no nearer and yet are taken, because the support point says by its
+/// first-order measure that it will; more of them are rounding going in circles.
+constexpr int kMaxGjkStalls = 3;
+
+/// The Minkowski difference B - A, in A's frame, shrunk by a power of two so that its points are of
+/// the order of 1 and no power of a length leaves the range of S.
+template <class S>
+class Difference {
+ public:
+  Difference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
+      : a_(a), b_(b), rotation_(b_in_a.rotation.toRotationMatrix()), position_(b_in_a.position) {
+    const S length = reach_of(a) + reach_of(b) + position_.norm();
+    if (length > S(0)) {
+      int exponent = 0;
+      scale_ = S(2) * std::frexp(length, &exponent);
+      unit_ = std::ldexp(S(1), exponent - 1);
+      per_unit_ = std::ldexp(S(1), 1 - exponent);
+    }
+  }
+
+  /// From 1 to 2, in units.
+  S scale() const { return scale_; }
+  /// Metres.
+  S unit() const { return unit_; }
+
+  GjkVertex<S> vertex(int index_a, int index_b) const {
+    return {index_a, index_b, a_.points[index_a],
+            Vec3<S>(rotation_ * b_.points[index_b] + position_)};
+  }
+  /// The vertex of the difference that lies farthest against `direction`.
+  GjkVertex<S> support_against(const Vec3<S>& direction) const {
+    const Vec3<S> in_b = -(rotation_.transpose() * direction);
+    return vertex(support_index(a_, direction), support_index(b_, in_b));
+  }
+  /// In units.
+  Vec3<S> point(const GjkVertex<S>& vertex) const { return per_unit_ * (vertex.b - vertex.a); }
+
+  Vec3<S> between_middles() const {
+    const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
+    return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
+  }
+  bool has(const GjkVertex<S>& vertex) const {
+    return vertex.index_a >= 0 && vertex.index_a < a_.count && vertex.index_b >= 0 &&
+           vertex.index_b < b_.count;
+  }
+
+ private:
+  const SupportSet<S>& a_;
+  const SupportSet<S>& b_;
+  Mat3<S> rotation_;
+  Vec3<S> position_;
+  S scale_ = 1, unit_ = 1, per_unit_ = 1;
+};
+
+/// The current simplex: only points that carry its point nearest to the origin.
+template <class S>
+struct Simplex {
+  std::array<GjkVertex<S>, 4> vertices;
+  std::array<Vec3<S>, 4> points;  // in units
+  NearestOnSimplex<S> nearest;
+
+  bool has(const GjkVertex<S>& vertex) const {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
+      if (vertices[i].index_a == vertex.index_a && vertices[i].index_b == vertex.index_b)
+        return true;
+    }
+    return false;
+  }
+  /// How far the simplex reaches against a direction: the least of its points' products.
+  S least_along(const Vec3<S>& direction) const {
+    S least = std::numeric_limits<S>::infinity();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
+      least = std::min(least, direction.dot(points[i]));
+    }
+    return least;
+  }
+};
+
+template <class S>
+Simplex<S> first_simplex(const GjkVertex<S>& vertex, const Difference<S>& difference) {
+  Simplex<S> simplex;
+  simplex.vertices[0] = vertex;
+  simplex.points[0] = difference.point(vertex);
+  simplex.nearest = nearest_on_simplex(simplex.points, 1, difference.scale());
+  return simplex;
+}
+
+/// The simplex with one more point, reduced to the face that carries the point nearest to the
+/// origin. `simplex` has at most three points.
+template <class S>
+Simplex<S> grown(const Simplex<S>& simplex, const GjkVertex<S>& vertex, const Vec3<S>& point,
+                 S scale) {
+  Simplex<S> result = simplex;
+  const auto last = static_cast<std::size_t>(simplex.nearest.count);
+  result.vertices[last] = vertex;
+  result.points[last] = point;
+  result.nearest = nearest_on_simplex(result.points, simplex.nearest.count + 1, scale);
+  // `kept` ascends, so no point is overwritten before it has moved down.
+  for (std::size_t i = 0; i < static_cast<std::size_t>(result.nearest.count); ++i) {
+    const auto from = static_cast<std::size_t>(result.nearest.kept[i]);
+    result.vertices[i] = result.vertices[from];
+    result.points[i] = result.points[from];
+  }
+  return result;
+}
+
+/// From the simplex of an earlier call, with the points where they are now.
+template <class S>
+Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const Difference<S>& difference) {
+  const auto now = [&](const GjkVertex<S>& vertex) {
+    return difference.vertex(vertex.index_a, vertex.index_b);
+  };
+  Simplex<S> simplex = first_simplex(now(earlier.vertices[0]), difference);
+  for (std::size_t i = 1; i < earlier.vertices.size(); ++i) {
+    const GjkVertex<S> vertex = now(earlier.vertices[i]);
+    const Simplex<S> next = grown(simplex, vertex, difference.point(vertex), difference.scale());
+    if (next.nearest.squared_distance < simplex.nearest.squared_distance) simplex = next;
+  }
+  return simplex;
+}
+
+template <class S>
+bool is_usable(const GjkSimplex<S>* warm_start, const Difference<S>& difference) {
+  if (warm_start == nullptr || warm_start->vertices.empty()) return false;
+  for (const GjkVertex<S>& vertex : warm_start->vertices) {
+    if (!difference.has(vertex)) return false;
+  }
+  return true;
+}
+
+template <class S>
+GjkSimplex<S> to_result(const Simplex<S>& simplex) {
+  GjkSimplex<S> result;
+  result.weights = {};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.nearest.count); ++i) {
+    result.vertices.push_back(simplex.vertices[i]);
+    result.weights[i] = simplex.nearest.weights[i];
+  }
+  return result;
+}
+
+/// The point with the simplex's weights of one shape, from the heaviest vertex: what rounding the
+/// weights have then meets only differences of vertices.
+template <class S>
+Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
+  std::size_t heaviest = 0;
+  for (std::size_t i = 1; i < simplex.vertices.size(); ++i) {
+    if (simplex.weights[i] > simplex.weights[heaviest]) heaviest = i;
+  }
+  const Vec3<S>& base = simplex.vertices[heaviest].*point;
+  Vec3<S> aside = Vec3<S>::Zero();
+  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
+    if (i != heaviest) aside += simplex.weights[i] * (simplex.vertices[i].*point - base);
+  }
+  return base + aside;
+}
+
+template <class S>
+GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
+                    const Difference<S>& difference) {
+  GjkResult<S> result;
+  result.status = status;
+  result.iterations = iterations;
+  result.simplex = to_result(simplex);
+  result.on_a = weighted(result.simplex, &GjkVertex<S>::a);
+  result.on_b = weighted(result.simplex, &GjkVertex<S>::b);
+  result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
+  const S length = simplex.nearest.direction.norm();
+  if (length > S(0)) result.normal = simplex.nearest.direction / length;
+  return result;
+}
+
+template <class S>
+int distinct(const GjkSimplex<S>& simplex, int GjkVertex<S>::*index) {
+  int count = 0;
+  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
+    bool is_new = true;
+    for (std::size_t j = 0; j < i; ++j) {
+      is_new = is_new && simplex.vertices[i].*index != simplex.vertices[j].*index;
+    }
+    count += is_new ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+template <class S>
+int GjkSimplex<S>::distinct_a() const {
+  return distinct(*this, &GjkVertex<S>::index_a);
+}
+
+template <class S>
+int GjkSimplex<S>::distinct_b() const {
+  return distinct(*this, &GjkVertex<S>::index_b);
+}
+
+/// Gilbert, Johnson and Keerthi, "A Fast Procedure for Computing the Distance Between Complex
+/// Objects in Three-Dimensional Space", 1988; van den Bergen, "A Fast and Robust GJK Implementation
+/// for Collision Detection of Convex Objects", 1999, for the test that ends it.
+///
+/// We deviate in three things. The end: that test stops when the bounds of the distance are as near
+/// as rounding. The distance is second order in the closest points, so these would be right to the
+/// square root of that only. The bounds' difference along the search direction is first order, and
+/// we stop when that is a rounding of the pair's scale: in practice when the support point is one
+/// that we have, so that the simplex is the face of the difference and not somewhere on it. The
+/// direction: near the origin we search along a triangle's normal, not to its nearest point, all
+/// whose digits cancel. The simplex: see simplex.cpp.
+///
+/// Steps: 1. the simplex is one support point, or the earlier one; 2. its point nearest to the
+/// origin, and the face that carries it; 3. the origin is inside: overlap; or nearer than rounding:
+/// touching; 4. the support point of the difference against that direction; 5. none farther than
+/// the simplex itself: separated; 6. add it and go on at 2.
+template <class S, class StepRecorder>
+GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
+                 const GjkSimplex<S>* warm_start, StepRecorder& steps) {
+  const Difference<S> difference(a, b, b_in_a);
+  const S rounding = tie_tolerance(difference.scale());
+
+  Simplex<S> simplex =
+      is_usable(warm_start, difference)
+          ? warm_simplex(*warm_start, difference)
+          : first_simplex(difference.support_against(difference.between_middles()), difference);
+  int stalls = 0;
+  for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
+    if constexpr (StepRecorder::kRecords) steps.step(to_result(simplex));
+    const NearestOnSimplex<S>& nearest = simplex.nearest;
+    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, simplex, difference);
+    if (nearest.squared_distance <= rounding * rounding) {
+      return finish(GjkStatus::Touching, iteration, simplex, difference);
+    }
+
+    const GjkVertex<S> support = difference.support_against(nearest.direction);
+    const Vec3<S> point = difference.point(support);
+    const S gain = simplex.least_along(nearest.direction) - nearest.direction.dot(point);
+    const bool is_farther =
+        gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
+    if (!is_farther || simplex.has(support)) {
+      return finish(GjkStatus::Separated, iteration, simplex, difference);
+    }
+
+    const Simplex<S> next = grown(simplex, support, point, difference.scale());
+    if (!(next.nearest.squared_distance < nearest.squared_distance)) {
+      const S farther = std::sqrt(next.nearest.squared_distance);
+      const bool is_worse = farther > std::sqrt(nearest.squared_distance) + rounding;
+      if (is_worse || ++stalls > kMaxGjkStalls) {
+        return finish(GjkStatus::Separated, iteration, simplex, difference);
+      }
+    }
+    simplex = next;
+  }
+  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, simplex, difference);
+}
+
+#define CONTACTSCOPE_INSTANTIATE_GJK(S, Recorder)                                       \
+  template GjkResult<S> gjk(const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&, \
+                            const GjkSimplex<S>*, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE_GJK(float, NoGjkRecorder)
+CONTACTSCOPE_INSTANTIATE_GJK(float, GjkStepList)
+CONTACTSCOPE_INSTANTIATE_GJK(double, NoGjkRecorder)
+CONTACTSCOPE_INSTANTIATE_GJK(double, GjkStepList)
+#undef CONTACTSCOPE_INSTANTIATE_GJK
+template struct GjkSimplex<float>;
+template struct GjkSimplex<double>;
+
+}  // namespace contactscope

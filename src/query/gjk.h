@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/pose.h"
+#include "core/static_vector.h"
+#include "query/support_set.h"
+
+namespace contactscope {
+
+enum class GjkStatus {
+  Separated,        // a distance > 0 and the closest points were found
+  Touching,         // the simplex passes through the origin within rounding: the shapes touch or
+                    // overlap; how deep it does not say
+  Overlap,          // the origin lies inside the simplex, a tetrahedron, by more than rounding
+  OutOfIterations,  // kMaxGjkIterations; the result is an upper bound of the distance. Not seen
+};
+
+/// "separated", "touching", "overlap", "out_of_iterations".
+constexpr const char* to_string(GjkStatus status) {
+  switch (status) {
+    case GjkStatus::Separated:
+      return "separated";
+    case GjkStatus::Touching:
+      return "touching";
+    case GjkStatus::Overlap:
+      return "overlap";
+    case GjkStatus::OutOfIterations:
+      return "out_of_iterations";
+  }
+  return "?";
+}
+
+/// A point of the Minkowski difference B - A, by the points that it is the difference of.
+template <class S>
+struct GjkVertex {
+  int index_a, index_b;  // in the support sets
+  Vec3<S> a, b;          // both in A's frame
+};
+
+/// Which features are closest follows from the indices: of A a vertex where all index_a are equal,
+/// an edge where there are two of them, a face where there are three; of B likewise.
+template <class S>
+struct GjkSimplex {
+  StaticVector<GjkVertex<S>, 4> vertices;
+  std::array<S, 4> weights;  // barycentric, of the point nearest to the origin; positive, sum 1
+
+  /// How many different points of A (of B) there are, 1 to 4.
+  int distinct_a() const;
+  int distinct_b() const;
+};
+
+template <class S>
+struct GjkResult {
+  GjkStatus status = GjkStatus::OutOfIterations;
+  S distance = 0;                     // metres; 0 in overlap
+  Vec3<S> on_a, on_b;                 // closest points in A's frame; in overlap a common point
+  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame; of meaning if Separated
+  int iterations = 0;                 // support points looked for
+  GjkSimplex<S> simplex;              // the last
+};
+
+/// Far more than any pair takes: the simplex comes strictly nearer with each step but for
+/// kMaxGjkStalls, and in practice a pair of hulls takes about ten.
+inline constexpr int kMaxGjkIterations = 256;
+
+/// For a caller that does not watch.
+template <class S>
+struct NoGjkRecorder {
+  static constexpr bool kRecords = false;
+  void step(const GjkSimplex<S>& /*simplex*/) {}
+};
+
+/// Every simplex of a run, one an iteration; the last is the result's.
+template <class S>
+struct GjkStepList {
+  static constexpr bool kRecords = true;
+  void step(const GjkSimplex<S>& simplex) { steps.push_back(simplex); }
+
+  std::vector<GjkSimplex<S>> steps;
+};
+
+/// Distance and closest points of two convex cores. Metres; all results in A's frame. `warm_start`
+/// is the simplex of an earlier call for the same two sets, or nullptr; it changes how many
+/// iterations are taken, and the result by rounding only. StepRecorder is NoGjkRecorder<S> or
+/// GjkStepList<S>.
+///
+/// The distance is right to a few ulps of the pair's length scale, the sum of both reaches and the
+/// way between the frames; shapes nearer than that are Touching. Flat, needle-like, coincident and
+/// coplanar points are fine. Lengths from 1e-18 m to 1e18 m, points of one pair within 1e4 times
+/// each other's size in single precision.
+template <class S, class StepRecorder>
+GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
+                 const GjkSimplex<S>* warm_start, StepRecorder& steps);
+
+template <class S>
+GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a) {
+  NoGjkRecorder<S> unwatched;
+  return gjk(a, b, b_in_a, static_cast<const GjkSimplex<S>*>(nullptr), unwatched);
+}
+
+}  // namespace contactscope
