@@ -101,8 +101,9 @@ template <class S>
 void refit(Mesh<S>& mesh);
 
 /// Angle in radians by which the surface bends across an edge that has a neighbour: the one between
-/// the normals of both triangles, positive where convex, 0 where flat, in (-pi, pi]. The same seen
-/// from either triangle.
+/// the normals of both triangles, positive where convex, 0 where flat. The same seen from either
+/// triangle. Over pi for a sheet folded onto itself and beyond by up to kFlatEdgeAngle, never near
+/// -pi.
 template <class S>
 double bend_angle(const Mesh<S>& mesh, int triangle, int edge);
 

@@ -109,10 +109,10 @@ double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
                       mesh.corner(triangle, edge).template cast<double>();
   const double sine = here.cross(there).dot(along.stableNormalized());
   const double cosine = here.dot(there);
-  // A sheet folded onto itself: rounding alone would say which way. It is an edge that can be
+  const double angle = std::atan2(sine, cosine);
+  // A sheet folded onto itself: rounding alone may say which way. It is an edge that can be
   // touched; a crease so sharp cannot.
-  if (cosine < 0 && std::abs(sine) < kFlatEdgeAngle) return std::numbers::pi;
-  return std::atan2(sine, cosine);
+  return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
 template <class S>
