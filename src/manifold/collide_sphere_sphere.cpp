@@ -17,7 +17,7 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
   if (separation > options.margin) return separation;
 
   if (distance > S(0)) {
-    contact.normal = center_b / distance;
+    contact.normal = safe_unit(center_b);
   } else {
     recorder.degenerate("coincident centres", options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;

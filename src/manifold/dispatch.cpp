@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "manifold/collide_capsule_capsule.h"
+#include "manifold/collide_capsule_plane.h"
 #include "manifold/collide_hull_hull.h"
+#include "manifold/collide_hull_plane.h"
+#include "manifold/collide_sphere_capsule.h"
+#include "manifold/collide_sphere_plane.h"
 #include "manifold/collide_sphere_sphere.h"
 #include "manifold/finish_contact.h"
 #include "manifold/recorder.h"
@@ -48,11 +53,17 @@ void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifol
 template <class S, class R>
 Entry<S, R> entry(ShapeKind a, ShapeKind b) {
   using Sp = Sphere<S>;
+  using Ca = Capsule<S>;
   using Hu = Hull<S>;
+  using Pl = HalfSpace<S>;
   static constexpr Entry<S, R> kTable[kShapeKinds][kShapeKinds] = {
-      {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>, nullptr, nullptr, nullptr},
-      {nullptr, nullptr, nullptr, nullptr},
-      {nullptr, nullptr, convex<S, R, Hu, Hu, collide_hull_hull<S, R>>, nullptr},
+      {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>,
+       convex<S, R, Sp, Ca, collide_sphere_capsule<S, R>>, nullptr,
+       convex<S, R, Sp, Pl, collide_sphere_plane<S, R>>},
+      {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>, nullptr,
+       convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>},
+      {nullptr, nullptr, convex<S, R, Hu, Hu, collide_hull_hull<S, R>>,
+       convex<S, R, Hu, Pl, collide_hull_plane<S, R>>},
       {nullptr, nullptr, nullptr, nullptr},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];

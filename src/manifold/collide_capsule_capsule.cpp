@@ -1,0 +1,211 @@
+#include "manifold/collide_capsule_capsule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/recorder.h"
+#include "manifold/round_contact.h"
+#include "query/closest_points.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// Two axes that part by no more than this times the sum of the radii, over the stretch on which
+/// they lie beside each other, are nearly parallel. Two points then stand for a contact that is as
+/// long as the stretch: where axes cross in its middle, the surfaces at its ends are farther apart
+/// than in the middle by at most 0.05^2 / 2 of the radii, which is under any slop.
+template <class S>
+inline constexpr S kNearlyParallel = S(0.1);
+
+/// Two points closer than this times the sum of the radii are one.
+template <class S>
+inline constexpr S kShortStretch = S(0.01);
+
+/// An axis in A's frame, metres.
+template <class S>
+struct Axis {
+  Vec3<S> points[2];
+  Vec3<S> unit;  // from the first to the second; zero if it has no length
+  S length;
+
+  bool has_length() const { return length > S(0); }
+};
+
+template <class S>
+Axis<S> axis_in_own_frame(const Capsule<S>& capsule) {
+  const Vec3<S> along = capsule.points[1] - capsule.points[0];
+  return {{capsule.points[0], capsule.points[1]}, safe_unit(along), safe_norm(along)};
+}
+
+/// The direction is turned by itself: it does not lose what the ends lose far from A.
+template <class S>
+Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
+  return {{pose.transform(axis.points[0]), pose.transform(axis.points[1])},
+          pose.rotate(axis.unit),
+          axis.length};
+}
+
+/// Two axes and how they lie to each other.
+template <class S>
+struct AxisPair {
+  AxisPair(const Axis<S>& one, const Axis<S>& other, S sum_of_radii)
+      : a(one), b(other), radii(sum_of_radii), cross(a.unit.cross(b.unit)), sine(cross.norm()) {
+    if (!a.has_length() || !b.has_length()) return;
+    const S first = a.unit.dot(b.points[0] - a.points[0]);
+    const S second = a.unit.dot(b.points[1] - a.points[0]);
+    from_b = std::min(first, second);
+    to_b = std::max(first, second);
+    stretch = std::min(to_b, a.length) - std::max(from_b, S(0));
+    // Rounding must not decide between axes that were placed in parallel.
+    largest_sine = std::max(kNearlyParallel<S> * std::min(S(1), radii / std::max(stretch, radii)),
+                            S(2) * kParallelSine<S>);
+  }
+
+  bool nearly_parallel() const {
+    return stretch > kShortStretch<S> * radii && sine <= largest_sine;
+  }
+  S scale() const {
+    S largest = 0;
+    for (const Axis<S>* axis : {&a, &b}) {
+      for (const Vec3<S>& point : axis->points) {
+        largest = std::max(largest, point.cwiseAbs().maxCoeff());
+      }
+    }
+    return largest;
+  }
+
+  const Axis<S>&a, &b;
+  S radii;
+  Vec3<S> cross;  // of the units
+  S sine;
+  S from_b = 0, to_b = 0;  // B's ends along A's axis, metres from A's first
+  S stretch = 0;           // of A's axis that has B beside it; negative where they pass
+  S largest_sine = kNearlyParallel<S>;
+};
+
+/// From A to B by the closest points. Where lines cross, their cross product is the same direction
+/// and less rounded if the points are very close.
+template <class S>
+Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
+  const Vec3<S> between = closest.on_b - closest.on_a;
+  const auto is_inside = [](S parameter) { return S(0) < parameter && parameter < S(1); };
+  const bool cross = is_inside(closest.parameter_a) && is_inside(closest.parameter_b) &&
+                     closest.distance < axes.sine * std::min(axes.a.length, axes.b.length);
+  if (!cross) return safe_unit(between);
+  const Vec3<S> normal = axes.cross / axes.sine;
+  return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
+}
+
+template <class S>
+const char* degenerate_name(const AxisPair<S>& axes) {
+  if (!axes.a.has_length() && !axes.b.has_length()) return "coincident centres";
+  if (!axes.a.has_length() || !axes.b.has_length()) return "centre on the axis";
+  return axes.sine < axes.largest_sine ? "overlapping axes" : "crossing axes";
+}
+
+/// Of axes that meet. The cross product of parallel axes is nothing but rounding, and that of nearly
+/// parallel ones turns about quickly, so up to half the angle at which they count as parallel the
+/// direction that is fixed to a body has its say.
+template <class S>
+Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Capsule<S>& b,
+                        const Pose<S>& b_in_a) {
+  if (!axes.b.has_length() && axes.a.has_length()) {
+    return body_perpendicular(Vec3<S>(a.points[1] - a.points[0]));
+  }
+  const Vec3<S> fixed = b_in_a.rotate(body_perpendicular(Vec3<S>(b.points[1] - b.points[0])));
+  const Vec3<S> cross = axes.cross.dot(fixed) < S(0) ? Vec3<S>(-axes.cross) : axes.cross;
+  const S missing = std::max(S(0), S(0.5) * axes.largest_sine - axes.sine);
+  return safe_unit(Vec3<S>(cross + missing * fixed));
+}
+
+/// Two points of the axes that face each other.
+template <class S>
+struct Facing {
+  Vec3<S> on_a, on_b;
+};
+
+/// At the end of the stretch on the side of A's end `side`: the end of B's axis if it lies beside
+/// A's, else that of A's, each with the point of the other axis that is closest to it.
+template <class S>
+Facing<S> facing_at(const AxisPair<S>& axes, int side, int end_of_b) {
+  const bool b_ends = side == 0 ? axes.from_b > S(0) : axes.to_b < axes.a.length;
+  if (b_ends) {
+    const Vec3<S>& end = axes.b.points[end_of_b];
+    return {closest_on_segment(end, axes.a.points[0], axes.a.points[1]).point, end};
+  }
+  const Vec3<S>& end = axes.a.points[side];
+  return {end, closest_on_segment(end, axes.b.points[0], axes.b.points[1]).point};
+}
+
+template <class S>
+void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
+                    Contact<S>& contact) {
+  const bool same_way = axes.a.unit.dot(axes.b.unit) > S(0);
+  for (int side = 0; side < 2; ++side) {
+    const int end_of_b = same_way ? side : 1 - side;
+    const Facing<S> facing = facing_at(axes, side, end_of_b);
+    const S distance = contact.normal.dot(facing.on_b - facing.on_a);
+    if (distance - axes.radii > margin) continue;
+    const FeatureId id = FeatureId::of(vertex_ref(Owner::A, side), vertex_ref(Owner::B, end_of_b));
+    add_round_point(facing.on_a, radius_a, facing.on_b, radius_b, contact.normal, distance, id,
+                    contact);
+  }
+  if (contact.points.size() == 2) contact.type = ContactType::EdgeEdge;
+}
+
+}  // namespace
+
+/// Deviates from the talk in two ways. It clips the second axis against planes at the ends of the
+/// first; we take the closest point of either axis to the other's end, so that the closest points of
+/// the axes are among them and the depth does not jump when one point becomes two. And it keeps
+/// what is near to the first axis; we measure along the common normal, as the separation is.
+/// Steps: 1. closest points of the axes; 2. their direction is the normal, unless they meet; 3. two
+/// points if the axes are nearly parallel and long enough beside each other; 4. else, or if these
+/// are apart, the closest points.
+template <class S, class Recorder>
+S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
+                          const CollideOptions<S>& options, Contact<S>& contact,
+                          Recorder& recorder) {
+  const Axis<S> axis_a = axis_in_own_frame(a);
+  const Axis<S> axis_b = placed(axis_in_own_frame(b), b_in_a);
+  const ClosestOfSegments<S> closest =
+      closest_of_segments(axis_a.points[0], axis_a.points[1], axis_b.points[0], axis_b.points[1]);
+  const S separation = closest.distance - (a.radius + b.radius);
+  if (separation > options.margin) return separation;
+
+  const AxisPair<S> axes(axis_a, axis_b, a.radius + b.radius);
+  if (closest.distance > clip_thickness(axes.scale())) {
+    contact.normal = normal_between(axes, closest);
+  } else {
+    recorder.degenerate(degenerate_name(axes), options.degenerate);
+    if (options.degenerate == Degenerate::Skip) return separation;
+    contact.normal = fallback_normal(axes, a, b, b_in_a);
+  }
+  const FeatureRef feature_a = axis_feature(Owner::A, closest.parameter_a, axis_a.has_length());
+  const FeatureRef feature_b = axis_feature(Owner::B, closest.parameter_b, axis_b.has_length());
+  contact.axis = AxisKind::ClosestPoints;
+  contact.type = contact_type(feature_a.kind, feature_b.kind);
+  if (axes.nearly_parallel()) add_two_points(axes, a.radius, b.radius, options.margin, contact);
+  if (contact.points.empty()) {
+    add_round_point(closest.on_a, a.radius, closest.on_b, b.radius, contact.normal,
+                    closest.distance, FeatureId::of(feature_a, feature_b), contact);
+  }
+  return separation;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                              \
+  template S collide_capsule_capsule(const Capsule<S>&, const Capsule<S>&, const Pose<S>&, \
+                                     const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/pose.h"
+#include "geometry/capsule.h"
+#include "manifold/collide_options.h"
+#include "manifold/contact.h"
+
+namespace contactscope {
+
+/// Gregorius 2015, "Capsule vs Capsule": virtual spheres about the closest points of the two axes.
+/// One point, or two where the axes are nearly parallel and lie beside each other ("Stacking",
+/// "Clipping"). Fills `contact` in A's frame and returns the distance of the surfaces in metres,
+/// negative in overlap; the deepest point is that deep, whether there are one or two.
+///
+/// A single point is named after what it lies on, an end or the edge of each axis. Of two points,
+/// each is named after the ends of A's and B's axis on its side, whichever of them reaches farther:
+/// the names stay while the bodies slide along each other.
+///
+/// Axes that meet, within rounding, have no normal. The fallback is their cross product where they
+/// cross, on the side of a direction that turns with B; where they overlap in parallel it is that
+/// direction itself, perpendicular to B's axis; in between it turns from one to the other, so that
+/// the contact does not jump while the bodies turn slowly.
+template <class S, class Recorder>
+S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
+                          const CollideOptions<S>& options, Contact<S>& contact,
+                          Recorder& recorder);
+
+}  // namespace contactscope

@@ -1,0 +1,47 @@
+#include "manifold/collide_capsule_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/plane_contact.h"
+#include "manifold/recorder.h"
+#include "manifold/round_contact.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+
+template <class S, class Recorder>
+S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
+                        const CollideOptions<S>& options, Contact<S>& contact,
+                        Recorder& /*recorder*/) {
+  const Plane<S> plane = plane_in_a(b, b_in_a);
+  const S heights[2] = {plane.distance(a.points[0]), plane.distance(a.points[1])};
+  const S separation = std::min(heights[0], heights[1]) - a.radius;
+  if (separation > options.margin) return separation;
+
+  const Vec3<S> along = a.points[1] - a.points[0];
+  const S length = safe_norm(along);
+  const bool level = length > S(0) && std::abs(plane.normal.dot(along)) <= kLevel<S> * length;
+  begin_plane_contact(plane, level ? ContactType::EdgeFace : ContactType::PointFace, contact);
+  for (int end = 0; end < (length > S(0) ? 2 : 1); ++end) {
+    if (heights[end] - a.radius > options.margin) continue;
+    const Vec3<S>& center = a.points[static_cast<std::size_t>(end)];
+    contact.points.push_back(plane_point(plane, center, heights[end], a.radius, end));
+  }
+  return separation;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                              \
+  template S collide_capsule_plane(const Capsule<S>&, const HalfSpace<S>&, const Pose<S>&, \
+                                   const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope
