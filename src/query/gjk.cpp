@@ -1,7 +1,12 @@
 #include "query/gjk.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "query/simplex.h"
 #include "query/tolerance.h"
@@ -13,6 +18,21 @@ namespace {
 /// first-order measure that it will; more of them are rounding going in circles.
 constexpr int kMaxGjkStalls = 3;
 
+/// For a finite, normal number > 0; so quick because it only clears the mantissa.
+template <class S>
+S power_of_two_up_to(S value) {
+  using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
+  constexpr Bits kMantissa = (Bits(1) << (std::numeric_limits<S>::digits - 1)) - 1;
+  return std::bit_cast<S>(std::bit_cast<Bits>(value) & ~kMantissa);
+}
+
+/// A point of the Minkowski difference.
+struct IndexPair {
+  int a, b;
+
+  friend bool operator==(const IndexPair&, const IndexPair&) = default;
+};
+
 /// The Minkowski difference B - A, in A's frame, shrunk by a power of two so that its points are of
 /// the order of 1 and no power of a length leaves the range of S.
 template <class S>
@@ -21,11 +41,10 @@ class Difference {
   Difference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
       : a_(a), b_(b), rotation_(b_in_a.rotation.toRotationMatrix()), position_(b_in_a.position) {
     const S length = reach_of(a) + reach_of(b) + position_.norm();
-    if (length > S(0)) {
-      int exponent = 0;
-      scale_ = S(2) * std::frexp(length, &exponent);
-      unit_ = std::ldexp(S(1), exponent - 1);
-      per_unit_ = std::ldexp(S(1), 1 - exponent);
+    if (length >= std::numeric_limits<S>::min()) {
+      unit_ = power_of_two_up_to(length);
+      per_unit_ = S(1) / unit_;
+      scale_ = length * per_unit_;
     }
   }
 
@@ -34,17 +53,18 @@ class Difference {
   /// Metres.
   S unit() const { return unit_; }
 
-  GjkVertex<S> vertex(int index_a, int index_b) const {
-    return {index_a, index_b, a_.points[index_a],
-            Vec3<S>(rotation_ * b_.points[index_b] + position_)};
-  }
-  /// The vertex of the difference that lies farthest against `direction`.
-  GjkVertex<S> support_against(const Vec3<S>& direction) const {
-    const Vec3<S> in_b = -(rotation_.transpose() * direction);
-    return vertex(support_index(a_, direction), support_index(b_, in_b));
+  GjkVertex<S> vertex(const IndexPair& pair) const {
+    return {pair.a, pair.b, a_.points[pair.a], b_in_frame_of_a(pair)};
   }
   /// In units.
-  Vec3<S> point(const GjkVertex<S>& vertex) const { return per_unit_ * (vertex.b - vertex.a); }
+  Vec3<S> point(const IndexPair& pair) const {
+    return per_unit_ * (b_in_frame_of_a(pair) - a_.points[pair.a]);
+  }
+  /// The vertex of the difference that lies farthest against `direction`.
+  IndexPair support_against(const Vec3<S>& direction) const {
+    const Vec3<S> in_b = -(rotation_.transpose() * direction);
+    return {support_index(a_, direction), support_index(b_, in_b)};
+  }
 
   Vec3<S> between_middles() const {
     const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
@@ -56,6 +76,10 @@ class Difference {
   }
 
  private:
+  Vec3<S> b_in_frame_of_a(const IndexPair& pair) const {
+    return rotation_ * b_.points[pair.b] + position_;
+  }
+
   const SupportSet<S>& a_;
   const SupportSet<S>& b_;
   Mat3<S> rotation_;
@@ -66,14 +90,13 @@ class Difference {
 /// The current simplex: only points that carry its point nearest to the origin.
 template <class S>
 struct Simplex {
-  std::array<GjkVertex<S>, 4> vertices;
+  std::array<IndexPair, 4> pairs;
   std::array<Vec3<S>, 4> points;  // in units
   NearestOnSimplex<S> nearest;
 
-  bool has(const GjkVertex<S>& vertex) const {
+  bool has(const IndexPair& pair) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
-      if (vertices[i].index_a == vertex.index_a && vertices[i].index_b == vertex.index_b)
-        return true;
+      if (pairs[i] == pair) return true;
     }
     return false;
   }
@@ -88,43 +111,39 @@ struct Simplex {
 };
 
 template <class S>
-Simplex<S> first_simplex(const GjkVertex<S>& vertex, const Difference<S>& difference) {
+Simplex<S> first_simplex(const IndexPair& pair, const Difference<S>& difference) {
   Simplex<S> simplex;
-  simplex.vertices[0] = vertex;
-  simplex.points[0] = difference.point(vertex);
-  simplex.nearest = nearest_on_simplex(simplex.points, 1, difference.scale());
+  simplex.pairs[0] = pair;
+  simplex.points[0] = difference.point(pair);
+  nearest_on_simplex(simplex.points, 1, difference.scale(), simplex.nearest);
   return simplex;
 }
 
 /// The simplex with one more point, reduced to the face that carries the point nearest to the
-/// origin. `simplex` has at most three points.
+/// origin. `simplex` has at most three points, and a place for one more, which is overwritten.
 template <class S>
-Simplex<S> grown(const Simplex<S>& simplex, const GjkVertex<S>& vertex, const Vec3<S>& point,
-                 S scale) {
-  Simplex<S> result = simplex;
+void grow(Simplex<S>& simplex, const IndexPair& pair, const Vec3<S>& point, S scale,
+          Simplex<S>& grown) {
   const auto last = static_cast<std::size_t>(simplex.nearest.count);
-  result.vertices[last] = vertex;
-  result.points[last] = point;
-  result.nearest = nearest_on_simplex(result.points, simplex.nearest.count + 1, scale);
-  // `kept` ascends, so no point is overwritten before it has moved down.
-  for (std::size_t i = 0; i < static_cast<std::size_t>(result.nearest.count); ++i) {
-    const auto from = static_cast<std::size_t>(result.nearest.kept[i]);
-    result.vertices[i] = result.vertices[from];
-    result.points[i] = result.points[from];
+  simplex.pairs[last] = pair;
+  simplex.points[last] = point;
+  nearest_on_simplex(simplex.points, simplex.nearest.count + 1, scale, grown.nearest);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(grown.nearest.count); ++i) {
+    const auto from = static_cast<std::size_t>(grown.nearest.kept[i]);
+    grown.pairs[i] = simplex.pairs[from];
+    grown.points[i] = simplex.points[from];
   }
-  return result;
 }
 
 /// From the simplex of an earlier call, with the points where they are now.
 template <class S>
 Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const Difference<S>& difference) {
-  const auto now = [&](const GjkVertex<S>& vertex) {
-    return difference.vertex(vertex.index_a, vertex.index_b);
-  };
-  Simplex<S> simplex = first_simplex(now(earlier.vertices[0]), difference);
-  for (std::size_t i = 1; i < earlier.vertices.size(); ++i) {
-    const GjkVertex<S> vertex = now(earlier.vertices[i]);
-    const Simplex<S> next = grown(simplex, vertex, difference.point(vertex), difference.scale());
+  Simplex<S> simplex = first_simplex(
+      IndexPair{earlier.vertices[0].index_a, earlier.vertices[0].index_b}, difference);
+  for (std::size_t i = 1; i < earlier.vertices.size() && simplex.nearest.count < 4; ++i) {
+    const IndexPair pair{earlier.vertices[i].index_a, earlier.vertices[i].index_b};
+    Simplex<S> next;
+    grow(simplex, pair, difference.point(pair), difference.scale(), next);
     if (next.nearest.squared_distance < simplex.nearest.squared_distance) simplex = next;
   }
   return simplex;
@@ -140,11 +159,11 @@ bool is_usable(const GjkSimplex<S>* warm_start, const Difference<S>& difference)
 }
 
 template <class S>
-GjkSimplex<S> to_result(const Simplex<S>& simplex) {
+GjkSimplex<S> to_result(const Simplex<S>& simplex, const Difference<S>& difference) {
   GjkSimplex<S> result;
   result.weights = {};
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.nearest.count); ++i) {
-    result.vertices.push_back(simplex.vertices[i]);
+    result.vertices.push_back(difference.vertex(simplex.pairs[i]));
     result.weights[i] = simplex.nearest.weights[i];
   }
   return result;
@@ -172,7 +191,7 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   GjkResult<S> result;
   result.status = status;
   result.iterations = iterations;
-  result.simplex = to_result(simplex);
+  result.simplex = to_result(simplex, difference);
   result.on_a = weighted(result.simplex, &GjkVertex<S>::a);
   result.on_b = weighted(result.simplex, &GjkVertex<S>::b);
   result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
@@ -228,39 +247,42 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
   const Difference<S> difference(a, b, b_in_a);
   const S rounding = tie_tolerance(difference.scale());
 
-  Simplex<S> simplex =
+  Simplex<S> buffers[2];
+  Simplex<S>* simplex = &buffers[0];
+  Simplex<S>* next = &buffers[1];
+  *simplex =
       is_usable(warm_start, difference)
           ? warm_simplex(*warm_start, difference)
           : first_simplex(difference.support_against(difference.between_middles()), difference);
   int stalls = 0;
   for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
-    if constexpr (StepRecorder::kRecords) steps.step(to_result(simplex));
-    const NearestOnSimplex<S>& nearest = simplex.nearest;
-    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, simplex, difference);
+    if constexpr (StepRecorder::kRecords) steps.step(to_result(*simplex, difference));
+    const NearestOnSimplex<S>& nearest = simplex->nearest;
+    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, *simplex, difference);
     if (nearest.squared_distance <= rounding * rounding) {
-      return finish(GjkStatus::Touching, iteration, simplex, difference);
+      return finish(GjkStatus::Touching, iteration, *simplex, difference);
     }
 
-    const GjkVertex<S> support = difference.support_against(nearest.direction);
+    const IndexPair support = difference.support_against(nearest.direction);
     const Vec3<S> point = difference.point(support);
-    const S gain = simplex.least_along(nearest.direction) - nearest.direction.dot(point);
+    const S gain = simplex->least_along(nearest.direction) - nearest.direction.dot(point);
     const bool is_farther =
         gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
-    if (!is_farther || simplex.has(support)) {
-      return finish(GjkStatus::Separated, iteration, simplex, difference);
+    if (!is_farther || simplex->has(support)) {
+      return finish(GjkStatus::Separated, iteration, *simplex, difference);
     }
 
-    const Simplex<S> next = grown(simplex, support, point, difference.scale());
-    if (!(next.nearest.squared_distance < nearest.squared_distance)) {
-      const S farther = std::sqrt(next.nearest.squared_distance);
+    grow(*simplex, support, point, difference.scale(), *next);
+    if (!(next->nearest.squared_distance < nearest.squared_distance)) {
+      const S farther = std::sqrt(next->nearest.squared_distance);
       const bool is_worse = farther > std::sqrt(nearest.squared_distance) + rounding;
       if (is_worse || ++stalls > kMaxGjkStalls) {
-        return finish(GjkStatus::Separated, iteration, simplex, difference);
+        return finish(GjkStatus::Separated, iteration, *simplex, difference);
       }
     }
-    simplex = next;
+    std::swap(simplex, next);
   }
-  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, simplex, difference);
+  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, *simplex, difference);
 }
 
 #define CONTACTSCOPE_INSTANTIATE_GJK(S, Recorder)                                       \

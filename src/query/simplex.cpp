@@ -13,16 +13,23 @@ template <class S>
 using Points = std::array<Vec3<S>, 4>;
 
 template <class S>
-NearestOnSimplex<S> on_vertex(const Points<S>& points, int i) {
-  const Vec3<S>& p = points[static_cast<std::size_t>(i)];
-  return {1, {i}, {S(1)}, p, p.squaredNorm(), p};
+const Vec3<S>& at(const Points<S>& points, int i) {
+  return points[static_cast<std::size_t>(i)];
+}
+
+template <class S>
+void on_vertex(const Points<S>& points, int i, NearestOnSimplex<S>& result) {
+  result.count = 1;
+  result.kept[0] = i;
+  result.weights[0] = S(1);
+  result.point = result.direction = at(points, i);
+  result.squared_distance = result.point.squaredNorm();
 }
 
 /// False unless the foot of the perpendicular lies between both ends.
 template <class S>
 bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result) {
-  const Vec3<S>& p = points[static_cast<std::size_t>(i)];
-  const Vec3<S>& q = points[static_cast<std::size_t>(j)];
+  const Vec3<S>&p = at(points, i), &q = at(points, j);
   const Vec3<S> along = q - p;
   const S from_p = -p.dot(along);
   const S from_q = q.dot(along);
@@ -33,8 +40,8 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
   result.point =
       weight_q < weight_p ? Vec3<S>(p + weight_q * along) : Vec3<S>(q - weight_p * along);
   result.count = 2;
-  result.kept = {i, j};
-  result.weights = {weight_p, weight_q};
+  result.kept[0] = i, result.kept[1] = j;
+  result.weights[0] = weight_p, result.weights[1] = weight_q;
   result.squared_distance = result.point.squaredNorm();
   result.direction = result.point;
   return true;
@@ -45,28 +52,25 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
 template <class S>
 struct Triangle {
   Triangle(const Points<S>& points, int i, int j, int k) {
-    const auto at = [&](int n) -> const Vec3<S>& { return points[static_cast<std::size_t>(n)]; };
-    const Vec3<S> ij = at(j) - at(i);
-    const Vec3<S> jk = at(k) - at(j);
-    const Vec3<S> ki = at(i) - at(k);
+    const Vec3<S> ij = at(points, j) - at(points, i);
+    const Vec3<S> jk = at(points, k) - at(points, j);
+    const Vec3<S> ki = at(points, i) - at(points, k);
     const S ij2 = ij.squaredNorm(), jk2 = jk.squaredNorm(), ki2 = ki.squaredNorm();
     if (ij2 >= jk2 && ij2 >= ki2) {
       place = {2, 0, 1};
-      corner = at(k), q = ki, r = -jk, squared_sides = ki2 * jk2;
+      corner = at(points, k), q = ki, r = -jk, squared_sides = ki2 * jk2;
     } else if (jk2 >= ki2) {
       place = {0, 1, 2};
-      corner = at(i), q = ij, r = -ki, squared_sides = ij2 * ki2;
+      corner = at(points, i), q = ij, r = -ki, squared_sides = ij2 * ki2;
     } else {
       place = {1, 2, 0};
-      corner = at(j), q = jk, r = -ij, squared_sides = jk2 * ij2;
+      corner = at(points, j), q = jk, r = -ij, squared_sides = jk2 * ij2;
     }
     normal = q.cross(r);
     squared_normal = normal.squaredNorm();
   }
 
-  bool is_degenerate() const {
-    return !(squared_normal > kParallelSine<S> * kParallelSine<S> * squared_sides);
-  }
+  bool has_sine_above(S sine) const { return squared_normal > sine * sine * squared_sides; }
 
   std::array<int, 3> place;  // of corner, q and r among i, j and k
   Vec3<S> corner, q, r;      // q and r are sides, from the corner
@@ -79,7 +83,7 @@ struct Triangle {
 template <class S>
 bool on_triangle(const Triangle<S>& triangle, int i, int j, int k, S scale,
                  NearestOnSimplex<S>& result) {
-  if (triangle.is_degenerate()) return false;
+  if (!triangle.has_sine_above(kParallelSine<S>)) return false;
   const Vec3<S>&q = triangle.q, &r = triangle.r, &normal = triangle.normal;
   S weight_q = 0, weight_r = 0;
   Vec3<S> foot = triangle.corner;
@@ -90,16 +94,15 @@ bool on_triangle(const Triangle<S>& triangle, int i, int j, int k, S scale,
   };
   correct();
   // A flat triangle multiplies the rounding of the foot; the second time its error starts small.
-  if (triangle.squared_normal < kNoisySine<S> * kNoisySine<S> * triangle.squared_sides) correct();
+  if (!triangle.has_sine_above(kNoisySine<S>)) correct();
   const S weight_corner = S(1) - weight_q - weight_r;
   if (!(weight_q > S(0) && weight_r > S(0) && weight_corner > S(0))) return false;
 
-  const S weights[] = {weight_corner, weight_q, weight_r};
-  for (std::size_t n = 0; n < 3; ++n) {
-    result.weights[static_cast<std::size_t>(triangle.place[n])] = weights[n];
-  }
+  result.weights[triangle.place[0]] = weight_corner;
+  result.weights[triangle.place[1]] = weight_q;
+  result.weights[triangle.place[2]] = weight_r;
   result.count = 3;
-  result.kept = {i, j, k};
+  result.kept[0] = i, result.kept[1] = j, result.kept[2] = k;
   result.point = foot;
   result.squared_distance = foot.squaredNorm();
   // The foot's direction is off by a rounding of `scale` over its length, the normal's by one over
@@ -120,28 +123,32 @@ bool on_triangle(const Triangle<S>& triangle, int i, int j, int k, S scale,
 template <class S>
 class Nearest {
  public:
-  Nearest(const Points<S>& points, S scale) : points_(points), scale_(scale) {
+  /// The best is kept in `best`.
+  Nearest(const Points<S>& points, S scale, NearestOnSimplex<S>& best)
+      : points_(points), scale_(scale), best_(best) {
     best_.count = 0;
     best_.squared_distance = std::numeric_limits<S>::infinity();
   }
 
-  const NearestOnSimplex<S>& best() const { return best_; }
-
-  void offer_triangle(const Triangle<S>& triangle, int i, int j, int k) {
+  /// True when the foot is inside of a triangle whose shape leaves no doubt of that.
+  bool offer(const Triangle<S>& triangle, int i, int j, int k) {
     NearestOnSimplex<S> found;
-    if (on_triangle(triangle, i, j, k, scale_, found)) offer(found);
-  }
-  void offer_triangle(int i, int j, int k) {
-    offer_triangle(Triangle<S>(points_, i, j, k), i, j, k);
+    if (!on_triangle(triangle, i, j, k, scale_, found)) return false;
+    keep_nearer(found);
+    return triangle.has_sine_above(kNoisySine<S>);
   }
   void offer_edge(int i, int j) {
     NearestOnSimplex<S> found;
-    if (on_edge(points_, i, j, found)) offer(found);
+    if (on_edge(points_, i, j, found)) keep_nearer(found);
   }
-  void offer_vertex(int i) { offer(on_vertex(points_, i)); }
+  void offer_vertex(int i) {
+    NearestOnSimplex<S> found;
+    on_vertex(points_, i, found);
+    keep_nearer(found);
+  }
 
  private:
-  void offer(const NearestOnSimplex<S>& found) {
+  void keep_nearer(const NearestOnSimplex<S>& found) {
     if (!(found.squared_distance < best_.squared_distance)) return;
     if (best_.count > found.count) {
       const S nearer = std::sqrt(best_.squared_distance) - std::sqrt(found.squared_distance);
@@ -152,49 +159,61 @@ class Nearest {
 
   const Points<S>& points_;
   S scale_;
-  NearestOnSimplex<S> best_;
+  NearestOnSimplex<S>& best_;
 };
 
-/// Barycentric weights from the volumes that the origin makes with each triangle. False when the
-/// origin is outside of one, or so near to it that rounding decides.
+/// On which side of a triangle of the tetrahedron the origin lies.
+enum class Side {
+  Inner,  // that of the opposite point, by more than rounding; or the other side, as surely
+  Outer,
+  Unsure  // origin or opposite point within rounding of the plane
+};
+
+/// `origin_height` is the origin's distance times the length of the normal.
 template <class S>
-bool origin_inside(const Points<S>& points, const Triangle<S> (&opposite)[4], S scale,
-                   NearestOnSimplex<S>& result) {
-  S volumes[4];
-  for (std::size_t n = 0; n < 4; ++n) {
-    const Triangle<S>& triangle = opposite[n];
-    const S origin_height = -triangle.normal.dot(triangle.corner);  // all times |normal|
-    const S height = triangle.normal.dot(points[n] - triangle.corner);
-    const S least = tie_tolerance(scale) * std::sqrt(triangle.squared_normal);
-    const bool same_side = height > S(0) ? origin_height > least : origin_height < -least;
-    if (!same_side || std::abs(height) <= least) return false;
-    volumes[n] = std::abs(origin_height);
-  }
-  const S sum = (volumes[0] + volumes[1]) + (volumes[2] + volumes[3]);
-  result = {4,
-            {0, 1, 2, 3},
-            {volumes[0] / sum, volumes[1] / sum, volumes[2] / sum, volumes[3] / sum},
-            Vec3<S>::Zero(),
-            S(0),
-            Vec3<S>::Zero()};
-  return true;
+Side side_of_origin(const Triangle<S>& triangle, const Vec3<S>& opposite, S scale,
+                    S& origin_height) {
+  origin_height = -triangle.normal.dot(triangle.corner);
+  const S height = triangle.normal.dot(opposite - triangle.corner);
+  const S least = tie_tolerance(scale) * tie_tolerance(scale) * triangle.squared_normal;
+  if (origin_height * origin_height <= least || height * height <= least) return Side::Unsure;
+  return (origin_height > S(0)) == (height > S(0)) ? Side::Inner : Side::Outer;
 }
 
 template <class S>
-NearestOnSimplex<S> on_tetrahedron(const Points<S>& points, S scale) {
-  const Triangle<S> opposite[4] = {Triangle<S>(points, 1, 2, 3), Triangle<S>(points, 0, 2, 3),
-                                   Triangle<S>(points, 0, 1, 3), Triangle<S>(points, 0, 1, 2)};
-  NearestOnSimplex<S> inside;
-  if (origin_inside(points, opposite, scale, inside)) return inside;
-  Nearest<S> nearest(points, scale);
-  nearest.offer_triangle(opposite[0], 1, 2, 3);
-  nearest.offer_triangle(opposite[1], 0, 2, 3);
-  nearest.offer_triangle(opposite[2], 0, 1, 3);
+void on_tetrahedron(const Points<S>& points, S scale, NearestOnSimplex<S>& result) {
+  constexpr int kTriangles[3][4] = {{0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};  // and opposite
+  Nearest<S> nearest(points, scale, result);
+  S volumes[4];
+  bool is_inside = true;
+  for (const auto& [i, j, k, opposite] : kTriangles) {
+    const Triangle<S> triangle(points, i, j, k);
+    const Side side = side_of_origin(triangle, at(points, opposite), scale, volumes[opposite]);
+    if (side == Side::Inner) continue;
+    is_inside = false;
+    const bool is_clear = nearest.offer(triangle, i, j, k);
+    if (is_clear && side == Side::Outer) return;  // its plane keeps all the rest farther away
+  }
+  if (is_inside) {
+    const Triangle<S> first(points, 0, 1, 2);
+    is_inside = side_of_origin(first, at(points, 3), scale, volumes[3]) == Side::Inner;
+  }
+  if (is_inside) {
+    const S sum = (std::abs(volumes[0]) + std::abs(volumes[1])) +
+                  (std::abs(volumes[2]) + std::abs(volumes[3]));
+    result.count = 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      result.kept[i] = static_cast<int>(i);
+      result.weights[i] = std::abs(volumes[i]) / sum;
+    }
+    result.point = result.direction = Vec3<S>::Zero();
+    result.squared_distance = S(0);
+    return;
+  }
   nearest.offer_edge(0, 3);
   nearest.offer_edge(1, 3);
   nearest.offer_edge(2, 3);
   nearest.offer_vertex(3);
-  return nearest.best();
 }
 
 }  // namespace
@@ -209,12 +228,13 @@ NearestOnSimplex<S> on_tetrahedron(const Points<S>& points, S scale) {
 /// Steps: 1. is the origin inside? 2. for each triangle, edge and vertex with the last point, the
 /// foot of the perpendicular, if inside; 3. of those the nearest, see Nearest.
 template <class S>
-NearestOnSimplex<S> nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale) {
-  if (count == 1) return on_vertex(points, 0);
-  if (count == 4) return on_tetrahedron(points, scale);
-  Nearest<S> nearest(points, scale);
+void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale,
+                        NearestOnSimplex<S>& result) {
+  if (count == 1) return on_vertex(points, 0, result);
+  if (count == 4) return on_tetrahedron(points, scale, result);
+  Nearest<S> nearest(points, scale, result);
   if (count == 3) {
-    nearest.offer_triangle(0, 1, 2);
+    if (nearest.offer(Triangle<S>(points, 0, 1, 2), 0, 1, 2)) return;
     nearest.offer_edge(0, 2);
     nearest.offer_edge(1, 2);
     nearest.offer_vertex(2);
@@ -222,11 +242,11 @@ NearestOnSimplex<S> nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int
     nearest.offer_edge(0, 1);
     nearest.offer_vertex(1);
   }
-  return nearest.best();
 }
 
-template NearestOnSimplex<float> nearest_on_simplex(const std::array<Vec3<float>, 4>&, int, float);
-template NearestOnSimplex<double> nearest_on_simplex(const std::array<Vec3<double>, 4>&, int,
-                                                     double);
+template void nearest_on_simplex(const std::array<Vec3<float>, 4>&, int, float,
+                                 NearestOnSimplex<float>&);
+template void nearest_on_simplex(const std::array<Vec3<double>, 4>&, int, double,
+                                 NearestOnSimplex<double>&);
 
 }  // namespace contactscope

@@ -24,6 +24,7 @@ struct NearestOnSimplex {
 /// or plane. `scale` bounds the terms that they were differences of: rounding is relative to it.
 /// Fourth powers of it must be in the range of S, and so must eps^2 times those.
 template <class S>
-NearestOnSimplex<S> nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale);
+void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale,
+                        NearestOnSimplex<S>& result);
 
 }  // namespace contactscope

@@ -2,46 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "geometry/lanes.h"
 
 namespace contactscope {
 namespace {
 
-static_assert(kLaneWidth == 4);
+/// As many lanes as fill a vector register of every processor. The compiler makes no such loop of a
+/// search for the index of a maximum by itself.
+template <class S>
+constexpr int kRegisterWidth = static_cast<int>(16 / sizeof(S));
+template <class S>
+using Register [[gnu::vector_size(16)]] = S;
+static_assert(kLaneWidth % kRegisterWidth<float> == 0 && kLaneWidth % kRegisterWidth<double> == 0);
 
-/// One of the lanes' places keeps the best of the vertices 4 k + place: four searches that run in
-/// one vector register. Every comparison is strict, so each keeps its first; the index is held in S,
-/// which holds every index below 2^24 exactly.
+template <class S>
+Register<S> load(const S* from) {
+  Register<S> result;
+  std::memcpy(&result, from, sizeof(result));
+  return result;
+}
+
+/// Place k of the register keeps the best of the vertices kWidth * n + k.
 template <class S>
 int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
+  constexpr int kWidth = kRegisterWidth<S>;
   const S dx = direction.x(), dy = direction.y(), dz = direction.z();
-  const S* __restrict x = lanes.x();
-  const S* __restrict y = lanes.y();
-  const S* __restrict z = lanes.z();
-  S best[kLaneWidth], index[kLaneWidth];
-  for (int k = 0; k < kLaneWidth; ++k) {
-    best[k] = dot(dx, dy, dz, x[k], y[k], z[k]);
-    index[k] = static_cast<S>(k);
+  const auto distances_from = [&](int i) {
+    return (dx * load(lanes.x() + i) + dy * load(lanes.y() + i)) + dz * load(lanes.z() + i);
+  };
+  using Indices = decltype(Register<S>{} > Register<S>{});
+  Indices block{}, best_block{};
+  Register<S> best = distances_from(0);
+  const int whole = lanes.count() & ~(kWidth - 1);  // the padding is no vertex
+  for (int i = kWidth; i < whole; i += kWidth) {
+    block += kWidth;
+    const Register<S> distances = distances_from(i);
+    const Indices farther = distances > best;
+    best = farther ? distances : best;
+    best_block = farther ? block : best_block;
   }
-  const int whole = lanes.count() & ~(kLaneWidth - 1);  // the padding is no vertex
-  for (int i = kLaneWidth; i < whole; i += kLaneWidth) {
-    for (int k = 0; k < kLaneWidth; ++k) {
-      const S distance = dot(dx, dy, dz, x[i + k], y[i + k], z[i + k]);
-      index[k] = distance > best[k] ? static_cast<S>(i + k) : index[k];
-      best[k] = distance > best[k] ? distance : best[k];
-    }
+  // A tournament without branches: which place wins is anybody's guess.
+  int place = best[1] > best[0] ? 1 : 0;
+  if constexpr (kWidth == 4) {
+    const int other = best[3] > best[2] ? 3 : 2;
+    place = best[other] > best[place] ? other : place;
   }
-  int result = static_cast<int>(index[0]);
-  S farthest = best[0];
-  for (int k = 1; k < kLaneWidth; ++k) {
-    if (best[k] > farthest) {
-      farthest = best[k];
-      result = static_cast<int>(index[k]);
-    }
-  }
+  int result = static_cast<int>(best_block[place]) + place;
+  S farthest = best[place];
   for (int i = whole; i < lanes.count(); ++i) {
-    const S distance = dot(dx, dy, dz, x[i], y[i], z[i]);
+    const S distance = dot(dx, dy, dz, lanes.x()[i], lanes.y()[i], lanes.z()[i]);
     if (distance > farthest) {
       farthest = distance;
       result = i;
@@ -57,6 +68,7 @@ int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
   if (set.hull != nullptr) {
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
   }
+  if (set.count == 1) return 0;
   int best = 0;
   S farthest = direction.dot(set.points[0]);
   for (int i = 1; i < set.count; ++i) {
