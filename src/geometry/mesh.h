@@ -72,7 +72,9 @@ struct MeshReport {
     std::vector<int> triangles;
   };
 
-  std::vector<int> zero_area_triangles;  // dropped; indices into the input, ascending
+  /// Dropped; indices into the input, ascending. Where one stood between two others as three
+  /// corners on a line, those meet in a T-junction now, which is a boundary to both.
+  std::vector<int> zero_area_triangles;
   std::vector<Edge> non_manifold_edges;  // more than two triangles share it
   std::vector<Edge> flipped_edges;       // two that run along it the same way: one is turned over
   std::vector<int> unused_vertices;      // no triangle that was kept names them; ascending
