@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "manifold/collide_capsule_capsule.h"
+#include "manifold/collide_capsule_hull.h"
 #include "manifold/collide_capsule_plane.h"
 #include "manifold/collide_hull_hull.h"
 #include "manifold/collide_hull_plane.h"
 #include "manifold/collide_sphere_capsule.h"
+#include "manifold/collide_sphere_hull.h"
 #include "manifold/collide_sphere_plane.h"
 #include "manifold/collide_sphere_sphere.h"
 #include "manifold/finish_contact.h"
@@ -58,9 +60,11 @@ Entry<S, R> entry(ShapeKind a, ShapeKind b) {
   using Pl = HalfSpace<S>;
   static constexpr Entry<S, R> kTable[kShapeKinds][kShapeKinds] = {
       {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>,
-       convex<S, R, Sp, Ca, collide_sphere_capsule<S, R>>, nullptr,
+       convex<S, R, Sp, Ca, collide_sphere_capsule<S, R>>,
+       convex<S, R, Sp, Hu, collide_sphere_hull<S, R>>,
        convex<S, R, Sp, Pl, collide_sphere_plane<S, R>>},
-      {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>, nullptr,
+      {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>,
+       convex<S, R, Ca, Hu, collide_capsule_hull<S, R>>,
        convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>},
       {nullptr, nullptr, convex<S, R, Hu, Hu, collide_hull_hull<S, R>>,
        convex<S, R, Hu, Pl, collide_hull_plane<S, R>>},

@@ -1,0 +1,288 @@
+#include "manifold/collide_capsule_hull.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/recorder.h"
+#include "manifold/round_hull.h"
+#include "query/capsule_touch.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// A point of the segment that makes a contact point, in the hull's frame.
+template <class S>
+struct CorePoint {
+  S parameter;
+  S distance;  // from the hull along the normal, negative in overlap
+  FeatureId id;
+};
+
+/// One or two, the deepest first.
+template <class S>
+struct CorePoints {
+  StaticVector<CorePoint<S>, 2> points;
+  ContactType type;
+};
+
+/// The segment and the hull that it touches.
+template <class S>
+struct TouchingPair {
+  const Hull<S>& hull;
+  const Vec3<S> (&ends)[2];
+  Vec3<S> along;
+  S length;
+  S scale;
+
+  Vec3<S> at(S parameter) const {
+    if (parameter <= S(0.5)) return ends[0] + parameter * along;
+    return ends[1] - (S(1) - parameter) * along;
+  }
+  /// Two points of the segment so near to each other are one.
+  bool are_one(S parameter, S other) const {
+    return std::abs(parameter - other) * length <= touching_distance(scale);
+  }
+};
+
+FeatureRef core_feature(bool at_start, bool at_end) {
+  if (at_start) return vertex_ref(Owner::A, 0);
+  return at_end ? vertex_ref(Owner::A, 1) : edge_ref(Owner::A, 0);
+}
+
+template <class S>
+FeatureId touch_id(const CapsuleTouch<S>& touch) {
+  return FeatureId::of(core_feature(touch.parameter <= S(0), touch.parameter >= S(1)),
+                       touch.feature.ref(Owner::B));
+}
+
+/// The id of an end of the segment that a face or an edge left over: where it was cut off, what made
+/// the cut. Side planes are cut by edges; beside an edge, a vertex makes the cut.
+FeatureId clip_id(int end, int cut_by, const FeatureRef& uncut, const FeatureRef& cut) {
+  if (cut_by < 0) return FeatureId::of(vertex_ref(Owner::A, end), uncut);
+  return FeatureId::of(edge_ref(Owner::A, 0), cut);
+}
+
+template <class S>
+CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& clipped, int face,
+                        int end) {
+  const S parameter = clipped.parameters[end];
+  const int cut_by = clipped.edges[end];
+  return {parameter, pair.hull.planes[static_cast<std::size_t>(face)].distance(pair.at(parameter)),
+          clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2))};
+}
+
+/// Talk, "Capsule vs Hull: Deep Face Contact" and "Clipping": both ends of what the side planes leave,
+/// each with its own distance from the face.
+template <class S>
+CorePoints<S> points_on_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach) {
+  CorePoint<S> first = face_point(pair, touch.clipped, touch.feature.index, 0);
+  CorePoint<S> second = face_point(pair, touch.clipped, touch.feature.index, 1);
+  if (second.distance < first.distance) std::swap(first, second);
+  CorePoints<S> result;
+  result.points.push_back(first);
+  const bool is_one = pair.are_one(first.parameter, second.parameter);
+  if (!is_one && second.distance <= reach) result.points.push_back(second);
+  result.type = face_contact_type(result.points.size());
+  return result;
+}
+
+/// Calls visit(half_edge) for the edge, or for all edges that leave the vertex.
+template <class S, class Visit>
+void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit& visit) {
+  if (feature.kind == FeatureKind::Edge) {
+    visit(feature.index);
+    visit(Hull<S>::twin(feature.index));
+    return;
+  }
+  const int first = hull.vertex_edges[static_cast<std::size_t>(feature.index)];
+  int edge = first;
+  do {
+    visit(edge);
+    edge = hull.half_edges[static_cast<std::size_t>(Hull<S>::twin(edge))].next;
+  } while (edge != first);
+}
+
+/// The face at an edge or a vertex that looks along the normal, nearly; -1 if none does.
+template <class S>
+int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
+  int best = -1;
+  S most = S(0);
+  for_each_edge(hull, touch.feature, [&](int edge) {
+    const int face = hull.half_edges[static_cast<std::size_t>(edge)].face;
+    const S along = touch.normal.dot(hull.planes[static_cast<std::size_t>(face)].normal);
+    if (along > most) {
+      most = along;
+      best = face;
+    }
+  });
+  if (best < 0) return -1;
+  const Vec3<S> sine = touch.normal.cross(hull.planes[static_cast<std::size_t>(best)].normal);
+  constexpr S kSine = kNearlyParallelSine<S>;
+  return sine.squaredNorm() <= kSine * kSine ? best : -1;
+}
+
+/// The edge, of one or at a vertex, that the segment is nearly parallel to; -1 if none is.
+template <class S>
+int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
+  int best = -1;
+  S least = kNearlyParallelSine<S> * kNearlyParallelSine<S>;
+  for_each_edge(pair.hull, touch.feature, [&](int edge) {
+    const Vec3<S> along = pair.hull.target(edge) - pair.hull.origin(edge);
+    const S squared_lengths = along.squaredNorm() * pair.length * pair.length;
+    const S squared_sine = along.cross(pair.along).squaredNorm();
+    if (squared_sine < least * squared_lengths) {
+      least = squared_sine / squared_lengths;
+      best = edge;
+    }
+  });
+  return best;
+}
+
+/// Talk, "Capsule vs Hull: Stacking": the contact normal is nearly a face's. The normal and the
+/// deepest point stay what they are; the far end of what the face's side planes leave joins them.
+template <class S>
+bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
+                         CorePoints<S>& result) {
+  const int face = face_along(pair.hull, touch);
+  if (face < 0) return false;
+  const ClippedSegment<S> clipped =
+      clip_to_prism(pair.hull, face, pair.ends, clip_thickness(pair.scale));
+  if (clipped.empty()) return false;
+  const S before = touch.parameter - clipped.parameters[0];
+  const S behind = clipped.parameters[1] - touch.parameter;
+  CorePoint<S> far = face_point(pair, clipped, face, behind > before ? 1 : 0);
+  far.distance = std::max(far.distance, touch.distance);
+  if (pair.are_one(far.parameter, touch.parameter) || far.distance > reach) return false;
+  result.points.push_back(far);
+  result.type = ContactType::EdgeFace;
+  return true;
+}
+
+/// Beyond the talk: a capsule that lies along an edge, outside of every face's prism, would rock on
+/// one point. Along the normal edge and segment keep their distance, so both ends of the stretch
+/// beside each other are as deep; where the segment rises from one end, that end is the deepest.
+template <class S>
+void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
+                           CorePoints<S>& result) {
+  const int edge = edge_along(pair, touch);
+  if (edge < 0) return;
+  const ClippedSegment<S> clipped = clip_to_edge(pair.hull, edge, pair.ends);
+  if (clipped.empty() || pair.are_one(clipped.parameters[0], clipped.parameters[1])) return;
+
+  const S rise = touch.normal.dot(pair.along);
+  CorePoint<S> stretch[2];
+  for (const int end : {0, 1}) {
+    const S parameter = clipped.parameters[end];
+    const int cut_by = clipped.edges[end];
+    const int vertex =
+        cut_by < 0 ? 0 : pair.hull.half_edges[static_cast<std::size_t>(cut_by)].origin;
+    const S distance =
+        std::max(touch.distance + (parameter - touch.parameter) * rise, touch.distance);
+    stretch[end] = {
+        parameter, distance,
+        clip_id(end, cut_by, edge_ref(Owner::B, edge / 2), vertex_ref(Owner::B, vertex))};
+  }
+  if (stretch[1].distance < stretch[0].distance) std::swap(stretch[0], stretch[1]);
+  const CorePoint<S>& first = result.points[0];
+  if (stretch[0].distance <= first.distance + tie_tolerance(pair.scale)) {
+    result.points[0] = stretch[0];
+  } else if (pair.are_one(stretch[1].parameter, first.parameter)) {
+    return;
+  }
+  if (stretch[1].distance <= reach) result.points.push_back(stretch[1]);
+  result.type = ContactType::EdgeEdge;
+}
+
+template <class S>
+CorePoints<S> points_on_edge_or_vertex(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch,
+                                       S reach) {
+  const FeatureId id = touch_id(touch);
+  CorePoints<S> result;
+  result.points.push_back({touch.parameter, touch.distance, id});
+  result.type = contact_type(id.first.kind, id.second.kind);
+  if (!(pair.length > S(0)) || touch.feature.kind == FeatureKind::Face) return result;
+  if (!add_point_over_face(pair, touch, reach, result)) {
+    add_point_beside_edge(pair, touch, reach, result);
+  }
+  return result;
+}
+
+/// A face makes the contact where two points lie on it, and wherever the segment itself overlaps.
+template <class S>
+AxisKind axis_of(const CapsuleTouch<S>& touch, const CorePoints<S>& core) {
+  if (touch.kind == CapsuleTouchKind::Face) {
+    if (core.points.size() == 2 || touch.distance <= S(0)) return AxisKind::FaceB;
+    return AxisKind::ClosestPoints;
+  }
+  if (touch.kind == CapsuleTouchKind::EdgePair && touch.distance <= S(0)) return AxisKind::EdgeEdge;
+  return AxisKind::ClosestPoints;
+}
+
+/// On the hull; midway between the two edges when they have passed each other (talk, "Deep Contact").
+template <class S>
+S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
+  const bool midway = touch.kind == CapsuleTouchKind::EdgePair && touch.distance < S(0) &&
+                      point.distance <= touch.distance;
+  return midway ? S(0.5) * point.distance : point.distance;
+}
+
+}  // namespace
+
+/// Steps: 1. the separating axis test; farther than the radius: apart. 2. What the segment touches
+/// and where (capsule_touch.h). 3. One or two points of the segment; the talk's clipping for faces.
+/// 4. From the hull's frame to A's.
+template <class S, class Recorder>
+S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                       const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+  const Mat3<S> rotation = b_in_a.rotation.toRotationMatrix();
+  const Vec3<S> ends[2] = {rotation.transpose() * (a.points[0] - b_in_a.position),
+                           rotation.transpose() * (a.points[1] - b_in_a.position)};
+  const S core_reach = std::sqrt(std::max(a.points[0].squaredNorm(), a.points[1].squaredNorm()));
+  const S scale = length_scale(b, b_in_a, core_reach);
+  const S reach = a.radius + options.margin;
+  const CapsuleSat<S> axes = capsule_sat(b, ends, reach, tie_tolerance(scale));
+  if (axes.separation() > reach) return axes.separation() - a.radius;
+
+  const CapsuleTouch<S> touch = capsule_touch(b, ends, axes, scale, touching_distance(scale));
+  const S separation = touch.distance - a.radius;
+  if (touch.distance > reach) return separation;
+  if (touch.degenerate != nullptr) {
+    recorder.degenerate(touch.degenerate, options.degenerate);
+    if (options.degenerate == Degenerate::Skip) return separation;
+  }
+
+  const Vec3<S> along = ends[1] - ends[0];
+  const TouchingPair<S> pair{b, ends, along, along.norm(), scale};
+  const CorePoints<S> core = touch.kind == CapsuleTouchKind::Face
+                                 ? points_on_face(pair, touch, reach)
+                                 : points_on_edge_or_vertex(pair, touch, reach);
+  contact.axis = axis_of(touch, core);
+  contact.type = core.type;
+  contact.normal = -(rotation * touch.normal);
+  for (const CorePoint<S>& point : core.points) {
+    const Vec3<S> on_segment =
+        point.parameter <= S(0.5)
+            ? Vec3<S>(a.points[0] + point.parameter * (a.points[1] - a.points[0]))
+            : Vec3<S>(a.points[1] + (S(1) - point.parameter) * (a.points[0] - a.points[1]));
+    const Vec3<S> position = on_segment + way_to_hull(touch, point) * contact.normal;
+    contact.points.push_back({position, point.distance - a.radius, point.id});
+  }
+  return separation;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                        \
+  template S collide_capsule_hull(const Capsule<S>&, const Hull<S>&, const Pose<S>&, \
+                                  const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

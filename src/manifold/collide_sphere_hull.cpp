@@ -1,0 +1,130 @@
+#include "manifold/collide_sphere_hull.h"
+
+#include "manifold/recorder.h"
+#include "manifold/round_hull.h"
+#include "query/closest_points.h"
+#include "query/face_prism.h"
+#include "query/gjk.h"
+#include "query/hull_feature.h"
+#include "query/point_faces.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// How the centre meets the hull, in the hull's frame.
+template <class S>
+struct Touch {
+  HullFeature feature;
+  S distance;      // of the centre from the feature, negative inside
+  Vec3<S> normal;  // unit, from the hull outward
+};
+
+template <class S>
+Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
+  return {{FeatureKind::Face, face}, distance, hull.planes[static_cast<std::size_t>(face)].normal};
+}
+
+/// From a point outside to an edge, at right angles to it, by way of the nearer vertex: what is
+/// rounded is then relative to the way and not to the coordinates.
+template <class S>
+Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
+  const Vec3<S> from_origin = point - hull.origin(half_edge);
+  const Vec3<S> from_target = point - hull.target(half_edge);
+  const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
+  const bool origin_is_nearer = from_origin.squaredNorm() < from_target.squaredNorm();
+  const Vec3<S>& from = origin_is_nearer ? from_origin : from_target;
+  return from - (from.dot(along) / along.squaredNorm()) * along;
+}
+
+/// The closest feature of the hull to a centre that projects into none of its nearest faces.
+template <class S>
+Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face) {
+  const GjkSimplex<S> start =
+      simplex_near(hull, hull.face_edges[static_cast<std::size_t>(nearest_face)], 0);
+  NoGjkRecorder<S> unwatched;
+  const GjkResult<S> closest =
+      gjk(support_set(center), support_set(hull), Pose<S>{}, &start, unwatched);
+  const HullFeature feature = feature_of_b(hull, closest.simplex);
+  Vec3<S> outward = center - closest.on_b;
+  if (feature.kind == FeatureKind::Face) {
+    const int face = feature.index < 0 ? nearest_face : feature.index;
+    const Plane<S>& plane = hull.planes[static_cast<std::size_t>(face)];
+    return touch_face(hull, face, plane.distance(center));
+  }
+  if (feature.kind == FeatureKind::Edge) outward = from_edge(hull, feature.index, center);
+  if (feature.kind == FeatureKind::Vertex) {
+    outward = center - hull.vertices[static_cast<std::size_t>(feature.index)];
+  }
+  const S distance = outward.norm();
+  return {feature, distance, distance > S(0) ? Vec3<S>(outward / distance) : outward};
+}
+
+}  // namespace
+
+/// We deviate from the talk in the order: faces first. Their distances tell inside from outside,
+/// settle most spheres that are far off, and where the centre projects into the nearest face that is
+/// the closest point, with all digits of the face's normal, at any height. GJK is left with edges
+/// and vertices.
+///
+/// Steps: 1. distances from all faces; farther than the radius: apart. 2. The centre inside, or
+/// above a face: that face. 3. GJK for the closest edge or vertex. 4. On an edge or vertex within
+/// rounding: the face of step 1.
+template <class S, class Recorder>
+S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                      const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+  const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
+  const S scale = length_scale(b, b_in_a, S(0));
+  const S tie = tie_tolerance(scale);
+  const PointFaces<S> faces(b, center);
+  if (faces.largest() - a.radius > options.margin) return faces.largest() - a.radius;
+
+  const int face = faces.nearest(tie);
+  Touch<S> touch = touch_face(b, face, faces[face]);
+  const char* degenerate = nullptr;
+  if (touch.distance <= S(0)) {
+    const bool tied = faces.is_tied(face, tie, kNearlyParallelSine<S>);
+    const bool on_surface = -touch.distance <= touching_distance(scale);
+    if (tied) {
+      degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
+    }
+  } else if (!projects_into(b, face, center, S(0))) {
+    const Touch<S> closest = touch_edge_or_vertex(b, center, face);
+    if (closest.distance > touching_distance(scale)) {
+      touch = closest;
+    } else if (closest.feature.kind != FeatureKind::Face) {
+      degenerate = "centre on an edge or a vertex";
+    }
+  }
+  const S separation = touch.distance - a.radius;
+  if (separation > options.margin) return separation;
+  if (degenerate != nullptr) {
+    recorder.degenerate(degenerate, options.degenerate);
+    if (options.degenerate == Degenerate::Skip) return separation;
+  }
+
+  contact.axis = faces.largest() > S(0) ? AxisKind::ClosestPoints : AxisKind::FaceB;
+  contact.type = contact_type(FeatureKind::Vertex, touch.feature.kind);
+  contact.normal = -b_in_a.rotate(touch.normal);
+  // The centre is the origin of A's frame. Outside, this is the closest point of the hull.
+  const Vec3<S> position = touch.distance * contact.normal;
+  const FeatureId id = FeatureId::of(vertex_ref(Owner::A, 0), touch.feature.ref(Owner::B));
+  contact.points.push_back({position, separation, id});
+  return separation;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                      \
+  template S collide_sphere_hull(const Sphere<S>&, const Hull<S>&, const Pose<S>&, \
+                                 const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,194 @@
+#include "query/capsule_touch.h"
+
+#include <algorithm>
+
+#include "query/closest_points.h"
+#include "query/gjk.h"
+#include "query/tolerance.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+const Plane<S>& plane_of(const Hull<S>& hull, int face) {
+  return hull.planes[static_cast<std::size_t>(face)];
+}
+
+template <class S>
+CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int face, S scale) {
+  const Plane<S>& plane = plane_of(hull, face);
+  const S at_start = plane.distance(ends[0]);
+  const S at_end = plane.distance(ends[1]);
+  CapsuleTouch<S> touch;
+  touch.feature = {FeatureKind::Face, face};
+  touch.parameter = at_end < at_start ? S(1) : S(0);
+  touch.distance = std::min(at_start, at_end);
+  touch.normal = plane.normal;
+  touch.clipped = clip_to_prism(hull, face, ends, clip_thickness(scale));
+  return touch;
+}
+
+/// Whether the deepest point is over the face, and not only over its plane. Takes that point from
+/// the clipped segment, which can be the other end of one that is parallel within rounding.
+template <class S>
+bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, CapsuleTouch<S>& touch) {
+  if (touch.clipped.empty()) return false;
+  const Plane<S>& plane = plane_of(hull, touch.feature.index);
+  const Vec3<S> along = ends[1] - ends[0];
+  for (const S parameter : touch.clipped.parameters) {
+    if (parameter == touch.parameter) return true;
+  }
+  for (const S parameter : touch.clipped.parameters) {
+    if (plane.distance(Vec3<S>(ends[0] + parameter * along)) <= touch.distance + tie) {
+      touch.parameter = parameter;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The clip lost the deepest end, by rounding at the face's border: it stays, for the depth.
+template <class S>
+void extend_to_deepest(CapsuleTouch<S>& touch) {
+  ClippedSegment<S>& clipped = touch.clipped;
+  const int end = touch.parameter > S(0) ? 1 : 0;
+  if (clipped.empty()) clipped.parameters[0] = clipped.parameters[1] = touch.parameter;
+  clipped.parameters[end] = touch.parameter;
+  clipped.edges[end] = -1;
+}
+
+template <class S>
+CapsuleTouch<S> edge_touch(const CapsuleSat<S>& axes, S parameter) {
+  CapsuleTouch<S> touch;
+  touch.kind = CapsuleTouchKind::EdgePair;
+  touch.feature = {FeatureKind::Edge, axes.edge};
+  touch.parameter = parameter;
+  touch.distance = axes.edge_separation;
+  touch.normal = axes.edge_normal;
+  return touch;
+}
+
+/// What is left of `offset` at right angles to `along`.
+template <class S>
+Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
+  return offset - (offset.dot(along) / along.squaredNorm()) * along;
+}
+
+/// From the closest point of the feature to that of the segment. Where one of the two is a vertex or
+/// an end, by way of the nearer end of the other: what is rounded is then relative to the way and
+/// not to the coordinates.
+template <class S>
+Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feature, S& parameter) {
+  const Vec3<S> along = ends[1] - ends[0];
+  if (feature.kind == FeatureKind::Edge) {
+    const Vec3<S>& origin = hull.origin(feature.index);
+    const Vec3<S>& target = hull.target(feature.index);
+    const ClosestOfSegments<S> closest = closest_of_segments(ends[0], ends[1], origin, target);
+    parameter = closest.parameter_a;
+    const bool at_end = parameter <= S(0) || parameter >= S(1);
+    if (closest.parameter_b > S(0) && closest.parameter_b < S(1)) {
+      if (!at_end) return closest.on_a - closest.on_b;
+      const Vec3<S>& from = closest.parameter_b <= S(0.5) ? origin : target;
+      return across(Vec3<S>(ends[parameter > S(0) ? 1 : 0] - from), Vec3<S>(target - origin));
+    }
+    const int leaving = closest.parameter_b > S(0) ? Hull<S>::twin(feature.index) : feature.index;
+    feature = {FeatureKind::Vertex, hull.half_edges[static_cast<std::size_t>(leaving)].origin};
+  }
+  const Vec3<S>& vertex = hull.vertices[static_cast<std::size_t>(feature.index)];
+  parameter = closest_on_segment(vertex, ends[0], ends[1]).parameter;
+  if (parameter <= S(0)) return ends[0] - vertex;
+  if (parameter >= S(1)) return ends[1] - vertex;
+  return across(Vec3<S>(ends[parameter <= S(0.5) ? 0 : 1] - vertex), along);
+}
+
+template <class S>
+GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const CapsuleTouch<S>& best) {
+  // From the edge or the face of the best axis GJK has a step or two to go.
+  const int near_edge = best.feature.kind == FeatureKind::Edge
+                            ? best.feature.index
+                            : hull.face_edges[static_cast<std::size_t>(best.feature.index)];
+  const int near_end = best.parameter > S(0.5) ? 1 : 0;
+  GjkSimplex<S> start;
+  start.weights = {};
+  for (const int edge : {near_edge, Hull<S>::twin(near_edge)}) {
+    const int vertex = hull.half_edges[static_cast<std::size_t>(edge)].origin;
+    start.vertices.push_back({near_end, vertex, Vec3<S>::Zero(), Vec3<S>::Zero()});
+  }
+  NoGjkRecorder<S> unwatched;
+  return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, unwatched);
+}
+
+/// Closest points that are neither over a face nor at the crossing of two edges. `best` is the touch
+/// of the best axis, which gives the normal where there is none between the points.
+template <class S>
+CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
+                              const CapsuleTouch<S>& best, S scale, S touching) {
+  const GjkResult<S> closest = run_gjk(hull, ends, best);
+  CapsuleTouch<S> touch;
+  touch.kind = CapsuleTouchKind::Closest;
+  touch.feature = feature_of_b(hull, closest.simplex);
+  touch.normal = -closest.normal;
+  touch.distance = closest.distance;
+  const S tie = tie_tolerance(scale);
+  if (touch.feature.kind == FeatureKind::Face) {
+    if (touch.feature.index >= 0) {
+      CapsuleTouch<S> face = face_touch(hull, ends, touch.feature.index, scale);
+      if (settle_on_face(hull, ends, tie, face)) return face;
+    } else {
+      touch.feature = best.feature;
+    }
+    touch.parameter = closest_on_segment(closest.on_b, ends[0], ends[1]).parameter;
+  } else {
+    const Vec3<S> way = outward(hull, ends, touch.feature, touch.parameter);
+    touch.distance = way.norm();
+    if (touch.distance > touching) touch.normal = way / touch.distance;
+  }
+  if (closest.status == GjkStatus::Separated && touch.distance > touching) return touch;
+  touch.normal = best.normal;
+  touch.distance = best.distance;
+  touch.degenerate = "segment touches an edge or a vertex";
+  return touch;
+}
+
+}  // namespace
+
+/// The talk asks GJK first and turns to the separating axis test when it fails. We test axes first:
+/// where a face, or an edge and the segment, are closest, their axis has the distance, and the same
+/// lines of code give it on both sides of the surface. So the contact cannot jump as the segment
+/// sinks in, and its normal has all digits at the surface, where that between two closest points has
+/// none. GJK is left with vertices, and with ends beside edges.
+///
+/// Steps: 1. a face is best: closest if what is lowest of the segment projects into it; 2. an edge
+/// pair is best: closest if the two edges come as near to each other as their axis says; 3. in
+/// overlap one of these holds but for rounding: the nearest boundary point of a convex body lies on a
+/// face of it, here the Minkowski difference; 4. outside, GJK.
+template <class S>
+CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
+                              const CapsuleSat<S>& axes, S scale, S touching) {
+  const S tie = tie_tolerance(scale);
+  const bool is_deep = axes.separation() < -touching;
+  if (axes.edge_wins()) {
+    const ClosestOfSegments<S> closest =
+        closest_of_segments(ends[0], ends[1], hull.origin(axes.edge), hull.target(axes.edge));
+    const CapsuleTouch<S> touch = edge_touch(axes, closest.parameter_a);
+    if (is_deep || closest.distance <= std::abs(axes.edge_separation) + tie) return touch;
+    return closest_touch(hull, ends, touch, scale, touching);
+  }
+  CapsuleTouch<S> touch = face_touch(hull, ends, axes.face, scale);
+  const bool is_over_face = settle_on_face(hull, ends, tie, touch);
+  if (!is_over_face) {
+    if (!is_deep) return closest_touch(hull, ends, touch, scale, touching);
+    extend_to_deepest(touch);
+  }
+  if (axes.face_tied && touch.distance <= touching) {
+    touch.degenerate = "segment as near to several faces";
+  }
+  return touch;
+}
+
+template CapsuleTouch<float> capsule_touch(const Hull<float>&, const Vec3<float> (&)[2],
+                                           const CapsuleSat<float>&, float, float);
+template CapsuleTouch<double> capsule_touch(const Hull<double>&, const Vec3<double> (&)[2],
+                                            const CapsuleSat<double>&, double, double);
+
+}  // namespace contactscope

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/feature_id.h"
+#include "geometry/hull.h"
+#include "query/gjk.h"
+
+namespace contactscope {
+
+/// A vertex, an edge (a half-edge of it) or a face of a hull.
+struct HullFeature {
+  FeatureKind kind = FeatureKind::Vertex;
+  int index = -1;
+
+  FeatureRef ref(Owner owner) const {
+    return {owner, kind, static_cast<std::uint32_t>(kind == FeatureKind::Edge ? index / 2 : index)};
+  }
+};
+
+/// The smallest feature that has all points of B in a simplex of GJK, where B is `hull`: the one
+/// that its closest point lies on. Two vertices of a face that are no edge belong to the face. A
+/// face without a number (index -1) where no feature has them all, which rounding does to faces that
+/// are nearly coplanar.
+template <class S>
+HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
+
+}  // namespace contactscope

@@ -1,0 +1,66 @@
+#include "query/point_faces.h"
+
+#include <algorithm>
+
+#include "geometry/lanes.h"
+#include "query/face_prism.h"
+#include "query/tolerance.h"
+
+namespace contactscope {
+
+template <class S>
+PointFaces<S>::PointFaces(const Hull<S>& hull, const Vec3<S>& point)
+    : hull_(hull), point_(point), distances_(padded(hull.face_count())) {
+  const VectorLanes<S> normals(hull.lanes.normals.data(), hull.face_count());
+  const S* __restrict nx = normals.x();
+  const S* __restrict ny = normals.y();
+  const S* __restrict nz = normals.z();
+  const S* __restrict offsets = hull.lanes.offsets.data();
+  S* __restrict distances = distances_.data();
+  const S x = point.x(), y = point.y(), z = point.z();
+  // Padding lies behind every point, so it needs no exception.
+  S best[kLaneWidth];
+  for (int k = 0; k < kLaneWidth; ++k) best[k] = -std::numeric_limits<S>::infinity();
+  for (int i = 0; i < normals.padded_count(); i += kLaneWidth) {
+    for (int k = 0; k < kLaneWidth; ++k) {
+      const S distance = dot(nx[i + k], ny[i + k], nz[i + k], x, y, z) - offsets[i + k];
+      distances[i + k] = distance;
+      best[k] = distance > best[k] ? distance : best[k];
+    }
+  }
+  largest_ = *std::max_element(best, best + kLaneWidth);
+}
+
+template <class S>
+int PointFaces<S>::nearest(S tie) const {
+  int earliest = -1;
+  int ties = 0;
+  for (int face = 0; face < hull_.face_count(); ++face) {
+    if (distances_[face] < largest_ - tie) continue;
+    if (++ties == 1) earliest = face;
+  }
+  if (ties == 1) return earliest;
+  for (int face = earliest; face < hull_.face_count(); ++face) {
+    if (distances_[face] < largest_ - tie) continue;
+    if (projects_into(hull_, face, point_, tie)) return face;
+  }
+  return earliest;
+}
+
+template <class S>
+bool PointFaces<S>::is_tied(int face, S tie, S sine) const {
+  const Vec3<S>& normal = hull_.planes[static_cast<std::size_t>(face)].normal;
+  for (int other = 0; other < hull_.face_count(); ++other) {
+    if (other == face || distances_[other] < largest_ - tie) continue;
+    const Vec3<S>& other_normal = hull_.planes[static_cast<std::size_t>(other)].normal;
+    const bool leans_away =
+        normal.dot(other_normal) < S(0) || normal.cross(other_normal).squaredNorm() > sine * sine;
+    if (leans_away) return true;
+  }
+  return false;
+}
+
+template class PointFaces<float>;
+template class PointFaces<double>;
+
+}  // namespace contactscope
