@@ -15,8 +15,9 @@ void append(ClipPolygon<S>& polygon, const ClipVertex<S>& vertex) {
 
 }  // namespace
 
-template <class S>
-void face_polygon(const PlacedHull<S>& hull, Owner owner, int face, ClipPolygon<S>& polygon) {
+template <class Placed>
+void face_polygon(const Placed& hull, Owner owner, int face,
+                  ClipPolygon<typename Placed::Scalar>& polygon) {
   polygon.clear();
   const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
   int edge = start;
@@ -75,8 +76,14 @@ bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge
   return true;
 }
 
-template void face_polygon(const PlacedHull<float>&, Owner, int, ClipPolygon<float>&);
-template void face_polygon(const PlacedHull<double>&, Owner, int, ClipPolygon<double>&);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                         \
+  template void face_polygon(const PlacedHull<S>&, Owner, int, ClipPolygon<S>&);            \
+  template void face_polygon(const PlacedFeatures<S, false>&, Owner, int, ClipPolygon<S>&); \
+  template void face_polygon(const PlacedFeatures<S, true>&, Owner, int, ClipPolygon<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
 template bool clip(const ClipPolygon<float>&, const Plane<float>&, EdgeKey, float,
                    ClipPolygon<float>&);
 template bool clip(const ClipPolygon<double>&, const Plane<double>&, EdgeKey, double,

@@ -4,6 +4,7 @@
 
 #include "core/manifold.h"
 #include "query/hull_pair.h"
+#include "query/placed_features.h"
 
 namespace contactscope {
 
@@ -47,15 +48,25 @@ struct ClipVertex {
 template <class S>
 using ClipPolygon = StaticVector<ClipVertex<S>, kMaxManifoldPoints>;
 
+/// A face of one of two hulls that are clipped, for the record: its outward normal in A's frame.
+template <class S>
+struct ClipFace {
+  int face;
+  Vec3<S> normal;
+  const ClipPolygon<S>& polygon;
+};
+
 /// A face as a polygon that starts at its face_edges entry; each corner's id is the two edges of
 /// the face that meet there.
-template <class S>
-void face_polygon(const PlacedHull<S>& hull, Owner owner, int face, ClipPolygon<S>& polygon);
+/// `Placed` is PlacedHull or PlacedFeatures.
+template <class Placed>
+void face_polygon(const Placed& hull, Owner owner, int face,
+                  ClipPolygon<typename Placed::Scalar>& polygon);
 
 /// The plane through a half-edge of a face, at right angles to the face. Unit normal, outward.
-template <class S>
-inline Plane<S> side_plane(const PlacedHull<S>& hull, int half_edge) {
-  const Vec3<S> face_normal = hull.normals[hull.half_edge(half_edge).face];
+template <class Placed, class S = typename Placed::Scalar>
+inline Plane<S> side_plane(const Placed& hull, int half_edge) {
+  const Vec3<S> face_normal = hull.normal(hull.half_edge(half_edge).face);
   const Vec3<S> normal = hull.direction(half_edge).cross(face_normal);
   return {normal, normal.dot(hull.origin(half_edge))};
 }

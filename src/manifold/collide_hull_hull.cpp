@@ -24,6 +24,29 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   return axes.separation(axes.chosen);
 }
 
+/// Gregorius 2015, "Hull vs Hull: Temporal Coherence".
+template <class S, class Recorder>
+S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                    const CollideOptions<S>& options, PairCache<S>& cache, Contact<S>& contact,
+                    Recorder& recorder) {
+  const CacheAnswer<S> answer = collide_from_cache(a, b, b_in_a, options, cache, contact, recorder);
+  if (answer.kind != CachedKind::Empty) recorder.cache(answer.hit, answer.kind, answer.moved);
+  if (answer.hit) return answer.separation;
+  contact.points.clear();
+
+  const HullPair<S> pair(a, b, b_in_a);
+  FaceSeparations<S> faces_a(pair.a);
+  FaceSeparations<S> faces_b(pair.b);
+  const SatResult<S> axes = sat(pair, options.margin, options.preference, faces_a, faces_b);
+  recorder.axes(pair, axes, options.preference);
+  if (axes.status == SatStatus::Touching) {
+    create_contact(pair, axes, options.margin, options.preference, contact, recorder);
+    recorder.contact_axis(contact.axis);
+  }
+  cache = cache_of(pair, b_in_a, options, axes, faces_a, faces_b, contact);
+  return axes.separation(axes.chosen);
+}
+
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions<S>& options) {
@@ -35,16 +58,33 @@ Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hul
   return manifold;
 }
 
-template Manifold<float> collide_hull_hull(const Hull<float>&, const Pose<float>&,
-                                           const Hull<float>&, const Pose<float>&,
-                                           const CollideOptions<float>&);
-template Manifold<double> collide_hull_hull(const Hull<double>&, const Pose<double>&,
-                                            const Hull<double>&, const Pose<double>&,
-                                            const CollideOptions<double>&);
+template <class S>
+Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
+                              const Pose<S>& pose_b, const CollideOptions<S>& options,
+                              PairCache<S>& cache) {
+  NoRecorder<S> recorder;
+  Contact<S> contact;
+  Manifold<S> manifold;
+  collide_hull_hull(a, b, relative_pose(pose_a, pose_b), options, cache, contact, recorder);
+  finish_contact(ToWorld<S>(pose_a), options, contact, manifold, recorder);
+  return manifold;
+}
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                  \
-  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&, \
-                               const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                      \
+  template Manifold<S> collide_hull_hull(const Hull<S>&, const Pose<S>&, const Hull<S>&, \
+                                         const Pose<S>&, const CollideOptions<S>&);      \
+  template Manifold<S> collide_hull_hull(const Hull<S>&, const Pose<S>&, const Hull<S>&, \
+                                         const Pose<S>&, const CollideOptions<S>&, PairCache<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                        \
+  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,       \
+                               const CollideOptions<S>&, Contact<S>&, Recorder<S>&); \
+  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,       \
+                               const CollideOptions<S>&, PairCache<S>&, Contact<S>&, \
+                               Recorder<S>&);
 CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
 CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
 #ifndef CONTACTSCOPE_WITHOUT_RECORDER

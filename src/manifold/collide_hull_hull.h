@@ -4,6 +4,7 @@
 #include "geometry/hull.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
+#include "manifold/pair_cache.h"
 
 namespace contactscope {
 
@@ -15,10 +16,21 @@ template <class S, class Recorder>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
 
+/// The same with temporal coherence (see pair_cache.h): what `cache` holds of an earlier call is
+/// tried first, and a full test leaves in it what it found.
+template <class S, class Recorder>
+S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                    const CollideOptions<S>& options, PairCache<S>& cache, Contact<S>& contact,
+                    Recorder& recorder);
+
 /// The same for two hulls placed in the world, where the manifold is given, reduced and with
 /// nothing recorded.
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions<S>& options);
+template <class S>
+Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
+                              const Pose<S>& pose_b, const CollideOptions<S>& options,
+                              PairCache<S>& cache);
 
 }  // namespace contactscope

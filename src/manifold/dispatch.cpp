@@ -27,6 +27,7 @@ struct PlacedPair {
   const Pose<S>& pose_a;
   const Shape<S>& b;
   const Pose<S>& pose_b;
+  PairCache<S>* cache;  // nullptr: nothing is kept
 };
 
 template <class S, class Recorder>
@@ -36,19 +37,39 @@ template <class S, class Recorder, class A, class B>
 using CollideConvex = S (*)(const A&, const B&, const Pose<S>&, const CollideOptions<S>&,
                             Contact<S>&, Recorder&);
 
-/// Two convex shapes: one manifold at most.
-template <class S, class Recorder, class A, class B, CollideConvex<S, Recorder, A, B> kCollide>
-void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
-            Recorder& recorder) {
+/// One manifold at most, from what `collide` does with the pose of b in a.
+template <class S, class Recorder, class Collide>
+void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
+                  Manifolds<S>& manifolds, Recorder& recorder, const Collide& collide) {
   Contact<S> contact;
-  const S separation =
-      kCollide(*std::get_if<A>(&pair.a), *std::get_if<B>(&pair.b),
-               relative_pose(pair.pose_a, pair.pose_b), options, contact, recorder);
-  recorder.separation(separation);
+  recorder.separation(collide(relative_pose(pair.pose_a, pair.pose_b), contact));
   if (contact.points.empty()) return;
   Manifold<S>& manifold = manifolds.emplace_back();
   finish_contact(ToWorld<S>(pair.pose_a), options, contact, manifold, recorder);
   recorder.manifold(manifold);
+}
+
+/// Two convex shapes of which nothing is kept between calls.
+template <class S, class Recorder, class A, class B, CollideConvex<S, Recorder, A, B> kCollide>
+void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+            Recorder& recorder) {
+  const A& a = *std::get_if<A>(&pair.a);
+  const B& b = *std::get_if<B>(&pair.b);
+  one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
+    return kCollide(a, b, b_in_a, options, contact, recorder);
+  });
+}
+
+template <class S, class Recorder>
+void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+           Recorder& recorder) {
+  const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
+  const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
+  one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
+    return pair.cache == nullptr
+               ? collide_hull_hull(a, b, b_in_a, options, contact, recorder)
+               : collide_hull_hull(a, b, b_in_a, options, *pair.cache, contact, recorder);
+  });
 }
 
 /// The upper half of the table; nullptr where there is nothing to do.
@@ -66,8 +87,7 @@ Entry<S, R> entry(ShapeKind a, ShapeKind b) {
       {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>,
        convex<S, R, Ca, Hu, collide_capsule_hull<S, R>>,
        convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>},
-      {nullptr, nullptr, convex<S, R, Hu, Hu, collide_hull_hull<S, R>>,
-       convex<S, R, Hu, Pl, collide_hull_plane<S, R>>},
+      {nullptr, nullptr, hulls<S, R>, convex<S, R, Hu, Pl, collide_hull_plane<S, R>>},
       {nullptr, nullptr, nullptr, nullptr},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
@@ -89,6 +109,10 @@ bool against_the_table(const Shape<S>& a, const Shape<S>& b) {
 
 }  // namespace
 
+bool can_cache(ShapeKind one, ShapeKind other) {
+  return one == ShapeKind::Hull && other == ShapeKind::Hull;
+}
+
 bool can_collide(ShapeKind one, ShapeKind other) {
   return entry<double, NoRecorder<double>>(std::min(one, other), std::max(one, other)) != nullptr;
 }
@@ -102,20 +126,20 @@ void mirror(Manifold<S>& manifold) {
 
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
-             const CollideOptions<S>& options, Manifolds<S>& manifolds) {
+             const CollideOptions<S>& options, Manifolds<S>& manifolds, PairCache<S>* cache) {
   NoRecorder<S> recorder;
   if (!against_the_table(a, b)) {
-    collide_in_order<S>({a, pose_a, b, pose_b}, options, manifolds, recorder);
+    collide_in_order<S>({a, pose_a, b, pose_b, cache}, options, manifolds, recorder);
     return;
   }
-  collide_in_order<S>({b, pose_b, a, pose_a}, options, manifolds, recorder);
+  collide_in_order<S>({b, pose_b, a, pose_a, cache}, options, manifolds, recorder);
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                       \
   template void mirror(Manifold<S>&);                                                     \
   template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, \
-                        const CollideOptions<S>&, Manifolds<S>&);
+                        const CollideOptions<S>&, Manifolds<S>&, PairCache<S>*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
@@ -125,10 +149,10 @@ CONTACTSCOPE_INSTANTIATE(double)
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds, const Recording& recording,
-             trace::Pair& record) {
+             trace::Pair& record, PairCache<S>* cache) {
   const bool swap = against_the_table(a, b);
-  const PlacedPair<S> pair =
-      swap ? PlacedPair<S>{b, pose_b, a, pose_a} : PlacedPair<S>{a, pose_a, b, pose_b};
+  const PlacedPair<S> pair = swap ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
+                                  : PlacedPair<S>{a, pose_a, b, pose_b, cache};
   const bool told_mirrored = recording.mirrored != swap;
   record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
   TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, recording.stages,
@@ -138,9 +162,10 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                       \
-  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, \
-                        const CollideOptions<S>&, Manifolds<S>&, const Recording&, trace::Pair&);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
+  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&,        \
+                        const CollideOptions<S>&, Manifolds<S>&, const Recording&, trace::Pair&, \
+                        PairCache<S>*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

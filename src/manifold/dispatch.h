@@ -7,6 +7,7 @@
 #include "core/pose.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
+#include "manifold/pair_cache.h"
 #include "trace/trace.h"
 
 /// Gregorius 2015, "Collision Dispatching": a table of functions by the types of the two shapes, of
@@ -20,6 +21,9 @@ using Manifolds = std::vector<Manifold<S>>;
 /// Whether shapes of these kinds make contacts, in whichever order: two planes do not.
 bool can_collide(ShapeKind one, ShapeKind other);
 
+/// Whether a pair of these kinds, in whichever order, goes by a PairCache.
+bool can_cache(ShapeKind one, ShapeKind other);
+
 /// "sphere-hull": what traces call a pair of such shapes.
 template <class S>
 std::string pair_kind(const Shape<S>& a, const Shape<S>& b) {
@@ -32,10 +36,12 @@ void mirror(Manifold<S>& manifold);
 
 /// Contacts of two shapes placed in the world, into `manifolds` (emptied first). A pair is always
 /// worked on in the order of the table, so for shapes of different kinds trading the arguments
-/// mirrors the result, bit for bit. Shapes of one kind are worked on in the order given.
+/// mirrors the result, bit for bit. Shapes of one kind are worked on in the order given. `cache`
+/// keeps what helps the next call for the same pair in the same order, see pair_cache.h.
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
-             const CollideOptions<S>& options, Manifolds<S>& manifolds);
+             const CollideOptions<S>& options, Manifolds<S>& manifolds,
+             PairCache<S>* cache = nullptr);
 
 #ifndef CONTACTSCOPE_WITHOUT_RECORDER
 
@@ -53,7 +59,7 @@ struct Recording {
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds, const Recording& recording,
-             trace::Pair& record);
+             trace::Pair& record, PairCache<S>* cache = nullptr);
 
 #endif
 

@@ -3,19 +3,20 @@
 #include <algorithm>
 
 namespace contactscope {
+namespace {
 
 /// Closest points of the two lines by Cramer's rule on the cross product of the directions, then
 /// clamped to the edges as in Ericson, "Real-Time Collision Detection", 5.1.9. With unit directions
 /// u, v and c = u x v the determinant is |c|^2; Ericson's 1 - (u . v)^2 is the same in exact
 /// arithmetic, but for edges at 1e-3 rad it keeps one digit of a float's seven.
-template <class S>
-ClosestPoints<S> closest_points(const HullPair<S>& pair, const EdgeQuery<S>& query) {
-  const Vec3<S> u = pair.a.direction(query.edge_a);
-  const Vec3<S> v = pair.b.direction(query.edge_b);
-  const Vec3<S> origin_a = pair.a.origin(query.edge_a);
-  const Vec3<S> origin_b = pair.b.origin(query.edge_b);
-  const S length_a = u.dot(Vec3<S>(pair.a.origin(query.edge_a ^ 1) - origin_a));
-  const S length_b = v.dot(Vec3<S>(pair.b.origin(query.edge_b ^ 1) - origin_b));
+template <class PlacedA, class PlacedB, class S = typename PlacedA::Scalar>
+ClosestPoints<S> closest_on_edges(const PlacedA& a, int edge_a, const PlacedB& b, int edge_b) {
+  const Vec3<S> u = a.direction(edge_a);
+  const Vec3<S> v = b.direction(edge_b);
+  const Vec3<S> origin_a = a.origin(edge_a);
+  const Vec3<S> origin_b = b.origin(edge_b);
+  const S length_a = u.dot(Vec3<S>(a.origin(edge_a ^ 1) - origin_a));
+  const S length_b = v.dot(Vec3<S>(b.origin(edge_b ^ 1) - origin_b));
   const Vec3<S> between = origin_b - origin_a;
   const Vec3<S> c = u.cross(v);
 
@@ -29,19 +30,40 @@ ClosestPoints<S> closest_points(const HullPair<S>& pair, const EdgeQuery<S>& que
   return {origin_a + along_a * u, origin_b + along_b * v};
 }
 
+}  // namespace
+
+template <class S>
+ClosestPoints<S> closest_points(const HullPair<S>& pair, const EdgeQuery<S>& query) {
+  return closest_on_edges(pair.a, query.edge_a, pair.b, query.edge_b);
+}
+
+template <class S>
+ClosestPoints<S> closest_points(const PlacedFeatures<S, false>& a, int edge_a,
+                                const PlacedFeatures<S, true>& b, int edge_b) {
+  return closest_on_edges(a, edge_a, b, edge_b);
+}
+
 template <class S>
 ContactPoint<S> create_edge_contact(const HullPair<S>& pair, const EdgeQuery<S>& query) {
-  const ClosestPoints<S> closest = closest_points(pair, query);
+  return create_edge_contact(closest_points(pair, query), query);
+}
+
+template <class S>
+ContactPoint<S> create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query) {
   const Vec3<S> middle = S(0.5) * (closest.on_a + closest.on_b);
   const FeatureRef edge_a{Owner::A, static_cast<std::uint32_t>(query.edge_a / 2)};
   const FeatureRef edge_b{Owner::B, static_cast<std::uint32_t>(query.edge_b / 2)};
   return {middle, query.separation, FeatureId::of(edge_a, edge_b)};
 }
 
-template ClosestPoints<float> closest_points(const HullPair<float>&, const EdgeQuery<float>&);
-template ClosestPoints<double> closest_points(const HullPair<double>&, const EdgeQuery<double>&);
-template ContactPoint<float> create_edge_contact(const HullPair<float>&, const EdgeQuery<float>&);
-template ContactPoint<double> create_edge_contact(const HullPair<double>&,
-                                                  const EdgeQuery<double>&);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                      \
+  template ClosestPoints<S> closest_points(const HullPair<S>&, const EdgeQuery<S>&);     \
+  template ClosestPoints<S> closest_points(const PlacedFeatures<S, false>&, int,         \
+                                           const PlacedFeatures<S, true>&, int);         \
+  template ContactPoint<S> create_edge_contact(const HullPair<S>&, const EdgeQuery<S>&); \
+  template ContactPoint<S> create_edge_contact(const ClosestPoints<S>&, const EdgeQuery<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

@@ -29,8 +29,8 @@ using Sides = StaticVector<Side<S>, kMaxFaceVertices>;
 
 /// In the order of the face's edges. All at once, before the first clip: their square roots and
 /// divisions then overlap, where between clips each would wait for the branches of the last one.
-template <class S>
-void side_planes(const PlacedHull<S>& hull, Owner owner, int face, Sides<S>& sides) {
+template <class Placed, class S>
+void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
   const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
   int edge = start;
   do {
@@ -69,15 +69,15 @@ FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex
 
 }  // namespace
 
-template <class S>
-int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& reference_normal) {
+template <class Placed, class S>
+int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal) {
   const int start = hull.hull.vertex_edges[static_cast<std::size_t>(support)];
   int edge = start;
   int best = hull.half_edge(start).face;
   S least = std::numeric_limits<S>::infinity();
   do {
     const int face = hull.half_edge(edge).face;
-    const S along = reference_normal.dot(hull.normals[face]);
+    const S along = reference_normal.dot(hull.normal(face));
     if (along < least) {
       least = along;
       best = face;
@@ -87,11 +87,12 @@ int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& referen
   return best;
 }
 
-template <class S, class Recorder>
-S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
-                      PointSet<S>& points, Recorder& recorder) {
-  const PlacedHull<S>& hull = hull_of(pair, reference);
-  const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
+namespace {
+
+template <class S, class Reference, class Other, class Recorder>
+S clipped_contact(const Reference& hull, const Other& other_hull, Owner reference,
+                  const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
+                  Recorder& recorder) {
   const Plane<S> plane = hull.plane(query.face);
   const int incident = incident_face(other_hull, query.support, plane.normal);
 
@@ -100,12 +101,13 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
   face_polygon(other_hull, other(reference), incident, polygon);
   if constexpr (Recorder::kRecords) {
     face_polygon(hull, reference, query.face, spare);
-    recorder.clip_begins(pair, reference, query.face, incident, spare, polygon);
+    recorder.clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
+                         ClipFace<S>{incident, other_hull.normal(incident), polygon});
   }
   Sides<S> sides;
   side_planes(hull, reference, query.face, sides);
   const ClipPolygon<S>& clipped =
-      clip_against_sides(sides, clip_thickness(pair.scale), polygon, spare, recorder);
+      clip_against_sides(sides, clip_thickness(scale), polygon, spare, recorder);
 
   points.clear();
   S deepest = std::numeric_limits<S>::infinity();
@@ -120,6 +122,24 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
     }
   }
   return deepest;
+}
+
+}  // namespace
+
+template <class S, class Recorder>
+S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
+                      PointSet<S>& points, Recorder& recorder) {
+  return clipped_contact(hull_of(pair, reference), hull_of(pair, other(reference)), reference,
+                         query, pair.scale, margin, points, recorder);
+}
+
+template <class S, class Recorder, bool kReferenceMoved>
+S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
+                      const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
+                      const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
+                      Recorder& recorder) {
+  return clipped_contact(reference_hull, other_hull, reference, query, scale, margin, points,
+                         recorder);
 }
 
 template <class S, class Recorder>
@@ -139,6 +159,10 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
 #define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                                     \
   template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, PointSet<S>&, \
                                  Recorder<S>&);                                                   \
+  template S create_face_contact(const PlacedFeatures<S, false>&, const PlacedFeatures<S, true>&, \
+                                 Owner, const FaceQuery<S>&, S, S, PointSet<S>&, Recorder<S>&);   \
+  template S create_face_contact(const PlacedFeatures<S, true>&, const PlacedFeatures<S, false>&, \
+                                 Owner, const FaceQuery<S>&, S, S, PointSet<S>&, Recorder<S>&);   \
   template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
                                            Recorder<S>&);
 CONTACTSCOPE_INSTANTIATE(float, NoRecorder)

@@ -11,8 +11,8 @@ namespace contactscope {
 /// That is the same face unless the deepest vertex is a sharp one that sticks out beside it (a
 /// pencil standing on its tip, a box with a spike): then the talk's face does not have the deepest
 /// point, and the manifold would miss the overlap.
-template <class S>
-int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& reference_normal);
+template <class Placed, class S = typename Placed::Scalar>
+int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal);
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". The
 /// incident face, clipped against the side planes of the reference face but not against the
@@ -22,6 +22,14 @@ int incident_face(const PlacedHull<S>& hull, int support, const Vec3<S>& referen
 template <class S, class Recorder>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       PointSet<S>& points, Recorder& recorder);
+
+/// The same from two hulls of which only the faces that meet are placed. `scale` is the pair's (see
+/// HullPair), metres.
+template <class S, class Recorder, bool kReferenceMoved>
+S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
+                      const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
+                      const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
+                      Recorder& recorder);
 
 /// The contact point of the support vertex of `query`: moved onto the reference face, its id from
 /// the two edges of the incident face that meet there. For overlaps whose deepest point the

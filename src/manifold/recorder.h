@@ -5,6 +5,7 @@
 #include "core/preference.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
+#include "manifold/pair_cache.h"
 #include "query/sat.h"
 #include "reduce/reducer.h"
 
@@ -20,8 +21,8 @@ struct NoRecorder {
   static constexpr bool kRecords = false;
 
   void axes(const HullPair<S>&, const SatResult<S>&, Preference) {}
-  void clip_begins(const HullPair<S>&, Owner, int, int, const ClipPolygon<S>&,
-                   const ClipPolygon<S>&) {}
+  void cache(bool, CachedKind, S) {}
+  void clip_begins(Owner, const ClipFace<S>&, const ClipFace<S>&) {}
   void clip_step(const Plane<S>&, const ClipPolygon<S>&) {}
   void dropped(const Vec3<S>&, const char*) {}
   void clip_abandoned() {}

@@ -53,6 +53,7 @@ TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_
   pair_.state = "separated";
   pair_.manifolds.clear();
   pair_.degenerate.reset();
+  pair_.cache.reset();
   pair_.sat.reset();
   pair_.clip.reset();
   pair_.reduction.reset();
@@ -135,18 +136,20 @@ void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
 }
 
 template <class S>
-void TraceRecorder<S>::clip_begins(const HullPair<S>& pair, Owner reference, int reference_face,
-                                   int incident_face, const ClipPolygon<S>& reference_polygon,
-                                   const ClipPolygon<S>& incident_polygon) {
+void TraceRecorder<S>::cache(bool hit, CachedKind kind, S moved) {
+  pair_.cache = trace::Cache{hit, to_string(kind), moved};
+}
+
+template <class S>
+void TraceRecorder<S>::clip_begins(Owner reference, const ClipFace<S>& reference_face,
+                                   const ClipFace<S>& incident_face) {
   if (!stages_.clip) return;
-  const bool on_a = reference == Owner::A;
-  const PlacedHull<S>& hull = on_a ? pair.a : pair.b;
-  const PlacedHull<S>& other_hull = on_a ? pair.b : pair.a;
+  const auto told_face = [&](Owner owner, const ClipFace<S>& face) -> trace::ClipFace {
+    return {name(owner), face.face, direction(face.normal), polygon(face.polygon)};
+  };
   trace::Clip& clip = pair_.clip.emplace();
-  clip.reference = {name(reference), reference_face, direction(hull.normals[reference_face]),
-                    polygon(reference_polygon)};
-  clip.incident = {name(other(reference)), incident_face,
-                   direction(other_hull.normals[incident_face]), polygon(incident_polygon)};
+  clip.reference = told_face(reference, reference_face);
+  clip.incident = told_face(other(reference), incident_face);
 }
 
 template <class S>

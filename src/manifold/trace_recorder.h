@@ -20,8 +20,11 @@ class TraceRecorder {
                 bool mirrored, trace::Pair& pair);
 
   void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
-  void clip_begins(const HullPair<S>& pair, Owner reference, int reference_face, int incident_face,
-                   const ClipPolygon<S>& reference_polygon, const ClipPolygon<S>& incident_polygon);
+  /// What the pair's cache held was tried; how far the shapes have moved since the full test, metres.
+  void cache(bool hit, CachedKind kind, S moved);
+  /// `reference` owns the first face.
+  void clip_begins(Owner reference, const ClipFace<S>& reference_face,
+                   const ClipFace<S>& incident_face);
   /// A side plane of the reference face and what it left.
   void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
   void dropped(const Vec3<S>& position, const char* reason);

@@ -13,11 +13,15 @@ namespace contactscope {
 /// frame. No heap up to 64 vertices and 128 faces.
 template <class S>
 struct PlacedHull {
+  using Scalar = S;
+
   /// `to_frame` and `position` place the hull's own frame in the common one.
   PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position);
   /// The hull whose own frame is the common one.
   explicit PlacedHull(const Hull<S>& placed);
 
+  Vec3<S> vertex(int index) const { return vertices[index]; }
+  Vec3<S> normal(int face) const { return normals[face]; }
   Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
   const HalfEdge& half_edge(int index) const {
     return hull.half_edges[static_cast<std::size_t>(index)];

@@ -29,17 +29,16 @@ AxisKind deepest_axis(const SatResult<S>& queries) {
 }  // namespace
 
 template <class S>
-SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b) {
   const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
   SatResult<S> result;
 
-  FaceSeparations<S> faces_a(pair.a);
   result.face_a = query_faces(pair.a, pair.b, tie, faces_a);
   result.queries_run = 1;
   result.chosen = result.deepest = AxisKind::FaceA;
   if (result.face_a.separation > margin) return result;  // we found a separating axis
 
-  FaceSeparations<S> faces_b(pair.b);
   result.face_b = query_faces(pair.b, pair.a, tie, faces_b);
   result.queries_run = 2;
   result.chosen = result.deepest = AxisKind::FaceB;
@@ -62,7 +61,19 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
   return result;
 }
 
-template SatResult<float> sat(const HullPair<float>&, float, Preference);
-template SatResult<double> sat(const HullPair<double>&, double, Preference);
+template <class S>
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
+  FaceSeparations<S> faces_a(pair.a);
+  FaceSeparations<S> faces_b(pair.b);
+  return sat(pair, margin, preference, faces_a, faces_b);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                 \
+  template SatResult<S> sat(const HullPair<S>&, S, Preference, FaceSeparations<S>&, \
+                            FaceSeparations<S>&);                                   \
+  template SatResult<S> sat(const HullPair<S>&, S, Preference);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

@@ -92,4 +92,9 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference);
 
+/// The same, and leaves what the face queries that ran have measured.
+template <class S>
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b);
+
 }  // namespace contactscope

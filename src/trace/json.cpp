@@ -115,6 +115,9 @@ Json pair(const Pair& p) {
   if (p.reduction) json["reduction"] = reduction(*p.reduction);
   if (p.degenerate)
     json["degenerate"] = {{"geometry", p.degenerate->geometry}, {"answer", p.degenerate->answer}};
+  if (p.cache)
+    json["cache"] = {
+        {"hit", p.cache->hit}, {"kind", p.cache->kind}, {"moved", number(p.cache->moved, "moved")}};
   return json;
 }
 

@@ -59,6 +59,10 @@ class Node {
     if (!json_->is_string()) wrong_type("a string");
     return json_->get<std::string>();
   }
+  bool boolean() const {
+    if (!json_->is_boolean()) wrong_type("true or false");
+    return json_->get<bool>();
+  }
   double number() const {
     if (!json_->is_number()) wrong_type("a number");
     return json_->get<double>();
@@ -275,6 +279,11 @@ Pair read_pair(const Node& node) {
   if (const auto sat = node.find("sat")) pair.sat = read_sat(*sat);
   if (const auto clip = node.find("clip")) pair.clip = read_clip(*clip);
   if (const auto reduction = node.find("reduction")) pair.reduction = read_reduction(*reduction);
+  if (const auto cache = node.find("cache")) {
+    const auto moved = cache->find("moved");
+    pair.cache =
+        Cache{cache->at("hit").boolean(), cache->at("kind").string(), moved ? moved->number() : 0};
+  }
   if (const auto degenerate = node.find("degenerate"))
     pair.degenerate =
         Degenerate{degenerate->at("geometry").string(), degenerate->at("answer").string()};

@@ -138,6 +138,14 @@ struct Degenerate {
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
 
+/// Temporal coherence: what was kept of an earlier frame was tried before the full test.
+struct Cache {
+  bool hit = false;  // it gave the result, and the full test did not run
+  std::string kind;  // "separating_axis", or "features": those that touched
+  double moved = 0;  // metres: no point of one shape, seen from the other, has moved farther since
+                     // the full test that found it
+};
+
 /// Which optional stages to record: what no picture shows need not be written down.
 struct Stages {
   bool sat = true;
@@ -157,6 +165,7 @@ struct Pair {
   std::optional<Clip> clip;
   std::optional<Reduction> reduction;
   std::optional<Degenerate> degenerate{};
+  std::optional<Cache> cache{};  // empty too where there was nothing to try
 };
 
 struct Frame {

@@ -1,0 +1,305 @@
+#include "manifold/pair_cache.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/edge_contact.h"
+#include "manifold/face_contact.h"
+#include "manifold/recorder.h"
+#include "query/far_axes.h"
+#include "query/support_set.h"
+#include "query/tolerance.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// How much worse than the kept axis another one must have been to be of no further interest, as a
+/// part of the smaller radius. A pair that moves farther is worth a full test: at this many
+/// millimetres a step, a hit or two would be saved.
+template <class S>
+constexpr S kHorizon = S(0.1);
+
+/// Two hulls of which features are placed as they are asked for.
+template <class S>
+struct FeaturePair {
+  FeaturePair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a)
+      : rotation(b_in_a.rotation.toRotationMatrix()),
+        position(b_in_a.position),
+        a(hull_a, rotation, position),
+        b(hull_b, rotation, position) {}
+
+  Mat3<S> rotation;
+  Vec3<S> position;
+  PlacedFeatures<S, false> a;
+  PlacedFeatures<S, true> b;
+};
+
+/// The kept axis at the new pose. `separation` is valid for any direction, whatever has become of
+/// the features: it is that of the support points of both hulls.
+template <class S>
+struct MeasuredAxis {
+  Vec3<S> normal;  // unit, from A to B
+  S separation;
+  FaceQuery<S> face;  // of a face axis
+  EdgeQuery<S> edge;  // of an edge axis; its separation is that of the edges
+};
+
+template <class S>
+int support_of_a(const FeaturePair<S>& pair, const Vec3<S>& direction) {
+  return support_index(support_set(pair.a.hull), direction);
+}
+
+template <class S>
+int support_of_b(const FeaturePair<S>& pair, const Vec3<S>& direction) {
+  return support_index(support_set(pair.b.hull), Vec3<S>(pair.rotation.transpose() * direction));
+}
+
+/// As the face query measures it, bit for bit.
+template <class S>
+S distance(const Plane<S>& plane, const Vec3<S>& p) {
+  const Vec3<S>& n = plane.normal;
+  return dot(n.x(), n.y(), n.z(), p.x(), p.y(), p.z()) - plane.offset;
+}
+
+/// False where the edges are so nearly parallel that their cross product says little (see
+/// kNoisySine).
+template <class S>
+bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec3<S>& last_normal,
+                   MeasuredAxis<S>& axis) {
+  const Vec3<S> cross = pair.a.direction(edge_a).cross(pair.b.direction(edge_b));
+  const S sine = cross.norm();
+  if (!(sine >= kNoisySine<S>)) return false;
+  axis.normal = cross * ((cross.dot(last_normal) >= S(0) ? S(1) : S(-1)) / sine);
+  const Vec3<S> between = pair.b.origin(edge_b) - pair.a.origin(edge_a);
+  axis.edge = {edge_a, edge_b, axis.normal.dot(between), axis.normal};
+  const Vec3<S> most_a = pair.a.vertex(support_of_a(pair, axis.normal));
+  const Vec3<S> least_b = pair.b.vertex(support_of_b(pair, Vec3<S>(-axis.normal)));
+  axis.separation = std::min(axis.edge.separation, axis.normal.dot(Vec3<S>(least_b - most_a)));
+  return true;
+}
+
+template <class S>
+bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, MeasuredAxis<S>& axis) {
+  if (cache.axis == AxisKind::EdgeEdge) {
+    return measure_edges(pair, cache.first, cache.second, cache.normal, axis);
+  }
+  if (cache.axis == AxisKind::FaceA) {
+    const Plane<S> plane = pair.a.plane(cache.first);
+    const int support = support_of_b(pair, Vec3<S>(-plane.normal));
+    axis.normal = plane.normal;
+    axis.separation = distance(plane, pair.b.vertex(support));
+    axis.face = {cache.first, support, axis.separation};
+    return true;
+  }
+  const Plane<S> plane = pair.b.plane(cache.first);
+  const int support = support_of_a(pair, Vec3<S>(-plane.normal));
+  axis.normal = -plane.normal;
+  axis.separation = distance(plane, pair.a.vertex(support));
+  axis.face = {cache.first, support, axis.separation};
+  return true;
+}
+
+/// Whether the cache can be about these hulls; if so, its indices are within them.
+template <class S>
+bool belongs_to(const PairCache<S>& cache, const Hull<S>& a, const Hull<S>& b) {
+  if (cache.radius_a != a.radius || cache.radius_b != b.radius) return false;
+  const auto first = static_cast<std::size_t>(cache.first);
+  if (cache.axis == AxisKind::FaceA) return first < a.planes.size();
+  if (cache.axis == AxisKind::FaceB) return first < b.planes.size();
+  return first < a.half_edges.size() &&
+         static_cast<std::size_t>(cache.second) < b.half_edges.size();
+}
+
+/// How far the pair has moved since the full test.
+template <class S>
+struct Motion {
+  S farthest;  // metres: of any point of one hull, seen from the other
+  S turn;      // of any unit vector of one, seen from the other: the length of its change
+};
+
+/// The difference of two rotations by an angle t apart takes no unit vector farther than 2 sin(t /
+/// 2), which is at most twice the distance of their quaternions, 2 sin(t / 4), taken with the signs
+/// that bring them nearest.
+template <class S>
+Motion<S> motion_since(const PairCache<S>& cache, const FeaturePair<S>& pair,
+                       const Quat<S>& rotation) {
+  const S apart = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
+  const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
+  const S turn = S(2) * std::sqrt(std::min(apart, opposite));
+  const Vec3<S> center_b = pair.rotation * pair.b.hull.centroid + pair.position;
+  const Vec3<S> center_a =
+      pair.rotation.transpose() * Vec3<S>(pair.a.hull.centroid - pair.position);
+  const S of_b = Vec3<S>(center_b - cache.center_b).norm() + turn * pair.b.hull.radius;
+  const S of_a = Vec3<S>(center_a - cache.center_a).norm() + turn * pair.a.hull.radius;
+  return {std::max(of_a, of_b), turn};
+}
+
+/// Whether the preference takes an axis of this separation where no axis has more than `bound`, and
+/// the margin leaves the pair touching.
+template <class S>
+bool preferred(S separation, S bound, S margin, S min_radius) {
+  const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
+  return bound <= margin && bound - separation <= tolerance;
+}
+
+template <class S>
+S scale_of(const FeaturePair<S>& pair) {
+  const Hull<S>& a = pair.a.hull;
+  const Hull<S>& b = pair.b.hull;
+  return a.centroid.norm() + a.radius + b.centroid.norm() + b.radius + pair.position.norm();
+}
+
+/// What the rebuilt contact says of all near axes: a bound of the separation along unit directions
+/// whose cosine with the normal is at least `near_cosine`.
+template <class S>
+struct Rebuilt {
+  S deepest;  // separation of the deepest point
+  S slip;     // metres between its points on both hulls, along the contact plane
+
+  S near_bound(S near_cosine) const {
+    return (deepest < S(0) ? deepest * near_cosine : deepest) + slip;
+  }
+};
+
+template <class S, class Recorder>
+Rebuilt<S> rebuild(const FeaturePair<S>& pair, AxisKind kind, const MeasuredAxis<S>& axis, S scale,
+                   S margin, Contact<S>& contact, Recorder& recorder) {
+  contact.axis = kind;
+  contact.normal = axis.normal;
+  if (kind == AxisKind::EdgeEdge) {
+    const ClosestPoints<S> closest =
+        closest_points(pair.a, axis.edge.edge_a, pair.b, axis.edge.edge_b);
+    contact.type = ContactType::EdgeEdge;
+    contact.points.clear();
+    contact.points.push_back(create_edge_contact(closest, axis.edge));
+    const Vec3<S> between = closest.on_b - closest.on_a;
+    const S deepest = between.dot(axis.normal);
+    return {deepest, Vec3<S>(between - deepest * axis.normal).norm()};
+  }
+  const S deepest = kind == AxisKind::FaceA
+                        ? create_face_contact(pair.a, pair.b, Owner::A, axis.face, scale, margin,
+                                              contact.points, recorder)
+                        : create_face_contact(pair.b, pair.a, Owner::B, axis.face, scale, margin,
+                                              contact.points, recorder);
+  contact.type = face_contact_type(contact.points.size());
+  return {deepest, S(0)};
+}
+
+}  // namespace
+
+/// Steps: measure the axis; it may separate. If it does not and features were kept, bound the far
+/// axes by how far the pair has moved, rebuild the contact, and bound the near axes by it.
+template <class S, class Recorder>
+CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                                  const CollideOptions<S>& options, const PairCache<S>& cache,
+                                  Contact<S>& contact, Recorder& recorder) {
+  CacheAnswer<S> answer;
+  if (cache.kind == CachedKind::Empty || !belongs_to(cache, a, b)) return answer;
+  answer.kind = cache.kind;
+
+  const FeaturePair<S> pair(a, b, b_in_a);
+  MeasuredAxis<S> axis;
+  if (!measure(pair, cache, axis)) return answer;
+  answer.separation = axis.separation;
+  if (axis.separation > options.margin) {  // still, or by now, a separating axis
+    answer.kind = CachedKind::SeparatingAxis;
+    answer.hit = true;
+    contact.points.clear();
+    return answer;
+  }
+  const Motion<S> motion = motion_since(cache, pair, b_in_a.rotation);
+  answer.moved = motion.farthest;
+  const bool may_prefer = options.preference == Preference::Relative;
+  if (cache.kind != CachedKind::Features || !may_prefer) return answer;
+
+  const S scale = scale_of(pair);
+  const S min_radius = std::min(a.radius, b.radius);
+  const S rounding = depth_rounding(scale);
+  const S far_bound = cache.far + motion.farthest + rounding;
+  if (!preferred(axis.separation, far_bound, options.margin, min_radius)) return answer;
+
+  const Rebuilt<S> rebuilt =
+      rebuild(pair, cache.axis, axis, scale, options.margin, contact, recorder);
+  const bool deep_enough =
+      rebuilt.deepest <= axis.separation +
+                             preference_tolerance(std::min(axis.separation, S(0)), min_radius) +
+                             rounding;
+  // A face's normal stands still in its own hull; a cross product may turn more than the hulls do.
+  const bool on_face = cache.axis != AxisKind::EdgeEdge;
+  const S swing = motion.turn + (on_face ? S(0) : Vec3<S>(axis.normal - cache.normal).norm());
+  const S bound = std::max(far_bound, rebuilt.near_bound(cache.near_cosine - swing));
+  answer.hit = deep_enough && !contact.points.empty() &&
+               preferred(axis.separation, bound, options.margin, min_radius);
+  if (!answer.hit) recorder.clip_abandoned();
+  return answer;
+}
+
+template <class S>
+PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
+                      const CollideOptions<S>& options, const SatResult<S>& axes,
+                      const FaceSeparations<S>& faces_a, const FaceSeparations<S>& faces_b,
+                      const Contact<S>& contact) {
+  const Hull<S>& a = pair.a.hull;
+  const Hull<S>& b = pair.b.hull;
+  const bool touching = axes.status == SatStatus::Touching;
+  PairCache<S> cache;
+  cache.radius_a = a.radius;
+  cache.radius_b = b.radius;
+  cache.axis = touching ? contact.axis : axes.chosen;
+  if (cache.axis == AxisKind::EdgeEdge) {
+    cache.first = axes.edge.edge_a;
+    cache.second = axes.edge.edge_b;
+    cache.normal = axes.edge.normal;
+  } else if (cache.axis == AxisKind::FaceA) {
+    cache.first = axes.face_a.face;
+    cache.normal = pair.a.normals[cache.first];
+  } else {
+    cache.first = axes.face_b.face;
+    cache.normal = -pair.b.normals[cache.first];
+  }
+  if (!touching) {
+    cache.kind = CachedKind::SeparatingAxis;
+    return cache;
+  }
+  if (contact.points.empty() || options.preference != Preference::Relative) return cache;
+
+  // An angle within which the kept axis is preferred to any other for as long as the overlap grows
+  // by no more than the tolerance; half of it is left for turning.
+  const S separation = axes.separation(cache.axis);
+  const S depth = std::max(-separation, S(0));
+  const S tolerance = preference_tolerance(depth, pair.min_radius);
+  cache.near_cosine = S(1) - S(0.5) * tolerance / (depth + tolerance);
+  cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
+                             separation - kHorizon<S> * pair.min_radius);
+  if (!preferred(separation, cache.far, options.margin, pair.min_radius)) return cache;
+  cache.kind = CachedKind::Features;
+  cache.rotation = b_in_a.rotation;
+  cache.center_b = pair.b.rotation * b.centroid + b_in_a.position;
+  cache.center_a = pair.b.rotation.transpose() * Vec3<S>(a.centroid - b_in_a.position);
+  return cache;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                                \
+  template CacheAnswer<S> collide_from_cache(const Hull<S>&, const Hull<S>&, const Pose<S>&, \
+                                             const CollideOptions<S>&, const PairCache<S>&,  \
+                                             Contact<S>&, Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                            \
+  template PairCache<S> cache_of(const HullPair<S>&, const Pose<S>&, const CollideOptions<S>&, \
+                                 const SatResult<S>&, const FaceSeparations<S>&,               \
+                                 const FaceSeparations<S>&, const Contact<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

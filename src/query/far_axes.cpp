@@ -1,0 +1,153 @@
+#include "query/far_axes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "query/support_set.h"
+
+namespace contactscope {
+namespace {
+
+/// A direction from A to B (at most of unit length) with the vertex of B that is deepest along it.
+template <class S>
+struct Sample {
+  Vec3<S> direction;
+  int support;
+};
+
+/// What the searches along A's arcs share.
+template <class S>
+struct Search {
+  const HullPair<S>& pair;
+  Mat3<S> a_to_b;
+  Vec3<S> normal;
+  S cosine;
+  S bound;  // the largest so far
+
+  Sample<S> sample(const Vec3<S>& direction) const {
+    const Vec3<S> against = -(a_to_b * direction);
+    return {direction, support_index(support_set(pair.b.hull), against)};
+  }
+};
+
+/// The largest g(x) = min over B's vertices b of x . (b - e) for x on the way from one direction to
+/// the other, both normals of A where e, a vertex of A, is its support. The separation along x is g /
+/// |x|, which is less still, for |x| <= 1 and g < 0. Where nothing more than `search.bound` can be,
+/// that is enough to know.
+///
+/// g is concave and lies below the line of each single vertex, so it is below the crossing of the
+/// lines at both ends (Kelley 1960, the cutting-plane method). Steps: where the crossing is too
+/// high, ask for the support vertex there and go on with the side on which g rises.
+template <class S>
+S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sample<S> right) {
+  constexpr int kRounds = 8;
+  S bound = std::numeric_limits<S>::infinity();
+  for (int round = 0; round < kRounds; ++round) {
+    const Vec3<S> left_line = search.pair.b.vertices[left.support] - e;
+    const Vec3<S> right_line = search.pair.b.vertices[right.support] - e;
+    const S left_value = left.direction.dot(left_line);
+    const S left_at_right = right.direction.dot(left_line);
+    const S right_value = right.direction.dot(right_line);
+    const S right_at_left = left.direction.dot(right_line);
+    if (left_at_right <= left_value) return left_value;    // falls from the left end on
+    if (right_at_left <= right_value) return right_value;  // rises up to the right end
+    const S above_left = right_at_left - left_value;
+    const S above_right = left_at_right - right_value;
+    if (!(above_left > S(0) && above_right > S(0))) return std::max(left_at_right, right_at_left);
+    const S t = above_left / (above_left + above_right);
+    bound = left_value + t * (left_at_right - left_value);
+    if (bound <= search.bound) return bound;
+    const Vec3<S> way = right.direction - left.direction;
+    const Sample<S> middle = search.sample(Vec3<S>(left.direction + t * way));
+    if (middle.support == left.support || middle.support == right.support) return bound;
+    const bool rises = way.dot(Vec3<S>(search.pair.b.vertices[middle.support] - e)) > S(0);
+    (rises ? left : right) = middle;
+  }
+  return bound;
+}
+
+/// From a far direction towards a near one, as far as it is far. Along the chord between two unit
+/// vectors x . normal is linear, and as |x| <= 1 what reaches the cosine on the chord is near.
+template <class S>
+S largest_far_part(const Search<S>& search, const Vec3<S>& e, const Sample<S>& far,
+                   const Vec3<S>& near) {
+  const S far_cosine = far.direction.dot(search.normal);
+  const S near_cosine = near.dot(search.normal);
+  const S t = (search.cosine - far_cosine) / (near_cosine - far_cosine);
+  const Vec3<S> border = far.direction + std::clamp(t, S(0), S(1)) * (near - far.direction);
+  return largest_between(search, e, far, search.sample(border));
+}
+
+/// One arc with the face normals at its ends, each with B's support vertex.
+template <class S>
+S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& first,
+                 const Sample<S>& second) {
+  const S first_cosine = first.direction.dot(search.normal);
+  const S second_cosine = second.direction.dot(search.normal);
+  if (first_cosine >= search.cosine) {
+    return largest_far_part(search, e, second, first.direction);
+  }
+  if (second_cosine >= search.cosine) {
+    return largest_far_part(search, e, first, second.direction);
+  }
+  // Both ends are far; between them the arc comes nearest where the normal's projection on its
+  // plane is, if that lies on it.
+  const S between = first.direction.dot(second.direction);
+  const S along_first = first_cosine - between * second_cosine;
+  const S along_second = second_cosine - between * first_cosine;
+  if (along_first > S(0) && along_second > S(0)) {
+    const Vec3<S> nearest = along_first * first.direction + along_second * second.direction;
+    const Vec3<S> unit = nearest / nearest.norm();
+    if (unit.dot(search.normal) > search.cosine) {
+      return std::max(largest_far_part(search, e, first, unit),
+                      largest_far_part(search, e, second, unit));
+    }
+  }
+  return largest_between(search, e, first, second);
+}
+
+/// Faces of one hull; `sign` is -1 for B, whose normals point from B to A.
+template <class S>
+S largest_of_faces(const PlacedHull<S>& hull, const FaceSeparations<S>& faces,
+                   const Search<S>& search, S sign) {
+  S bound = search.bound;
+  for (int face = 0; face < hull.normals.count(); ++face) {
+    const bool near = sign * hull.normals[face].dot(search.normal) >= search.cosine;
+    if (!near) bound = std::max(bound, faces.separation(face));
+  }
+  return bound;
+}
+
+}  // namespace
+
+/// Steps: the faces, which have been measured; then each arc of A that is not near as a whole, which
+/// an arc is whose ends are: the near directions make a cap of less than a half sphere.
+template <class S>
+S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
+                 const FaceSeparations<S>& faces_b, const Vec3<S>& normal, S cosine, S floor) {
+  const PlacedHull<S>& a = pair.a;
+  Search<S> search{pair, pair.b.rotation.transpose(), normal, cosine, floor};
+  search.bound = largest_of_faces(a, faces_a, search, S(1));
+  search.bound = largest_of_faces(pair.b, faces_b, search, S(-1));
+
+  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
+    const int first = a.half_edge(edge).face;
+    const int second = a.half_edge(edge + 1).face;
+    const Sample<S> at_first{a.normals[first], faces_a.support(first)};
+    const Sample<S> at_second{a.normals[second], faces_a.support(second)};
+    const bool near =
+        at_first.direction.dot(normal) >= cosine && at_second.direction.dot(normal) >= cosine;
+    if (near) continue;
+    const S largest = largest_on_arc(search, a.origin(edge), at_first, at_second);
+    if (!(largest <= S(0))) return std::numeric_limits<S>::infinity();
+    search.bound = std::max(search.bound, largest);
+  }
+  return search.bound;
+}
+
+template float far_separation(const HullPair<float>&, const FaceSeparations<float>&,
+                              const FaceSeparations<float>&, const Vec3<float>&, float, float);
+template double far_separation(const HullPair<double>&, const FaceSeparations<double>&,
+                               const FaceSeparations<double>&, const Vec3<double>&, double, double);
+
+}  // namespace contactscope
