@@ -31,13 +31,11 @@ SatResult<double> axes_of(const PairCase<double>& pair) {
 /// World direction of an axis, from A to B.
 Vec3d direction_of(const PairCase<double>& pair, const SatResult<double>& axes) {
   const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-  switch (axes.deepest) {
-    case AxisKind::FaceA:
-      return pair.pose_a.rotate(placed.a.normals[axes.face_a.face]);
-    case AxisKind::FaceB:
-      return -pair.pose_a.rotate(placed.b.normals[axes.face_b.face]);
-    case AxisKind::EdgeEdge:
-      break;
+  if (axes.deepest == AxisKind::FaceA) {
+    return pair.pose_a.rotate(placed.a.normals[axes.face_a.face]);
+  }
+  if (axes.deepest == AxisKind::FaceB) {
+    return -pair.pose_a.rotate(placed.b.normals[axes.face_b.face]);
   }
   return pair.pose_a.rotate(axes.edge.normal);
 }

@@ -1,13 +1,13 @@
 #include "support/pair_case.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace contactscope::test {
 namespace {
 
-Hull<double> random_shape(Random& random) {
-  const double size = random.decade(-2, 2);
-  const double aspect = random.chance(0.5) ? 1.0 : 100.0;
+Hull<double> random_shape(Random& random, double size, double longest_aspect) {
+  const double aspect = random.chance(0.5) ? 1.0 : longest_aspect;
   const double kind = random.uniform(0, 1);
   if (kind < 0.4) return random_box(random, size, aspect);
   // Large hulls are rare because the oracle takes milliseconds for two of them.
@@ -27,12 +27,7 @@ Vec3d support(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& d
   return best;
 }
 
-}  // namespace
-
-PairCase<double> random_pair(Random& random) {
-  PairCase<double> pair;
-  pair.a = random_shape(random);
-  pair.b = random_shape(random);
+PairCase<double> placed_at_random(Random& random, PairCase<double> pair) {
   pair.pose_a.rotation = random.rotation();
   // Some pairs are level or almost so, where faces and edges are parallel.
   const double alignment = random.uniform(0, 1);
@@ -56,6 +51,22 @@ PairCase<double> random_pair(Random& random) {
   const Vec3d aside = random.decade(-6, 0) * smaller * random.unit_vector();
   pair.pose_b.position = meeting + gap * direction + aside - direction.dot(aside) * direction;
   return moved(pair, random.pose(5));
+}
+
+}  // namespace
+
+PairCase<double> random_pair(Random& random) {
+  PairCase<double> pair;
+  pair.a = random_shape(random, random.decade(-2, 2), 100);
+  pair.b = random_shape(random, random.decade(-2, 2), 100);
+  return placed_at_random(random, std::move(pair));
+}
+
+PairCase<double> everyday_pair(Random& random) {
+  PairCase<double> pair;
+  pair.a = random_shape(random, random.uniform(0.2, 1), 4);
+  pair.b = random_shape(random, random.uniform(0.2, 1), 4);
+  return placed_at_random(random, std::move(pair));
 }
 
 }  // namespace contactscope::test

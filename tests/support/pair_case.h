@@ -33,6 +33,9 @@ double length_scale(const PairCase<S>& pair) {
 /// kissing, overlapping a little, and deep. The whole pair at a random pose.
 PairCase<double> random_pair(Random& random);
 
+/// The same for bodies as engines expect them: 0.2 to 1 m, aspect up to 4.
+PairCase<double> everyday_pair(Random& random);
+
 /// The same relative pose, the whole pair moved.
 template <class S>
 PairCase<S> moved(const PairCase<S>& pair, const Pose<S>& by) {

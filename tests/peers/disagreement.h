@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "peers/peer.h"
+#include "support/brute_force_sat.h"
+#include "support/pair_case.h"
+
+/// What another library says of two hulls, held against the truth, and why it may differ.
+namespace contactscope::peers {
+
+/// In which respect an answer differs.
+enum class Aspect {
+  Touching,  // contact or none
+  Normal,    // the overlap along the normal is not the least
+  Depth,     // the reported depth is not the overlap along the reported normal
+};
+
+struct Comparison {
+  const test::PairCase<double>& pair;
+  test::BruteForceAxis truth;
+  const PeerContact& answer;
+  double tolerance;     // metres: the library's rounding, and where it iterates its stopping rule
+  double overlap = 0;   // along the deepest point's normal; without points 0
+  double reported = 0;  // depth of the deepest point, negative when apart; without points 0
+
+  double depth() const { return -truth.separation; }
+};
+
+Comparison compare(const test::PairCase<double>& pair, const test::BruteForceAxis& truth,
+                   const PeerContact& answer, double tolerance);
+
+/// A known habit of a library that explains a difference in one aspect.
+struct Rule {
+  Aspect aspect;
+  const char* name;
+  bool (*explains)(const Comparison&);
+};
+
+/// Counts answers that agree, and for those that do not the first rule that explains each aspect.
+class Tally {
+ public:
+  explicit Tally(std::span<const Rule> rules) : rules_(rules) {}
+
+  void add(const Comparison& comparison);
+
+  int compared() const { return compared_; }
+  int agreed() const { return agreed_; }
+  /// How often a rule was needed.
+  int count(const std::string& rule) const;
+  /// What no rule explains, in words and with the numbers; empty if all is well.
+  const std::string& unexplained() const { return unexplained_; }
+  std::string summary() const;
+
+ private:
+  bool explain(Aspect aspect, const Comparison& comparison);
+
+  std::span<const Rule> rules_;
+  std::map<std::string, int> counts_;
+  std::string unexplained_;
+  int compared_ = 0;
+  int agreed_ = 0;
+};
+
+}  // namespace contactscope::peers

@@ -1,0 +1,276 @@
+#include "peers/rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace contactscope::peers {
+namespace {
+
+// btGjkEpa2.cpp, in single precision.
+constexpr double kGjkMinDistance = 1e-4;
+constexpr double kEpaAccuracyMetres = 1e-4;
+/// btConvexHullComputer rounds vertices to a grid of 10216 cells along the longest axis; a plane
+/// through three such vertices is off by a few cells where they are near to each other.
+constexpr double kHullGrid = 4.0 / 10216;
+/// dBoxBox2: fudge_factor.
+constexpr double kEdgeFudge = 1.05;
+/// btBoxBoxDetector: fudge2, FCL's eps is smaller.
+constexpr double kCosineFudgeSize = 1e-5;
+
+double sine_between(const Vec3d& one, const Vec3d& other) {
+  return one.cross(other).norm();
+}
+
+/// The largest cosine between an axis and a face normal, either sign.
+double face_alignment(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& axis) {
+  const Vec3d local = pose.inverse_rotate(axis);
+  double best = 0;
+  for (const Plane<double>& plane : hull.planes) {
+    best = std::max(best, std::abs(plane.normal.dot(local)));
+  }
+  return best;
+}
+
+bool is_face_axis(const Comparison& c, const Vec3d& normal) {
+  constexpr double kParallel = 1 - 1e-9;
+  return std::max(face_alignment(c.pair.a, c.pair.pose_a, normal),
+                  face_alignment(c.pair.b, c.pair.pose_b, normal)) > kParallel;
+}
+
+bool wins_by_edge_factor(const Comparison& c) {
+  return c.overlap <= kEdgeFudge * c.depth() + c.tolerance;
+}
+
+/// The vertex farthest along a direction, both in the world.
+Vec3d extreme(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& direction) {
+  const int vertex = support_vertex(hull, pose.inverse_rotate(direction));
+  return pose.transform(hull.vertices[static_cast<std::size_t>(vertex)]);
+}
+
+/// Whether `corner_owner`'s vertex that reaches farthest against `direction` (world, outward from
+/// the face) is outside of the face's sides.
+bool corner_is_beside(const Hull<double>& box, const Pose<double>& pose,
+                      const Hull<double>& corner_owner, const Pose<double>& corner_pose,
+                      const Vec3d& direction, double tolerance) {
+  const Vec3d world = extreme(corner_owner, corner_pose, Vec3d(-direction));
+  const Vec3d local = pose.inverse_transform(world);
+  const Vec3d along = pose.inverse_rotate(direction);
+  for (const Plane<double>& plane : box.planes) {
+    if (std::abs(plane.normal.dot(along)) > 0.5) continue;  // the face and its opposite
+    if (plane.normal.dot(local) > plane.offset - tolerance) return true;
+  }
+  return false;
+}
+
+bool deepest_corner_is_beside(const Comparison& c) {
+  if (c.reported > c.overlap) return false;
+  const Vec3d normal = c.answer.deepest()->normal.normalized();
+  const test::PairCase<double>& p = c.pair;
+  const bool of_a = face_alignment(p.a, p.pose_a, normal) > face_alignment(p.b, p.pose_b, normal);
+  return of_a ? corner_is_beside(p.a, p.pose_a, p.b, p.pose_b, normal, c.tolerance)
+              : corner_is_beside(p.b, p.pose_b, p.a, p.pose_a, Vec3d(-normal), c.tolerance);
+}
+
+/// The sine of the angle between the two edges whose cross product the normal is.
+double sine_of_edges(const Comparison& c, const Vec3d& normal) {
+  double best_alignment = 0;
+  double sine = 1;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d on_a = c.pair.pose_a.rotate(Vec3d::Unit(i));
+    for (int j = 0; j < 3; ++j) {
+      const Vec3d on_b = c.pair.pose_b.rotate(Vec3d::Unit(j));
+      const Vec3d cross = on_a.cross(on_b);
+      const double alignment = std::abs(cross.normalized().dot(normal));
+      if (alignment <= best_alignment) continue;
+      best_alignment = alignment;
+      sine = sine_between(on_a, on_b);
+    }
+  }
+  return sine;
+}
+
+/// Of the four products with a cosine that an edge axis is measured by, each grows by at most a
+/// half extent times the fudge.
+bool deeper_by_cosine_fudge(const Comparison& c) {
+  const Vec3d normal = c.answer.deepest()->normal.normalized();
+  if (is_face_axis(c, normal)) return false;
+  const double extents = c.pair.a.vertices[7].sum() + c.pair.b.vertices[7].sum();
+  const double growth = kCosineFudgeSize * extents / sine_of_edges(c, normal);
+  return c.reported >= c.overlap && c.reported <= c.overlap + growth + c.tolerance;
+}
+
+/// btCollisionShape::getContactBreakingThreshold of the less extended shape: by default the
+/// dispatcher takes 0.02 of the largest distance that a point of the shape may have from its origin,
+/// bounded by its box.
+double breaking_threshold(const Hull<double>& hull) {
+  Vec3d low = hull.vertices[0];
+  Vec3d high = low;
+  for (const Vec3d& vertex : hull.vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  return 0.02 * (0.5 * (high - low).norm() + 0.5 * (high + low).norm());
+}
+
+double breaking_threshold(const Comparison& c) {
+  return std::min(breaking_threshold(c.pair.a), breaking_threshold(c.pair.b));
+}
+
+/// btPersistentManifold::getCacheEntry: the later of two points that are nearer than the threshold
+/// replaces the earlier, though it be less deep.
+bool replaced_by_a_neighbour(const Comparison& c) {
+  if (c.reported > c.overlap) return false;
+  const PeerPoint& point = *c.answer.deepest();
+  const Vec3d corner_a = extreme(c.pair.a, c.pair.pose_a, point.normal);
+  const Vec3d corner_b = extreme(c.pair.b, c.pair.pose_b, Vec3d(-point.normal));
+  const double nearest =
+      std::min((corner_a - point.position).norm(), (corner_b - point.position).norm());
+  return nearest <= breaking_threshold(c) + c.overlap;
+}
+
+/// Where ODE puts the origin of a hull: see ode.cpp.
+Vec3d centroid(const Hull<double>& hull) {
+  return hull.centroid;
+}
+
+/// fcl::Convex::getInteriorPoint; of a box too it is the centre.
+Vec3d mean_of_vertices(const Hull<double>& hull) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Vec3d& vertex : hull.vertices) sum += vertex;
+  return sum / hull.vertex_count();
+}
+
+using Centre = Vec3d (*)(const Hull<double>&);
+
+/// MPR (Snethen 2008) follows the line through both centres to where it leaves the Minkowski
+/// difference, and gives the distance to the triangle that it crosses there: no less than the least
+/// depth, no more than the way out along the line. So B, moved out by the depth along the line,
+/// must still touch A. The normal is that of the triangle's nearest point.
+template <Centre centre>
+bool on_the_way_out(const Comparison& c) {
+  if (c.reported < c.depth() - c.tolerance) return false;
+  const Vec3d line =
+      c.pair.pose_b.transform(centre(c.pair.b)) - c.pair.pose_a.transform(centre(c.pair.a));
+  if (c.answer.deepest()->normal.dot(line) <= 0) return false;
+  Pose<double> moved = c.pair.pose_b;
+  moved.position += (c.reported - c.tolerance) * line.normalized();
+  return test::brute_force_sat(c.pair.a, c.pair.pose_a, c.pair.b, moved).separation <= c.tolerance;
+}
+
+/// A distance from a triangle's corner or edge is less than the overlap along it.
+template <Centre centre>
+bool nearest_on_triangle(const Comparison& c) {
+  return c.reported <= c.overlap && on_the_way_out<centre>(c);
+}
+
+bool within_min_distance(const Comparison& c) {
+  return std::abs(c.truth.separation) <= kGjkMinDistance;
+}
+
+/// The simplex that EPA starts from is one that GJK took for an overlap.
+bool normal_near_min_distance(const Comparison& c) {
+  return c.depth() <= 2 * kGjkMinDistance;
+}
+
+/// btGjkPairDetector keeps what it has, points that are apart, when the simplex degenerates.
+bool gave_up_near_the_surface(const Comparison& c) {
+  return c.reported < 0 && c.depth() > 0 && c.depth() <= 10 * kGjkMinDistance;
+}
+
+bool within_epa_accuracy(const Comparison& c) {
+  return c.overlap - c.depth() <= 5 * kEpaAccuracyMetres;
+}
+
+/// How far a point is from lying `separation` above a face that looks along `direction` (world,
+/// unit) as well as any other, or nearly: the best of those.
+double misfit(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& point,
+              double separation, const Vec3d& direction) {
+  constexpr double kNearlyAsWell = 0.01;
+  const Vec3d local = pose.inverse_transform(point);
+  const Vec3d along = pose.inverse_rotate(direction);
+  double alignment = -1;
+  for (const Plane<double>& plane : hull.planes) {
+    alignment = std::max(alignment, plane.normal.dot(along));
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const Plane<double>& plane : hull.planes) {
+    if (plane.normal.dot(along) < alignment - kNearlyAsWell) continue;
+    best = std::min(best, std::abs(plane.distance(local) - separation));
+  }
+  return best;
+}
+
+/// In units of the larger hull's radius.
+double misfit(const Comparison& c) {
+  const PeerPoint& point = *c.answer.deepest();
+  const Vec3d normal = point.normal.normalized();
+  const Vec3d half = 0.5 * point.separation * normal;
+  const double off =
+      std::min(misfit(c.pair.a, c.pair.pose_a, point.position + half, point.separation, normal),
+               misfit(c.pair.b, c.pair.pose_b, point.position - half, point.separation,
+                      Vec3d(-normal), faces));
+  return (off - c.tolerance) / std::max(c.pair.a.radius, c.pair.b.radius);
+}
+
+/// btPolyhedralContactClipping measures the clipped corners of one hull to the plane of the other's
+/// face that faces it best, whatever the normal, and drops those beside that face.
+bool measured_to_a_face_plane(const Comparison& c) {
+  return !c.answer.points.empty() && misfit(c) <= 2 * kHullGrid;
+}
+
+/// It lets no depth exceed the one that GJK and EPA found by more than the threshold.
+bool clamped_by_threshold(const Comparison& c) {
+  return std::abs(c.reported - c.overlap - breaking_threshold(c)) <= kEpaAccuracyMetres;
+}
+
+constexpr Rule kBoxRules[] = {
+    {Aspect::Normal, kEdgeFactor, wins_by_edge_factor},
+    {Aspect::Depth, kCornerBeside, deepest_corner_is_beside},
+};
+
+constexpr Rule kBulletBoxRules[] = {
+    {Aspect::Normal, kEdgeFactor, wins_by_edge_factor},
+    {Aspect::Depth, kCornerBeside, deepest_corner_is_beside},
+    {Aspect::Depth, kCosineFudge, deeper_by_cosine_fudge},
+    {Aspect::Depth, kMerged, replaced_by_a_neighbour},
+};
+
+constexpr Rule kOdeHullRules[] = {
+    {Aspect::Normal, kWayOut, on_the_way_out<centroid>},
+    {Aspect::Depth, kWayOut, nearest_on_triangle<centroid>},
+};
+
+constexpr Rule kFclHullRules[] = {
+    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
+    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+};
+
+constexpr Rule kBulletHullRules[] = {
+    {Aspect::Touching, kMinDistance, within_min_distance},
+    {Aspect::Touching, kFacePlane, measured_to_a_face_plane},
+    {Aspect::Touching, kGaveUp, gave_up_near_the_surface},
+    {Aspect::Normal, kMinDistance, normal_near_min_distance},
+    {Aspect::Normal, kEpaAccuracy, within_epa_accuracy},
+    {Aspect::Depth, kFacePlane, measured_to_a_face_plane},
+    {Aspect::Depth, kClamped, clamped_by_threshold},
+    {Aspect::Depth, kMinDistance, within_min_distance},
+};
+
+}  // namespace
+
+std::span<const Rule> rules_of(const Peer& peer, bool boxes) {
+  const std::string_view name = peer.name();
+  if (name == "Bullet") return boxes ? std::span<const Rule>(kBulletBoxRules) : kBulletHullRules;
+  if (boxes) return kBoxRules;
+  return name == "ODE" ? std::span<const Rule>(kOdeHullRules) : kFclHullRules;
+}
+
+double tolerance_of(const Peer& peer, const test::PairCase<double>& pair) {
+  // Bullet rounds to float some tens of times; libccd stops MPR at steps of a millionth.
+  const double relative = std::max(1e-6, 100 * peer.epsilon());
+  return relative * test::length_scale(pair);
+}
+
+}  // namespace contactscope::peers

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "peers/disagreement.h"
+
+/// Why Bullet, ODE and FCL answer differently for two hulls: each rule names a constant or a habit
+/// of theirs and checks that it accounts for the numbers.
+namespace contactscope::peers {
+
+// Boxes. All three descend from ODE's dBoxBox2.
+inline constexpr const char* kEdgeFactor = "edge axis must win by a factor 1.05";
+inline constexpr const char* kCornerBeside = "deepest corner lies beside the reference face";
+inline constexpr const char* kCosineFudge = "1e-5 added to cosines makes edges deeper";
+inline constexpr const char* kMerged =
+    "points nearer than the breaking threshold replace each other";
+// Hulls in ODE and FCL.
+inline constexpr const char* kWayOut = "MPR: depth on the way out through the centres";
+// Hulls in Bullet.
+inline constexpr const char* kMinDistance = "GJK takes what is nearer than 0.1 mm for overlap";
+inline constexpr const char* kGaveUp = "GJK stops at a degenerate simplex";
+inline constexpr const char* kEpaAccuracy = "EPA stops early, 0.1 mm at a time";
+inline constexpr const char* kFacePlane = "depth below a face plane of a coarse hull";
+inline constexpr const char* kClamped =
+    "depth below a face plane clamped by the breaking threshold";
+
+/// For a library by name; `boxes` for two boxes, else for hulls.
+std::span<const Rule> rules_of(const Peer& peer, bool boxes);
+
+/// Metres. Within it an answer agrees.
+double tolerance_of(const Peer& peer, const test::PairCase<double>& pair);
+
+}  // namespace contactscope::peers
