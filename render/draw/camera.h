@@ -28,6 +28,7 @@ class Camera {
                              const Rect& viewport);
 
   const Vec3d& eye() const { return eye_; }
+  bool is_perspective() const { return perspective_; }
   const Rect& viewport() const { return viewport_; }
   Vec3d right() const { return axes_.col(0); }
   Vec3d up() const { return axes_.col(1); }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
+constexpr double kCoreRadius = 2.4;
 constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
@@ -27,13 +28,14 @@ class Composer {
         layout_(layout),
         out_(drawing),
         placer_(layout.view),
-        hidden_(camera, sketch.occluders) {}
+        hidden_(camera, sketch.occluders, sketch.shadows) {}
 
   void run() {
-    for (const Surface& surface : depth_ordered(sketch_.surfaces, camera_)) {
+    for (const Surface& surface : depth_ordered(sketch_.surfaces, camera_, sketch_.bodies)) {
       std::vector<Point2> polygon = project_polygon(camera_, surface.polygon);
       if (!polygon.empty()) out_.primitives.push_back(Fill{std::move(polygon), surface.color});
     }
+    for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
     for (const Arrow& arrow : sketch_.arrows) draw_arrow(arrow);
     for (const Mark& mark : sketch_.marks) draw_mark(mark);
@@ -62,19 +64,38 @@ class Composer {
       const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
       if (seen) placer_.block(seen->from, seen->to, px(style.width + 2));
     }
+    draw_spans(line.from, line.to, style, 0);
+  }
+
+  // `run`: pixels of the line's dashes before `first`.
+  void draw_spans(const Vec3d& first, const Vec3d& last, const LineStyle& style, float run) {
     if (style.hidden == LineStyle::Hidden::Same) {
-      stroke(line.from, line.to, style.width, style.color, style.dashed ? 10.0f : 0.0f,
-             style.dashed ? 6.0f : 0.0f, 0);
+      stroke(first, last, style.width, style.color, style.dashed ? 10.0f : 0.0f,
+             style.dashed ? 6.0f : 0.0f, run);
       return;
     }
-    for (const Span& span : hidden_.split(line.from, line.to)) {
-      const Vec3d from = line.from + span.from * (line.to - line.from);
-      const Vec3d to = line.from + span.to * (line.to - line.from);
+    for (const Span& span : hidden_.split(first, last)) {
+      const Vec3d from = first + span.from * (last - first);
+      const Vec3d to = first + span.to * (last - first);
       if (span.hidden) {
-        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, 0);
+        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run);
       } else {
         stroke(from, to, style.width, style.color, 0, 0, 0);
       }
+    }
+  }
+
+  // The lengths already run are measured on the screen, where dashes are.
+  void draw_curve(const Curve& curve) {
+    const std::size_t count = curve.points.size();
+    float run = 0;
+    for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i) {
+      const Vec3d& p = curve.points[i];
+      const Vec3d& q = curve.points[(i + 1) % count];
+      const std::optional<Segment2> seen = project_segment(camera_, p, q);
+      if (!seen) continue;
+      draw_spans(p, q, curve.style, run);
+      run += distance(seen->from, seen->to);
     }
   }
 
@@ -137,6 +158,9 @@ class Composer {
         disc(0, kDotRadius + kDotHalo, kWhite);
         disc(0, kDotRadius, mark.color);
         placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::Core:
+        disc(0, kCoreRadius, mark.color);
         break;
       case MarkKind::Hollow:
         disc(0, kDotRadius + kDotHalo, kWhite);

@@ -24,7 +24,7 @@ void draw_whisker(const Scene& scene, const trace::Manifold& manifold, const tra
   Vec3d from = point.position;
   Vec3d to = point.position + overlap;
   if (manifold.axis == "face_b") to = point.position - overlap;
-  if (manifold.axis == "edge_edge") {
+  if (manifold.axis == "edge_edge" || manifold.axis == "closest_points") {
     from = point.position - 0.5 * overlap;
     to = point.position + 0.5 * overlap;
   }

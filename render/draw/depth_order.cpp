@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/plane.h"
@@ -15,7 +16,7 @@ constexpr double kOnPlane = 2e-6;
 struct Item {
   Surface surface;
   Plane<double> plane;
-  double area = 0;  // twice, square metres
+  double area = 0;  // twice, square metres; -1 for a facet of a round body, the last to part others
 };
 
 // Newell's normal: right for any flat polygon, also with collinear vertices.
@@ -40,7 +41,8 @@ enum class Side { Front, Back, On, Cut };
 
 class Orderer {
  public:
-  Orderer(const Camera& camera, double tolerance) : camera_(camera), tolerance_(tolerance) {}
+  Orderer(const Camera& camera, const std::vector<RoundBody>& bodies, double tolerance)
+      : camera_(camera), bodies_(bodies), tolerance_(tolerance) {}
 
   void paint(std::vector<Item> items, std::vector<Surface>& result) const {
     if (items.empty()) return;
@@ -48,11 +50,59 @@ class Orderer {
       result.push_back(std::move(items.front().surface));
       return;
     }
-    const Plane<double> plane =
-        std::max_element(items.begin(), items.end(), [](const Item& a, const Item& b) {
-          return a.area < b.area;
-        })->plane;
+    const auto largest = std::max_element(
+        items.begin(), items.end(), [](const Item& a, const Item& b) { return a.area < b.area; });
+    if (largest->surface.body >= 0) {
+      paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies_.size()), result);
+      return;
+    }
+    const Plane<double> plane = largest->plane;
     std::vector<Item> front, back, on;
+    part(plane, std::move(items), front, back, on);
+    const bool eye_in_front = in_front(plane);
+    paint(std::move(eye_in_front ? back : front), result);
+    for (Item& item : on) result.push_back(std::move(item.surface));
+    paint(std::move(eye_in_front ? front : back), result);
+  }
+
+ private:
+  // Facets of round bodies alone: parted by the planes of the pairs from (first, second) on. `won`
+  // counts for each body the pairs in which this region is on its side.
+  void paint_bodies(std::vector<Item> items, std::size_t first, std::size_t second,
+                    std::vector<int> won, std::vector<Surface>& result) const {
+    std::vector<bool> present(bodies_.size());
+    for (const Item& item : items) present[static_cast<std::size_t>(item.surface.body)] = true;
+    for (; first < bodies_.size(); ++first, second = first + 1) {
+      for (; present[first] && second < bodies_.size(); ++second) {
+        if (!present[second]) continue;
+        const Plane<double> plane = power_plane(bodies_[first], bodies_[second]);
+        std::vector<Item> front, back, on;
+        part(plane, std::move(items), front, back, on);
+        std::move(on.begin(), on.end(), std::back_inserter(back));
+        std::vector<int> won_front = won;
+        ++won_front[second];
+        ++won[first];
+        const bool eye_in_front = in_front(plane);
+        if (!eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front, result);
+        paint_bodies(std::move(back), first, second + 1, won, result);
+        if (eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front, result);
+        return;
+      }
+    }
+    std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+      return won[static_cast<std::size_t>(a.surface.body)] <
+             won[static_cast<std::size_t>(b.surface.body)];
+    });
+    for (Item& item : items) result.push_back(std::move(item.surface));
+  }
+
+  bool in_front(const Plane<double>& plane) const {
+    const Vec3d on_plane = plane.normal * plane.offset;
+    return camera_.to_eye(on_plane).dot(plane.normal) > 0;
+  }
+
+  void part(const Plane<double>& plane, std::vector<Item> items, std::vector<Item>& front,
+            std::vector<Item>& back, std::vector<Item>& on) const {
     for (Item& item : items) {
       switch (side_of(plane, item.surface.polygon)) {
         case Side::Front:
@@ -74,14 +124,8 @@ class Orderer {
         }
       }
     }
-    const Vec3d on_plane = plane.normal * plane.offset;
-    const bool eye_in_front = camera_.to_eye(on_plane).dot(plane.normal) > 0;
-    paint(std::move(eye_in_front ? back : front), result);
-    for (Item& item : on) result.push_back(std::move(item.surface));
-    paint(std::move(eye_in_front ? front : back), result);
   }
 
- private:
   Side side_of(const Plane<double>& plane, const std::vector<Vec3d>& polygon) const {
     bool front = false, back = false;
     for (const Vec3d& p : polygon) {
@@ -118,12 +162,14 @@ class Orderer {
   }
 
   const Camera& camera_;
+  const std::vector<RoundBody>& bodies_;
   double tolerance_;
 };
 
 }  // namespace
 
-std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera) {
+std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera,
+                                   const std::vector<RoundBody>& bodies) {
   std::vector<Item> items;
   items.reserve(surfaces.size());
   Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
@@ -135,12 +181,13 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
       high = high.cwiseMax(p);
     }
     Item item = item_of(std::move(surface));
-    if (item.area > 0) items.push_back(std::move(item));
+    if (item.area > 0 && item.surface.body >= 0) item.area = -1;
+    if (item.area != 0) items.push_back(std::move(item));
   }
   const double scale = items.empty() ? 0 : (high - low).maxCoeff();
   std::vector<Surface> result;
   result.reserve(items.size());
-  Orderer(camera, kOnPlane * scale).paint(std::move(items), result);
+  Orderer(camera, bodies, kOnPlane * scale).paint(std::move(items), result);
   return result;
 }
 

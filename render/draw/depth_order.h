@@ -5,6 +5,7 @@
 #include "core/vec3.h"
 #include "draw/camera.h"
 #include "draw/drawing.h"
+#include "draw/round_body.h"
 
 namespace contactscope::draw {
 
@@ -12,6 +13,7 @@ namespace contactscope::draw {
 struct Surface {
   std::vector<Vec3d> polygon;
   Color color;
+  int body = -1;  // facet of this round body; -1: flat by itself
 };
 
 /// The surfaces in the order in which to paint them, farthest first, cut where they pass through
@@ -22,6 +24,13 @@ struct Surface {
 /// the root, so that small ones are cut by large ones and not the reverse; cut the others by its
 /// plane; do the same with both sides; walk the tree from the far side to the near side of each
 /// plane.
-std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera);
+///
+/// Facets of round bodies are cut but never cut others, for there are many: flat surfaces part them
+/// first, then the planes of equal power between every two bodies. In a region of least power over
+/// one body this body is in front, for the others are inside of it or behind. That is exact for
+/// spheres and for all bodies that are apart; where capsules overlap, it is off by a part of the
+/// overlap.
+std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera,
+                                   const std::vector<RoundBody>& bodies = {});
 
 }  // namespace contactscope::draw

@@ -15,7 +15,9 @@ constexpr double kSeam = 8;
 
 }  // namespace
 
-HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders) {
+HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
+                         const std::vector<ConvexShadow>& shadows)
+    : shadows_(shadows) {
   Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
   Vec3d high = -low;
   for (const std::vector<Vec3d>& polygon : occluders) {
@@ -40,8 +42,8 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders) {
     normal.normalize();
     if (normal.dot(camera.to_eye(middle)) < 0) normal = -normal;
 
-    Shadow shadow;
-    shadow.bounds.push_back({normal, normal.dot(middle) - border});  // behind the polygon
+    ConvexShadow shadow;
+    shadow.push_back({normal, normal.dot(middle) - border});  // behind the polygon
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3d& p = polygon[i];
       const Vec3d& q = polygon[(i + 1) % polygon.size()];
@@ -51,7 +53,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders) {
       if (length <= kBorder * (q - p).norm()) continue;
       side /= length;
       if (side.dot(middle - p) > 0) side = -side;
-      shadow.bounds.push_back({side, side.dot(p) - border});
+      shadow.push_back({side, side.dot(p) - border});
     }
     shadows_.push_back(std::move(shadow));
   }
@@ -59,11 +61,11 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders) {
 
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
-  for (const Shadow& shadow : shadows_) {
+  for (const ConvexShadow& shadow : shadows_) {
     double first = 0, last = 1;
-    for (const HalfSpace& bound : shadow.bounds) {
-      const double d0 = bound.normal.dot(from) - bound.offset;
-      const double d1 = bound.normal.dot(to) - bound.offset;
+    for (const Plane<double>& bound : shadow) {
+      const double d0 = bound.distance(from);
+      const double d1 = bound.distance(to);
       if (d0 > 0 && d1 > 0) {
         first = 1;
         last = 0;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/plane.h"
 #include "core/vec3.h"
 #include "draw/camera.h"
 
@@ -9,6 +10,9 @@ namespace contactscope::draw {
 
 /// Flat convex polygons that hide what is behind them, world metres.
 using Occluders = std::vector<std::vector<Vec3d>>;
+
+/// Planes behind all of which a convex body hides everything: normal . x <= offset.
+using ConvexShadow = std::vector<Plane<double>>;
 
 /// Part of a segment, as parameters along it.
 struct Span {
@@ -18,23 +22,17 @@ struct Span {
 
 /// Decides which parts of lines are hidden. What a convex polygon hides is a convex cone cut off by
 /// its plane, so it hides one interval of a segment (Cyrus and Beck 1978); the union of these
-/// intervals over all occluders is hidden, the rest is seen.
+/// intervals over all occluders is hidden, the rest is seen. `shadows` hide as they are.
 class HiddenLines {
  public:
-  HiddenLines(const Camera& camera, const Occluders& occluders);
+  HiddenLines(const Camera& camera, const Occluders& occluders,
+              const std::vector<ConvexShadow>& shadows = {});
 
   /// Seen and hidden parts in order, covering [0, 1].
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
  private:
-  struct HalfSpace {
-    Vec3d normal;
-    double offset;
-  };
-  struct Shadow {
-    std::vector<HalfSpace> bounds;  // inside where normal . x <= offset for all
-  };
-  std::vector<Shadow> shadows_;
+  std::vector<ConvexShadow> shadows_;
   double border_ = 0;  // metres
 };
 

@@ -30,6 +30,7 @@ Vec3d center_of_contact(const trace::Frame& frame, const std::vector<PlacedShape
   }
   if (count > 0) return sum / count;
   for (const PlacedShape& shape : shapes) {
+    if (shape.mesh->shape->half_space) continue;
     sum += shape.pose.transform(shape.mesh->shape->center_of_mass);
     ++count;
   }

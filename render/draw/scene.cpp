@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace contactscope::draw {
@@ -49,7 +50,23 @@ ShapeMesh make_mesh(const trace::Shape& shape) {
   for (const Vec3d& v : shape.vertices) {
     mesh.radius = std::max(mesh.radius, (v - shape.center_of_mass).norm());
   }
+  mesh.radius += shape.radius;
+  if (shape.half_space) mesh.radius = std::numeric_limits<double>::infinity();
   return mesh;
+}
+
+std::vector<Vec3d> extent_points(const PlacedShape& shape) {
+  const double radius = shape.mesh->shape->radius;
+  if (radius == 0) return shape.vertices;
+  std::vector<Vec3d> points;
+  for (const Vec3d& center : shape.vertices) {
+    for (int i = 0; i < 27; ++i) {
+      if (i == 13) continue;
+      const Vec3d direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      points.push_back(center + radius * direction.normalized());
+    }
+  }
+  return points;
 }
 
 std::vector<Vec3d> PlacedShape::polygon(int face) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@
 
 namespace contactscope::draw {
 
+/// The part of a half-space's plane that is drawn, in the shape's frame.
+struct PlanePatch {
+  Vec3d center = Vec3d::Zero();
+  Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitZ();  // unit, at right angles to each other
+  double half_u = 1, half_v = 1;                 // metres
+};
+
 /// A shape of the trace with what drawing derives from it once: edges with their faces.
 struct ShapeMesh {
   struct Edge {
@@ -20,8 +28,9 @@ struct ShapeMesh {
   };
   const trace::Shape* shape = nullptr;
   std::vector<Edge> edges;
-  std::vector<Vec3d> normals;  // of the faces, local, outward, unit
-  double radius = 0;           // metres, about the centre of mass
+  std::vector<Vec3d> normals;       // of the faces, local, outward, unit
+  double radius = 0;                // metres, about the centre of mass; infinite for a plane
+  std::optional<PlanePatch> patch;  // of a plane, once it is fitted to a sequence
 };
 
 ShapeMesh make_mesh(const trace::Shape& shape);
@@ -51,6 +60,10 @@ struct Scene {
   bool shows(const char* layer) const;
   const PlacedShape* find(const std::string& name) const;
 };
+
+/// Points that a picture of the shape must hold: vertices, of a round shape points all around it,
+/// of a plane none.
+std::vector<Vec3d> extent_points(const PlacedShape& shape);
 
 std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
                                       const trace::Frame& frame);

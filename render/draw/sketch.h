@@ -8,6 +8,7 @@
 #include "draw/depth_order.h"
 #include "draw/drawing.h"
 #include "draw/hidden_lines.h"
+#include "draw/round_body.h"
 
 /// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
 /// compose() turns it into a Drawing. Lengths in metres where they belong to the scene, in pixels
@@ -27,6 +28,13 @@ struct Line {
   bool keep_clear = false;  // no label may cover it
 };
 
+/// A line through many points, whose dashes run on from one to the next.
+struct Curve {
+  std::vector<Vec3d> points;
+  LineStyle style;
+  bool closed = false;
+};
+
 /// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
 struct Arrow {
   Vec3d from;
@@ -40,7 +48,7 @@ struct Arrow {
   bool halo = true;
 };
 
-enum class MarkKind { Dot, Hollow, Ring, Cross, SmallCross };
+enum class MarkKind { Dot, Hollow, Ring, Cross, SmallCross, Core };
 
 /// Something of a fixed size on the screen.
 struct Mark {
@@ -90,6 +98,9 @@ struct LegendEntry {
 struct Sketch {
   std::vector<Surface> surfaces;
   Occluders occluders;
+  std::vector<RoundBody> bodies;      // that surfaces belong to
+  std::vector<ConvexShadow> shadows;  // of bodies
+  std::vector<Curve> curves;
   std::vector<Line> lines;
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;

@@ -7,15 +7,18 @@
 #include <numbers>
 
 #include "draw/illustrate.h"
+#include "draw/plane_patch.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFieldOfView = 30;       // degrees; stronger perspective would bend right angles
-constexpr double kElevation = 30;         // degrees above the contact plane
-constexpr double kPatchShare = 0.46;      // of the view's smaller side
-constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
-constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
+constexpr double kFieldOfView = 30;    // degrees; stronger perspective would bend right angles
+constexpr double kElevation = 30;      // degrees above the contact plane
+constexpr double kPatchShare = 0.46;   // of the view's smaller side
+constexpr double kShapesShare = 0.92;  // of the view, when all shapes are to be seen
+constexpr double kLeastShapes = 0.72;  // of the distance from which all shapes are seen
+constexpr double kLeastRound =
+    0.92;  // the same where a shape is round: it has no edges to be known by
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
@@ -84,7 +87,8 @@ Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<Sh
   Subject subject;
   for (const trace::Frame& frame : frames) {
     for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-      subject.points.insert(subject.points.end(), shape.vertices.begin(), shape.vertices.end());
+      const std::vector<Vec3d> points = extent_points(shape);
+      subject.points.insert(subject.points.end(), points.begin(), points.end());
     }
   }
   return subject;
@@ -164,7 +168,10 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
     const Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
     // Not so near that the shapes are lost.
     if (close.distance < best.distance) {
-      best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
+      const bool is_round =
+          std::ranges::any_of(meshes, [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; });
+      const double least = (is_round ? kLeastRound : kLeastShapes) * best.distance;
+      best = {close.target, std::max(close.distance, least)};
     }
   }
   if (view.eye) best.distance = (*view.eye - best.target).norm();
@@ -204,6 +211,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
               const View& view, int width, int height) {
   std::vector<ShapeMesh> meshes;
   for (const trace::Shape& shape : header.shapes) meshes.push_back(make_mesh(shape));
+  fit_patches(header, frames, meshes);
 
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
   // what each frame shows: sketch all frames with a camera that only has to exist.
