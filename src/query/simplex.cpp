@@ -34,85 +34,134 @@ bool on_edge(const Points<S>& points, int i, int j, NearestOnSimplex<S>& result)
   const S from_p = -p.dot(along);
   const S from_q = q.dot(along);
   if (!(from_p > S(0) && from_q > S(0))) return false;
-  const S weight_q = from_p / (from_p + from_q);
-  const S weight_p = from_q / (from_p + from_q);
+  const S squared_length = from_p + from_q;
+  S weight_q = from_p / squared_length;
+  S weight_p = from_q / squared_length;
   // From the nearer end: it is met exactly when the foot moves there.
-  result.point =
+  const Vec3<S> foot =
       weight_q < weight_p ? Vec3<S>(p + weight_q * along) : Vec3<S>(q - weight_p * along);
+  // The foot is a rounding of its end's coordinates off along the edge. Near the origin that would
+  // tilt the direction by much, and a long edge would hide points that lie beyond its other end.
+  const S correction = foot.dot(along) / squared_length;
+  weight_q -= correction;
+  weight_p += correction;
+  result.point = foot - correction * along;
   result.count = 2;
   result.kept[0] = i, result.kept[1] = j;
   result.weights[0] = weight_p, result.weights[1] = weight_q;
   result.squared_distance = result.point.squaredNorm();
   result.direction = result.point;
-  return true;
+  return weight_p > S(0) && weight_q > S(0);
 }
 
-/// A triangle seen from the corner at which its two shorter sides meet. There the cross product of
-/// two sides is relatively exact even for a needle, whose sides from elsewhere are nearly parallel.
+/// A triangle seen from one of its corners.
 template <class S>
 struct Triangle {
+  /// From k, unless that sees a needle.
   Triangle(const Points<S>& points, int i, int j, int k) {
-    const Vec3<S> ij = at(points, j) - at(points, i);
-    const Vec3<S> jk = at(points, k) - at(points, j);
-    const Vec3<S> ki = at(points, i) - at(points, k);
-    const S ij2 = ij.squaredNorm(), jk2 = jk.squaredNorm(), ki2 = ki.squaredNorm();
-    if (ij2 >= jk2 && ij2 >= ki2) {
-      place = {2, 0, 1};
-      corner = at(points, k), q = ki, r = -jk, squared_sides = ki2 * jk2;
-    } else if (jk2 >= ki2) {
-      place = {0, 1, 2};
-      corner = at(points, i), q = ij, r = -ki, squared_sides = ij2 * ki2;
-    } else {
-      place = {1, 2, 0};
-      corner = at(points, j), q = jk, r = -ij, squared_sides = jk2 * ij2;
-    }
+    see_from(points, k, i, j, {2, 0, 1});
+    if (!has_sine_above(kNoisySine<S>)) see_from_widest(points, i, j, k);
+  }
+
+  void see_from(const Points<S>& points, int from, int to_q, int to_r,
+                const std::array<std::size_t, 3>& places) {
+    place = places;
+    corner = at(points, from);
+    q = at(points, to_q) - corner;
+    r = at(points, to_r) - corner;
     normal = q.cross(r);
     squared_normal = normal.squaredNorm();
+    squared_sides = q.squaredNorm() * r.squaredNorm();
+  }
+  /// The corner with the largest of three measures.
+  void see_from_largest(const Points<S>& points, int i, int j, int k, S at_i, S at_j, S at_k) {
+    if (at_k >= at_i && at_k >= at_j) {
+      see_from(points, k, i, j, {2, 0, 1});
+    } else if (at_i >= at_j) {
+      see_from(points, i, j, k, {0, 1, 2});
+    } else {
+      see_from(points, j, k, i, {1, 2, 0});
+    }
+  }
+  /// Where the two shorter sides meet, the cross product is relatively exact even for a needle,
+  /// whose sides are nearly parallel elsewhere.
+  void see_from_widest(const Points<S>& points, int i, int j, int k) {
+    see_from_largest(points, i, j, k, (at(points, k) - at(points, j)).squaredNorm(),
+                     (at(points, i) - at(points, k)).squaredNorm(),
+                     (at(points, j) - at(points, i)).squaredNorm());
+  }
+  void see_from_nearest(const Points<S>& points, int i, int j, int k) {
+    see_from_largest(points, i, j, k, -at(points, i).squaredNorm(), -at(points, j).squaredNorm(),
+                     -at(points, k).squaredNorm());
   }
 
   bool has_sine_above(S sine) const { return squared_normal > sine * sine * squared_sides; }
 
-  std::array<int, 3> place;  // of corner, q and r among i, j and k
-  Vec3<S> corner, q, r;      // q and r are sides, from the corner
-  Vec3<S> normal;            // q x r = (j - i) x (k - i)
-  S squared_sides;           // product of both squared lengths
+  std::array<std::size_t, 3> place;  // of corner, q and r among i, j and k
+  Vec3<S> corner, q, r;              // q and r are sides, from the corner
+  Vec3<S> normal;                    // q x r , the same from every corner but for rounding
+  S squared_sides;                   // product of both squared lengths
   S squared_normal;
 };
 
+/// The foot of the perpendicular from the origin, inside the triangle or out.
+template <class S>
+struct Foot {
+  explicit Foot(const Triangle<S>& triangle) : point(triangle.corner) {
+    correct(triangle);
+    // A flat triangle multiplies the rounding; the second time the error starts small.
+    if (!triangle.has_sine_above(kNoisySine<S>)) correct(triangle);
+    weight_corner = S(1) - weight_q - weight_r;
+  }
+
+  void correct(const Triangle<S>& triangle) {
+    weight_q += triangle.r.cross(point).dot(triangle.normal) / triangle.squared_normal;
+    weight_r += point.cross(triangle.q).dot(triangle.normal) / triangle.squared_normal;
+    point = triangle.corner + weight_q * triangle.q + weight_r * triangle.r;
+  }
+  S least_weight() const { return std::min(std::min(weight_q, weight_r), weight_corner); }
+
+  Vec3<S> point;
+  S weight_q = 0, weight_r = 0, weight_corner;
+};
+
+/// A weight that is less than this in size is computed again from the corner nearest to the origin,
+/// where weights of the others are exact relative to the way to the origin. Any fraction well above
+/// rounding does.
+template <class S>
+constexpr S kDoubtfulWeight = S(1) / S(32);
+
 /// False unless the foot of the perpendicular lies inside.
 template <class S>
-bool on_triangle(const Triangle<S>& triangle, int i, int j, int k, S scale,
+bool on_triangle(const Points<S>& points, Triangle<S>& triangle, int i, int j, int k, S scale,
                  NearestOnSimplex<S>& result) {
   if (!triangle.has_sine_above(kParallelSine<S>)) return false;
-  const Vec3<S>&q = triangle.q, &r = triangle.r, &normal = triangle.normal;
-  S weight_q = 0, weight_r = 0;
-  Vec3<S> foot = triangle.corner;
-  const auto correct = [&] {
-    weight_q += r.cross(foot).dot(normal) / triangle.squared_normal;
-    weight_r += foot.cross(q).dot(normal) / triangle.squared_normal;
-    foot = triangle.corner + weight_q * q + weight_r * r;
-  };
-  correct();
-  // A flat triangle multiplies the rounding of the foot; the second time its error starts small.
-  if (!triangle.has_sine_above(kNoisySine<S>)) correct();
-  const S weight_corner = S(1) - weight_q - weight_r;
-  if (!(weight_q > S(0) && weight_r > S(0) && weight_corner > S(0))) return false;
+  Foot<S> foot(triangle);
+  if (foot.least_weight() < -kDoubtfulWeight<S>) return false;
+  if (foot.least_weight() < kDoubtfulWeight<S> && triangle.has_sine_above(kNoisySine<S>)) {
+    Triangle<S> nearest = triangle;
+    nearest.see_from_nearest(points, i, j, k);
+    if (nearest.has_sine_above(kNoisySine<S>)) {
+      triangle = nearest;
+      foot = Foot<S>(triangle);
+    }
+  }
+  if (!(foot.least_weight() > S(0))) return false;
 
-  result.weights[triangle.place[0]] = weight_corner;
-  result.weights[triangle.place[1]] = weight_q;
-  result.weights[triangle.place[2]] = weight_r;
+  result.weights[triangle.place[0]] = foot.weight_corner;
+  result.weights[triangle.place[1]] = foot.weight_q;
+  result.weights[triangle.place[2]] = foot.weight_r;
   result.count = 3;
   result.kept[0] = i, result.kept[1] = j, result.kept[2] = k;
-  result.point = foot;
-  result.squared_distance = foot.squaredNorm();
+  result.point = result.direction = foot.point;
+  result.squared_distance = foot.point.squaredNorm();
   // The foot's direction is off by a rounding of `scale` over its length, the normal's by one over
   // the sine of the corner: compare both squared.
   const bool normal_is_better =
       triangle.squared_normal * scale * scale > result.squared_distance * triangle.squared_sides;
-  result.direction = foot;
   if (normal_is_better) {
-    const bool faces_origin = normal.dot(triangle.corner) < S(0);
-    result.direction = faces_origin ? Vec3<S>(-normal) : normal;
+    const bool faces_origin = triangle.normal.dot(triangle.corner) < S(0);
+    result.direction = faces_origin ? Vec3<S>(-triangle.normal) : triangle.normal;
   }
   return true;
 }
@@ -131,9 +180,9 @@ class Nearest {
   }
 
   /// True when the foot is inside of a triangle whose shape leaves no doubt of that.
-  bool offer(const Triangle<S>& triangle, int i, int j, int k) {
+  bool offer(Triangle<S>& triangle, int i, int j, int k) {
     NearestOnSimplex<S> found;
-    if (!on_triangle(triangle, i, j, k, scale_, found)) return false;
+    if (!on_triangle(points_, triangle, i, j, k, scale_, found)) return false;
     keep_nearer(found);
     return triangle.has_sine_above(kNoisySine<S>);
   }
@@ -187,7 +236,7 @@ void on_tetrahedron(const Points<S>& points, S scale, NearestOnSimplex<S>& resul
   S volumes[4];
   bool is_inside = true;
   for (const auto& [i, j, k, opposite] : kTriangles) {
-    const Triangle<S> triangle(points, i, j, k);
+    Triangle<S> triangle(points, i, j, k);
     const Side side = side_of_origin(triangle, at(points, opposite), scale, volumes[opposite]);
     if (side == Side::Inner) continue;
     is_inside = false;
@@ -234,7 +283,8 @@ void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale
   if (count == 4) return on_tetrahedron(points, scale, result);
   Nearest<S> nearest(points, scale, result);
   if (count == 3) {
-    if (nearest.offer(Triangle<S>(points, 0, 1, 2), 0, 1, 2)) return;
+    Triangle<S> triangle(points, 0, 1, 2);
+    if (nearest.offer(triangle, 0, 1, 2)) return;
     nearest.offer_edge(0, 2);
     nearest.offer_edge(1, 2);
     nearest.offer_vertex(2);

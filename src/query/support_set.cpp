@@ -24,7 +24,8 @@ Register<S> load(const S* from) {
   return result;
 }
 
-/// Place k of the register keeps the best of the vertices kWidth * n + k.
+/// Place k of the register keeps the best of the vertices kWidth * n + k. Two registers meet each
+/// other before the best, which every step waits for.
 template <class S>
 int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
   constexpr int kWidth = kRegisterWidth<S>;
@@ -36,12 +37,22 @@ int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
   Indices block{}, best_block{};
   Register<S> best = distances_from(0);
   const int whole = lanes.count() & ~(kWidth - 1);  // the padding is no vertex
-  for (int i = kWidth; i < whole; i += kWidth) {
-    block += kWidth;
+  int i = kWidth;
+  for (; i + kWidth < whole; i += 2 * kWidth) {
+    const Register<S> first = distances_from(i);
+    const Register<S> second = distances_from(i + kWidth);
+    const Indices is_second = second > first;
+    const Register<S> distances = is_second ? second : first;
+    const Indices farther = distances > best;
+    best = farther ? distances : best;
+    block += 2 * kWidth;
+    best_block = farther ? block - (~is_second & kWidth) : best_block;
+  }
+  if (i < whole) {
     const Register<S> distances = distances_from(i);
     const Indices farther = distances > best;
     best = farther ? distances : best;
-    best_block = farther ? block : best_block;
+    best_block = farther ? block + kWidth : best_block;
   }
   // A tournament without branches: which place wins is anybody's guess.
   int place = best[1] > best[0] ? 1 : 0;
@@ -51,7 +62,7 @@ int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
   }
   int result = static_cast<int>(best_block[place]) + place;
   S farthest = best[place];
-  for (int i = whole; i < lanes.count(); ++i) {
+  for (i = whole; i < lanes.count(); ++i) {
     const S distance = dot(dx, dy, dz, lanes.x()[i], lanes.y()[i], lanes.z()[i]);
     if (distance > farthest) {
       farthest = distance;
