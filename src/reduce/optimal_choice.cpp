@@ -11,7 +11,7 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
   for (int i = 0; i < size; ++i) {
     kept.push_back(patch.point(ring.corners[static_cast<std::size_t>(at)]));
     at += step;
-    if (at >= size) at -= size;
+    at -= at >= size ? size : 0;
   }
 }
 

@@ -7,13 +7,10 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-using Lanes = Eigen::Array<S, Patch<S>::kLanes, 1>;
-
-template <class S>
-Lanes<S> load(const S* from) {
-  return Eigen::Map<const Lanes<S>>(from);
-}
+using lanes::each;
+using lanes::load;
+using lanes::Pack;
+using lanes::store;
 
 /// Whether points that are in convex order are clockwise seen against the normal: as any three.
 template <class S>
@@ -38,16 +35,22 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
   is_mirrored_ = is_clockwise(points, normal);
   const S up = is_mirrored_ ? S(-1) : S(1);
   v_ = {up * b, up * (sign + normal.y() * normal.y() * a), -up * normal.y()};
-  for (int i = 0; i < count_; ++i) {
-    const PlanePoint<S> place = project(points[static_cast<std::size_t>(i)].position);
-    x_[i] = place.x;
-    y_[i] = place.y;
-    point_[i] = i;
+  const Vec3<S> origin = origin_;
+  for (int i = 0; i < count_; i += kLanes) {
+    const Vec3<S>* at[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int index = i + lane < count_ ? i + lane : i;
+      at[lane] = &points[static_cast<std::size_t>(index)].position;
+      point_[i + lane] = i + lane;
+    }
+    const Pack<S> dx = each<S>([&](int lane) { return at[lane]->x(); }) - origin.x();
+    const Pack<S> dy = each<S>([&](int lane) { return at[lane]->y(); }) - origin.y();
+    const Pack<S> dz = each<S>([&](int lane) { return at[lane]->z(); }) - origin.z();
+    store<S>(u_.x() * dx + u_.y() * dy + u_.z() * dz, x_ + i);
+    store<S>(v_.x() * dx + v_.y() * dy + v_.z() * dz, y_ + i);
   }
-  wrap();
   if (!measure()) {
     make_convex();
-    wrap();
     measure();
   }
 }
@@ -62,10 +65,17 @@ PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
 }
 
 template <class S>
-void Patch<S>::wrap() {
-  const int end = 2 * count_ + kLanes;
-  for (int i = count_; i < end; ++i) x_[i] = x_[i - count_];
-  for (int i = count_; i < end; ++i) y_[i] = y_[i - count_];
+void Patch<S>::repeat(S* values) const {
+  if (count_ < kLanes) {
+    for (int i = count_; i < 2 * count_ + kLanes; ++i) values[i] = values[i - count_];
+    return;
+  }
+  // Nothing that was just written is read: the processor would have to wait for it.
+  for (int i = 0; i < count_; i += kLanes) {
+    const int from = std::min(i, count_ - kLanes);
+    store<S>(load(values + from), values + count_ + from);
+  }
+  store<S>(load(values), values + 2 * count_);
 }
 
 /// Andrew's monotone chain (1979), counter-clockwise, without points on edges. Of coincident points
@@ -110,43 +120,54 @@ void Patch<S>::make_convex() {
   std::copy_n(chain, size, point_);
 }
 
-/// Corners are in convex order when all turns are to the left and they go round once. For the
-/// latter, seen from the first corner, each is to the left of the one before and none is to the
-/// right of the second: all of them together make less than half a turn.
+/// Corners are in convex order when all turns are to the left and they go round once: then exactly
+/// one corner is higher than the one before and no lower than the next.
 template <class S>
 bool Patch<S>::measure() {
-  Lanes<S> least_turn = Lanes<S>::Constant(std::numeric_limits<S>::infinity());
-  Lanes<S> least_side = least_turn;
-  Lanes<S> far = Lanes<S>::Zero();
-  // Doubled areas of the triangles of the edges and the first point, which is the first corner, too,
-  // before a hull was made.
-  S fan[kMaxManifoldPoints + kLanes];
+  repeat(x_);
+  repeat(y_);
+  const Pack<S> zero = {};
+  Pack<S> least_turn = zero + std::numeric_limits<S>::infinity();
+  Pack<S> far = zero;
+  Pack<S> area = zero;
+  lanes::Flags<S> tops = {};
+  lanes::Flags<S> left = {};  // corners from here to the last, for an end amid a pack
+  for (int lane = 0; lane < kLanes; ++lane) left[lane] = count_ - lane;
   for (int i = 0; i < count_; i += kLanes) {
-    const Lanes<S> x = load(x_ + i);
-    const Lanes<S> y = load(y_ + i);
-    const Lanes<S> next_x = load(x_ + i + 1);
-    const Lanes<S> next_y = load(y_ + i + 1);
-    const Lanes<S> turn =
-        (next_x - x) * (load(y_ + i + 2) - next_y) - (next_y - y) * (load(x_ + i + 2) - next_x);
-    least_turn = least_turn.min(turn);
-    least_side = least_side.min(x_[1] * y - y_[1] * x);
-    far = far.max(x.abs()).max(y.abs());
-    Eigen::Map<Lanes<S>> stored(fan + i);
-    stored = x * next_y - y * next_x;
+    const Pack<S> x = load(x_ + i);
+    const Pack<S> y = load(y_ + i);
+    const Pack<S> next_x = load(x_ + i + 1);
+    const Pack<S> next_y = load(y_ + i + 1);
+    const Pack<S> dx = next_x - x;
+    const Pack<S> dy = next_y - y;
+    const Pack<S> next_dx = load(x_ + i + 2) - next_x;
+    const Pack<S> next_dy = load(y_ + i + 2) - next_y;
+    store<S>(dx, edge_x_ + i);
+    store<S>(dy, edge_y_ + i);
+    least_turn = lanes::smaller(least_turn, dx * next_dy - dy * next_dx);
+    far = lanes::larger(far, lanes::larger(lanes::larger(x, -x), lanes::larger(y, -y)));
+    const lanes::Flags<S> is_corner = left > 0;
+    tops -= (dy > zero) & (next_dy <= zero) & is_corner;
+    area += is_corner ? x * next_y - y * next_x : zero;
+    left -= kLanes;
   }
+  repeat(edge_x_);
+  repeat(edge_y_);
   doubled_area_ = S(0);
-  S least_fan = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < count_; ++i) doubled_area_ += fan[i];
-  for (int i = 1; i < count_ - 1; ++i) least_fan = std::min(least_fan, fan[i]);
+  int rounds = 0;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    doubled_area_ += area[lane];
+    rounds += static_cast<int>(tops[lane]);
+  }
 
   // A coordinate carries an error of half an ulp of its own size, so a difference of two of them
   // does too however small it is itself, and an area that error times the length of the patch.
-  const S length = S(2) * far.maxCoeff();
+  const S length = S(2) * lanes::largest<S>(far);
   const S coordinate =
       std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));
   rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (coordinate + length);
   is_flat_ = !(doubled_area_ > rounding_ * length);
-  return least_turn.minCoeff() > S(0) && least_side.minCoeff() >= S(0) && least_fan > S(0);
+  return lanes::smallest<S>(least_turn) > S(0) && rounds == 1;
 }
 
 template class Patch<float>;

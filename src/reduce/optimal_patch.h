@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/manifold.h"
+#include "reduce/optimal_lanes.h"
 
 namespace contactscope {
 
@@ -33,13 +34,16 @@ class Patch {
   /// common plane are laid into it along the normal.
   Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
 
-  static constexpr int kLanes = 4;
+  static constexpr int kLanes = lanes::kWidth<S>;
 
   int count() const { return count_; }
   /// Metres, relative to the first point. Counter-clockwise in these coordinates.
   PlanePoint<S> corner(int i) const { return {x_[i], y_[i]}; }
   const S* x() const { return x_; }
   const S* y() const { return y_; }
+  /// The edge from corner i to the next.
+  const S* edge_x() const { return edge_x_; }
+  const S* edge_y() const { return edge_y_; }
   /// The contact point at corner i < count().
   int point(int i) const { return point_[i]; }
   /// A contact point in the coordinates of the corners.
@@ -62,9 +66,11 @@ class Patch {
  private:
   static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * kLanes;
 
-  void wrap();
+  /// Lets the first count_ values go round twice and more.
+  void repeat(S* values) const;
   void make_convex();
-  /// Area and lengths. False when the corners are not in convex order.
+  /// Edges, area and lengths of the first count_ corners, and the further rounds. False when the
+  /// corners are not in convex order.
   bool measure();
 
   Vec3<S> origin_;
@@ -78,6 +84,8 @@ class Patch {
   int point_[kMaxManifoldPoints];
   S x_[kRoom];
   S y_[kRoom];
+  S edge_x_[kRoom];
+  S edge_y_[kRoom];
 };
 
 extern template class Patch<float>;

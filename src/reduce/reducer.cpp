@@ -62,12 +62,15 @@ constexpr Entry<S> kReducers[] = {
 
 template <class S>
 bool all_finite(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
-  // Zero times anything finite is zero, times anything else is not.
-  S zeros = (S(0) * normal).sum();
+  // Zero times anything finite is zero, times anything else is not. Four sums, side by side.
+  S zeros[4] = {S(0) * normal.x(), S(0) * normal.y(), S(0) * normal.z(), S(0)};
   for (const ContactPoint<S>& point : points) {
-    zeros += (S(0) * point.position).sum() + S(0) * point.separation;
+    zeros[0] += S(0) * point.position.x();
+    zeros[1] += S(0) * point.position.y();
+    zeros[2] += S(0) * point.position.z();
+    zeros[3] += S(0) * point.separation;
   }
-  return zeros == S(0);
+  return zeros[0] + zeros[1] + zeros[2] + zeros[3] == S(0);
 }
 
 }  // namespace

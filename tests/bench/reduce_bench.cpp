@@ -1,7 +1,8 @@
 // Time of every reducer in float on one core, through reduce(), over convex polygons on ellipses:
 // contact points as clipping leaves them. Repetitions of all reducers and sizes are interleaved at
 // random, so that what else the machine does falls on all of them; the minimum and the median of a
-// call are printed.
+// call are printed. "..., kept" is a reducer that goes by the frame before, given its own answer
+// there: what it costs while nothing changes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -60,20 +61,49 @@ const std::vector<Patch>& patches(int size) {
   return list;
 }
 
-void run(benchmark::State& state, const std::string& name, int size) {
-  const Reducer<float> reducer = find_reducer<float>(name);
+/// A line of the table.
+struct Row {
+  std::string name;
+  std::string reducer;
+  bool remembers;  // is given what it kept itself
+};
+
+std::vector<Row> rows() {
+  std::vector<Row> list;
+  for (const ReducerInfo& info : reducers()) {
+    list.push_back({info.name, info.name, false});
+    if (info.remembers) list.push_back({info.name + ", kept", info.name, true});
+  }
+  return list;
+}
+
+std::vector<FeatureId> kept_ids(Reducer<float> reducer, const Patch& patch) {
+  std::vector<FeatureId> ids;
+  for (const int index : reduce<float>(reducer, patch.points, patch.normal, {}).kept) {
+    ids.push_back(patch.points[static_cast<std::size_t>(index)].id);
+  }
+  return ids;
+}
+
+void run(benchmark::State& state, const Row& row, int size) {
+  const Reducer<float> reducer = find_reducer<float>(row.reducer);
   const std::vector<Patch>& list = patches(size);
-  const ReduceOptions options;
+  std::vector<std::vector<FeatureId>> previous(list.size());
+  if (row.remembers) {
+    for (std::size_t i = 0; i < list.size(); ++i) previous[i] = kept_ids(reducer, list[i]);
+  }
   for (auto _ : state) {
-    for (const Patch& patch : list) {
-      Reduction reduction = reduce<float>(reducer, patch.points, patch.normal, options);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      ReduceOptions options;
+      options.previous = previous[i];
+      Reduction reduction = reduce<float>(reducer, list[i].points, list[i].normal, options);
       benchmark::DoNotOptimize(reduction);
     }
   }
 }
 
-std::string name_of(const std::string& reducer, int size) {
-  return reducer + "/" + std::to_string(size);
+std::string name_of(const Row& row, int size) {
+  return row.name + "/" + std::to_string(size);
 }
 
 /// Collects the nanoseconds a call of every repetition and prints nothing but the table.
@@ -96,10 +126,10 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
     std::printf("ns: least / median");
     for (const int size : kSizes) std::printf("%16s", ("n = " + std::to_string(size)).c_str());
     std::printf("\n");
-    for (const ReducerInfo& info : reducers()) {
-      std::printf("%-18s", info.name.c_str());
+    for (const Row& row : rows()) {
+      std::printf("%-18s", row.name.c_str());
       for (const int size : kSizes) {
-        std::vector<double>& times = times_[name_of(info.name, size)];
+        std::vector<double>& times = times_[name_of(row, size)];
         std::sort(times.begin(), times.end());
         if (times.empty()) {
           std::printf("%16s", "-");
@@ -128,11 +158,10 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
 
-  for (const ReducerInfo& info : reducers()) {
+  for (const Row& row : rows()) {
     for (const int size : kSizes) {
-      benchmark::RegisterBenchmark(
-          name_of(info.name, size).c_str(),
-          [name = info.name, size](benchmark::State& state) { run(state, name, size); });
+      benchmark::RegisterBenchmark(name_of(row, size).c_str(),
+                                   [row, size](benchmark::State& state) { run(state, row, size); });
     }
   }
   SummaryReporter summary;
