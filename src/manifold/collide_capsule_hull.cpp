@@ -156,7 +156,9 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
   const S behind = clipped.parameters[1] - touch.parameter;
   CorePoint<S> far = face_point(pair, clipped, face, behind > before ? 1 : 0);
   far.distance = std::max(far.distance, touch.distance);
-  if (pair.are_one(far.parameter, touch.parameter) || far.distance > reach) return false;
+  // One edge can have both, the closest point and a cut, where it is parallel within rounding.
+  if (far.id == result.points[0].id || pair.are_one(far.parameter, touch.parameter)) return false;
+  if (far.distance > reach) return false;
   result.points.push_back(far);
   result.type = ContactType::EdgeFace;
   return true;
@@ -190,9 +192,8 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
   const CorePoint<S>& first = result.points[0];
   if (stretch[0].distance <= first.distance + tie_tolerance(pair.scale)) {
     result.points[0] = stretch[0];
-  } else if (pair.are_one(stretch[1].parameter, first.parameter)) {
-    return;
   }
+  if (stretch[1].id == first.id || pair.are_one(stretch[1].parameter, first.parameter)) return;
   if (stretch[1].distance <= reach) result.points.push_back(stretch[1]);
   result.type = ContactType::EdgeEdge;
 }

@@ -159,7 +159,8 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 /// none. GJK is left with vertices, and with ends beside edges.
 ///
 /// Steps: 1. a face is best: closest if what is lowest of the segment projects into it; 2. an edge
-/// pair is best: closest if the two edges come as near to each other as their axis says; 3. in
+/// pair is best: closest if the closest points of the two edges are inside both (that they are as near
+/// as the axis says is no test, distance being second order in the points); 3. in
 /// overlap one of these holds but for rounding: the nearest boundary point of a convex body lies on a
 /// face of it, here the Minkowski difference; 4. outside, GJK.
 template <class S>
@@ -171,7 +172,9 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     const ClosestOfSegments<S> closest =
         closest_of_segments(ends[0], ends[1], hull.origin(axes.edge), hull.target(axes.edge));
     const CapsuleTouch<S> touch = edge_touch(axes, closest.parameter_a);
-    if (is_deep || closest.distance <= std::abs(axes.edge_separation) + tie) return touch;
+    const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
+                       closest.parameter_b > S(0) && closest.parameter_b < S(1);
+    if (cross || is_deep) return touch;
     return closest_touch(hull, ends, touch, scale, touching);
   }
   CapsuleTouch<S> touch = face_touch(hull, ends, axes.face, scale);
