@@ -207,10 +207,9 @@ double misfit(const Comparison& c) {
   const PeerPoint& point = *c.answer.deepest();
   const Vec3d normal = point.normal.normalized();
   const Vec3d half = 0.5 * point.separation * normal;
-  const double off =
-      std::min(misfit(c.pair.a, c.pair.pose_a, point.position + half, point.separation, normal),
-               misfit(c.pair.b, c.pair.pose_b, point.position - half, point.separation,
-                      Vec3d(-normal), faces));
+  const double off = std::min(
+      misfit(c.pair.a, c.pair.pose_a, point.position + half, point.separation, normal),
+      misfit(c.pair.b, c.pair.pose_b, point.position - half, point.separation, Vec3d(-normal)));
   return (off - c.tolerance) / std::max(c.pair.a.radius, c.pair.b.radius);
 }
 
