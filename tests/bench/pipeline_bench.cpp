@@ -1,38 +1,47 @@
 // Time of one pair through the contact pipeline, in float on one core, for the workloads of
 // workload.h: without a recorder compiled in ("bare"), with one that nobody uses ("unrecorded"),
-// and recording ("recorded"). Repetitions of all variants are interleaved at random and the minimum
-// counts, so that what else the machine does falls on all of them and drops out.
+// recording ("recorded"), without what a moving pair keeps ("cold"), and through other libraries
+// where they are installed. Repetitions of all variants are interleaved at random, so that what
+// else the machine does falls on all of them; the minimum leaves it out, the median shows it.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "bench/passes.h"
+#include "bench/variant.h"
 #include "bench/workload.h"
 
 namespace {
 
+using contactscope::bench::is_moving;
 using contactscope::bench::kPairsPerWorkload;
 using contactscope::bench::kWorkloads;
+using contactscope::bench::Variant;
+using contactscope::bench::Workload;
 
-constexpr const char* kWorkloadNames[kWorkloads] = {"W1_box_face", "W2_box_edge", "W3_box_random",
-                                                    "W4_hull32"};
+constexpr const char* kWorkloadNames[kWorkloads] = {
+    "W1_box_face",       "W2_box_edge",     "W3_box_random",    "W4_hull32",
+    "W5a_capsule_hull",  "W5b_sphere_hull", "W5c_two_capsules", "W6a_box_moving",
+    "W6b_hull32_moving", "W7a_box_mesh",    "W7b_hull16_mesh"};
 
-struct Variant {
-  const char* name;
-  double (*pass)(int workload);
-};
-
-constexpr Variant kVariants[] = {
-    {"bare", &contactscope_bare::bench::pass_unrecorded},
-    {"unrecorded", &contactscope::bench::pass_unrecorded},
-    {"recorded", &contactscope::bench::pass_recorded},
-};
+std::vector<Variant> all_variants() {
+  const auto always = [](int) { return true; };
+  const auto moving = [](int workload) { return is_moving(static_cast<Workload>(workload)); };
+  std::vector<Variant> result = {
+      {"bare", contactscope_bare::bench::pass_unrecorded, always},
+      {"unrecorded", contactscope::bench::pass_unrecorded, always},
+      {"recorded", contactscope::bench::pass_recorded, always},
+      {"cold", contactscope::bench::pass_cold, moving},
+  };
+  for (Variant& variant : contactscope::bench::peer_variants()) {
+    result.push_back(std::move(variant));
+  }
+  return result;
+}
 
 std::string name_of(int workload, const Variant& variant) {
   return std::string(kWorkloadNames[workload]) + "/" + variant.name;
@@ -46,9 +55,11 @@ void run(benchmark::State& state, int workload, const Variant& variant) {
   }
 }
 
-/// Collects the least nanoseconds a pair of every benchmark and prints nothing but the table.
+/// Collects the nanoseconds a pair of every repetition and prints nothing but the tables.
 class SummaryReporter : public benchmark::BenchmarkReporter {
  public:
+  explicit SummaryReporter(const std::vector<Variant>& variants) : variants_(variants) {}
+
   bool ReportContext(const Context& context) override {
     PrintBasicContext(&GetErrorStream(), context);
     return true;
@@ -59,29 +70,52 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
       const double nanoseconds =
           run.cpu_accumulated_time * 1e9 / static_cast<double>(run.iterations) / kPairsPerWorkload;
-      const auto [found, inserted] = least_.emplace(run.run_name.function_name, nanoseconds);
-      if (!inserted) found->second = std::min(found->second, nanoseconds);
+      times_[run.run_name.function_name].push_back(nanoseconds);
     }
   }
 
   void Finalize() override {
-    std::printf("%-15s", "ns per pair");
-    for (const Variant& variant : kVariants) std::printf("%12s", variant.name);
-    std::printf("%18s\n", "unrecorded/bare");
-    for (int workload = 0; workload < kWorkloads; ++workload) {
-      std::printf("%-15s", kWorkloadNames[workload]);
-      double times[std::size(kVariants)];
-      for (std::size_t i = 0; i < std::size(kVariants); ++i) {
-        const auto found = least_.find(name_of(workload, kVariants[i]));
-        times[i] = found == least_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-        std::printf("%12.0f", times[i]);
-      }
-      std::printf("%18.3f\n", times[1] / times[0]);
-    }
+    for (auto& [name, times] : times_) std::sort(times.begin(), times.end());
+    print("least ns a pair", [](const std::vector<double>& sorted) { return sorted.front(); });
+    print("median", [](const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; });
   }
 
  private:
-  std::map<std::string, double> least_;
+  template <class Pick>
+  void print(const char* title, const Pick& pick) const {
+    std::printf("\n%-18s", title);
+    for (const Variant& variant : variants_) std::printf("%11s", variant.name.c_str());
+    std::printf("%17s%19s\n", "unrecorded/bare", "unrecorded/Bullet");
+    for (int workload = 0; workload < kWorkloads; ++workload) {
+      std::map<std::string, double> row;
+      for (const Variant& variant : variants_) {
+        const auto found = times_.find(name_of(workload, variant));
+        if (found != times_.end()) row[variant.name] = pick(found->second);
+      }
+      if (row.empty()) continue;
+      std::printf("%-18s", kWorkloadNames[workload]);
+      for (const Variant& variant : variants_) print_cell(11, 0, row, variant.name, {});
+      print_cell(17, 3, row, "unrecorded", "bare");
+      print_cell(19, 3, row, "unrecorded", "Bullet");
+      std::printf("\n");
+    }
+  }
+
+  /// A time, or its ratio to another; a dash where one is missing.
+  static void print_cell(int width, int digits, const std::map<std::string, double>& row,
+                         const std::string& name, const std::string& over) {
+    const auto value = row.find(name);
+    const auto divisor = row.find(over);
+    if (value == row.end() || (!over.empty() && divisor == row.end())) {
+      std::printf("%*s", width, "-");
+      return;
+    }
+    const double shown = over.empty() ? value->second : value->second / divisor->second;
+    std::printf("%*.*f", width, digits, shown);
+  }
+
+  const std::vector<Variant>& variants_;
+  std::map<std::string, std::vector<double>> times_;
 };
 
 }  // namespace
@@ -97,14 +131,16 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
 
+  const std::vector<Variant> variants = all_variants();
   for (int workload = 0; workload < kWorkloads; ++workload) {
-    for (const Variant& variant : kVariants) {
+    for (const Variant& variant : variants) {
+      if (!variant.runs(workload)) continue;
       benchmark::RegisterBenchmark(
           name_of(workload, variant).c_str(),
-          [workload, variant](benchmark::State& state) { run(state, workload, variant); });
+          [workload, &variant](benchmark::State& state) { run(state, workload, variant); });
     }
   }
-  SummaryReporter summary;
+  SummaryReporter summary(variants);
   benchmark::RunSpecifiedBenchmarks(&summary);
   return 0;
 }

@@ -1,140 +1,94 @@
 #include "bench/workload.h"
 
-#include <cmath>
-#include <numbers>
+#include <utility>
 
-#include "geometry/primitives.h"
-#include "query/sat.h"
-#include "support/pair_case.h"
+#include "bench/draw_hulls.h"
+#include "bench/draw_mesh.h"
+#include "bench/draw_round.h"
 
 namespace contactscope::bench {
 namespace {
 
-using test::PairCase;
 using test::Random;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMoveAStep = 0.0002;  // metres
+constexpr double kTurnAStep = 0.0005;  // radians
 
-Quatd turn(const Vec3d& axis, double angle) {
-  return Quatd(Eigen::AngleAxisd(angle, axis));
+bool is_round(Workload workload) {
+  return workload == Workload::CapsuleHull || workload == Workload::SphereHull ||
+         workload == Workload::CapsuleCapsule;
 }
 
-Hull<double> unit_cube() {
-  return make_box(Vec3d(0.5, 0.5, 0.5));
+bool is_on_mesh(Workload workload) {
+  return workload == Workload::BoxMesh || workload == Workload::HullMesh;
 }
 
-SatResult<double> axes_of(const PairCase<double>& pair) {
-  const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-  return sat(placed, 0.0, Preference::None);
+Workload at_rest(Workload workload) {
+  if (workload == Workload::BoxFaceMoving) return Workload::BoxFace;
+  if (workload == Workload::Hull32Moving) return Workload::Hull32;
+  return workload;
 }
 
-/// World direction of an axis, from A to B.
-Vec3d direction_of(const PairCase<double>& pair, const SatResult<double>& axes) {
-  const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-  if (axes.deepest == AxisKind::FaceA) {
-    return pair.pose_a.rotate(placed.a.normals[axes.face_a.face]);
+Pose<double> moved(const Pose<double>& by, const Pose<double>& pose) {
+  Pose<double> result = compose(by, pose);
+  result.rotation.normalize();
+  return result;
+}
+
+/// One placement, or one a step: B goes straight and turns about an axis through its position, and
+/// is half way where it was drawn.
+std::vector<Placement> placements(Workload workload, const Placement& drawn, Random& random) {
+  const Pose<double> whole = random.pose(5);
+  const Placement placed{moved(whole, drawn.a), moved(whole, drawn.b)};
+  if (!is_moving(workload)) return {placed};
+  const Vec3d way = random.unit_vector();
+  const Vec3d axis = random.unit_vector();
+  std::vector<Placement> result;
+  for (int i = 0; i < kSteps; ++i) {
+    const double steps = i - 0.5 * (kSteps - 1);
+    Placement step = placed;
+    step.b.position += steps * kMoveAStep * way;
+    step.b.rotation =
+        (Quatd(Eigen::AngleAxisd(steps * kTurnAStep, axis)) * placed.b.rotation).normalized();
+    result.push_back(step);
   }
-  if (axes.deepest == AxisKind::FaceB) {
-    return -pair.pose_a.rotate(placed.b.normals[axes.face_b.face]);
-  }
-  return pair.pose_a.rotate(axes.edge.normal);
+  return result;
 }
 
-/// Moves B out along the axis of least overlap until `overlap` metres are left. No other axis
-/// catches up: along it B moves less.
-void leave_overlap(PairCase<double>& pair, double overlap) {
-  const SatResult<double> axes = axes_of(pair);
-  pair.pose_b.position += (-overlap - axes.separation(axes.deepest)) * direction_of(pair, axes);
-}
-
-PairCase<double> box_face(Random& random) {
-  PairCase<double> pair{unit_cube(), {}, unit_cube(), {}};
-  const Vec3d level = Vec3d(random.uniform(-1, 1), 0, random.uniform(-1, 1)).normalized();
-  pair.pose_b.rotation =
-      turn(level, random.uniform(0, 0.003)) * turn(Vec3d::UnitY(), random.uniform(5, 40) * kDegree);
-  pair.pose_b.position = Vec3d(random.uniform(-0.3, 0.3), 0.9, random.uniform(-0.3, 0.3));
-  leave_overlap(pair, random.uniform(0.001, 0.010));
-  return pair;
-}
-
-PairCase<double> box_edge(Random& random) {
-  PairCase<double> pair{unit_cube(), {}, unit_cube(), {}};
-  const double roll_a = random.uniform(35, 55) * kDegree;
-  const double roll_b = random.uniform(35, 55) * kDegree;
-  const double crossing = random.uniform(50, 130) * kDegree;
-  pair.pose_a.rotation = turn(Vec3d::UnitX(), roll_a);
-  pair.pose_b.rotation = turn(Vec3d::UnitY(), crossing) * turn(Vec3d::UnitX(), roll_b);
-  pair.pose_b.position = Vec3d(random.uniform(-0.3, 0.3), 1.3, random.uniform(-0.3, 0.3));
-  leave_overlap(pair, random.uniform(0.001, 0.010));
-  return pair;
-}
-
-Vec3d half_size_of_bounds(const Quatd& rotation) {
-  return 0.5 * rotation.toRotationMatrix().cwiseAbs().rowwise().sum();
-}
-
-PairCase<double> box_random(Random& random) {
-  PairCase<double> pair{unit_cube(), {random.rotation(), Vec3d::Zero()}, unit_cube(), {}};
-  pair.pose_b.rotation = random.rotation();
-  const Vec3d reach =
-      half_size_of_bounds(pair.pose_a.rotation) + half_size_of_bounds(pair.pose_b.rotation);
-  pair.pose_b.position = reach.cwiseProduct(
-      Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
-  return pair;
-}
-
-PairCase<double> hull32(Random& random) {
-  PairCase<double> pair{
-      test::random_hull(random, 32, 0.5, 1), {}, test::random_hull(random, 32, 0.5, 1), {}};
-  pair.pose_b.rotation = random.rotation();
-  pair.pose_b.position = 0.6 * random.unit_vector();
-  leave_overlap(pair, random.uniform(0.001, 0.010));
-  return pair;
-}
-
-PairCase<double> draw(Workload workload, Random& random) {
-  switch (workload) {
-    case Workload::BoxFace:
-      return box_face(random);
-    case Workload::BoxEdge:
-      return box_edge(random);
-    case Workload::BoxRandom:
-      return box_random(random);
-    case Workload::Hull32:
-      break;
-  }
-  return hull32(random);
-}
-
-/// What the workload promises of each pair, and that a draw may miss: in W1 a face axis, in W2 an
-/// edge axis, in W3 every other pair separated.
-bool fits(Workload workload, const PairCase<double>& pair, std::size_t index) {
-  const SatResult<double> axes = axes_of(pair);
-  switch (workload) {
-    case Workload::BoxFace:
-      return axes.deepest != AxisKind::EdgeEdge;
-    case Workload::BoxEdge:
-      return axes.deepest == AxisKind::EdgeEdge;
-    case Workload::BoxRandom:
-      return (axes.status == SatStatus::Separated) == (index % 2 == 0);
-    case Workload::Hull32:
-      break;
-  }
-  return true;
+std::shared_ptr<const Shape<double>> shared(Shape<double> shape) {
+  return std::make_shared<const Shape<double>>(std::move(shape));
 }
 
 }  // namespace
 
-std::vector<WorkloadPair> make_workload(Workload workload) {
-  Random random(1024 + static_cast<std::uint64_t>(workload));
+std::vector<WorkloadPair> make_workload(Workload workload, int count) {
+  Random random(1024 + static_cast<std::uint64_t>(at_rest(workload)));
+  std::shared_ptr<const Shape<double>> grid;
+  if (is_on_mesh(workload)) grid = shared(wavy_grid());
   std::vector<WorkloadPair> result;
-  while (result.size() < kPairsPerWorkload) {
-    const PairCase<double> pair = draw(workload, random);
-    if (!fits(workload, pair, result.size())) continue;
-    const PairCase<float> placed = test::moved(pair, random.pose(5)).cast<float>();
-    result.push_back({placed.a, placed.pose_a, placed.b, placed.pose_b});
+  while (result.size() < static_cast<std::size_t>(count)) {
+    WorkloadPair pair;
+    Placement drawn;
+    if (is_on_mesh(workload)) {
+      DrawnHull hull = draw_on_mesh(workload, *std::get_if<Mesh<double>>(grid.get()), random);
+      drawn = {hull.pose, {}};
+      pair.a = shared(std::move(hull.hull));
+      pair.b = grid;
+    } else if (is_round(workload)) {
+      DrawnPair round = draw_round(workload, random);
+      drawn = {round.pose_a, round.pose_b};
+      pair.a = shared(std::move(round.a));
+      pair.b = shared(std::move(round.b));
+    } else {
+      test::PairCase<double> hulls = draw_hulls(at_rest(workload), random, result.size());
+      drawn = {hulls.pose_a, hulls.pose_b};
+      pair.a = shared(std::move(hulls.a));
+      pair.b = shared(std::move(hulls.b));
+    }
+    pair.steps = placements(workload, drawn, random);
+    result.push_back(std::move(pair));
   }
-  // Half of them separated, but in no order that a branch predictor could learn.
+  // In no order that a branch predictor could learn.
   for (std::size_t i = result.size(); i-- > 1;) {
     std::swap(result[i], result[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
   }

@@ -31,12 +31,13 @@ PairCase<double> in_float(const PairCase<double>& pair) {
   return result;
 }
 
-std::vector<PairCase<double>> pairs_of(Workload workload, std::size_t count) {
+std::vector<PairCase<double>> pairs_of(Workload workload, int count) {
   std::vector<PairCase<double>> result;
-  for (const bench::WorkloadPair& pair : bench::make_workload(workload)) {
-    if (result.size() == count) break;
+  const std::vector<bench::WorkloadPair> made = bench::make_workload(workload, count);
+  for (const bench::WorkloadPair& pair : made) {
+    const bench::Placement& placed = pair.steps.front();
     result.push_back(in_float(
-        PairCase<float>{pair.a, pair.pose_a, pair.b, pair.pose_b}.template cast<double>()));
+        {std::get<Hull<double>>(*pair.a), placed.a, std::get<Hull<double>>(*pair.b), placed.b}));
   }
   return result;
 }

@@ -1,0 +1,93 @@
+#include <map>
+#include <memory>
+
+#include "bench/step_counter.h"
+#include "bench/variant.h"
+#include "peers/peer.h"
+
+namespace contactscope::bench {
+namespace {
+
+using peers::Peer;
+using peers::PeerPair;
+using peers::PeerShape;
+
+/// As the libraries know it. A mesh stays shared.
+PeerShape in_peers(const std::shared_ptr<const Shape<double>>& shape) {
+  if (const auto* hull = std::get_if<Hull<double>>(shape.get())) return peers::shape_of(*hull);
+  if (const auto* mesh = std::get_if<Mesh<double>>(shape.get())) {
+    return std::shared_ptr<const Mesh<double>>(shape, mesh);
+  }
+  if (const auto* sphere = std::get_if<Sphere<double>>(shape.get())) return *sphere;
+  if (const auto* capsule = std::get_if<Capsule<double>>(shape.get())) return *capsule;
+  return std::get<HalfSpace<double>>(*shape);
+}
+
+struct Prepared {
+  std::vector<std::unique_ptr<PeerPair>> pairs;  // empty where the library lacks the shapes
+  std::vector<std::vector<Placement>> steps;
+  StepCounter counter;
+};
+
+/// A library with the objects that it has made of each workload.
+class Contender {
+ public:
+  explicit Contender(std::unique_ptr<Peer> peer) : peer_(std::move(peer)) {}
+
+  const char* name() const { return peer_->name(); }
+
+  bool runs(int workload) { return !prepared(workload).pairs.empty(); }
+
+  double pass(int workload) {
+    Prepared& made = prepared(workload);
+    const bool moving = is_moving(static_cast<Workload>(workload));
+    const std::size_t step = made.counter.next(made.steps.front().size());
+    double sum = 0;
+    for (std::size_t i = 0; i < made.pairs.size(); ++i) {
+      PeerPair& pair = *made.pairs[i];
+      // What moves keeps what the library remembers of it; what does not is met for the first time.
+      if (moving) {
+        pair.place(made.steps[i][step].a, made.steps[i][step].b);
+      } else {
+        pair.forget();
+      }
+      sum += pair.run();
+    }
+    return sum;
+  }
+
+ private:
+  Prepared& prepared(int workload) {
+    const auto [found, inserted] = prepared_.try_emplace(workload);
+    if (inserted) prepare(static_cast<Workload>(workload), found->second);
+    return found->second;
+  }
+
+  void prepare(Workload workload, Prepared& made) {
+    const std::vector<WorkloadPair> pairs = make_workload(workload);
+    for (const WorkloadPair& pair : pairs) {
+      std::unique_ptr<PeerPair> prepared = peer_->pair(in_peers(pair.a), in_peers(pair.b));
+      if (!prepared) return;
+      prepared->place(pair.steps.front().a, pair.steps.front().b);
+      made.pairs.push_back(std::move(prepared));
+      made.steps.push_back(pair.steps);
+    }
+  }
+
+  std::unique_ptr<Peer> peer_;
+  std::map<int, Prepared> prepared_;
+};
+
+}  // namespace
+
+std::vector<Variant> peer_variants() {
+  std::vector<Variant> result;
+  for (std::unique_ptr<Peer>& peer : peers::make_peers()) {
+    const auto contender = std::make_shared<Contender>(std::move(peer));
+    result.push_back({contender->name(), [contender](int w) { return contender->pass(w); },
+                      [contender](int w) { return contender->runs(w); }});
+  }
+  return result;
+}
+
+}  // namespace contactscope::bench
