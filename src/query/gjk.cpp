@@ -264,13 +264,14 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
     }
 
     const IndexPair support = difference.support_against(nearest.direction);
+    if (simplex->has(support)) {
+      return finish(GjkStatus::Separated, iteration, *simplex, difference);
+    }
     const Vec3<S> point = difference.point(support);
     const S gain = simplex->least_along(nearest.direction) - nearest.direction.dot(point);
     const bool is_farther =
         gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
-    if (!is_farther || simplex->has(support)) {
-      return finish(GjkStatus::Separated, iteration, *simplex, difference);
-    }
+    if (!is_farther) return finish(GjkStatus::Separated, iteration, *simplex, difference);
 
     grow(*simplex, support, point, difference.scale(), *next);
     if (!(next->nearest.squared_distance < nearest.squared_distance)) {

@@ -24,6 +24,9 @@ Register<S> load(const S* from) {
   return result;
 }
 
+/// A scan, not a walk over the hull's adjacency: measured in single precision, from a vertex that
+/// lies 0.4 rad off the walk takes twice as long with 32 vertices and as long with 256.
+///
 /// Place k of the register keeps the best of the vertices kWidth * n + k. Two registers meet each
 /// other before the best, which every step waits for.
 template <class S>
