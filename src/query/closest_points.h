@@ -3,7 +3,7 @@
 #include "core/vec3.h"
 
 /// Closest points of points and segments: the cores of spheres and capsules. All arguments in one
-/// frame, metres. A segment may have length zero. Lengths from 1e-8 m to 1e8 m in single precision;
+/// frame, metres. A segment may have length zero. Lengths from 1e-6 m to 1e9 m in single precision;
 /// outside of that fourth powers of lengths leave the range of float.
 namespace contactscope {
 
