@@ -135,9 +135,9 @@ ClosestOnSegment<S> closest_on_segment(const Vec3<S>& point, const Vec3<S>& from
 ///
 /// Steps: 1. the lines' closest points, if well defined and on the segments; 2. parallel segments:
 /// all ends that have a foot on the other segment bound the stretch to choose from; 3. the nearest
-/// of the four ends' candidates, and, if the lines are nearly parallel, of each line's closest point
-/// with its own foot on the other, as both parameters are then uncertain along the segments, but
-/// not a foot.
+/// of the four ends' candidates, and, if the lines are nearly parallel, of each line's closest
+/// point with its own foot on the other, as both parameters are then uncertain along the segments,
+/// but not a foot.
 template <class S>
 ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& to_a,
                                          const Vec3<S>& from_b, const Vec3<S>& to_b) {

@@ -61,7 +61,7 @@ struct GjkResult {
   GjkSimplex<S> simplex;              // the last
 };
 
-/// Far more than any pair takes: all but three steps bring the simplex strictly nearer, and thirteen
+/// Far more than any pair takes: all but three steps bring the simplex strictly nearer, and ten
 /// thousand random pairs, needles and plates among them, took less than forty.
 inline constexpr int kMaxGjkIterations = 256;
 

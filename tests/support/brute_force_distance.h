@@ -14,8 +14,8 @@ using Extended = long double;
 using ExtendedPoint = Eigen::Matrix<Extended, 3, 1>;
 
 /// A point, a segment or a convex polyhedron as its features. A face with three vertices is itself;
-/// one with more stands as all triangles between its vertices (up to six vertices, beyond as a fan),
-/// and its diagonals stand among the edges: it need not be quite planar.
+/// one with more stands as all triangles between its vertices (up to six vertices, beyond as a
+/// fan), and its diagonals stand among the edges: it need not be quite planar.
 struct Features {
   std::vector<ExtendedPoint> vertices;
   std::vector<std::array<int, 2>> edges;
