@@ -87,17 +87,24 @@ struct AxisPair {
   S largest_sine = kNearlyParallel<S>;
 };
 
-/// From A to B by the closest points. Where lines cross, their cross product is the same direction
-/// and less rounded if the points are very close.
+/// From A to B by the closest points. Inside of an axis it is at right angles to it, and within an
+/// angle of rounding divided by distance that must be made so: at the end of a long axis it would
+/// show. Where lines cross, their cross product is the same direction, and less rounded if the
+/// points are very close.
 template <class S>
 Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
-  const Vec3<S> between = closest.on_b - closest.on_a;
   const auto is_inside = [](S parameter) { return S(0) < parameter && parameter < S(1); };
-  const bool cross = is_inside(closest.parameter_a) && is_inside(closest.parameter_b) &&
-                     closest.distance < axes.sine * std::min(axes.a.length, axes.b.length);
-  if (!cross) return safe_unit(between);
-  const Vec3<S> normal = axes.cross / axes.sine;
-  return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
+  const bool inside_a = is_inside(closest.parameter_a);
+  const bool inside_b = is_inside(closest.parameter_b);
+  Vec3<S> between = closest.on_b - closest.on_a;
+  if (inside_a && inside_b &&
+      closest.distance < axes.sine * std::min(axes.a.length, axes.b.length)) {
+    const Vec3<S> normal = axes.cross / axes.sine;
+    return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
+  }
+  if (inside_a) between = rejected(between, axes.a.unit);
+  if (inside_b) between = rejected(between, axes.b.unit);
+  return safe_unit(between);
 }
 
 template <class S>

@@ -1,0 +1,221 @@
+#include "manifold/dispatch.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "manifold/placed_shapes.h"
+#include "support/builders.h"
+
+namespace contactscope {
+namespace {
+
+using test::PlacedShapes;
+
+template <class T>
+bool same_bits(const T& one, const T& other) {
+  return std::memcmp(&one, &other, sizeof(T)) == 0;
+}
+
+/// By bits, so that a zero and a negative zero differ.
+template <class S>
+testing::AssertionResult same(const Manifolds<S>& one, const Manifolds<S>& other) {
+  if (one.size() != other.size()) return testing::AssertionFailure() << "count of manifolds";
+  for (std::size_t m = 0; m < one.size(); ++m) {
+    if (!same_bits(one[m].normal, other[m].normal)) return testing::AssertionFailure() << "normal";
+    if (one[m].axis != other[m].axis) return testing::AssertionFailure() << "axis";
+    if (one[m].type != other[m].type) return testing::AssertionFailure() << "type";
+    if (one[m].points.size() != other[m].points.size())
+      return testing::AssertionFailure() << "count of points";
+    for (std::size_t i = 0; i < one[m].points.size(); ++i) {
+      if (!same_bits(one[m].points[i].position, other[m].points[i].position) ||
+          !same_bits(one[m].points[i].separation, other[m].points[i].separation) ||
+          one[m].points[i].id != other[m].points[i].id)
+        return testing::AssertionFailure() << "point " << i;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+Shape<double> random_shape(test::Random& random, ShapeKind kind, double size) {
+  switch (kind) {
+    case ShapeKind::Sphere:
+      return test::ball(size * random.uniform(0.2, 1));
+    case ShapeKind::Capsule:
+      return test::upright_capsule(size * random.uniform(0, 1), size * random.uniform(0.2, 1));
+    case ShapeKind::Hull:
+      return random.chance(0.5) ? test::random_box(random, size, 5)
+                                : test::random_hull(random, 12, size, 3);
+    default:
+      break;
+  }
+  return HalfSpace<double>{{random.unit_vector(), size * random.uniform(-1, 1)}};
+}
+
+/// Of all distances from apart to coincident, some with one frame upon the other.
+PlacedShapes random_pair(test::Random& random, ShapeKind a, ShapeKind b) {
+  const double size = random.decade(-2, 2);
+  PlacedShapes pair{
+      random_shape(random, a, size), random.pose(size), random_shape(random, b, size), {}};
+  pair.pose_b = random.chance(0.1) ? pair.pose_a : random.pose(2 * size);
+  return pair;
+}
+
+constexpr ShapeKind kKinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind::Hull,
+                                ShapeKind::Plane};
+
+template <class S>
+CollideOptions<S> some_options(int number) {
+  CollideOptions<S> options;
+  options.degenerate = number % 5 == 0 ? Degenerate::Skip : Degenerate::Fallback;
+  options.margin = number % 3 == 0 ? S(0.05) : S(0);
+  options.reducer = number % 2 == 0 ? find_reducer<S>("area") : nullptr;
+  return options;
+}
+
+template <class S>
+Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions<S>& options) {
+  Manifolds<S> manifolds;
+  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
+          pair.pose_b.template cast<S>(), options, manifolds);
+  return manifolds;
+}
+
+PlacedShapes swapped(const PlacedShapes& pair) {
+  return {pair.b, pair.pose_b, pair.a, pair.pose_a};
+}
+
+/// How traces spell an axis or an id when a and b trade names.
+std::string mirrored_axis(const std::string& axis) {
+  if (axis == "face_a") return "face_b";
+  return axis == "face_b" ? "face_a" : axis;
+}
+
+template <class S>
+class Dispatch : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Dispatch, Scalars);
+
+TEST(Dispatch, EveryPairOfKindsCollidesInBothOrdersButTwoPlanes) {
+  for (const ShapeKind a : kKinds) {
+    for (const ShapeKind b : kKinds) {
+      const bool both_planes = a == ShapeKind::Plane && b == ShapeKind::Plane;
+      EXPECT_EQ(can_collide(a, b), !both_planes) << to_string(a) << "-" << to_string(b);
+    }
+  }
+}
+
+TEST(Dispatch, TwoPlanesMakeNoContact) {
+  EXPECT_TRUE(manifolds_of<double>({test::ground(), {}, test::ground(), {}}, {}).empty());
+  const trace::Pair record = test::record_of<double>({test::ground(), {}, test::ground(), {}});
+  EXPECT_EQ(record.state, "separated");
+  EXPECT_EQ(record.kind, "plane-plane");
+}
+
+TYPED_TEST(Dispatch, TradingShapesOfDifferentKindsMirrorsEveryBit) {
+  using S = TypeParam;
+  test::Random random(1);
+  for (const ShapeKind a : kKinds) {
+    for (const ShapeKind b : kKinds) {
+      if (a == b || !can_collide(a, b)) continue;
+      SCOPED_TRACE(std::string(to_string(a)) + "-" + to_string(b));
+      int touching = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const PlacedShapes pair = random_pair(random, a, b);
+        const CollideOptions<S> options = some_options<S>(i);
+        const Manifolds<S> there = manifolds_of(pair, options);
+        Manifolds<S> back = manifolds_of(swapped(pair), options);
+        touching += there.empty() ? 0 : 1;
+        for (Manifold<S>& manifold : back) mirror(manifold);
+        ASSERT_TRUE(same(there, back)) << "pair " << i;
+      }
+      EXPECT_GT(touching, 200);
+    }
+  }
+}
+
+TYPED_TEST(Dispatch, TradingShapesOfOneKindMirrorsTheContact) {
+  using S = TypeParam;
+  test::Random random(2);
+  for (const ShapeKind kind : {ShapeKind::Sphere, ShapeKind::Capsule}) {
+    int touching = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const PlacedShapes pair = random_pair(random, kind, kind);
+      if (pair.pose_a.position == pair.pose_b.position) continue;  // each has a fallback of its own
+      const Manifold<S> there = test::manifold_of<S>(pair);
+      const Manifold<S> back = test::manifold_of<S>(swapped(pair));
+      ASSERT_EQ(there.points.size(), back.points.size());
+      if (there.points.empty()) continue;
+      ++touching;
+      const double size = (pair.pose_a.position - pair.pose_b.position).norm();
+      ASSERT_LT((test::normal_of(there) + test::normal_of(back)).norm(), 1e-4);
+      ASSERT_NEAR(test::deepest_of(there), test::deepest_of(back), 1e-5 * size);
+      std::vector<FeatureId> ids;
+      for (const ContactPoint<S>& point : back.points) ids.push_back(point.id.flipped());
+      for (const ContactPoint<S>& point : there.points) {
+        ASSERT_NE(std::find(ids.begin(), ids.end(), point.id), ids.end());
+      }
+    }
+    EXPECT_GT(touching, 300);
+  }
+}
+
+TYPED_TEST(Dispatch, RecordingChangesNoBitOfAnyPair) {
+  using S = TypeParam;
+  test::Random random(3);
+  for (const ShapeKind a : kKinds) {
+    for (const ShapeKind b : kKinds) {
+      if (!can_collide(a, b)) continue;
+      SCOPED_TRACE(std::string(to_string(a)) + "-" + to_string(b));
+      for (int i = 0; i < 500; ++i) {
+        const PlacedShapes pair = random_pair(random, a, b);
+        const CollideOptions<S> options = some_options<S>(i);
+        Manifolds<S> watched;
+        trace::Pair record;
+        const Recording recording{"area", {i % 2 == 0, i % 3 == 0, i % 5 == 0}, i % 7 == 0};
+        collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
+                pair.pose_b.template cast<S>(), options, watched, recording, record);
+        ASSERT_TRUE(same(watched, manifolds_of(pair, options))) << "pair " << i;
+        ASSERT_EQ(record.state, watched.empty() ? "separated" : "touching");
+        ASSERT_EQ(record.manifolds.size(), watched.size());
+      }
+    }
+  }
+}
+
+TYPED_TEST(Dispatch, ARecordIsToldInTheOrderOfTheArgumentsUnlessItIsToBeMirrored) {
+  using S = TypeParam;
+  test::Random random(4);
+  for (const ShapeKind a : kKinds) {
+    for (const ShapeKind b : kKinds) {
+      if (!can_collide(a, b)) continue;
+      for (int i = 0; i < 200; ++i) {
+        const PlacedShapes pair = random_pair(random, a, b);
+        const Manifold<S> manifold = test::manifold_of<S>(pair);
+        const trace::Pair plain = test::record_of<S>(pair, {}, {"none", {}, false});
+        const trace::Pair mirrored = test::record_of<S>(pair, {}, {"none", {}, true});
+        ASSERT_EQ(plain.kind, std::string(to_string(a)) + "-" + to_string(b));
+        ASSERT_EQ(mirrored.kind, std::string(to_string(b)) + "-" + to_string(a));
+        ASSERT_EQ(plain.separation, mirrored.separation);
+        ASSERT_EQ(plain.degenerate.has_value(), mirrored.degenerate.has_value());
+        if (manifold.points.empty()) continue;
+        const trace::Manifold& told = plain.manifolds.at(0);
+        const trace::Manifold& told_mirrored = mirrored.manifolds.at(0);
+        ASSERT_EQ(told.normal, test::normal_of(manifold));
+        ASSERT_EQ(told_mirrored.normal, Vec3d(-test::normal_of(manifold)));
+        ASSERT_EQ(told.axis, to_string(manifold.axis));
+        ASSERT_EQ(told_mirrored.axis, mirrored_axis(told.axis));
+        ASSERT_EQ(told.type, to_string(manifold.type));
+        ASSERT_EQ(told_mirrored.type, told.type);
+        for (std::size_t k = 0; k < manifold.points.size(); ++k) {
+          ASSERT_EQ(told.points[k].id, to_string(manifold.points[k].id));
+          ASSERT_EQ(told_mirrored.points[k].id, to_string(manifold.points[k].id.flipped()));
+          ASSERT_EQ(told_mirrored.points[k].position, told.points[k].position);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
