@@ -22,7 +22,7 @@ struct CorePoint {
   FeatureId id;
 };
 
-/// One or two, the deepest first.
+/// One or two, the deepest first but for rounding.
 template <class S>
 struct CorePoints {
   StaticVector<CorePoint<S>, 2> points;
@@ -75,13 +75,19 @@ CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& cl
           clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2))};
 }
 
+/// The deeper one first; of equals, rounding aside, the one nearer to the capsule's first end.
+template <class S>
+void in_order(CorePoint<S>& first, CorePoint<S>& second, S scale) {
+  if (second.distance < first.distance - tie_tolerance(scale)) std::swap(first, second);
+}
+
 /// Talk, "Capsule vs Hull: Deep Face Contact" and "Clipping": both ends of what the side planes leave,
 /// each with its own distance from the face.
 template <class S>
 CorePoints<S> points_on_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach) {
   CorePoint<S> first = face_point(pair, touch.clipped, touch.feature.index, 0);
   CorePoint<S> second = face_point(pair, touch.clipped, touch.feature.index, 1);
-  if (second.distance < first.distance) std::swap(first, second);
+  in_order(first, second, pair.scale);
   CorePoints<S> result;
   result.points.push_back(first);
   const bool is_one = pair.are_one(first.parameter, second.parameter);
@@ -188,7 +194,7 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
         parameter, distance,
         clip_id(end, cut_by, edge_ref(Owner::B, edge / 2), vertex_ref(Owner::B, vertex))};
   }
-  if (stretch[1].distance < stretch[0].distance) std::swap(stretch[0], stretch[1]);
+  in_order(stretch[0], stretch[1], pair.scale);
   const CorePoint<S>& first = result.points[0];
   if (stretch[0].distance <= first.distance + tie_tolerance(pair.scale)) {
     result.points[0] = stretch[0];

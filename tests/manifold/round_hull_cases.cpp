@@ -94,6 +94,13 @@ double brute_force_separation(const RoundHull& pair) {
   return best;
 }
 
+Vec3d brute_force_normal(const RoundHull& pair) {
+  const BruteForceDistance apart =
+      brute_force_distance(core_features(pair), features_of(pair.hull, pair.hull_pose));
+  const ExtendedPoint between = apart.on_b - apart.on_a;
+  return between.normalized().cast<double>();
+}
+
 double core_separation_along(const Vec3d& direction, const RoundHull& pair) {
   // About the round shape's place: far from the origin nothing is lost.
   double core_most = -std::numeric_limits<double>::infinity();

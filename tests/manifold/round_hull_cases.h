@@ -37,6 +37,9 @@ Manifold<S> collide(const RoundHull& pair, const CollideOptions<S>& options = {}
 /// and the cross products of the core with all edges, each measured by projecting everything.
 double brute_force_separation(const RoundHull& pair);
 
+/// The direction from the core's closest point to the hull's (world, unit), for cores outside.
+Vec3d brute_force_normal(const RoundHull& pair);
+
 /// The gap between the core's and the hull's projections on a unit direction (world) that points
 /// from the core to the hull; negative in overlap.
 double core_separation_along(const Vec3d& direction, const RoundHull& pair);
