@@ -69,6 +69,7 @@ class Composer {
 
   // `run`: pixels of the line's dashes before `first`.
   void draw_spans(const Vec3d& first, const Vec3d& last, const LineStyle& style, float run) {
+    if (!project_segment(camera_, first, last)) return;
     if (style.hidden == LineStyle::Hidden::Same) {
       stroke(first, last, style.width, style.color, style.dashed ? 10.0f : 0.0f,
              style.dashed ? 6.0f : 0.0f, run);
@@ -78,6 +79,7 @@ class Composer {
       const Vec3d from = first + span.from * (last - first);
       const Vec3d to = first + span.to * (last - first);
       if (span.hidden) {
+        if (style.hidden == LineStyle::Hidden::Gone) continue;
         stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run);
       } else {
         stroke(from, to, style.width, style.color, 0, 0, 0);

@@ -34,24 +34,50 @@ void draw_whisker(const Scene& scene, const trace::Manifold& manifold, const tra
 
 }  // namespace
 
+void draw_id(const trace::Point& point, Sketch& sketch) {
+  sketch.labels.push_back({.at = point.position,
+                           .text = point.id,
+                           .color = kText,
+                           .size = 15,
+                           .bold = true,
+                           .clearance = 12,
+                           .direction = std::nullopt});
+}
+
+void draw_normals(const trace::Pair& pair, Sketch& sketch) {
+  const bool many = pair.manifolds.size() > 2;  // a mesh's: arrows as long as usual would be a wood
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (manifold.points.empty()) continue;
+    Arrow normal;
+    normal.from = middle_of(manifold.points);
+    normal.direction = manifold.normal;
+    normal.pixels = many ? 44 : 78;
+    normal.width = many ? 2 : 3;
+    normal.head = many ? 9 : 13;
+    normal.color = kNormal;
+    sketch.arrows.push_back(normal);
+    sketch.explain(LegendKind::Normal, "normal, from A to B");
+  }
+}
+
 // Gregorius 2015, "Contact Points", "Contact Manifolds" and "Contact Point Reduction".
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::string factor = scene.depth_factor == 1
                                  ? "whisker = overlap"
                                  : "whisker = overlap × " + spell_number(scene.depth_factor);
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    if (manifold.points.empty()) continue;
-    if (scene.shows("normals")) {
-      Arrow normal;
-      normal.from = middle_of(manifold.points);
-      normal.direction = manifold.normal;
-      normal.pixels = 78;
-      normal.width = 3;
-      normal.head = 13;
-      normal.color = kNormal;
-      sketch.arrows.push_back(normal);
-      sketch.explain(LegendKind::Normal, "normal, from A to B");
+  if (scene.shows("normals")) draw_normals(pair, sketch);
+  if (pair.manifolds.size() > 1) {  // each was reduced by itself, and the record holds one of these
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      for (const trace::Point& point : manifold.points) {
+        if (scene.shows("contacts")) {
+          draw_whisker(scene, manifold, point, sketch);
+          sketch.marks.push_back({MarkKind::Dot, point.position, kContact});
+          sketch.explain(LegendKind::Contact, "contact point, " + factor);
+        }
+        if (scene.shows("ids")) draw_id(point, sketch);
+      }
     }
+    return;
   }
   if (pair.manifolds.empty() || pair.manifolds.front().points.empty()) return;
 
@@ -91,15 +117,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                                .direction = std::nullopt});
       sketch.explain(LegendKind::Kept, "kept, in order of choice");
     }
-    if (scene.shows("ids")) {
-      sketch.labels.push_back({.at = all[i].position,
-                               .text = all[i].id,
-                               .color = kText,
-                               .size = 15,
-                               .bold = true,
-                               .clearance = 12,
-                               .direction = std::nullopt});
-    }
+    if (scene.shows("ids")) draw_id(all[i], sketch);
   }
 }
 

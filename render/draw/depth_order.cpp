@@ -16,7 +16,7 @@ constexpr double kOnPlane = 2e-6;
 struct Item {
   Surface surface;
   Plane<double> plane;
-  double area = 0;  // twice, square metres; -1 for a facet of a round body, the last to part others
+  double area = 0;  // twice, square metres; -1 where the plane must not part others
 };
 
 // Newell's normal: right for any flat polygon, also with collinear vertices.
@@ -44,6 +44,22 @@ class Orderer {
   Orderer(const Camera& camera, const std::vector<RoundBody>& bodies, double tolerance)
       : camera_(camera), bodies_(bodies), tolerance_(tolerance) {}
 
+  // What is small and beyond one of the planes has nothing to do with the rest.
+  void paint_apart(std::vector<Item> items, const std::vector<Plane<double>>& box,
+                   std::size_t first, std::vector<Surface>& result) const {
+    if (first == box.size() || std::ranges::none_of(items, is_small)) {
+      paint(std::move(items), result);
+      return;
+    }
+    std::vector<Item> front, back, on;
+    part(box[first], std::move(items), front, back, on);
+    std::move(on.begin(), on.end(), std::back_inserter(back));
+    const bool eye_in_front = in_front(box[first]);
+    if (!eye_in_front) paint(std::move(front), result);
+    paint_apart(std::move(back), box, first + 1, result);
+    if (eye_in_front) paint(std::move(front), result);
+  }
+
   void paint(std::vector<Item> items, std::vector<Surface>& result) const {
     if (items.empty()) return;
     if (items.size() == 1) {
@@ -52,7 +68,9 @@ class Orderer {
     }
     const auto largest = std::max_element(
         items.begin(), items.end(), [](const Item& a, const Item& b) { return a.area < b.area; });
-    if (largest->surface.body >= 0) {
+    if (largest->surface.body != kFlatSurface) {
+      paint_small(items, result);
+      std::erase_if(items, is_small);
       paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies_.size()), result);
       return;
     }
@@ -66,6 +84,23 @@ class Orderer {
   }
 
  private:
+  static bool is_small(const Item& item) { return item.surface.body == kSmallSurface; }
+
+  // Farthest first, by the middle of each.
+  void paint_small(const std::vector<Item>& items, std::vector<Surface>& result) const {
+    std::vector<std::pair<double, const Item*>> sorted;
+    for (const Item& item : items) {
+      if (!is_small(item)) continue;
+      Vec3d middle = Vec3d::Zero();
+      for (const Vec3d& p : item.surface.polygon) middle += camera_.to_camera(p);
+      middle /= static_cast<double>(item.surface.polygon.size());
+      sorted.emplace_back(camera_.is_perspective() ? middle.norm() : middle.z(), &item);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [distance, item] : sorted) result.push_back(item->surface);
+  }
+
   // Facets of round bodies alone: parted by the planes of the pairs from (first, second) on. `won`
   // counts for each body the pairs in which this region is on its side.
   void paint_bodies(std::vector<Item> items, std::size_t first, std::size_t second,
@@ -174,20 +209,32 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   items.reserve(surfaces.size());
   Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
   Vec3d high = -low;
+  Vec3d middle_low = low, middle_high = high;  // of all that is not small
   for (Surface& surface : surfaces) {
     if (surface.polygon.size() < 3) continue;
     for (const Vec3d& p : surface.polygon) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
+      if (surface.body == kSmallSurface) continue;
+      middle_low = middle_low.cwiseMin(p);
+      middle_high = middle_high.cwiseMax(p);
     }
     Item item = item_of(std::move(surface));
-    if (item.area > 0 && item.surface.body >= 0) item.area = -1;
+    if (item.area > 0 && item.surface.body != kFlatSurface) item.area = -1;
     if (item.area != 0) items.push_back(std::move(item));
   }
   const double scale = items.empty() ? 0 : (high - low).maxCoeff();
   std::vector<Surface> result;
   result.reserve(items.size());
-  Orderer(camera, bodies, kOnPlane * scale).paint(std::move(items), result);
+  const Orderer orderer(camera, bodies, kOnPlane * scale);
+  std::vector<Plane<double>> box;
+  if (middle_low.x() <= middle_high.x()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      box.push_back({Vec3d::Unit(axis), middle_high[axis]});
+      box.push_back({-Vec3d::Unit(axis), -middle_low[axis]});
+    }
+  }
+  orderer.paint_apart(std::move(items), box, 0, result);
   return result;
 }
 

@@ -9,11 +9,15 @@
 
 namespace contactscope::draw {
 
+/// Surfaces that are no facet of a round body.
+inline constexpr int kFlatSurface = -1;   // parts others by its plane
+inline constexpr int kSmallSurface = -2;  // one of many that do not cross anything
+
 /// A flat convex polygon in the world, metres.
 struct Surface {
   std::vector<Vec3d> polygon;
   Color color;
-  int body = -1;  // facet of this round body; -1: flat by itself
+  int body = kFlatSurface;  // facet of this round body, or one of the two above
 };
 
 /// The surfaces in the order in which to paint them, farthest first, cut where they pass through
@@ -30,6 +34,9 @@ struct Surface {
 /// one body this body is in front, for the others are inside of it or behind. That is exact for
 /// spheres and for all bodies that are apart; where capsules overlap, it is off by a part of the
 /// overlap.
+///
+/// Small surfaces, such as the triangles of a terrain far from what stands on it, are parted from
+/// the others by the planes of a box and sorted by distance.
 std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera,
                                    const std::vector<RoundBody>& bodies = {});
 

@@ -12,12 +12,17 @@ constexpr double kBorder = 2e-4;
 // Widest gap between two shadows, in borders, that counts as their seam: two borders seen at a
 // slant.
 constexpr double kSeam = 8;
+// A terrain has thousands of occluders, of which few are near a line: they are found by where they
+// are on the screen. Not worth it for fewer than these.
+constexpr std::size_t kManyOccluders = 96;
+constexpr int kColumns = 48, kRows = 32;
 
 }  // namespace
 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows)
-    : shadows_(shadows) {
+    : camera_(camera), shadows_(shadows), cells_(kColumns * kRows) {
+  for (std::size_t i = 0; i < shadows.size(); ++i) everywhere_.push_back(static_cast<int>(i));
   Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
   Vec3d high = -low;
   for (const std::vector<Vec3d>& polygon : occluders) {
@@ -26,6 +31,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       high = high.cwiseMax(p);
     }
   }
+  const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
     if (polygon.size() < 3) continue;
     Vec3d middle = Vec3d::Zero();
@@ -55,15 +61,59 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (side.dot(middle - p) > 0) side = -side;
       shadow.push_back({side, side.dot(p) - border});
     }
+    const int index = static_cast<int>(shadows_.size());
     shadows_.push_back(std::move(shadow));
+    if (few) {
+      everywhere_.push_back(index);
+      continue;
+    }
+    const Cells cells = cells_of(project_polygon(camera, polygon));
+    for (int row = cells.first[1]; row <= cells.last[1]; ++row) {
+      for (int column = cells.first[0]; column <= cells.last[0]; ++column) {
+        cells_[static_cast<std::size_t>(row * kColumns + column)].push_back(index);
+      }
+    }
   }
+}
+
+HiddenLines::Cells HiddenLines::cells_of(std::span<const Point2> points) const {
+  const Rect& view = camera_.viewport();
+  Cells cells{{kColumns, kRows}, {-1, -1}};
+  for (const Point2& at : points) {
+    const double x = (at.x - view.x) / view.width * kColumns;
+    const double y = (at.y - view.y) / view.height * kRows;
+    const std::array<int, 2> cell = {static_cast<int>(std::clamp(x, 0.0, kColumns - 1.0)),
+                                     static_cast<int>(std::clamp(y, 0.0, kRows - 1.0))};
+    for (std::size_t k = 0; k < 2; ++k) {
+      cells.first[k] = std::min(cells.first[k], cell[k]);
+      cells.last[k] = std::max(cells.last[k], cell[k]);
+    }
+  }
+  return cells;
+}
+
+std::vector<int> HiddenLines::candidates(const Vec3d& from, const Vec3d& to) const {
+  std::vector<int> found = everywhere_;
+  if (found.size() == shadows_.size()) return found;
+  const std::optional<Segment2> seen = project_segment(camera_, from, to);
+  if (!seen) return found;
+  const Cells cells = cells_of(std::array{seen->from, seen->to});
+  for (int row = cells.first[1]; row <= cells.last[1]; ++row) {
+    for (int column = cells.first[0]; column <= cells.last[0]; ++column) {
+      const std::vector<int>& here = cells_[static_cast<std::size_t>(row * kColumns + column)];
+      found.insert(found.end(), here.begin(), here.end());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
-  for (const ConvexShadow& shadow : shadows_) {
+  for (const int index : candidates(from, to)) {
     double first = 0, last = 1;
-    for (const Plane<double>& bound : shadow) {
+    for (const Plane<double>& bound : shadows_[static_cast<std::size_t>(index)]) {
       const double d0 = bound.distance(from);
       const double d1 = bound.distance(to);
       if (d0 > 0 && d1 > 0) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "core/plane.h"
@@ -28,12 +30,23 @@ class HiddenLines {
   HiddenLines(const Camera& camera, const Occluders& occluders,
               const std::vector<ConvexShadow>& shadows = {});
 
-  /// Seen and hidden parts in order, covering [0, 1].
+  /// Seen and hidden parts in order, covering [0, 1]; right for what is inside of the view.
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
  private:
+  // Cells of the view from `first` to `last`, both ways; none where `last` is less.
+  struct Cells {
+    std::array<int, 2> first, last;
+  };
+  Cells cells_of(std::span<const Point2> points) const;
+  // The shadows that may hide what is seen of the segment's projection.
+  std::vector<int> candidates(const Vec3d& from, const Vec3d& to) const;
+
+  Camera camera_;
   std::vector<ConvexShadow> shadows_;
-  double border_ = 0;  // metres
+  std::vector<int> everywhere_;          // shadows that any line may be in
+  std::vector<std::vector<int>> cells_;  // the others, by where they are on the screen
+  double border_ = 0;                    // metres
 };
 
 }  // namespace contactscope::draw

@@ -45,14 +45,12 @@ void fit_patches(const trace::Header& header, const std::vector<trace::Frame>& f
                                 : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
         patch = rectangle(plane, placed[k].pose.inverse_rotate(level));
       }
-      for (const PlacedShape& other : placed) {
-        for (const Vec3d& point : extent_points(other)) {
-          const Vec3d p = placed[k].pose.inverse_transform(point) - patch->center;
-          const Vec3d at(p.dot(patch->u), p.dot(patch->v), 0);
-          low = found ? Vec3d(low.cwiseMin(at)) : at;
-          high = found ? Vec3d(high.cwiseMax(at)) : at;
-          found = true;
-        }
+      for (const Vec3d& point : extent_points(placed)) {
+        const Vec3d p = placed[k].pose.inverse_transform(point) - patch->center;
+        const Vec3d at(p.dot(patch->u), p.dot(patch->v), 0);
+        low = found ? Vec3d(low.cwiseMin(at)) : at;
+        high = found ? Vec3d(high.cwiseMax(at)) : at;
+        found = true;
       }
     }
     if (!patch) patch = rectangle(plane, any_perpendicular(plane.normal));

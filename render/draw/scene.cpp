@@ -109,4 +109,30 @@ std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
   return placed;
 }
 
+std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes) {
+  std::vector<Vec3d> points;
+  const auto add = [&](bool meshes) {
+    for (const PlacedShape& shape : shapes) {
+      if ((shape.mesh->shape->type == "mesh") != meshes) continue;
+      const std::vector<Vec3d> own = extent_points(shape);
+      points.insert(points.end(), own.begin(), own.end());
+    }
+  };
+  add(false);
+  const std::size_t bodies = points.size();
+  Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
+  Vec3d high = -low;
+  for (const Vec3d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  add(true);
+  if (bodies == 0) return points;
+  const Vec3d around = Vec3d::Constant(0.5 * (high - low).maxCoeff());
+  for (std::size_t i = bodies; i < points.size(); ++i) {
+    points[i] = points[i].cwiseMax(low - around).cwiseMin(high + around);
+  }
+  return points;
+}
+
 }  // namespace contactscope::draw

@@ -68,6 +68,10 @@ std::vector<Vec3d> extent_points(const PlacedShape& shape);
 std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
                                       const trace::Frame& frame);
 
+/// What the shapes of one frame ask a picture to hold. A mesh may be a landscape: it counts as far
+/// as half the size of the other shapes around them, or whole where it is alone.
+std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes);
+
 // The layers, one file each, named after what they show.
 void draw_shapes(const Scene& scene, Sketch& sketch);
 void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "draw/mesh_surface.h"
 #include "draw/palette.h"
 #include "draw/plane_patch.h"
 #include "draw/scene.h"
@@ -66,6 +67,8 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     const trace::Shape& solid = *shape.mesh->shape;
     if (solid.half_space) {
       draw_plane(scene, shape, sketch);
+    } else if (solid.type == "mesh") {
+      draw_mesh(scene, shape, sketch);
     } else if (solid.radius > 0) {
       draw_round(scene, shape, sketch);
     } else {

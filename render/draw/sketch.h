@@ -19,7 +19,7 @@ struct LineStyle {
   float width = 1;  // pixels
   Color color;
   bool dashed = false;
-  enum class Hidden { Same, Faint } hidden = Hidden::Same;
+  enum class Hidden { Same, Faint, Gone } hidden = Hidden::Same;
 };
 
 struct Line {

@@ -86,10 +86,8 @@ Subject contact_patches(const std::vector<trace::Frame>& frames,
 Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
   Subject subject;
   for (const trace::Frame& frame : frames) {
-    for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-      const std::vector<Vec3d> points = extent_points(shape);
-      subject.points.insert(subject.points.end(), points.begin(), points.end());
-    }
+    const std::vector<Vec3d> points = extent_points(place_shapes(meshes, frame));
+    subject.points.insert(subject.points.end(), points.begin(), points.end());
   }
   return subject;
 }

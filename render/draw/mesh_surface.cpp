@@ -1,0 +1,138 @@
+#include "draw/mesh_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "draw/shading.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Lengths of an edge on the screen, pixels, between which the lines inside of a surface fade.
+constexpr double kFaded = 5;
+constexpr double kFull = 60;
+constexpr float kThinAlpha = 0.45f;
+// A mesh of so few triangles is drawn like a hull: all are parted exactly, creases are strong.
+constexpr std::size_t kFewTriangles = 120;
+constexpr std::size_t kSampled = 400;  // edges are enough to know how long they are
+
+// How strong the lines between triangles are.
+float thin_alpha(const Scene& scene, const PlacedShape& shape) {
+  const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
+  const std::size_t step = std::max<std::size_t>(1, edges.size() / kSampled);
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < edges.size(); i += step) {
+    const Vec3d& from = shape.vertices[static_cast<std::size_t>(edges[i].from)];
+    const Vec3d& to = shape.vertices[static_cast<std::size_t>(edges[i].to)];
+    const Vec3d middle = 0.5 * (from + to);
+    if (!scene.camera.project(middle)) continue;
+    sum += (to - from).norm() * scene.camera.pixels_per_metre(middle);
+    ++count;
+  }
+  if (count == 0) return 0;
+  const double share = (sum / count - kFaded) / (kFull - kFaded);
+  return kThinAlpha * static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+// What the other shapes reach: there triangles have to be parted exactly.
+struct Reach {
+  Vec3d low = Vec3d::Constant(1e300), high = Vec3d::Constant(-1e300);
+
+  Reach(const Scene& scene, const PlacedShape& mesh) {
+    for (const PlacedShape& other : scene.shapes) {
+      if (&other == &mesh || other.mesh->shape->type == "mesh") continue;
+      for (const Vec3d& p : extent_points(other)) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    }
+  }
+  bool meets(const std::vector<Vec3d>& polygon) const {
+    Vec3d from = polygon.front(), to = from;
+    for (const Vec3d& p : polygon) {
+      from = from.cwiseMin(p);
+      to = to.cwiseMax(p);
+    }
+    return (from.array() <= high.array()).all() && (to.array() >= low.array()).all();
+  }
+};
+
+}  // namespace
+
+void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
+  const trace::Shape& surface = *shape.mesh->shape;
+  const Vec3d light = key_light(scene.camera);
+  const Color base = shape.is_a ? kShapeA : kShapeB;
+  const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
+  const bool open =
+      std::ranges::any_of(edges, [](const ShapeMesh::Edge& edge) { return edge.right < 0; });
+  const bool many = surface.faces.size() > kFewTriangles;
+  const Reach reach(scene, shape);
+
+  std::vector<bool> front(surface.faces.size());
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const std::vector<Vec3d> polygon = shape.polygon(static_cast<int>(f));
+    const Vec3d normal = shape.normal(static_cast<int>(f));
+    front[f] = scene.camera.faces(polygon.front(), normal);
+    if (!front[f] && !open) continue;
+    sketch.occluders.push_back(polygon);
+    const double lit = front[f] ? normal.dot(light) : -normal.dot(light);
+    sketch.surfaces.push_back(
+        {polygon, toned(base, lit), many && !reach.meets(polygon) ? kSmallSurface : kFlatSurface});
+  }
+
+  const LineStyle border{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
+  const LineStyle silhouette{2.0f, kShapeEdge, false,
+                             many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint};
+  const LineStyle crease{1.5f, with_alpha(kShapeEdge, 0.85f), false,
+                         many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint};
+  const LineStyle thin{1.0f, with_alpha(kShapeEdge, thin_alpha(scene, shape)), false,
+                       LineStyle::Hidden::Gone};
+  for (const ShapeMesh::Edge& edge : edges) {
+    const bool left = front[static_cast<std::size_t>(edge.left)];
+    const bool right = edge.right >= 0 && front[static_cast<std::size_t>(edge.right)];
+    const LineStyle* style = &thin;
+    if (edge.right < 0) {
+      style = &border;
+    } else if (left != right) {
+      style = &silhouette;
+    } else if (!edge.smooth && !many) {
+      style = &crease;
+    }
+    if (style == &thin && (thin.color.a <= 0 || (!left && !open))) continue;
+    sketch.lines.push_back({shape.vertices[static_cast<std::size_t>(edge.from)],
+                            shape.vertices[static_cast<std::size_t>(edge.to)], *style});
+  }
+}
+
+void draw_touched_triangles(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!scene.shows("contacts") && !scene.shows("reference_face")) return;
+  const PlacedShape* mesh = nullptr;
+  bool mesh_is_a = false;
+  for (const std::string& name : {pair.a, pair.b}) {
+    const PlacedShape* shape = scene.find(name);
+    if (shape == nullptr || shape->mesh->shape->type != "mesh") continue;
+    mesh = shape;
+    mesh_is_a = name == pair.a;
+  }
+  if (mesh == nullptr) return;
+  const std::size_t triangles = mesh->mesh->shape->faces.size();
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (!manifold.triangle || *manifold.triangle < 0 ||
+        static_cast<std::size_t>(*manifold.triangle) >= triangles) {
+      continue;
+    }
+    const std::vector<Vec3d> polygon = mesh->polygon(*manifold.triangle);
+    const bool incident = manifold.axis == (mesh_is_a ? "face_b" : "face_a");
+    const Color color = incident ? kIncidentFace : kReferenceFace;
+    const float width = pair.manifolds.size() > 6 ? 1.5f : pair.manifolds.size() > 2 ? 2.0f : 3.0f;
+    sketch.surfaces.push_back({polygon, with_alpha(color, 0.35f)});
+    sketch.outline(polygon, {width, color, incident});
+    sketch.explain(incident ? LegendKind::IncidentFace : LegendKind::ReferenceFace,
+                   incident ? "triangle touched, incident" : "triangle touched");
+  }
+}
+
+}  // namespace contactscope::draw
