@@ -149,6 +149,19 @@ void compare_clip(const trace::Clip& expected, const trace::Clip& actual,
   }
 }
 
+void compare_cache(const trace::Cache& expected, const trace::Cache& actual,
+                   const Tolerance& tolerance, Parts& parts) {
+  const auto spell = [](const trace::Cache& cache) {
+    return std::string(cache.hit ? "hit" : "miss") + " of " + cache.kind + ", " + cache.axis;
+  };
+  Changes changes("cache: ", tolerance);
+  changes.exact("", spell(expected), spell(actual));
+  if (expected.normal && actual.normal)
+    changes.direction("normal ", *expected.normal, *actual.normal);
+  if (expected.moved && actual.moved) changes.length("moved ", *expected.moved, *actual.moved);
+  changes.tell(parts);
+}
+
 void compare_reduction(const trace::Reduction& expected, const trace::Reduction& actual,
                        const Tolerance& tolerance, Parts& parts) {
   Changes changes("reduction: ", tolerance);
@@ -179,6 +192,9 @@ std::vector<std::string> compare_pair(const trace::Pair& expected, const trace::
     changes.exact("geometry ", expected.degenerate->geometry, actual.degenerate->geometry);
     changes.exact("answer ", expected.degenerate->answer, actual.degenerate->answer);
     changes.tell(parts);
+  }
+  if (both_there("cache", expected.cache, actual.cache, parts)) {
+    compare_cache(*expected.cache, *actual.cache, tolerance, parts);
   }
   if (both_there("sat", expected.sat, actual.sat, parts)) {
     compare_sat(*expected.sat, *actual.sat, tolerance, parts);

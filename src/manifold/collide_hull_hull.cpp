@@ -30,7 +30,7 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, PairCache<S>& cache, Contact<S>& contact,
                     Recorder& recorder) {
   const CacheAnswer<S> answer = collide_from_cache(a, b, b_in_a, options, cache, contact, recorder);
-  if (answer.kind != CachedKind::Empty) recorder.cache(answer.hit, answer.kind, answer.moved);
+  if (answer.kind != CachedKind::Empty) recorder.cache(answer);
   if (answer.hit) return answer.separation;
   contact.points.clear();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "manifold/edge_contact.h"
 #include "manifold/face_contact.h"
@@ -20,7 +21,7 @@ namespace {
 /// part of the smaller radius. A pair that moves farther is worth a full test: at this many
 /// millimetres a step, a hit or two would be saved.
 template <class S>
-constexpr S kHorizon = S(0.1);
+constexpr S kHorizon = S(0.05);
 
 /// Two hulls of which features are placed as they are asked for.
 template <class S>
@@ -146,6 +147,15 @@ bool preferred(S separation, S bound, S margin, S min_radius) {
 }
 
 template <class S>
+S deepest_point(const Contact<S>& contact) {
+  S deepest = std::numeric_limits<S>::infinity();
+  for (const ContactPoint<S>& point : contact.points) {
+    deepest = std::min(deepest, point.separation);
+  }
+  return deepest;
+}
+
+template <class S>
 S scale_of(const FeaturePair<S>& pair) {
   const Hull<S>& a = pair.a.hull;
   const Hull<S>& b = pair.b.hull;
@@ -199,10 +209,12 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   CacheAnswer<S> answer;
   if (cache.kind == CachedKind::Empty || !belongs_to(cache, a, b)) return answer;
   answer.kind = cache.kind;
+  answer.axis = cache.axis;
 
   const FeaturePair<S> pair(a, b, b_in_a);
   MeasuredAxis<S> axis;
   if (!measure(pair, cache, axis)) return answer;
+  answer.normal = axis.normal;
   answer.separation = axis.separation;
   if (axis.separation > options.margin) {  // still, or by now, a separating axis
     answer.kind = CachedKind::SeparatingAxis;
@@ -266,12 +278,15 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   }
   if (contact.points.empty() || options.preference != Preference::Relative) return cache;
 
-  // An angle within which the kept axis is preferred to any other for as long as the overlap grows
-  // by no more than the tolerance; half of it is left for turning.
+  // An angle within which the kept axis is preferred to any other: about half of what the preference
+  // has to spare is given to the angle, the rest is left for turning and for a growing overlap. What
+  // clipping lost of the depth is spent already.
   const S separation = axes.separation(cache.axis);
   const S depth = std::max(-separation, S(0));
   const S tolerance = preference_tolerance(depth, pair.min_radius);
-  cache.near_cosine = S(1) - S(0.5) * tolerance / (depth + tolerance);
+  const S spare = tolerance - std::max(deepest_point(contact) - separation, S(0));
+  cache.near_cosine = S(1) - S(0.6) * spare / (depth + tolerance);
+  if (!(spare > S(0))) return cache;
   cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
                              separation - kHorizon<S> * pair.min_radius);
   if (!preferred(separation, cache.far, options.margin, pair.min_radius)) return cache;

@@ -78,8 +78,10 @@ template <class S>
 struct CacheAnswer {
   bool hit = false;
   CachedKind kind = CachedKind::Empty;  // what was tried, or what a hit used
+  AxisKind axis = AxisKind::FaceA;      // that was tried
+  Vec3<S> normal = Vec3<S>::UnitX();    // of a hit: its axis, unit, from A to B, in A's frame
   S separation = 0;                     // metres, along the kept axis
-  S moved = 0;                          // metres since the full test, see PairCache; of features
+  S moved = 0;                          // of features: m above, metres
 };
 
 /// Tries what `cache` holds. On a hit `contact` is the pair's, in A's frame, empty when separated;

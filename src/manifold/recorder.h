@@ -2,6 +2,7 @@
 
 #include "core/manifold.h"
 #include "core/plane.h"
+#include "geometry/mesh.h"
 #include "core/preference.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
@@ -21,13 +22,14 @@ struct NoRecorder {
   static constexpr bool kRecords = false;
 
   void axes(const HullPair<S>&, const SatResult<S>&, Preference) {}
-  void cache(bool, CachedKind, S) {}
+  void cache(const CacheAnswer<S>&) {}
   void clip_begins(Owner, const ClipFace<S>&, const ClipFace<S>&) {}
   void clip_step(const Plane<S>&, const ClipPolygon<S>&) {}
   void dropped(const Vec3<S>&, const char*) {}
   void clip_abandoned() {}
   void contact_axis(AxisKind) {}
   void reduction(std::span<const ContactPoint<S>>, const Vec3<S>&, int, const KeptIndices&) {}
+  void tree(const Mesh<S>&, const Aabb<S>&) {}
   void degenerate(const char*, Degenerate) {}
   void separation(S) {}
   void manifold(const Manifold<S>&) {}

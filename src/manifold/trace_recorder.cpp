@@ -53,6 +53,7 @@ TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_
   pair_.state = "separated";
   pair_.manifolds.clear();
   pair_.degenerate.reset();
+  pair_.tree.reset();
   pair_.cache.reset();
   pair_.sat.reset();
   pair_.clip.reset();
@@ -136,8 +137,13 @@ void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
 }
 
 template <class S>
-void TraceRecorder<S>::cache(bool hit, CachedKind kind, S moved) {
-  pair_.cache = trace::Cache{hit, to_string(kind), moved};
+void TraceRecorder<S>::cache(const CacheAnswer<S>& answer) {
+  trace::Cache& cache = pair_.cache.emplace();
+  cache.hit = answer.hit;
+  cache.kind = to_string(answer.kind);
+  cache.axis = to_string(told(answer.axis));
+  if (answer.hit) cache.normal = normal(answer.normal);
+  if (answer.kind == CachedKind::Features) cache.moved = answer.moved;
 }
 
 template <class S>
@@ -188,6 +194,21 @@ void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const 
         {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
   }
   measure(exact, normal.template cast<double>(), max_points, reduction);
+}
+
+template <class S>
+void TraceRecorder<S>::tree(const Mesh<S>& mesh, const Aabb<S>& box) {
+  if (!stages_.tree) return;
+  const auto box_of = [](const Aabb<S>& of) {
+    return trace::Box{of.lower.template cast<double>(), of.upper.template cast<double>()};
+  };
+  trace::Tree& tree = pair_.tree.emplace();
+  tree.shape = name(Owner::B);
+  tree.box = box_of(box);
+  const AabbTreeRecord<S> found = mesh.tree.recorded_query(box);
+  for (const auto& visit : found.visits)
+    tree.visits.push_back({box_of(visit.box), visit.depth, visit.leaf, visit.overlaps});
+  tree.candidates = found.candidates;
 }
 
 template <class S>

@@ -20,8 +20,8 @@ class TraceRecorder {
                 bool mirrored, trace::Pair& pair);
 
   void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
-  /// What the pair's cache held was tried; how far the shapes have moved since the full test, metres.
-  void cache(bool hit, CachedKind kind, S moved);
+  /// What the pair's cache held was tried.
+  void cache(const CacheAnswer<S>& answer);
   /// `reference` owns the first face.
   void clip_begins(Owner reference, const ClipFace<S>& reference_face,
                    const ClipFace<S>& incident_face);
@@ -35,6 +35,8 @@ class TraceRecorder {
   /// `points` and `normal` in the world.
   void reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal, int max_points,
                  const KeptIndices& kept);
+  /// The query of a mesh's tree with the other shape's box; both in the mesh's frame.
+  void tree(const Mesh<S>& mesh, const Aabb<S>& box);
   /// The geometry had no normal of its own; what was done about it.
   void degenerate(const char* geometry, Degenerate answer);
   /// Of the pair, metres: what stands in the record when no point does.

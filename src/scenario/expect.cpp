@@ -33,7 +33,10 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
   std::vector<Direction> directions;
   for (const trace::Manifold& manifold : pair.manifolds)
     directions.push_back({manifold.axis, manifold.normal});
-  if (!directions.empty() || !pair.sat) return directions;
+  if (!directions.empty()) return directions;
+  if (pair.cache && pair.cache->normal)
+    directions.push_back({pair.cache->axis, *pair.cache->normal});
+  if (!pair.sat) return directions;
   const trace::Sat& sat = *pair.sat;
   if (sat.chosen == "face_a" && sat.face_a) directions.push_back({sat.chosen, sat.face_a->normal});
   if (sat.chosen == "face_b" && sat.face_b) directions.push_back({sat.chosen, sat.face_b->normal});

@@ -122,13 +122,12 @@ trace::Header Runner::header() const {
   return header;
 }
 
-/// One pair at a time in seconds, written into `record` where there is one. Whichever shape a file
-/// names first as `a`, the earlier of its shapes is A for the pipeline: then trading a and b mirrors
-/// every result.
+/// One pair in one frame, written into `record` where there is one; goes by what `memory` holds of
+/// the frame before, and leaves this frame's in it. Whichever shape a file names first as `a`, the
+/// earlier of its shapes is A for the pipeline: then trading a and b mirrors every result.
 template <class S>
 Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
-                                  double time, const CollideOptions<S>& options,
-                                  trace::Pair* record) const {
+                                  int frame, Memory& memory, trace::Pair* record) const {
   const bool mirrored = pair.a > pair.b;
   const auto a = static_cast<std::size_t>(std::min(pair.a, pair.b));
   const auto b = static_cast<std::size_t>(std::max(pair.a, pair.b));
@@ -136,44 +135,49 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
   const Pose<S> pose_b = pose_at(scenario_->shapes[b], time).template cast<S>();
   Manifolds<S> manifolds;
   if (record == nullptr) {
-    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds);
+    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, cache);
   } else {
     const Recording recording{pair.pipeline.reducer.c_str(), stages_, mirrored};
-    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, recording, *record);
+    collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, recording, *record, cache);
   }
-  if (!mirrored) return manifolds;
-  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+  if (mirrored)
+    for (Manifold<S>& manifold : manifolds) mirror(manifold);
+
+  memory.frame = frame;
+  memory.kept.clear();
+  for (const Manifold<S>& manifold : manifolds)
+    for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
   return manifolds;
 }
 
 /// Ids that the reducer of a pair kept in the frame before; none in frame 0, after a frame without
 /// contact, and where the reducer has no use for them.
 template <class S>
-std::vector<FeatureId> Runner::kept_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
-                                           int frame) const {
+Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
+                                     int frame) const {
   const ScenarioPair& facts = scenario_->pairs[pair];
-  if (frame == 0 || !remembers(facts.pipeline.reducer)) return {};
+  const bool caches =
+      facts.pipeline.cache && can_cache(kind_of(shapes[static_cast<std::size_t>(facts.a)]),
+                                        kind_of(shapes[static_cast<std::size_t>(facts.b)]));
   Memory memory;
   {
+  CollideOptions<S> options = options_of<S>(pair.pipeline);
+  options.reduction.previous = memory.kept;
+  PairCache<S>* const cache =
+      pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;
+
     const std::lock_guard<std::mutex> lock(mutex_);
     const Memory& last = memories_[pair];
-    if (last.frame < frame && last.settings == facts.pipeline) memory = last;
+    if (last.frame >= 0 && last.frame < frame && last.settings == facts.pipeline) memory = last;
   }
   while (memory.frame < frame - 1) {
-    ++memory.frame;
-    CollideOptions<S> options = options_of<S>(facts.pipeline);
-    options.reduction.previous = memory.kept;
-    const Manifolds<S> manifolds =
-        collide_pair(shapes, facts, memory.frame * scenario_->dt, options, nullptr);
-    memory.kept.clear();
-    for (const Manifold<S>& manifold : manifolds)
-      for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+    collide_pair(shapes, facts, memory.frame + 1, memory, nullptr);
   }
-  memory.settings = facts.pipeline;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  memories_[pair] = memory;
-  return memory.kept;
+  return memory;
 }
+  memory.cache = PairCache<S>();
+  memory.settings = facts.pipeline;
+  if (frame == 0 || !(caches || remembers(facts.pipeline.reducer))) return memory;
 
 template <class S>
 trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const {
@@ -186,15 +190,13 @@ trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool re
   }
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
     const ScenarioPair& pair = scenario_->pairs[i];
-    const std::vector<FeatureId> before = kept_before(shapes, i, frame);
-    CollideOptions<S> options = options_of<S>(pair.pipeline);
-    options.reduction.previous = before;
+    Memory memory = memory_before(shapes, i, frame);
     trace::Pair record;
     record.a = scenario_->shapes[static_cast<std::size_t>(pair.a)].name;
     record.b = scenario_->shapes[static_cast<std::size_t>(pair.b)].name;
     record.label = pair.label;
     const Manifolds<S> manifolds =
-        collide_pair(shapes, pair, result.time, options, recorded ? &record : nullptr);
+        collide_pair(shapes, pair, frame, memory, recorded ? &record : nullptr);
     if (!recorded) {
       record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
                               shapes[static_cast<std::size_t>(pair.b)]);
@@ -221,6 +223,8 @@ trace::Frame run_frame(const Scenario& scenario, int frame) {
   return Runner(scenario).frame(frame);
 }
 
+    const std::lock_guard<std::mutex> lock(mutex_);
+    memories_[i] = std::move(memory);
 trace::Frame run_frame_unrecorded(const Scenario& scenario, int frame) {
   return Runner(scenario).frame_unrecorded(frame);
 }

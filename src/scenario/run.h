@@ -14,7 +14,8 @@ namespace contactscope {
 /// Runs the frames of one scenario. Shapes are rounded to the scenario's scalar once, here. Holds on
 /// to the scenario, which must outlive it and keep its shapes; settings of pairs may change between
 /// frames. Any frame can be asked for, in any order and on several threads at once, and is the same
-/// each time: where a reducer goes by what was kept before, the frames from 0 on are run for it.
+/// each time: where a pair goes by what was kept before, as temporal coherence and some reducers do,
+/// the frames from 0 on are run for it.
 class Runner {
  public:
   /// `stages`: the optional stages that recorded frames hold.
@@ -37,28 +38,29 @@ class Runner {
   trace::Frame frame_unrecorded(int frame) const;
 
  private:
+  /// What a pair keeps from one frame for the next.
+  struct Memory {
+    int frame = -1;
+    std::vector<FeatureId> kept;  // by the reducer
+    std::variant<PairCache<float>, PairCache<double>> cache;
+    PipelineSettings settings;  // that it was kept with
+  };
+
   template <class S>
   trace::Frame run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const;
   template <class S>
   Manifolds<S> collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
-                            double time, const CollideOptions<S>& options,
-                            trace::Pair* record) const;
+                            int frame, Memory& memory, trace::Pair* record) const;
   template <class S>
-  std::vector<FeatureId> kept_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
-                                     int frame) const;
-
-  /// What a pair kept in one frame, so that the next one need not run all before it again.
-  struct Memory {
-    int frame = -1;
-    std::vector<FeatureId> kept;
-    PipelineSettings settings;  // that it was kept with
-  };
+  Memory memory_before(const std::vector<Shape<S>>& shapes, std::size_t pair, int frame) const;
 
   const Scenario* scenario_;
   trace::Stages stages_;
   std::variant<std::vector<Shape<float>>, std::vector<Shape<double>>> shapes_;  // one a shape
   mutable std::mutex mutex_;
-  mutable std::vector<Memory> memories_;  // one a pair, guarded by mutex_
+  /// One a pair, guarded by mutex_: of the frame that ran last, so that the next one need not run
+  /// all before it again.
+  mutable std::vector<Memory> memories_;
 };
 
 /// For one call; whoever runs a sequence keeps a Runner.

@@ -102,6 +102,30 @@ Json reduction(const Reduction& r) {
   return json;
 }
 
+Json box(const Box& b) {
+  return {{"lower", vector(b.lower, "lower")}, {"upper", vector(b.upper, "upper")}};
+}
+
+Json tree(const Tree& t) {
+  Json visits = Json::array();
+  for (const TreeVisit& visit : t.visits)
+    visits.push_back({{"box", box(visit.box)},
+                      {"depth", visit.depth},
+                      {"leaf", visit.leaf},
+                      {"overlaps", visit.overlaps}});
+  return {{"shape", t.shape},
+          {"box", box(t.box)},
+          {"visits", std::move(visits)},
+          {"candidates", t.candidates}};
+}
+
+Json cache(const Cache& c) {
+  Json json = {{"hit", c.hit}, {"kind", c.kind}, {"axis", c.axis}};
+  if (c.normal) json["normal"] = vector(*c.normal, "normal");
+  if (c.moved) json["moved"] = number(*c.moved, "moved");
+  return json;
+}
+
 Json pair(const Pair& p) {
   Json json = {{"a", p.a}, {"b", p.b}};
   if (!p.label.empty()) json["label"] = p.label;
@@ -113,11 +137,10 @@ Json pair(const Pair& p) {
   if (p.sat) json["sat"] = sat(*p.sat);
   if (p.clip) json["clip"] = clip(*p.clip);
   if (p.reduction) json["reduction"] = reduction(*p.reduction);
+  if (p.tree) json["tree"] = tree(*p.tree);
   if (p.degenerate)
     json["degenerate"] = {{"geometry", p.degenerate->geometry}, {"answer", p.degenerate->answer}};
-  if (p.cache)
-    json["cache"] = {
-        {"hit", p.cache->hit}, {"kind", p.cache->kind}, {"moved", number(p.cache->moved, "moved")}};
+  if (p.cache) json["cache"] = cache(*p.cache);
   return json;
 }
 

@@ -259,6 +259,32 @@ Reduction read_reduction(const Node& node) {
   return reduction;
 }
 
+Box read_box(const Node& node) {
+  return {node.at("lower").vector(), node.at("upper").vector()};
+}
+
+Tree read_tree(const Node& node) {
+  Tree tree;
+  tree.shape = node.at("shape").string();
+  tree.box = read_box(node.at("box"));
+  for (const Node& visit : node.at("visits").items())
+    tree.visits.push_back({read_box(visit.at("box")), visit.at("depth").integer(),
+                           visit.at("leaf").boolean(), visit.at("overlaps").boolean()});
+  for (const Node& triangle : node.at("candidates").items())
+    tree.candidates.push_back(triangle.integer());
+  return tree;
+}
+
+Cache read_cache(const Node& node) {
+  Cache cache;
+  cache.hit = node.at("hit").boolean();
+  cache.kind = node.at("kind").string();
+  cache.axis = node.string_or_empty("axis");
+  if (const auto normal = node.find("normal")) cache.normal = normal->vector();
+  if (const auto moved = node.find("moved")) cache.moved = moved->number();
+  return cache;
+}
+
 Pair read_pair(const Node& node) {
   Pair pair;
   pair.a = node.at("a").string();
@@ -279,11 +305,8 @@ Pair read_pair(const Node& node) {
   if (const auto sat = node.find("sat")) pair.sat = read_sat(*sat);
   if (const auto clip = node.find("clip")) pair.clip = read_clip(*clip);
   if (const auto reduction = node.find("reduction")) pair.reduction = read_reduction(*reduction);
-  if (const auto cache = node.find("cache")) {
-    const auto moved = cache->find("moved");
-    pair.cache =
-        Cache{cache->at("hit").boolean(), cache->at("kind").string(), moved ? moved->number() : 0};
-  }
+  if (const auto cache = node.find("cache")) pair.cache = read_cache(*cache);
+  if (const auto tree = node.find("tree")) pair.tree = read_tree(*tree);
   if (const auto degenerate = node.find("degenerate"))
     pair.degenerate =
         Degenerate{degenerate->at("geometry").string(), degenerate->at("answer").string()};

@@ -130,6 +130,32 @@ struct Reduction {
   std::vector<Choice> choices;  // for each kept point, where the method has such steps
 };
 
+/// Axis-aligned box in the frame of a shape, metres.
+struct Box {
+  Vec3d lower = Vec3d::Zero();
+  Vec3d upper = Vec3d::Zero();
+
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// A box of a mesh's tree that the query looked at.
+struct TreeVisit {
+  Box box;
+  int depth = 0;  // 0 at the root
+  bool leaf = false;
+  bool overlaps = false;  // with the box of the query; only then what is below was looked at
+
+  friend bool operator==(const TreeVisit&, const TreeVisit&) = default;
+};
+
+/// How the triangles of a mesh were collected. Boxes in the mesh's own frame.
+struct Tree {
+  std::string shape;  // the mesh
+  Box box;            // of the other shape, grown by the margin
+  std::vector<TreeVisit> visits;
+  std::vector<int> candidates;  // triangles whose boxes the query's touches
+};
+
 /// The geometry had no normal of its own.
 struct Degenerate {
   std::string geometry;  // "coincident centres", ...
@@ -140,10 +166,13 @@ struct Degenerate {
 
 /// Temporal coherence: what was kept of an earlier frame was tried before the full test.
 struct Cache {
-  bool hit = false;  // it gave the result, and the full test did not run
-  std::string kind;  // "separating_axis", or "features": those that touched
-  double moved = 0;  // metres: no point of one shape, seen from the other, has moved farther since
-                     // the full test that found it
+  bool hit = false;             // it gave the result, and the full test did not run
+  std::string kind;             // "separating_axis", or "features": those that touched
+  std::string axis;             // "face_a", "face_b", "edge_edge"; that was tried
+  std::optional<Vec3d> normal;  // unit, from a to b; of a hit
+  /// Metres, of features: no point of one shape, seen from the other, has moved farther since the
+  /// full test that found them.
+  std::optional<double> moved;
 };
 
 /// Which optional stages to record: what no picture shows need not be written down.
@@ -151,6 +180,7 @@ struct Stages {
   bool sat = true;
   bool clip = true;
   bool reduction = true;
+  bool tree = true;
 };
 
 struct Pair {
@@ -165,6 +195,7 @@ struct Pair {
   std::optional<Clip> clip;
   std::optional<Reduction> reduction;
   std::optional<Degenerate> degenerate{};
+  std::optional<Tree> tree{};
   std::optional<Cache> cache{};  // empty too where there was nothing to try
 };
 

@@ -146,7 +146,10 @@ TEST_P(Run, WatchingChangesNothing) {
     ASSERT_EQ(unrecorded.pairs.size(), 1u);
     EXPECT_FALSE(unrecorded.pairs[0].sat || unrecorded.pairs[0].clip ||
                  unrecorded.pairs[0].reduction);
-    EXPECT_TRUE(recorded.pairs[0].sat);
+    const bool hit = recorded.pairs[0].cache && recorded.pairs[0].cache->hit;
+    EXPECT_NE(recorded.pairs[0].sat.has_value(), hit);
+    EXPECT_FALSE(unrecorded.pairs[0].cache);
+    recorded.pairs[0].cache.reset();
     recorded.pairs[0].sat.reset();
     recorded.pairs[0].clip.reset();
     recorded.pairs[0].reduction.reset();
