@@ -131,8 +131,14 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
   const bool mirrored = pair.a > pair.b;
   const auto a = static_cast<std::size_t>(std::min(pair.a, pair.b));
   const auto b = static_cast<std::size_t>(std::max(pair.a, pair.b));
+  const double time = frame * scenario_->dt;
   const Pose<S> pose_a = pose_at(scenario_->shapes[a], time).template cast<S>();
   const Pose<S> pose_b = pose_at(scenario_->shapes[b], time).template cast<S>();
+  CollideOptions<S> options = options_of<S>(pair.pipeline);
+  options.reduction.previous = memory.kept;
+  PairCache<S>* const cache =
+      pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;
+
   Manifolds<S> manifolds;
   if (record == nullptr) {
     collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, cache);
@@ -150,8 +156,7 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
   return manifolds;
 }
 
-/// Ids that the reducer of a pair kept in the frame before; none in frame 0, after a frame without
-/// contact, and where the reducer has no use for them.
+/// What the frame before left; nothing in frame 0, and where the pair has no use for it.
 template <class S>
 Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
                                      int frame) const {
@@ -160,12 +165,10 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
       facts.pipeline.cache && can_cache(kind_of(shapes[static_cast<std::size_t>(facts.a)]),
                                         kind_of(shapes[static_cast<std::size_t>(facts.b)]));
   Memory memory;
+  memory.cache = PairCache<S>();
+  memory.settings = facts.pipeline;
+  if (frame == 0 || !(caches || remembers(facts.pipeline.reducer))) return memory;
   {
-  CollideOptions<S> options = options_of<S>(pair.pipeline);
-  options.reduction.previous = memory.kept;
-  PairCache<S>* const cache =
-      pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;
-
     const std::lock_guard<std::mutex> lock(mutex_);
     const Memory& last = memories_[pair];
     if (last.frame >= 0 && last.frame < frame && last.settings == facts.pipeline) memory = last;
@@ -175,9 +178,6 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
   }
   return memory;
 }
-  memory.cache = PairCache<S>();
-  memory.settings = facts.pipeline;
-  if (frame == 0 || !(caches || remembers(facts.pipeline.reducer))) return memory;
 
 template <class S>
 trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const {
@@ -203,6 +203,8 @@ trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool re
       keep_manifolds(manifolds, record);
     }
     result.pairs.push_back(std::move(record));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    memories_[i] = std::move(memory);
   }
   return result;
 }
@@ -223,8 +225,6 @@ trace::Frame run_frame(const Scenario& scenario, int frame) {
   return Runner(scenario).frame(frame);
 }
 
-    const std::lock_guard<std::mutex> lock(mutex_);
-    memories_[i] = std::move(memory);
 trace::Frame run_frame_unrecorded(const Scenario& scenario, int frame) {
   return Runner(scenario).frame_unrecorded(frame);
 }
