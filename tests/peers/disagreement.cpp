@@ -11,25 +11,38 @@ const char* to_string(Aspect aspect) {
   return kNames[static_cast<int>(aspect)];
 }
 
-void describe(std::ostream& out, const Pose<double>& pose) {
+void describe(std::ostream& out, const Shape<double>& shape, const Pose<double>& pose) {
   const Quatd& q = pose.rotation;
-  out << "  at " << pose.position.transpose() << ", q (w x y z) " << q.w() << ' ' << q.x() << ' '
-      << q.y() << ' ' << q.z() << '\n';
-}
-
-void describe(std::ostream& out, const Hull<double>& hull) {
-  for (const Vec3d& vertex : hull.vertices) out << "    " << vertex.transpose() << '\n';
+  out << "  " << contactscope::to_string(kind_of(shape)) << " at " << pose.position.transpose()
+      << ", q (w x y z) " << q.w() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << '\n';
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+    for (const Vec3d& vertex : hull->vertices) out << "    " << vertex.transpose() << '\n';
+  }
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) {
+    for (const Vec3d& end : capsule->points) out << "    " << end.transpose() << '\n';
+  }
+  if (radius_of(shape) > 0) out << "    radius " << radius_of(shape) << '\n';
 }
 
 }  // namespace
 
 Comparison compare(const test::PairCase<double>& pair, const test::BruteForceAxis& truth,
                    const PeerContact& answer, double tolerance) {
-  Comparison result{pair, truth, answer, tolerance};
+  Comparison result{answer, truth.separation, tolerance, 0, 0, &pair, nullptr};
   if (const PeerPoint* deepest = answer.deepest()) {
     result.reported = -deepest->separation;
     result.overlap = -test::separation_along(deepest->normal.normalized(), pair.a, pair.pose_a,
                                              pair.b, pair.pose_b);
+  }
+  return result;
+}
+
+Comparison compare(const RoundPair& pair, double separation, const PeerContact& answer,
+                   double tolerance) {
+  Comparison result{answer, separation, tolerance, 0, 0, nullptr, &pair};
+  if (const PeerPoint* deepest = answer.deepest()) {
+    result.reported = -deepest->separation;
+    result.overlap = -separation_along(deepest->normal.normalized(), pair);
   }
   return result;
 }
@@ -44,20 +57,22 @@ bool Tally::explain(Aspect aspect, const Comparison& comparison) {
   out.precision(17);
   out << to_string(aspect) << ": depth " << comparison.depth() << ", reported "
       << comparison.reported << " in " << comparison.answer.points.size()
-      << " points, overlap along its normal " << comparison.overlap << "\n  A\n";
-  describe(out, comparison.pair.a);
-  describe(out, comparison.pair.pose_a);
-  out << "  B\n";
-  describe(out, comparison.pair.b);
-  describe(out, comparison.pair.pose_b);
+      << " points, overlap along its normal " << comparison.overlap << '\n';
+  if (comparison.hulls != nullptr) {
+    describe(out, comparison.hulls->a, comparison.hulls->pose_a);
+    describe(out, comparison.hulls->b, comparison.hulls->pose_b);
+  } else {
+    describe(out, comparison.round->a, comparison.round->pose_a);
+    describe(out, comparison.round->b, comparison.round->pose_b);
+  }
   unexplained_ += out.str();
   return false;
 }
 
 void Tally::add(const Comparison& comparison) {
   ++compared_;
-  const bool touching = comparison.truth.separation <= 0;
-  const bool kiss = std::abs(comparison.truth.separation) <= comparison.tolerance;
+  const bool touching = comparison.separation <= 0;
+  const bool kiss = std::abs(comparison.separation) <= comparison.tolerance;
   if (comparison.answer.touching() != touching && !kiss) {
     explain(Aspect::Touching, comparison);
     return;

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "peers/peer.h"
+#include "peers/round_pair.h"
 #include "support/brute_force_sat.h"
 #include "support/pair_case.h"
 
-/// What another library says of two hulls, held against the truth, and why it may differ.
+/// What another library says of two shapes, held against the truth, and why it may differ.
 namespace contactscope::peers {
 
 /// In which respect an answer differs.
@@ -19,18 +20,21 @@ enum class Aspect {
 };
 
 struct Comparison {
-  const test::PairCase<double>& pair;
-  test::BruteForceAxis truth;
   const PeerContact& answer;
-  double tolerance;     // metres: the library's rounding, and where it iterates its stopping rule
-  double overlap = 0;   // along the deepest point's normal; without points 0
-  double reported = 0;  // depth of the deepest point, negative when apart; without points 0
+  double separation;  // the true one, metres
+  double tolerance;   // metres: the library's rounding, and where it iterates its stopping rule
+  double overlap;     // along the deepest point's normal; without points 0
+  double reported;    // depth of the deepest point, negative when apart; without points 0
+  const test::PairCase<double>* hulls = nullptr;  // one of both
+  const RoundPair* round = nullptr;
 
-  double depth() const { return -truth.separation; }
+  double depth() const { return -separation; }
 };
 
 Comparison compare(const test::PairCase<double>& pair, const test::BruteForceAxis& truth,
                    const PeerContact& answer, double tolerance);
+Comparison compare(const RoundPair& pair, double separation, const PeerContact& answer,
+                   double tolerance);
 
 /// A known habit of a library that explains a difference in one aspect.
 struct Rule {

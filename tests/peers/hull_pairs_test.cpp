@@ -99,7 +99,8 @@ Tallies compare_all(const std::vector<PairCase<double>>& pairs) {
     for (std::size_t i = 0; i < tallies.size(); ++i) {
       const PeerContact answer = answer_of(*peers()[i], pair);
       EXPECT_FALSE(answer.failed);
-      tallies[i].add(compare(pair, truth, answer, tolerance_of(*peers()[i], pair)));
+      tallies[i].add(
+          compare(pair, truth, answer, tolerance_of(*peers()[i], test::length_scale(pair))));
     }
   }
   for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -230,7 +231,7 @@ TEST(HullPairs, NoRuleExplainsAWrongAnswer) {
     Tally tally(rules_of(peer, both_boxes(pair)));
     const test::BruteForceAxis truth =
         test::brute_force_sat(pair.a, pair.pose_a, pair.b, pair.pose_b);
-    tally.add(compare(pair, truth, answer, tolerance_of(peer, pair)));
+    tally.add(compare(pair, truth, answer, tolerance_of(peer, test::length_scale(pair))));
     return tally.unexplained();
   };
   for (const Workload workload : {Workload::BoxEdge, Workload::Hull32}) {

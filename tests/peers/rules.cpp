@@ -35,8 +35,8 @@ double face_alignment(const Hull<double>& hull, const Pose<double>& pose, const 
 
 bool is_face_axis(const Comparison& c, const Vec3d& normal) {
   constexpr double kParallel = 1 - 1e-9;
-  return std::max(face_alignment(c.pair.a, c.pair.pose_a, normal),
-                  face_alignment(c.pair.b, c.pair.pose_b, normal)) > kParallel;
+  return std::max(face_alignment(c.hulls->a, c.hulls->pose_a, normal),
+                  face_alignment(c.hulls->b, c.hulls->pose_b, normal)) > kParallel;
 }
 
 bool wins_by_edge_factor(const Comparison& c) {
@@ -67,7 +67,7 @@ bool corner_is_beside(const Hull<double>& box, const Pose<double>& pose,
 bool deepest_corner_is_beside(const Comparison& c) {
   if (c.reported > c.overlap) return false;
   const Vec3d normal = c.answer.deepest()->normal.normalized();
-  const test::PairCase<double>& p = c.pair;
+  const test::PairCase<double>& p = *c.hulls;
   const bool of_a = face_alignment(p.a, p.pose_a, normal) > face_alignment(p.b, p.pose_b, normal);
   return of_a ? corner_is_beside(p.a, p.pose_a, p.b, p.pose_b, normal, c.tolerance)
               : corner_is_beside(p.b, p.pose_b, p.a, p.pose_a, Vec3d(-normal), c.tolerance);
@@ -78,9 +78,9 @@ double sine_of_edges(const Comparison& c, const Vec3d& normal) {
   double best_alignment = 0;
   double sine = 1;
   for (int i = 0; i < 3; ++i) {
-    const Vec3d on_a = c.pair.pose_a.rotate(Vec3d::Unit(i));
+    const Vec3d on_a = c.hulls->pose_a.rotate(Vec3d::Unit(i));
     for (int j = 0; j < 3; ++j) {
-      const Vec3d on_b = c.pair.pose_b.rotate(Vec3d::Unit(j));
+      const Vec3d on_b = c.hulls->pose_b.rotate(Vec3d::Unit(j));
       const Vec3d cross = on_a.cross(on_b);
       const double alignment = std::abs(cross.normalized().dot(normal));
       if (alignment <= best_alignment) continue;
@@ -96,7 +96,7 @@ double sine_of_edges(const Comparison& c, const Vec3d& normal) {
 bool deeper_by_cosine_fudge(const Comparison& c) {
   const Vec3d normal = c.answer.deepest()->normal.normalized();
   if (is_face_axis(c, normal)) return false;
-  const double extents = c.pair.a.vertices[7].sum() + c.pair.b.vertices[7].sum();
+  const double extents = c.hulls->a.vertices[7].sum() + c.hulls->b.vertices[7].sum();
   const double growth = kCosineFudgeSize * extents / sine_of_edges(c, normal);
   return c.reported >= c.overlap && c.reported <= c.overlap + growth + c.tolerance;
 }
@@ -115,7 +115,7 @@ double breaking_threshold(const Hull<double>& hull) {
 }
 
 double breaking_threshold(const Comparison& c) {
-  return std::min(breaking_threshold(c.pair.a), breaking_threshold(c.pair.b));
+  return std::min(breaking_threshold(c.hulls->a), breaking_threshold(c.hulls->b));
 }
 
 /// btPersistentManifold::getCacheEntry: the later of two points that are nearer than the threshold
@@ -123,8 +123,8 @@ double breaking_threshold(const Comparison& c) {
 bool replaced_by_a_neighbour(const Comparison& c) {
   if (c.reported > c.overlap) return false;
   const PeerPoint& point = *c.answer.deepest();
-  const Vec3d corner_a = extreme(c.pair.a, c.pair.pose_a, point.normal);
-  const Vec3d corner_b = extreme(c.pair.b, c.pair.pose_b, Vec3d(-point.normal));
+  const Vec3d corner_a = extreme(c.hulls->a, c.hulls->pose_a, point.normal);
+  const Vec3d corner_b = extreme(c.hulls->b, c.hulls->pose_b, Vec3d(-point.normal));
   const double nearest =
       std::min((corner_a - point.position).norm(), (corner_b - point.position).norm());
   return nearest <= breaking_threshold(c) + c.overlap;
@@ -152,11 +152,12 @@ template <Centre centre>
 bool on_the_way_out(const Comparison& c) {
   if (c.reported < c.depth() - c.tolerance) return false;
   const Vec3d line =
-      c.pair.pose_b.transform(centre(c.pair.b)) - c.pair.pose_a.transform(centre(c.pair.a));
+      c.hulls->pose_b.transform(centre(c.hulls->b)) - c.hulls->pose_a.transform(centre(c.hulls->a));
   if (c.answer.deepest()->normal.dot(line) <= 0) return false;
-  Pose<double> moved = c.pair.pose_b;
+  Pose<double> moved = c.hulls->pose_b;
   moved.position += (c.reported - c.tolerance) * line.normalized();
-  return test::brute_force_sat(c.pair.a, c.pair.pose_a, c.pair.b, moved).separation <= c.tolerance;
+  return test::brute_force_sat(c.hulls->a, c.hulls->pose_a, c.hulls->b, moved).separation <=
+         c.tolerance;
 }
 
 /// A distance from a triangle's corner or edge is less than the overlap along it.
@@ -166,7 +167,7 @@ bool nearest_on_triangle(const Comparison& c) {
 }
 
 bool within_min_distance(const Comparison& c) {
-  return std::abs(c.truth.separation) <= kGjkMinDistance;
+  return std::abs(c.separation) <= kGjkMinDistance;
 }
 
 /// The simplex that EPA starts from is one that GJK took for an overlap.
@@ -208,9 +209,9 @@ double misfit(const Comparison& c) {
   const Vec3d normal = point.normal.normalized();
   const Vec3d half = 0.5 * point.separation * normal;
   const double off = std::min(
-      misfit(c.pair.a, c.pair.pose_a, point.position + half, point.separation, normal),
-      misfit(c.pair.b, c.pair.pose_b, point.position - half, point.separation, Vec3d(-normal)));
-  return (off - c.tolerance) / std::max(c.pair.a.radius, c.pair.b.radius);
+      misfit(c.hulls->a, c.hulls->pose_a, point.position + half, point.separation, normal),
+      misfit(c.hulls->b, c.hulls->pose_b, point.position - half, point.separation, Vec3d(-normal)));
+  return (off - c.tolerance) / std::max(c.hulls->a.radius, c.hulls->b.radius);
 }
 
 /// btPolyhedralContactClipping measures the clipped corners of one hull to the plane of the other's
@@ -266,10 +267,10 @@ std::span<const Rule> rules_of(const Peer& peer, bool boxes) {
   return name == "ODE" ? std::span<const Rule>(kOdeHullRules) : kFclHullRules;
 }
 
-double tolerance_of(const Peer& peer, const test::PairCase<double>& pair) {
-  // Bullet rounds to float some tens of times; libccd stops MPR at steps of a millionth.
-  const double relative = std::max(1e-6, 100 * peer.epsilon());
-  return relative * test::length_scale(pair);
+double tolerance_of(const Peer& peer, double length_scale) {
+  // Bullet rounds to float some tens of times; ODE and FCL stop MPR at steps of a millionth.
+  const double relative = std::max(2e-6, 100 * peer.epsilon());
+  return relative * length_scale;
 }
 
 }  // namespace contactscope::peers

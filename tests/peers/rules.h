@@ -4,7 +4,7 @@
 
 #include "peers/disagreement.h"
 
-/// Why Bullet, ODE and FCL answer differently for two hulls: each rule names a constant or a habit
+/// Why Bullet, ODE and FCL answer differently: each rule names a constant or a habit
 /// of theirs and checks that it accounts for the numbers.
 namespace contactscope::peers {
 
@@ -16,6 +16,7 @@ inline constexpr const char* kMerged =
     "points nearer than the breaking threshold replace each other";
 // Hulls in ODE and FCL.
 inline constexpr const char* kWayOut = "MPR: depth on the way out through the centres";
+inline constexpr const char* kCapsuleAsBox = "a capsule whose axis meets a box counts as a box";
 // Hulls in Bullet.
 inline constexpr const char* kMinDistance = "GJK takes what is nearer than 0.1 mm for overlap";
 inline constexpr const char* kGaveUp = "GJK stops at a degenerate simplex";
@@ -27,7 +28,10 @@ inline constexpr const char* kClamped =
 /// For a library by name; `boxes` for two boxes, else for hulls.
 std::span<const Rule> rules_of(const Peer& peer, bool boxes);
 
-/// Metres. Within it an answer agrees.
-double tolerance_of(const Peer& peer, const test::PairCase<double>& pair);
+/// For spheres and capsules, with each other or with hulls.
+std::span<const Rule> round_rules_of(const Peer& peer);
+
+/// Metres, for a pair of this extent. Within it an answer agrees.
+double tolerance_of(const Peer& peer, double length_scale);
 
 }  // namespace contactscope::peers

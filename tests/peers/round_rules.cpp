@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "geometry/primitives.h"
+#include "peers/rules.h"
+#include "support/brute_force_sat.h"
+
+namespace contactscope::peers {
+namespace {
+
+// btGjkEpa2.cpp, in single precision. EPA on cores that overlap stops at
+// a gain of EPA_ACCURACY or where a face is too thin for float, which leaves about ten times that.
+constexpr double kEpaMetres = 15e-4;
+constexpr double kGjkMinDistance = 1e-4;
+
+Vec3d centroid(const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  return hull == nullptr ? Vec3d::Zero() : hull->centroid;
+}
+
+Vec3d mean_of_vertices(const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  if (hull == nullptr) return Vec3d::Zero();
+  Vec3d sum = Vec3d::Zero();
+  for (const Vec3d& vertex : hull->vertices) sum += vertex;
+  return sum / hull->vertex_count();
+}
+
+using Centre = Vec3d (*)(const Shape<double>&);
+
+/// As for hulls in rules.cpp: at least the least depth, at most the way out through the centres.
+template <Centre centre>
+bool on_the_way_out(const Comparison& c) {
+  if (c.reported < c.depth() - c.tolerance) return false;
+  RoundPair moved = *c.round;
+  const Vec3d line =
+      moved.pose_b.transform(centre(moved.b)) - moved.pose_a.transform(centre(moved.a));
+  if (c.answer.deepest()->normal.dot(line) <= 0) return false;
+  moved.pose_b.position += (c.reported - c.tolerance) * line.normalized();
+  return separation_by_exhaustion(moved) <= c.tolerance;
+}
+
+template <Centre centre>
+bool nearest_on_triangle(const Comparison& c) {
+  return c.reported <= c.overlap && on_the_way_out<centre>(c);
+}
+
+/// dCollideCapsuleBox: where the axis meets the box, dBoxBox for the box around the capsule, with
+/// its factor for edges. That box is the larger shape, so the depth is no less.
+bool counted_as_a_box(const Comparison& c) {
+  const auto* capsule = std::get_if<Capsule<double>>(&c.round->a);
+  const auto* box = std::get_if<Hull<double>>(&c.round->b);
+  if (capsule == nullptr || box == nullptr) return false;
+  if (!std::holds_alternative<Box>(shape_of(*box)) || c.depth() < capsule->radius) return false;
+  const Vec3d end = capsule->points[1].cwiseAbs();
+  const Hull<double> around = make_box(end + Vec3d::Constant(capsule->radius));
+  const test::BruteForceAxis boxes =
+      test::brute_force_sat(around, c.round->pose_a, *box, c.round->pose_b);
+  const Vec3d normal = c.answer.deepest()->normal.normalized();
+  const double along =
+      -test::separation_along(normal, around, c.round->pose_a, *box, c.round->pose_b);
+  const double most = -1.05 * boxes.separation + c.tolerance;
+  return along <= most && c.reported <= most && c.reported >= c.depth() - c.tolerance;
+}
+
+double off(const Comparison& c) {
+  return std::max(std::abs(c.overlap - c.depth()), std::abs(c.reported - c.overlap));
+}
+
+bool cores_overlap(const Comparison& c) {
+  return c.depth() >= radius_of(c.round->a) + radius_of(c.round->b) - kGjkMinDistance;
+}
+
+bool within_epa_accuracy(const Comparison& c) {
+  return cores_overlap(c) && off(c) <= kEpaMetres;
+}
+
+constexpr Rule kBulletRules[] = {
+    {Aspect::Normal, kEpaAccuracy, within_epa_accuracy},
+    {Aspect::Depth, kEpaAccuracy, within_epa_accuracy},
+};
+
+constexpr Rule kOdeRules[] = {
+    {Aspect::Normal, kWayOut, on_the_way_out<centroid>},
+    {Aspect::Depth, kWayOut, nearest_on_triangle<centroid>},
+    {Aspect::Normal, kCapsuleAsBox, counted_as_a_box},
+    {Aspect::Depth, kCapsuleAsBox, counted_as_a_box},
+};
+
+constexpr Rule kFclRules[] = {
+    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
+    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+};
+
+}  // namespace
+
+std::span<const Rule> round_rules_of(const Peer& peer) {
+  const std::string_view name = peer.name();
+  if (name == "Bullet") return kBulletRules;
+  return name == "ODE" ? std::span<const Rule>(kOdeRules) : kFclRules;
+}
+
+}  // namespace contactscope::peers
