@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <ranges>
 
 #include "core/convex_polygon.h"
 #include "draw/choice_steps.h"
@@ -18,6 +19,7 @@ constexpr double kGap = 14;          // between cells
 constexpr double kName = 15;         // size of a cell's heading
 constexpr double kNumber = 14;       // size of the numbers beneath
 constexpr double kNumberRow = 17;    // height of a row of numbers
+constexpr double kRowGap = 6;        // between the left and the right of a row
 constexpr double kReserve = 20;      // around the patch in a map, for rings and digits
 constexpr double kMostStrip = 30;    // height of the strip of ids
 constexpr double kStripRow = 4;      // of one id, where there is room
@@ -76,15 +78,42 @@ void ContactCells::fit(int width, int height) {
   const float scale = interface_scale(width, height);
   std::vector<float> widths;
   for (const LegendEntry& entry : legend()) widths.push_back(legend_entry_width(entry, scale));
-  for (bool Detail::*given_up : {&Detail::strip, &Detail::rows, &Detail::legend, &Detail::names}) {
+  const auto arranged = [&] {
     layout_ = make_layout(width, height, false, {widths});
     grid_ = best_grid();
-    if (grid_.map_height >= layout_.px(kLeastMap)) return;
+    return grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width();
+  };
+  for (bool Detail::*given_up :
+       {&Detail::row_ends, &Detail::whole_rows, &Detail::strip, &Detail::all_rows, &Detail::rows,
+        &Detail::legend, &Detail::names}) {
+    if (arranged()) return;
     detail_.*given_up = false;
     if (!detail_.legend) widths.clear();
   }
-  layout_ = make_layout(width, height, false, {widths});
-  grid_ = best_grid();
+  arranged();
+}
+
+std::vector<std::string> ContactCells::left_out() const {
+  std::vector<std::string> list;
+  const bool has_rows = choices_ == 0 && std::ranges::any_of(moments_, [](const auto& moment) {
+                          return std::ranges::any_of(
+                              moment.cells, [](const auto& cell) { return !cell.rows.empty(); });
+                        });
+  if (has_rows && !detail_.rows) {
+    list.emplace_back("the numbers");
+  } else if (has_rows && !detail_.all_rows) {
+    list.emplace_back("all numbers but the first");
+  } else if (has_rows && !detail_.whole_rows) {
+    list.emplace_back("parts of the numbers");
+  } else if (has_row_ends() && choices_ == 0 && !detail_.row_ends) {
+    list.emplace_back("the numbers on the right");
+  }
+  if (!detail_.strip && moments_.size() > 1 && choices_ == 0) {
+    list.emplace_back("the ids over time");
+  }
+  if (!detail_.legend) list.emplace_back("the legend");
+  if (!detail_.names && cell_count() > 1) list.emplace_back("the names");
+  return list;
 }
 
 /// Axes, middle and extent of all patches of the sequence. Seen from above where there is an above,
@@ -136,7 +165,41 @@ std::size_t ContactCells::row_count() const {
   for (const ContactMoment& moment : moments_) {
     for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
   }
-  return most;
+  return detail_.all_rows ? most : std::min<std::size_t>(most, 1);
+}
+
+bool ContactCells::has_row_ends() const {
+  return std::ranges::any_of(moments_, [](const ContactMoment& moment) {
+    return std::ranges::any_of(moment.cells, [](const ContactCell& cell) {
+      return std::ranges::any_of(cell.rows,
+                                 [](const ContactCell::Row& row) { return !row.right.empty(); });
+    });
+  });
+}
+
+/// What of a row there is room for on the left.
+std::string ContactCells::left_of(const ContactCell::Row& row) const {
+  return detail_.whole_rows || row.brief.empty() ? row.left : row.brief;
+}
+
+/// Width that the widest row of any cell needs, pixels.
+double ContactCells::row_width() const {
+  const std::size_t count = row_count();
+  const float size = layout_.px(kNumber);
+  double widest = 0;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const ContactCell::Row& row : cell.rows | std::views::take(count)) {
+        const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
+        double width = text_width(left_of(row), size, weight);
+        if (detail_.row_ends && !row.right.empty()) {
+          width += layout_.px(kRowGap) + text_width(row.right, size, FontWeight::Regular);
+        }
+        widest = std::max(widest, width);
+      }
+    }
+  }
+  return widest;
 }
 
 double ContactCells::name_height() const {
@@ -148,10 +211,12 @@ double ContactCells::furniture() const {
   return name_height() + strip_height() + kNumberRow * static_cast<double>(row_count());
 }
 
-/// The number of columns that draws the patch largest.
+/// The number of columns that draws the patch largest, of those with room for the rows if there are
+/// such.
 ContactCells::Grid ContactCells::best_grid() const {
   const double gap = layout_.px(kGap);
   const double reserve = layout_.px(2 * kReserve);
+  const double needed = row_width();
   Grid best;
   best.pixels_per_metre = 0;
   const int count = static_cast<int>(cell_count());
@@ -166,7 +231,10 @@ ContactCells::Grid ContactCells::best_grid() const {
     if (grid.cell_width <= reserve || grid.map_height <= reserve) continue;
     grid.pixels_per_metre =
         std::min((grid.cell_width - reserve) / extent_u_, (grid.map_height - reserve) / extent_v_);
-    if (grid.pixels_per_metre > best.pixels_per_metre) best = grid;
+    const bool fits = grid.cell_width >= needed;
+    const bool best_fits = best.cell_width >= needed;
+    const bool is_larger = grid.pixels_per_metre > best.pixels_per_metre;
+    if (fits == best_fits ? is_larger : fits) best = grid;
   }
   // No room at all: what a canvas this small shows is a dot in each cell.
   if (best.pixels_per_metre <= 0) {
@@ -324,19 +392,18 @@ void ContactCells::draw_points(const std::vector<Point2>& places, const ContactC
 
 void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const {
   double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
-  for (const ContactCell::Row& row : cell.rows) {
+  const float size = layout_.px(kNumber);
+  for (const ContactCell::Row& row : cell.rows | std::views::take(row_count())) {
     const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
-    const float size = layout_.px(kNumber);
-    const auto width = static_cast<float>(rect.width);
-    const float left_width = text_width(row.left, size, weight);
-    drawing.primitives.push_back(written(fitted(row.left, size, weight, width), rect.x, baseline,
-                                         size, row.strong ? Weight::Bold : Weight::Regular, kText));
-    Text right =
-        written(row.right, rect.x + rect.width, baseline, size, Weight::Regular, kQuietText);
-    right.align = Align::Right;
-    const float right_width = text_width(row.right, size, FontWeight::Regular);
-    const bool fits = left_width + layout_.px(6) + right_width <= width;
-    if (!row.right.empty() && fits) drawing.primitives.push_back(right);
+    drawing.primitives.push_back(
+        written(fitted(left_of(row), size, weight, static_cast<float>(rect.width)), rect.x,
+                baseline, size, row.strong ? Weight::Bold : Weight::Regular, kText));
+    if (detail_.row_ends && !row.right.empty()) {
+      Text right =
+          written(row.right, rect.x + rect.width, baseline, size, Weight::Regular, kQuietText);
+      right.align = Align::Right;
+      drawing.primitives.push_back(right);
+    }
     baseline += layout_.px(kNumberRow);
   }
 }

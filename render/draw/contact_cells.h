@@ -16,7 +16,8 @@ struct ContactCell {
   /// A line of text beneath the map.
   struct Row {
     std::string left;
-    std::string right;  // quieter
+    std::string right;  // quieter; left out where there is no room
+    std::string brief;  // what stands for both where there is none for `left`
     bool strong = false;
   };
 
@@ -48,8 +49,9 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
 /// Small multiples: the contact plane of each cell at the same scale and place in all cells and all
 /// frames. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
 /// the best polygon dashed, and the rows beneath; for a sequence also a strip of which ids are kept
-/// over time, one row an id. On a canvas too small for all of it the strip is left out first, then
-/// the rows, the legend and the names. Where nothing touches in any frame, a line says so.
+/// over time, one row an id. On a canvas too small for all of it, all cells alike leave out the
+/// right of their rows, then the rest of them but their brief form, the strip, all rows but the first,
+/// that as well, the legend and the names. Where nothing touches in any frame, a line says so.
 class ContactCells {
  public:
   /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
@@ -63,6 +65,9 @@ class ContactCells {
   /// The picture of the moment with this frame number.
   Drawing frame(int number) const;
 
+  /// What the canvas had no room for, in words: "the legend". Empty where all is shown.
+  std::vector<std::string> left_out() const;
+
  private:
   struct Grid {
     int columns = 1;
@@ -73,7 +78,8 @@ class ContactCells {
 
   /// What beside the maps there is room for.
   struct Detail {
-    bool strip = true, rows = true, legend = true, names = true;
+    bool row_ends = true, whole_rows = true, strip = true, all_rows = true, rows = true;
+    bool legend = true, names = true;
   };
 
   void fit(int width, int height);
@@ -82,6 +88,9 @@ class ContactCells {
   double furniture() const;
   double strip_height() const;
   std::size_t row_count() const;
+  bool has_row_ends() const;
+  std::string left_of(const ContactCell::Row& row) const;
+  double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   Rect cell_rect(std::size_t cell) const;
@@ -102,7 +111,7 @@ class ContactCells {
   Vec3d center_ = Vec3d::Zero();
   double extent_u_ = 1, extent_v_ = 1;  // metres that the sequence fills
   std::vector<std::string> ids_;        // in order of appearance
-  Detail detail_;
+  Detail detail_;                       // what is shown, of what there is
   Grid grid_;
 };
 

@@ -26,24 +26,28 @@ std::string spelled(const char* format, Values... values) {
 
 std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
   std::vector<ContactCell::Row> rows;
-  rows.push_back({"area " + percent(answer.area_ratio),
-                  answer.median ? spelled("%.0f ns", *answer.median) : "", false});
-  rows.push_back({answer.wrench_error > 1e-6
-                      ? spelled("moments −%.1f %%", 100 * answer.wrench_error)
-                      : "moments whole",
-                  "", false});
+  const std::string area = "area " + percent(answer.area_ratio);
+  rows.push_back({area, answer.median ? spelled("%.0f ns", *answer.median) : "", area, false});
+  if (answer.wrench_error > 1e-6) {
+    const double lost = 100 * answer.wrench_error;
+    rows.push_back({spelled("moments −%.1f %%", lost), "", spelled("mom. −%.0f %%", lost), false});
+  } else {
+    rows.push_back({"moments whole", "", "mom. whole", false});
+  }
   std::string verdict = answer.deepest_kept ? "deepest kept" : "deepest lost";
   if (!answer.supports_center_of_mass) verdict += ", tips over";
-  rows.push_back({verdict, "", !answer.deepest_kept || !answer.supports_center_of_mass});
+  std::string brief = verdict;
+  if (!answer.supports_center_of_mass) brief = brief.substr(brief.find(' ') + 1);
+  rows.push_back({verdict, "", brief, !answer.deepest_kept || !answer.supports_center_of_mass});
   return rows;
 }
 
 std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   std::vector<ContactCell::Row> rows;
   const bool has_best = reduction.best_area > 0;
-  rows.push_back({"area " + spell_area(reduction.area) +
-                      (has_best ? ", " + percent(reduction.area / reduction.best_area) : ""),
-                  "", false});
+  const std::string area = spell_area(reduction.area);
+  const std::string share = has_best ? percent(reduction.area / reduction.best_area) : area;
+  rows.push_back({"area " + area + (has_best ? ", " + share : ""), "", "area " + share, false});
   double deepest = 0;
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   double kept = 0;
@@ -53,7 +57,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   const bool has_deepest = kept == deepest;
   rows.push_back({has_deepest ? "deepest kept, " + spell_length(deepest)
                               : "deepest lost by " + spell_length(kept - deepest),
-                  "", !has_deepest});
+                  "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest});
   return rows;
 }
 

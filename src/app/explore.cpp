@@ -90,12 +90,14 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
   const std::vector<std::vector<trace::Exploration>> pairs = by_pair(explorations);
   Studio studio(options.backend, ledger);
   EncoderPool encoders(options.jobs);
+  std::vector<std::string> left_out;
   {
     Progress progress(static_cast<int>(explorations.size()), options.quiet);
     for (const std::vector<trace::Exploration>& pair : pairs) {
       const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
                                      draw::explored(pair, order_of(pair)), 0, size.width,
                                      size.height);
+      left_out = cells.left_out();
       const std::filesystem::path folder = folder_of(options, pair.front(), pairs.size() > 1);
       std::filesystem::create_directories(folder);
       for (std::size_t i = 0; i < pair.size(); ++i) {
@@ -110,6 +112,13 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
   if (!options.quiet) {
     std::cerr << explorations.size() << (explorations.size() == 1 ? " picture" : " pictures")
               << " in " << folder_of(options, explorations.front(), false).string() << '\n';
+    if (!left_out.empty()) {
+      std::cerr << size.width << 'x' << size.height << " leaves out ";
+      for (const std::string& what : left_out) {
+        std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
+      }
+      std::cerr << "; a larger --size has room for it\n";
+    }
   }
 }
 

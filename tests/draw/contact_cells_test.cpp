@@ -38,9 +38,9 @@ ContactCell cell_of(const std::string& name, std::vector<trace::Point> points) {
   } else {
     for (int i = 0; i < static_cast<int>(cell.points.size()); ++i) cell.kept.push_back(i);
   }
-  cell.rows = {{"area 99.954 %", "1234 ns", false},
-               {"moments −12.3 %", "", false},
-               {"deepest lost, tips over", "", true}};
+  cell.rows = {{"area 99.954 %", "1234 ns", "area 99.954 %", false},
+               {"moments −12.3 %", "", "mom. −12 %", false},
+               {"deepest lost, tips over", "", "lost, tips over", true}};
   return cell;
 }
 
@@ -162,6 +162,53 @@ TEST(ContactCells, HoldEachOtherApart) {
               << width << " wide, " << cells << " cells: " << list[i].text << " on "
               << list[j].text;
         }
+      }
+    }
+  }
+}
+
+TEST(ContactCells, HaveRowsThatAreLegibleOrNone) {
+  for (const auto& [width, height] :
+       {std::pair{160, 90}, {320, 180}, {480, 270}, {640, 360}, {960, 540}, {1280, 720}}) {
+    for (const int cells : {1, 2, 3, 7, 12, 19, 40}) {
+      for (const int frames : {1, 60}) {
+        const std::vector<ContactMoment> moments = moments_of(cells, frames);
+        const ContactCells picture("Title", "Source", "y", moments, 0, width, height);
+        std::vector<std::string> rows;
+        for (const Text& text : all<Text>(picture.frame(0))) {
+          for (const char* part : {"area", "mom", "dee", "lost,", "1234"}) {
+            if (text.text.starts_with(part)) rows.push_back(text.text);
+          }
+        }
+        // All cells alike, and nothing cut short.
+        const auto count = [&](const char* row) { return std::ranges::count(rows, row); };
+        const auto each = static_cast<long>(cells);
+        const std::string where = std::to_string(width) + " wide, " + std::to_string(cells) +
+                                  " cells, " + std::to_string(frames) + " frames";
+        const std::vector<std::string> out = picture.left_out();
+        if (std::ranges::count(out, "the numbers") > 0) {
+          EXPECT_TRUE(rows.empty()) << where;
+        } else if (std::ranges::count(out, "all numbers but the first") > 0) {
+          EXPECT_EQ(count("area 99.954 %"), each) << where;
+          EXPECT_EQ(rows.size(), static_cast<std::size_t>(cells)) << where;
+        } else if (std::ranges::count(out, "parts of the numbers") > 0) {
+          EXPECT_EQ(count("area 99.954 %"), each) << where;
+          EXPECT_EQ(count("mom. −12 %"), each) << where;
+          EXPECT_EQ(count("lost, tips over"), each) << where;
+          EXPECT_EQ(rows.size(), 3 * static_cast<std::size_t>(cells)) << where;
+        } else {
+          const bool has_ends = std::ranges::count(out, "the numbers on the right") == 0;
+          EXPECT_EQ(count("area 99.954 %"), each) << where;
+          EXPECT_EQ(count("moments −12.3 %"), each) << where;
+          EXPECT_EQ(count("deepest lost, tips over"), each) << where;
+          EXPECT_EQ(count("1234 ns"), has_ends ? each : 0) << where;
+        }
+        if (width >= 1280 && cells <= 19) {
+          EXPECT_THAT(out, testing::IsEmpty()) << where;
+        }
+        EXPECT_EQ(std::ranges::count(words(picture.frame(0)), "lost area") == 0,
+                  std::ranges::count(out, "the legend") > 0)
+            << where;
       }
     }
   }
