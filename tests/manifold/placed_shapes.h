@@ -120,7 +120,7 @@ template <class F>
 double least_by_search(const F& f) {
   double low = 0;
   double high = 1;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 80; ++i) {  // to 1e-14 of the interval
     const double third = (high - low) / 3;
     if (f(low + third) <= f(high - third)) {
       high -= third;
