@@ -9,7 +9,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMargin = 0.28;     // around the shapes, of their larger extent in the plane
+constexpr double kMargin = 0.16;     // around the shapes, of their larger extent in the plane
 constexpr double kTickSpacing = 15;  // pixels at 720 lines
 constexpr double kTickLength = 12;
 
@@ -65,16 +65,23 @@ void fit_patches(const trace::Header& header, const std::vector<trace::Frame>& f
   }
 }
 
+std::vector<Vec3d> patch_corners(const PlacedShape& plane) {
+  const PlanePatch& patch = *plane.mesh->patch;
+  std::vector<Vec3d> corners;
+  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    corners.push_back(plane.pose.transform(patch.center + u * patch.half_u * patch.u +
+                                           v * patch.half_v * patch.v));
+  }
+  return corners;
+}
+
 void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   if (!shape.mesh->patch) return;
   const PlanePatch& patch = *shape.mesh->patch;
   const Camera& camera = scene.camera;
   const Vec3d normal = shape.pose.rotate(shape.mesh->shape->half_space->normal);
+  const std::vector<Vec3d> corners = patch_corners(shape);
   const Vec3d center = shape.pose.transform(patch.center);
-  const Vec3d u = patch.half_u * shape.pose.rotate(patch.u);
-  const Vec3d v = patch.half_v * shape.pose.rotate(patch.v);
-  const std::vector<Vec3d> corners = {center - u - v, center + u - v, center + u + v,
-                                      center - u + v};
   const bool outside = camera.faces(center, normal);
   if (outside) {
     sketch.occluders.push_back(corners);

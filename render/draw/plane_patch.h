@@ -12,6 +12,9 @@ namespace contactscope::draw {
 void fit_patches(const trace::Header& header, const std::vector<trace::Frame>& frames,
                  std::vector<ShapeMesh>& meshes);
 
+/// World; `plane` has a patch.
+std::vector<Vec3d> patch_corners(const PlacedShape& plane);
+
 /// The rectangle, its border, and ticks that hang into the solid from the borders that face the
 /// viewer: the sign for solid ground. Seen from inside of the solid, only the border.
 void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch);

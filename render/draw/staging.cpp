@@ -12,13 +12,12 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFieldOfView = 30;    // degrees; stronger perspective would bend right angles
-constexpr double kElevation = 30;      // degrees above the contact plane
-constexpr double kPatchShare = 0.46;   // of the view's smaller side
-constexpr double kShapesShare = 0.92;  // of the view, when all shapes are to be seen
-constexpr double kLeastShapes = 0.72;  // of the distance from which all shapes are seen
-constexpr double kLeastRound =
-    0.92;  // the same where a shape is round: it has no edges to be known by
+constexpr double kFieldOfView = 30;       // degrees; stronger perspective would bend right angles
+constexpr double kElevation = 30;         // degrees above the contact plane
+constexpr double kPatchShare = 0.46;      // of the view's smaller side
+constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
+constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
+constexpr double kLeastWhole = 0.92;      // the same for round shapes and planes
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
@@ -39,7 +38,7 @@ Vec3d default_direction(const trace::Header& header) {
 
 struct Subject {
   std::vector<Vec3d> points;
-  Vec3d normal = Vec3d::Zero();  // of the contact; zero when there is none
+  Vec3d normal = Vec3d::Zero();  // of the contact, to the viewer's side; zero when there is none
 };
 
 Vec3d center_of(const std::vector<Vec3d>& points) {
@@ -51,14 +50,27 @@ Vec3d center_of(const std::vector<Vec3d>& points) {
   return 0.5 * (low + high);
 }
 
+// The contact's normal, to the side from which it is looked at; either one, unless a half-space
+// would then hide everything.
+Vec3d seen_side(const std::vector<ShapeMesh>& meshes, const trace::Frame& frame,
+                const trace::Pair& pair, const trace::Manifold& manifold, const Vec3d& usual) {
+  for (const PlacedShape& shape : place_shapes(meshes, frame)) {
+    const std::string& name = shape.mesh->shape->name;
+    if ((name != pair.a && name != pair.b) || !shape.mesh->shape->half_space) continue;
+    return shape.pose.rotate(shape.mesh->shape->half_space->normal);
+  }
+  return manifold.normal.dot(usual) < 0 ? Vec3d(-manifold.normal) : manifold.normal;
+}
+
 Subject contact_patches(const std::vector<trace::Frame>& frames,
-                        const std::vector<ShapeMesh>& meshes) {
+                        const std::vector<ShapeMesh>& meshes, const Vec3d& usual) {
   Subject subject;
   std::vector<Vec3d>& points = subject.points;
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
       for (const trace::Manifold& manifold : pair.manifolds) {
-        if (subject.normal.isZero()) subject.normal = manifold.normal;
+        if (subject.normal.isZero())
+          subject.normal = seen_side(meshes, frame, pair, manifold, usual);
         for (const trace::Point& point : manifold.points) points.push_back(point.position);
       }
       if (pair.reduction) {
@@ -86,16 +98,22 @@ Subject contact_patches(const std::vector<trace::Frame>& frames,
 Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
   Subject subject;
   for (const trace::Frame& frame : frames) {
-    const std::vector<Vec3d> points = extent_points(place_shapes(meshes, frame));
-    subject.points.insert(subject.points.end(), points.begin(), points.end());
+    const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
+    const auto add = [&](const std::vector<Vec3d>& points) {
+      subject.points.insert(subject.points.end(), points.begin(), points.end());
+    };
+    add(extent_points(placed));
+    for (const PlacedShape& shape : placed) {
+      if (shape.mesh->patch) add(patch_corners(shape));
+    }
   }
   return subject;
 }
 
-Vec3d viewing_direction(const trace::Header& header, const Vec3d& contact_normal) {
+// Above the contact plane on the side of `normal`.
+Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   const Vec3d usual = default_direction(header);
-  if (contact_normal.isZero()) return usual;
-  const Vec3d normal = contact_normal.dot(usual) < 0 ? Vec3d(-contact_normal) : contact_normal;
+  if (normal.isZero()) return usual;
   Vec3d along = usual - usual.dot(normal) * normal;
   along = along.norm() > 1e-3 ? Vec3d(along.normalized()) : any_perpendicular(normal);
   return std::cos(radians(kElevation)) * along + std::sin(radians(kElevation)) * normal;
@@ -150,7 +168,7 @@ Fit fit(const std::vector<Vec3d>& points, const Frame3& axes, const std::optiona
 Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& frames,
                   const std::vector<ShapeMesh>& meshes, const View& view, const Rect& viewport) {
   const Subject everything = all_shapes(frames, meshes);
-  const Subject contact = contact_patches(frames, meshes);
+  const Subject contact = contact_patches(frames, meshes, default_direction(header));
   const double fov = radians(view.fov_degrees.value_or(kFieldOfView));
   const double half_height = std::tan(0.5 * fov);
   const double aspect = viewport.width / viewport.height;
@@ -166,9 +184,9 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
     const Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
     // Not so near that the shapes are lost.
     if (close.distance < best.distance) {
-      const bool is_round =
-          std::ranges::any_of(meshes, [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; });
-      const double least = (is_round ? kLeastRound : kLeastShapes) * best.distance;
+      const bool whole = std::ranges::any_of(
+          meshes, [](const ShapeMesh& mesh) { return mesh.shape->radius > 0 || mesh.patch; });
+      const double least = (whole ? kLeastWhole : kLeastShapes) * best.distance;
       best = {close.target, std::max(close.distance, least)};
     }
   }

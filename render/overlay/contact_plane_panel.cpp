@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,18 @@ const trace::Pair* shown_pair(const trace::Frame& frame) {
   return nullptr;
 }
 
+// Shapes of the pair that are round, in one frame: their outline along the normal is context for
+// one or two points, which have no extent of their own.
+std::vector<draw::PlacedShape> round_shapes(const PanelFacts& facts, const trace::Frame& frame,
+                                            const trace::Pair& pair) {
+  std::vector<draw::PlacedShape> placed = draw::place_shapes(facts.staging.meshes, frame);
+  std::erase_if(placed, [&](const draw::PlacedShape& shape) {
+    const trace::Shape& solid = *shape.mesh->shape;
+    return solid.radius == 0 || (solid.name != pair.a && solid.name != pair.b);
+  });
+  return placed;
+}
+
 // What must be seen whole: the patch and the incident face. The reference face may be a whole
 // floor, and is cut off at the map's border.
 std::vector<Vec3d> patch_points(const trace::Pair& pair) {
@@ -66,7 +79,21 @@ class Map {
     for (const trace::Frame& frame : facts.frames) {
       const trace::Pair* pair = shown_pair(frame);
       if (pair == nullptr) continue;
-      for (const Vec3d& point : patch_points(*pair)) {
+      std::vector<Vec3d> points = patch_points(*pair);
+      // The smaller round shape; a larger one is cut off like a floor.
+      const std::vector<draw::PlacedShape> round = round_shapes(facts, frame, *pair);
+      const auto smallest = std::ranges::min_element(
+          round, {}, [](const draw::PlacedShape& shape) { return shape.mesh->radius; });
+      if (smallest != round.end()) {
+        const double radius = smallest->mesh->shape->radius;
+        for (const Vec3d& center : smallest->vertices) {
+          for (const Vec3d& side : {plane.u, plane.v}) {
+            points.push_back(center + radius * side);
+            points.push_back(center - radius * side);
+          }
+        }
+      }
+      for (const Vec3d& point : points) {
         const std::array<double, 2> at = plane.map(point);
         for (std::size_t k = 0; k < 2; ++k) {
           low[k] = std::min(low[k], at[k]);
@@ -121,6 +148,28 @@ class PlanePainter {
     for (std::size_t i = 0; i < points.size(); ++i) {
       dashes(points[i], points[(i + 1) % points.size()], color, width);
     }
+  }
+
+  // A sphere or capsule seen along the normal, and its core.
+  void outline(const draw::PlacedShape& shape) {
+    const std::vector<Vec3d>& core = shape.vertices;
+    const float radius = map_.pixels_per_metre() * static_cast<float>(shape.mesh->shape->radius);
+    const ImVec2 first = map_.at(core.front()), last = map_.at(core.back());
+    constexpr int kSteps = 96;
+    std::vector<ImVec2> points;
+    for (int i = 0; i < kSteps; ++i) {
+      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSteps;
+      const ImVec2 out{std::cos(angle), std::sin(angle)};
+      const bool at_first =
+          out.x * (first.x - last.x) + out.y * (first.y - last.y) > 0 || core.size() == 1;
+      const ImVec2& end = at_first ? first : last;
+      points.push_back({end.x + radius * out.x, end.y + radius * out.y});
+    }
+    const draw::Color& color = shape.is_a ? draw::kShapeA : draw::kShapeB;
+    list_->AddConvexPolyFilled(points.data(), kSteps, packed(draw::with_alpha(color, 0.55f)));
+    list_->AddPolyline(points.data(), kSteps, packed(draw::with_alpha(draw::kShapeEdge, 0.5f)),
+                       ImDrawFlags_Closed, 1.5f * px_);
+    if (core.size() == 2) dashes(first, last, draw::with_alpha(draw::kShapeEdge, 0.5f), 1);
   }
 
   void cross(const Vec3d& at) {
@@ -211,7 +260,10 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
   PlanePainter paint(map, scale);
   ImGui::GetWindowDrawList()->PushClipRect(corner, {corner.x + width, corner.y + map_height - line},
                                            true);
-  if (pair->clip) {
+  for (const draw::PlacedShape& shape : round_shapes(facts, facts.frames[facts.current], *pair)) {
+    paint.outline(shape);
+  }
+  if (pair->clip && pair->manifolds.size() == 1) {
     const trace::Clip& clip = *pair->clip;
     paint.polygon(clip.reference.polygon, draw::kReferenceFace, 0.18f, 2.5f, false);
     paint.polygon(clip.incident.polygon, draw::kIncidentFace, 0.18f, 2.5f, true);
@@ -225,7 +277,16 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
   for (const trace::Point& p : manifold.points) middle += p.position;
   middle /= static_cast<double>(std::max<std::size_t>(1, manifold.points.size()));
   std::string caption;
-  if (pair->reduction) {
+  if (pair->manifolds.size() > 1) {
+    // Each was reduced by itself, and the record holds one of these reductions.
+    std::size_t points = 0;
+    for (const trace::Manifold& one : pair->manifolds) {
+      for (const trace::Point& p : one.points) paint.dot(p.position);
+      points += one.points.size();
+    }
+    caption = std::to_string(points) + " points in " + std::to_string(pair->manifolds.size()) +
+              " manifolds";
+  } else if (pair->reduction && (pair->reduction->points.size() > 2 || pair->kind == "hull-hull")) {
     const trace::Reduction& reduction = *pair->reduction;
     const bool fewer = reduction.kept.size() < reduction.points.size();
     for (std::size_t i = 0; i < reduction.points.size(); ++i) {
@@ -253,6 +314,10 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
     for (const trace::Point& p : manifold.points) paint.dot(p.position);
     caption = std::to_string(manifold.points.size()) +
               (manifold.points.size() == 1 ? " point, no area" : " points");
+    if (manifold.points.size() == 2) {
+      const Vec3d apart = manifold.points[1].position - manifold.points[0].position;
+      caption += ", " + draw::spell_length(apart.norm()) + " apart";
+    }
   }
   ImGui::GetWindowDrawList()->PopClipRect();
   scale_bar(map, {corner.x, corner.y + map_height - 0.2f * line}, width, scale);

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -14,6 +15,9 @@
 namespace contactscope::overlay {
 namespace {
 
+// Of two hulls that touch.
+constexpr std::size_t kUsualRows = 5;
+
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 std::string spoken(const std::string& axis) {
@@ -23,10 +27,28 @@ std::string spoken(const std::string& axis) {
   return axis;
 }
 
+// "point-face", or of a mesh's many manifolds each type once.
+std::string types_of(const trace::Pair& pair) {
+  std::vector<std::string> types;
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (std::ranges::find(types, manifold.type) == types.end()) types.push_back(manifold.type);
+  }
+  std::string text;
+  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + type;
+  return text;
+}
+
+std::string answered(const std::string& answer) {
+  return answer == "skip" ? "no contact made" : "fallback";
+}
+
 std::string counted(const trace::Pair& pair) {
   std::size_t kept = 0;
   for (const trace::Manifold& manifold : pair.manifolds) kept += manifold.points.size();
   std::string text = std::to_string(kept);
+  if (pair.manifolds.size() > 1) {
+    return text + " in " + std::to_string(pair.manifolds.size()) + " manifolds";
+  }
   if (pair.reduction && pair.reduction->points.size() > kept) {
     text +=
         " of " + std::to_string(pair.reduction->points.size()) + ", by " + pair.reduction->method;
@@ -39,9 +61,16 @@ Rows rows_of(const trace::Pair& pair) {
   rows.emplace_back("pair", pair.kind);
   rows.emplace_back("state", pair.state);
   if (pair.sat) rows.emplace_back("axis", spoken(pair.sat->chosen));
+  // Of two hulls the axis says it.
+  const bool touching = !pair.manifolds.empty();
+  if (touching && pair.kind != "hull-hull") rows.emplace_back("contact", types_of(pair));
   rows.emplace_back(pair.state == "separated" ? "gap" : "separation",
                     draw::spell_length(pair.separation));
   if (pair.state != "separated") rows.emplace_back("points", counted(pair));
+  if (pair.degenerate) {
+    rows.emplace_back("no normal",
+                      pair.degenerate->geometry + "; " + answered(pair.degenerate->answer));
+  }
   return rows;
 }
 
@@ -57,6 +86,11 @@ Rows time_rows(const PanelFacts& facts) {
   return rows;
 }
 
+// A degenerate geometry's name takes a second line.
+std::size_t lines_of(const trace::Pair& pair) {
+  return rows_of(pair).size() + (pair.degenerate ? 1 : 0);
+}
+
 std::string title_of(const trace::Pair& pair) {
   const std::string names = pair.a + ", " + pair.b;
   return pair.label.empty() ? names : pair.label + ": " + names;
@@ -66,7 +100,9 @@ void show(const Rows& rows, float scale) {
   for (const auto& [name, value] : rows) {
     ImGui::TextColored(ImColor(packed(draw::kQuietText)), "%s", name.c_str());
     ImGui::SameLine(96 * scale);
+    ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(value.c_str());
+    ImGui::PopTextWrapPos();
   }
 }
 
@@ -75,9 +111,15 @@ void show(const Rows& rows, float scale) {
 float summary_height(const PanelFacts& facts) {
   const trace::Frame& frame = facts.frames[facts.current];
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  // The rows of a touching pair, so that panels below keep their place when a pair comes apart.
+  // The rows of a touching pair, so that panels below keep their place when a pair comes apart; and
+  // of the frame of the sequence that has most to say.
+  std::size_t rows = kUsualRows;
+  for (const trace::Frame& other : facts.frames) {
+    for (const trace::Pair& pair : other.pairs) rows = std::max(rows, lines_of(pair));
+  }
+  const float pair_height = (2.2f + static_cast<float>(rows)) * line;
   const float height =
-      2 * ImGui::GetStyle().WindowPadding.y + 7.2f * line * static_cast<float>(frame.pairs.size());
+      2 * ImGui::GetStyle().WindowPadding.y + pair_height * static_cast<float>(frame.pairs.size());
   return height + line * static_cast<float>(time_rows(facts).size());
 }
 
