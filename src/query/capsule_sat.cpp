@@ -6,6 +6,7 @@
 
 #include "geometry/lanes.h"
 #include "query/face_prism.h"
+#include "query/point_faces.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
 
@@ -17,44 +18,43 @@ namespace {
 template <class S>
 constexpr S kSameDirection = S(0.05);
 
-/// For every face the distances of both ends from its plane, and how the segment rises above it.
+/// For every face the distances of both ends from its plane, the lesser of these, and how the
+/// segment rises above it.
 template <class S>
 struct FaceDistances {
   FaceDistances(const Hull<S>& hull, const Vec3<S> (&ends)[2])
       : at_start(padded(hull.face_count())),
         at_end(padded(hull.face_count())),
+        lower(padded(hull.face_count())),
         rise(padded(hull.face_count())) {
-    const VectorLanes<S> normals(hull.lanes.normals.data(), hull.face_count());
+    measure({hull.lanes.normals.data(), hull.face_count()}, hull.lanes.offsets.data(), ends,
+            at_start.data(), at_end.data(), lower.data(), rise.data());
+    largest = largest_in_lanes(lower.data(), padded(hull.face_count()));
+  }
+
+  static void measure(const VectorLanes<S>& normals, const S* __restrict offsets,
+                      const Vec3<S> (&ends)[2], S* __restrict start, S* __restrict end,
+                      S* __restrict lesser, S* __restrict rises) {
     const S* __restrict nx = normals.x();
     const S* __restrict ny = normals.y();
     const S* __restrict nz = normals.z();
-    const S* __restrict offsets = hull.lanes.offsets.data();
-    S* __restrict start = at_start.data();
-    S* __restrict end = at_end.data();
-    S* __restrict rises = rise.data();
+    const int count = normals.padded_count();
     // The rise is not the difference of the distances, whose digits cancel: its sign decides.
     const Vec3<S> along = ends[1] - ends[0];
     const S ax = ends[0].x(), ay = ends[0].y(), az = ends[0].z();
     const S bx = ends[1].x(), by = ends[1].y(), bz = ends[1].z();
     const S ux = along.x(), uy = along.y(), uz = along.z();
-    S best[kLaneWidth];
-    for (int k = 0; k < kLaneWidth; ++k) best[k] = -std::numeric_limits<S>::infinity();
-    for (int i = 0; i < normals.padded_count(); i += kLaneWidth) {
-      for (int k = 0; k < kLaneWidth; ++k) {
-        const int f = i + k;
-        start[f] = dot(nx[f], ny[f], nz[f], ax, ay, az) - offsets[f];
-        end[f] = dot(nx[f], ny[f], nz[f], bx, by, bz) - offsets[f];
-        rises[f] = dot(nx[f], ny[f], nz[f], ux, uy, uz);
-        const S lower = end[f] < start[f] ? end[f] : start[f];
-        best[k] = lower > best[k] ? lower : best[k];
-      }
+    for (int f = 0; f < count; ++f) {
+      const S at_a = dot(nx[f], ny[f], nz[f], ax, ay, az) - offsets[f];
+      const S at_b = dot(nx[f], ny[f], nz[f], bx, by, bz) - offsets[f];
+      start[f] = at_a;
+      end[f] = at_b;
+      lesser[f] = at_b < at_a ? at_b : at_a;
+      rises[f] = dot(nx[f], ny[f], nz[f], ux, uy, uz);
     }
-    largest = *std::max_element(best, best + kLaneWidth);
   }
 
-  S lower(int face) const { return std::min(at_start[face], at_end[face]); }
-
-  Scratch<S, 128> at_start, at_end, rise;
+  Scratch<S, 128> at_start, at_end, lower, rise;
   S largest;
 };
 
@@ -72,7 +72,7 @@ void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistan
   bool settled = false;
   result.face = -1;
   for (int face = 0; face < hull.face_count(); ++face) {
-    if (distances.lower(face) < least) continue;
+    if (distances.lower[face] < least) continue;
     if (result.face < 0) {
       result.face = face;
       continue;
@@ -89,7 +89,7 @@ void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistan
       settled = true;
     }
   }
-  result.face_separation = distances.lower(result.face);
+  result.face_separation = distances.lower[result.face];
 }
 
 /// Separation along a unit direction that points from the hull to the segment, by the support points
@@ -100,6 +100,96 @@ S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S
       hull.vertices[static_cast<std::size_t>(support_index(support_set(hull), direction))];
   return std::min(direction.dot(Vec3<S>(ends[0] - vertex)),
                   direction.dot(Vec3<S>(ends[1] - vertex)));
+}
+
+/// Of a face: bit 0, the segment rises above it; bits 1 and 2, its start and its end lie above
+/// `bound`.
+template <class S>
+void mark_faces(const FaceDistances<S>& distances, S bound, int count, int* __restrict marks) {
+  const S* __restrict start = distances.at_start.data();
+  const S* __restrict end = distances.at_end.data();
+  const S* __restrict rise = distances.rise.data();
+  for (int f = 0; f < count; ++f) {
+    marks[f] = (rise[f] > S(0) ? 1 : 0) | (start[f] > bound ? 2 : 0) | (end[f] > bound ? 4 : 0);
+  }
+}
+
+/// The edges whose arcs cross the ring and reach above `bound` (metres, <= 0), into `edges`; returns
+/// how many. Along an arc n(t) = (1 - t) n_f + t n_g the distance of an end of the segment from the
+/// edge is linear in t, and where it is negative, dividing by |n(t)| <= 1 only lowers it. No branches:
+/// which edges cross changes from pair to pair.
+template <class S>
+int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bound, int* edges) {
+  Scratch<int, 128> marks(padded(hull.face_count()));
+  mark_faces(distances, bound, padded(hull.face_count()), marks.data());
+  const HalfEdge* half_edges = hull.half_edges.data();
+  const int half_edge_count = 2 * hull.edge_count();
+  int count = 0;
+  for (int edge = 0; edge < half_edge_count; edge += 2) {
+    const int f = marks[half_edges[edge].face];
+    const int g = marks[half_edges[edge + 1].face];
+    edges[count] = edge;
+    count += (((f ^ g) & 1) | ((f | g) & 6)) == 7 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Where the bound is positive: |n(t)| is least in the middle, where it is the cosine of half the
+/// angle between the faces.
+template <class S>
+bool arc_stays_below(const Hull<S>& hull, const FaceDistances<S>& distances, int f, int g,
+                     S bound) {
+  if (!(bound > S(0))) return false;
+  const S cosine = hull.planes[static_cast<std::size_t>(f)].normal.dot(
+      hull.planes[static_cast<std::size_t>(g)].normal);
+  const S reach = std::min(std::max(distances.at_start[f], distances.at_start[g]),
+                           std::max(distances.at_end[f], distances.at_end[g]));
+  return reach <= S(0) || reach * reach <= bound * bound * (S(0.5) * (S(1) + cosine));
+}
+
+enum class Check { Last, Every };
+
+/// The best edge pair, into `result`. An axis that is uncertain (nearly parallel edges) or would
+/// separate is measured again with support points, as in query_edges: every one that would win, or
+/// only the last. Returns false where the last did not stand this: then others may be better.
+template <class S>
+bool query_edges(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistances<S>& distances,
+                 const int* edges, int count, S tie, Check check, CapsuleSat<S>& result) {
+  const Vec3<S> along = ends[1] - ends[0];
+  const S squared_along = along.squaredNorm();
+  S to_beat = result.face_separation + tie;
+  bool is_uncertain = false;
+  for (int i = 0; i < count; ++i) {
+    const int edge = edges[i];
+    const int f = hull.half_edges[static_cast<std::size_t>(edge)].face;
+    const int g = hull.half_edges[static_cast<std::size_t>(edge + 1)].face;
+    if (arc_stays_below(hull, distances, f, g, to_beat)) continue;
+    const Vec3<S>& origin = hull.origin(edge);
+    const Vec3<S> edge_along = hull.target(edge) - origin;
+    const Vec3<S> cross =
+        distances.rise[f] > S(0) ? edge_along.cross(along) : along.cross(edge_along);
+    const S squared_sine = cross.squaredNorm();  // times both squared lengths
+    const S squared_lengths = squared_along * edge_along.squaredNorm();
+    if (!(squared_sine > kParallelSine<S> * kParallelSine<S> * squared_lengths)) continue;
+    const Vec3<S> normal = cross / std::sqrt(squared_sine);
+    S separation = normal.dot(Vec3<S>(ends[0] - origin));
+    if (!(separation > to_beat)) continue;
+    const bool is_noisy = squared_sine < kNoisySine<S> * kNoisySine<S> * squared_lengths;
+    is_uncertain = is_noisy || separation > S(0);
+    if (check == Check::Every && is_uncertain) {
+      separation = support_separation(hull, ends, normal);
+      if (!(separation > to_beat)) continue;
+    }
+    result.edge = edge;
+    result.edge_separation = separation;
+    result.edge_normal = normal;
+    to_beat = separation + tie;
+  }
+  if (check == Check::Every || result.edge < 0 || !is_uncertain) return true;
+  const S checked = support_separation(hull, ends, result.edge_normal);
+  const bool stands = checked >= result.edge_separation - S(4) * tie;
+  result.edge_separation = checked;
+  return stands;
 }
 
 }  // namespace
@@ -117,8 +207,7 @@ S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S
 ///
 /// Steps: 1. every face: the lower end's distance from its plane; 2. every edge whose arc crosses
 /// the ring: the segment's distance along x, unless the ends of the arc say that it cannot beat the
-/// best so far. As in query_edges, an axis that would win and is uncertain (nearly parallel edges) or
-/// would separate is measured again with support points.
+/// best so far.
 template <class S>
 CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie) {
   const FaceDistances<S> distances(hull, ends);
@@ -126,38 +215,12 @@ CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach
   query_faces(hull, ends, distances, tie, result);
   if (result.face_separation > reach) return result;
 
-  const Vec3<S> along = ends[1] - ends[0];
-  const S squared_along = along.squaredNorm();
-  S to_beat = result.face_separation + tie;
-  for (int edge = 0; edge < 2 * hull.edge_count(); edge += 2) {
-    const int f = hull.half_edges[static_cast<std::size_t>(edge)].face;
-    const int g = hull.half_edges[static_cast<std::size_t>(edge + 1)].face;
-    const S rise_f = distances.rise[f], rise_g = distances.rise[g];
-    if (!(rise_f > S(0) && rise_g < S(0)) && !(rise_f < S(0) && rise_g > S(0))) continue;
-    // Along n(t) = (1 - t) n_f + t n_g an end's distance from the edge is linear in t, and where it
-    // is negative, dividing by |n(t)| <= 1 only lowers it.
-    const S bound = std::min(to_beat, S(0));
-    if (std::max(distances.at_start[f], distances.at_start[g]) <= bound) continue;
-    if (std::max(distances.at_end[f], distances.at_end[g]) <= bound) continue;
-
-    const Vec3<S>& origin = hull.origin(edge);
-    const Vec3<S> edge_along = hull.target(edge) - origin;
-    const Vec3<S> cross = rise_f > S(0) ? edge_along.cross(along) : along.cross(edge_along);
-    const S squared_sine = cross.squaredNorm();  // times both squared lengths
-    const S squared_lengths = squared_along * edge_along.squaredNorm();
-    if (!(squared_sine > kParallelSine<S> * kParallelSine<S> * squared_lengths)) continue;
-    const Vec3<S> normal = cross / std::sqrt(squared_sine);
-    S separation = normal.dot(Vec3<S>(ends[0] - origin));
-    if (!(separation > to_beat)) continue;
-    const bool is_noisy = squared_sine < kNoisySine<S> * kNoisySine<S> * squared_lengths;
-    if (is_noisy || separation > S(0)) {
-      separation = support_separation(hull, ends, normal);
-      if (!(separation > to_beat)) continue;
-    }
-    result.edge = edge;
-    result.edge_separation = separation;
-    result.edge_normal = normal;
-    to_beat = separation + tie;
+  Scratch<int, 192> edges(hull.edge_count());
+  const S bound = std::min(result.face_separation, S(0));
+  const int count = crossing_edges(hull, distances, bound, edges.data());
+  if (!query_edges(hull, ends, distances, edges.data(), count, tie, Check::Last, result)) {
+    result.edge = -1;
+    query_edges(hull, ends, distances, edges.data(), count, tie, Check::Every, result);
   }
   return result;
 }

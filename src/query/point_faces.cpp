@@ -1,8 +1,5 @@
 #include "query/point_faces.h"
 
-#include <algorithm>
-
-#include "geometry/lanes.h"
 #include "query/face_prism.h"
 #include "query/tolerance.h"
 
@@ -18,17 +15,11 @@ PointFaces<S>::PointFaces(const Hull<S>& hull, const Vec3<S>& point)
   const S* __restrict offsets = hull.lanes.offsets.data();
   S* __restrict distances = distances_.data();
   const S x = point.x(), y = point.y(), z = point.z();
-  // Padding lies behind every point, so it needs no exception.
-  S best[kLaneWidth];
-  for (int k = 0; k < kLaneWidth; ++k) best[k] = -std::numeric_limits<S>::infinity();
-  for (int i = 0; i < normals.padded_count(); i += kLaneWidth) {
-    for (int k = 0; k < kLaneWidth; ++k) {
-      const S distance = dot(nx[i + k], ny[i + k], nz[i + k], x, y, z) - offsets[i + k];
-      distances[i + k] = distance;
-      best[k] = distance > best[k] ? distance : best[k];
-    }
+  const int count = normals.padded_count();
+  for (int f = 0; f < count; ++f) {
+    distances[f] = dot(nx[f], ny[f], nz[f], x, y, z) - offsets[f];
   }
-  largest_ = *std::max_element(best, best + kLaneWidth);
+  largest_ = largest_in_lanes(distances, count);  // padding lies behind every point
 }
 
 template <class S>

@@ -1,9 +1,27 @@
 #pragma once
 
+#include <limits>
+
 #include "geometry/hull.h"
+#include "geometry/lanes.h"
 #include "query/scratch.h"
 
 namespace contactscope {
+
+/// The largest of `count` values, a multiple of the lane width.
+template <class S>
+inline S largest_in_lanes(const S* __restrict values, int count) {
+  S best[kLaneWidth];
+  for (int k = 0; k < kLaneWidth; ++k) best[k] = -std::numeric_limits<S>::infinity();
+  for (int i = 0; i < count; i += kLaneWidth) {
+    for (int k = 0; k < kLaneWidth; ++k) {
+      best[k] = values[i + k] > best[k] ? values[i + k] : best[k];
+    }
+  }
+  S largest = best[0];
+  for (int k = 1; k < kLaneWidth; ++k) largest = best[k] > largest ? best[k] : largest;
+  return largest;
+}
 
 /// Signed distances of a point from the planes of all faces of a hull, in the hull's frame, metres:
 /// the separating axis test of a point, for which faces are the only axes (Gregorius 2015, "Sphere
