@@ -14,13 +14,10 @@ using peers::PeerShape;
 
 /// As the libraries know it. A mesh stays shared.
 PeerShape in_peers(const std::shared_ptr<const Shape<double>>& shape) {
-  if (const auto* hull = std::get_if<Hull<double>>(shape.get())) return peers::shape_of(*hull);
   if (const auto* mesh = std::get_if<Mesh<double>>(shape.get())) {
     return std::shared_ptr<const Mesh<double>>(shape, mesh);
   }
-  if (const auto* sphere = std::get_if<Sphere<double>>(shape.get())) return *sphere;
-  if (const auto* capsule = std::get_if<Capsule<double>>(shape.get())) return *capsule;
-  return std::get<HalfSpace<double>>(*shape);
+  return peers::shape_of(*shape);
 }
 
 struct Prepared {

@@ -13,6 +13,14 @@ PeerShape shape_of(const Hull<double>& hull) {
   return Box{half};
 }
 
+PeerShape shape_of(const Shape<double>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return *sphere;
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return *capsule;
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) return shape_of(*hull);
+  if (const auto* half_space = std::get_if<HalfSpace<double>>(&shape)) return *half_space;
+  return std::make_shared<const Mesh<double>>(std::get<Mesh<double>>(shape));
+}
+
 Pose<double> capsule_frame(const Capsule<double>& capsule, const Vec3d& axis) {
   const Vec3d along = capsule.points[1] - capsule.points[0];
   return {Quatd::FromTwoVectors(axis, along), 0.5 * (capsule.points[0] + capsule.points[1])};

@@ -10,6 +10,7 @@
 #include "geometry/half_space.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
+#include "geometry/shape.h"
 #include "geometry/sphere.h"
 
 /// Bullet, ODE and FCL behind one plain interface, so that tests and benchmarks compare with them
@@ -25,6 +26,8 @@ using PeerShape = std::variant<Sphere<double>, Capsule<double>, Box, Hull<double
 
 /// A hull as a library of boxes knows it: Box for what make_box made, the hull itself otherwise.
 PeerShape shape_of(const Hull<double>& hull);
+/// Any shape; a mesh is copied.
+PeerShape shape_of(const Shape<double>& shape);
 
 /// Where a capsule about `axis` (unit), centred on the origin, has to be placed in the capsule's
 /// frame, for libraries that know no other.

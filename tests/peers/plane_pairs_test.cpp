@@ -21,12 +21,6 @@ using test::Random;
 
 constexpr int kPairs = 500;
 
-PeerShape in_peers(const Shape<double>& shape) {
-  if (const auto* hull = std::get_if<Hull<double>>(&shape)) return shape_of(*hull);
-  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return *capsule;
-  return std::get<Sphere<double>>(shape);
-}
-
 struct OnPlane {
   Shape<double> shape;
   Pose<double> pose;
@@ -101,7 +95,7 @@ void compare_all(ShapeKind kind) {
     expect_ours<float>(pair, kTolerance);
     expect_ours<double>(pair, kTolerance);
     for (const auto& peer : peers) {
-      const auto prepared = peer->pair(in_peers(pair.shape), pair.plane);
+      const auto prepared = peer->pair(shape_of(pair.shape), pair.plane);
       ASSERT_NE(prepared, nullptr);
       prepared->place(pair.pose, pair.plane_pose);
       const PeerContact answer = prepared->collide();

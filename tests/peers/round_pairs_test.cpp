@@ -22,12 +22,6 @@ using test::Random;
 
 constexpr int kPairs = 600;
 
-PeerShape in_peers(const Shape<double>& shape) {
-  if (const auto* hull = std::get_if<Hull<double>>(&shape)) return shape_of(*hull);
-  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return *capsule;
-  return std::get<Sphere<double>>(shape);
-}
-
 /// Contact or none, depth, and a normal along which the overlap is least.
 template <class S>
 void expect_right(const RoundPair& pair, double separation) {
@@ -70,7 +64,7 @@ Tallies compare_all(ShapeKind a, ShapeKind b) {
     expect_right<float>(pair, separation);
     expect_right<double>(pair, separation);
     for (std::size_t i = 0; i < peers.size(); ++i) {
-      const auto prepared = peers[i]->pair(in_peers(pair.a), in_peers(pair.b));
+      const auto prepared = peers[i]->pair(shape_of(pair.a), shape_of(pair.b));
       prepared->place(pair.pose_a, pair.pose_b);
       const PeerContact answer = prepared->collide();
       EXPECT_FALSE(answer.failed);
@@ -138,7 +132,7 @@ TEST(RoundPairs, NoRuleExplainsAWrongAnswer) {
     if (separation_by_exhaustion(pair) > -0.01) continue;
     ++judgements;
     for (const auto& peer : make_peers()) {
-      const auto prepared = peer->pair(in_peers(pair.a), in_peers(pair.b));
+      const auto prepared = peer->pair(shape_of(pair.a), shape_of(pair.b));
       prepared->place(pair.pose_a, pair.pose_b);
       const PeerContact right = prepared->collide();
       EXPECT_NE(judged(*peer, pair, PeerContact{}), "") << peer->name() << " finds nothing";
