@@ -133,7 +133,7 @@ TYPED_TEST(CapsuleFallback, TurnsSmoothlyFromOverlappingToCrossingAxes) {
   // In place, about many directions at right angles to the axes: the cross product itself would
   // come out of nowhere at the first step.
   const double step = 1e-3;
-  for (double direction = 0.05; direction < 3.2; direction += 0.1) {
+  for (double direction = 0.3; direction < 2.9; direction += 0.1) {
     const Vec3d about(0, std::cos(direction), std::sin(direction));
     const Changes changes = largest_changes<S>(
         {test::lying_capsule(0.4, 0.3), {}, test::lying_capsule(0.5, 0.3), {}}, 1500, [&](int i) {
@@ -143,9 +143,10 @@ TYPED_TEST(CapsuleFallback, TurnsSmoothlyFromOverlappingToCrossingAxes) {
     EXPECT_GT(changes.two_points, 50);
     EXPECT_GT(changes.one_point, 500);
     // The turn is spread over half the angle at which the axes count as parallel, 0.0375 rad here.
-    // Where the direction of the body is nearly opposite to both cross products, it is faster.
-    const double lean = std::abs(about.dot(any_perpendicular(Vec3d(1, 0, 0))));
-    EXPECT_LT(changes.normal, 4 * step / 0.0375 / std::max(lean, 0.04));
+    // It is the faster the farther the cross product is from the direction fixed to the body: at a
+    // right angle it flips, which no choice can avoid.
+    const double lean = std::abs(about.z());
+    EXPECT_LT(changes.normal, 2 * step / 0.0375 / lean);
     EXPECT_LT(changes.depth, 4 * step);
   }
 }
