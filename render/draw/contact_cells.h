@@ -76,6 +76,11 @@ class ContactCells {
     double pixels_per_metre = 1;
   };
 
+  // Pixels at 720 lines.
+  static constexpr double kName = 15;       // size of a cell's heading
+  static constexpr double kNumber = 14;     // size of the numbers beneath
+  static constexpr double kNumberRow = 17;  // height of a row of numbers
+
   /// What beside the maps there is room for.
   struct Detail {
     bool row_ends = true, whole_rows = true, strip = true, all_rows = true, rows = true;
