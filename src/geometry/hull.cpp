@@ -8,10 +8,9 @@
 namespace contactscope {
 namespace {
 
-/// Room for the lanes of `count` vectors; all zeros.
-template <class S>
-std::vector<S> vector_lanes(int count) {
-  return std::vector<S>(static_cast<std::size_t>(3 * padded(count)), S(0));
+/// Elements of the lanes of `count` vectors.
+std::size_t lane_count(int count) {
+  return static_cast<std::size_t>(3 * padded(count));
 }
 
 template <class S>
@@ -24,11 +23,11 @@ void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
 
 template <class S>
 void lay_out(Hull<S>& hull) {
-  hull.lanes.vertices = vector_lanes<S>(hull.vertex_count());
+  hull.lanes.vertices.assign(lane_count(hull.vertex_count()), S(0));
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
     put(hull.lanes.vertices, i, hull.vertices[i]);
   }
-  hull.lanes.normals = vector_lanes<S>(hull.face_count());
+  hull.lanes.normals.assign(lane_count(hull.face_count()), S(0));
   hull.lanes.offsets.assign(hull.lanes.normals.size() / 3, std::numeric_limits<S>::infinity());
   for (std::size_t i = 0; i < hull.planes.size(); ++i) {
     put(hull.lanes.normals, i, hull.planes[i].normal);

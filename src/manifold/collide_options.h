@@ -21,6 +21,7 @@ struct CollideOptions {
   S margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
+  bool internal_edges = true;    // of meshes: contacts on edges that the surface lacks are mended
   Reducer<S> reducer = nullptr;  // nullptr keeps all points
   ReduceOptions reduction;
 };

@@ -4,14 +4,17 @@
 
 #include "manifold/collide_capsule_capsule.h"
 #include "manifold/collide_capsule_hull.h"
+#include "manifold/collide_capsule_mesh.h"
 #include "manifold/collide_capsule_plane.h"
 #include "manifold/collide_hull_hull.h"
+#include "manifold/collide_hull_mesh.h"
 #include "manifold/collide_hull_plane.h"
 #include "manifold/collide_sphere_capsule.h"
 #include "manifold/collide_sphere_hull.h"
+#include "manifold/collide_sphere_mesh.h"
 #include "manifold/collide_sphere_plane.h"
 #include "manifold/collide_sphere_sphere.h"
-#include "manifold/finish_contact.h"
+#include "manifold/contact_sink.h"
 #include "manifold/recorder.h"
 #ifndef CONTACTSCOPE_WITHOUT_RECORDER
 #include "manifold/trace_recorder.h"
@@ -43,10 +46,8 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
                   Manifolds<S>& manifolds, Recorder& recorder, const Collide& collide) {
   Contact<S> contact;
   recorder.separation(collide(relative_pose(pair.pose_a, pair.pose_b), contact));
-  if (contact.points.empty()) return;
-  Manifold<S>& manifold = manifolds.emplace_back();
-  finish_contact(ToWorld<S>(pair.pose_a), options, contact, manifold, recorder);
-  recorder.manifold(manifold);
+  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
+  sink.add(contact);
 }
 
 /// Two convex shapes of which nothing is kept between calls.
@@ -72,6 +73,21 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifold
   });
 }
 
+template <class S, class Recorder, class A>
+using CollideMesh = S (*)(const A&, const Mesh<S>&, const Pose<S>&, const CollideOptions<S>&,
+                          ContactSink<S, Recorder>&, Recorder&);
+
+/// A convex shape and a mesh: one manifold a triangle.
+template <class S, class Recorder, class A, CollideMesh<S, Recorder, A> kCollide>
+void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options,
+               Manifolds<S>& manifolds, Recorder& recorder) {
+  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
+  const S separation =
+      kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
+               relative_pose(pair.pose_a, pair.pose_b), options, sink, recorder);
+  if (manifolds.empty()) recorder.separation(separation);
+}
+
 /// The upper half of the table; nullptr where there is nothing to do.
 template <class S, class R>
 Entry<S, R> entry(ShapeKind a, ShapeKind b) {
@@ -83,12 +99,16 @@ Entry<S, R> entry(ShapeKind a, ShapeKind b) {
       {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>,
        convex<S, R, Sp, Ca, collide_sphere_capsule<S, R>>,
        convex<S, R, Sp, Hu, collide_sphere_hull<S, R>>,
-       convex<S, R, Sp, Pl, collide_sphere_plane<S, R>>},
+       convex<S, R, Sp, Pl, collide_sphere_plane<S, R>>,
+       with_mesh<S, R, Sp, collide_sphere_mesh<S, R>>},
       {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>,
        convex<S, R, Ca, Hu, collide_capsule_hull<S, R>>,
-       convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>},
-      {nullptr, nullptr, hulls<S, R>, convex<S, R, Hu, Pl, collide_hull_plane<S, R>>},
-      {nullptr, nullptr, nullptr, nullptr},
+       convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>,
+       with_mesh<S, R, Ca, collide_capsule_mesh<S, R>>},
+      {nullptr, nullptr, hulls<S, R>, convex<S, R, Hu, Pl, collide_hull_plane<S, R>>,
+       with_mesh<S, R, Hu, collide_hull_mesh<S, R>>},
+      {nullptr, nullptr, nullptr, nullptr, nullptr},
+      {nullptr, nullptr, nullptr, nullptr, nullptr},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
 }
@@ -155,8 +175,11 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
                                   : PlacedPair<S>{a, pose_a, b, pose_b, cache};
   const bool told_mirrored = recording.mirrored != swap;
   record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
-  TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, recording.stages,
-                            told_mirrored, record);
+  trace::Stages stages = recording.stages;
+  // Each triangle has these of its own, and a record has room for one of each.
+  if (kind_of(pair.b) == ShapeKind::Mesh) stages.sat = stages.clip = stages.reduction = false;
+  TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, stages, told_mirrored,
+                            record);
   collide_in_order(pair, options, manifolds, recorder);
   if (!swap) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);

@@ -43,6 +43,8 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
     settings.preference = preference->one_of({"relative", "none"}, "preference") == "none"
                               ? Preference::None
                               : Preference::Relative;
+  if (const auto internal_edges = table.find("internal_edges"))
+    settings.internal_edges = internal_edges->boolean();
   if (const auto degenerate = table.find("degenerate"))
     settings.degenerate = degenerate->one_of({"fallback", "skip"}, "answer") == "skip"
                               ? Degenerate::Skip
@@ -54,7 +56,7 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
 
 PipelineSettings read_pipeline(const Value& value) {
   const Table table = value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                                   "preference", "degenerate"});
+                                   "preference", "degenerate", "internal_edges"});
   PipelineSettings settings;
   if (const auto scalar = table.find("scalar"))
     settings.scalar =
@@ -87,7 +89,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
     const Table table = item.table({"a", "b", "label", "scalar", "manifold", "reducer",
-                                    "max_points", "margin", "cache", "preference", "degenerate"});
+                                    "max_points", "margin", "cache", "preference", "degenerate", "internal_edges"});
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");

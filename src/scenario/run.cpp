@@ -24,6 +24,7 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
   options.margin = static_cast<S>(settings.margin);
   options.preference = settings.preference;
   options.degenerate = settings.degenerate;
+  options.internal_edges = settings.internal_edges;
   options.reducer = find_reducer<S>(settings.reducer);
   options.reduction.max_points = settings.max_points;
   return options;
@@ -84,6 +85,25 @@ template <class S>
 void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
   const Plane<double> plane = half_space.plane.template cast<double>();
   traced.half_space = trace::HalfSpace{plane.normal, plane.offset};
+}
+
+template <class S>
+void describe(const Mesh<S>& mesh, trace::Shape& traced) {
+  for (const Vec3<S>& vertex : mesh.vertices)
+    traced.vertices.push_back(vertex.template cast<double>());
+  for (int triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
+    const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+    traced.faces.emplace_back(corners.begin(), corners.end());
+    for (int k = 0; k < 3; ++k) {
+      // An edge that two triangles share is listed by the first.
+      const int neighbour = mesh.neighbour(triangle, k);
+      if (neighbour >= 0 && neighbour < triangle) continue;
+      traced.edges.push_back(
+          {corners[static_cast<std::size_t>(k)], corners[static_cast<std::size_t>((k + 1) % 3)]});
+    }
+  }
+  const Aabb<S> bounds = mesh.tree.bounds();
+  traced.center_of_mass = bounds.center().template cast<double>();
 }
 
 template <class S>

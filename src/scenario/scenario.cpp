@@ -82,8 +82,8 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   if (const auto time = file.find("time")) read_time(*time, scenario);
 
   const Value shapes = file.require("shapes", "a shape as [shapes.NAME]");
-  scenario.shapes =
-      read_shapes(shapes, fs::path(path).parent_path(), (scenario.frames - 1) * scenario.dt);
+  scenario.shapes = read_shapes(shapes, {fs::path(path).parent_path(), scenario.warnings},
+                                (scenario.frames - 1) * scenario.dt);
   PipelineSettings settings;
   if (const auto pipeline = file.find("pipeline")) settings = read_pipeline(*pipeline);
   if (const auto pairs = file.find("pairs"))
@@ -91,7 +91,8 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   else
     scenario.pairs = every_pair(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
-  scenario.warnings = pairs_without_contact(scenario.pairs, scenario.shapes);
+  for (std::string& warning : pairs_without_contact(scenario.pairs, scenario.shapes))
+    scenario.warnings.push_back(std::move(warning));
 
   if (const auto world = file.find("world")) check_world(*world);
   if (const auto solver = file.find("solver")) check_solver(*solver);

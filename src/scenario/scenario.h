@@ -15,6 +15,7 @@
 ///
 ///     [pipeline]
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
+///     internal_edges = true            # false: meshes trip over edges that the surface lacks
 ///     degenerate = "fallback"          # or "skip": what to do where geometry gives no normal
 ///
 ///     [[pairs]]                        # several settings for the same two shapes, told apart
@@ -44,7 +45,7 @@
 /// Lengths may be 1e-9 to 1e9 metres, frames up to 100000, segments 3 to 64, max_points 1 to 64,
 /// pairs up to 4096, points of a hull up to 100000, the file up to 16 MiB. `segments` has no
 /// default. A view's name becomes a folder: letters, digits, '_' and '-'. Keys that serve what is
-/// not built yet (mesh, dynamic shapes, incremental manifolds) are checked
+/// not built yet (dynamic shapes, incremental manifolds) are checked
 /// and then refused; [world] and [solver] are checked and have no effect on scripted shapes.
 namespace contactscope {
 
@@ -66,7 +67,7 @@ struct Motion {
 
 struct ScenarioShape {
   std::string name;
-  std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "plane"
+  std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "plane", "mesh"
   std::shared_ptr<const Shape<double>> geometry;
   Pose<double> pose;
   Motion motion;
@@ -85,6 +86,7 @@ struct PipelineSettings {
   bool cache = true;
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
+  bool internal_edges = true;
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };

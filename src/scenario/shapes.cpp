@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <system_error>
 
 #include "core/input_error.h"
 #include "geometry/hull_builder.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
+#include "scenario/mesh_shape.h"
 #include "scenario/placement.h"
+#include "scenario/shape_values.h"
 
 namespace contactscope::scenario_file {
 namespace {
@@ -48,30 +49,7 @@ Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at) {
   return hull;
 }
 
-std::vector<Vec3d> read_points(const Value& value) {
-  std::vector<Vec3d> points;
-  for (const Value& item : value.array()) points.push_back(item.vector3());
-  return points;
-}
-
-/// The path of a file that a `file` key names; it must be there.
-fs::path existing_file(const Value& value, const fs::path& folder) {
-  const std::string name = value.non_empty_string();
-  if (name.find('\0') != std::string::npos) value.fail("'file' contains a NUL character");
-  if (fs::path(name).extension() != ".obj")
-    value.fail("'file' is '" + name + "', which is no .obj file; give a Wavefront .obj");
-  const fs::path path = folder / name;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-    value.fail("there is no file '" + path.string() +
-               "'; names are relative to the scenario's folder");
-  if (status.type() != fs::file_type::regular)
-    value.fail("'" + path.string() + "' is no plain file; give a Wavefront .obj");
-  return path;
-}
-
-Shape<double> read_hull(const Table& table, const fs::path& folder) {
+Shape<double> read_hull(const Table& table, const Surroundings& surroundings) {
   const auto vertices = table.find("vertices");
   const auto file = table.find("file");
   if (vertices && file) file->fail("give 'vertices' or 'file', not both");
@@ -79,7 +57,7 @@ Shape<double> read_hull(const Table& table, const fs::path& folder) {
     table.fail("the hull '" + table.value().name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
   if (vertices) return hull_of_points(read_points(*vertices), *vertices);
-  const fs::path path = existing_file(*file, folder);
+  const fs::path path = existing_obj_file(*file, surroundings.folder);
   std::vector<Vec3d> points;
   try {
     points = load_obj_vertices(path.string());
@@ -89,7 +67,7 @@ Shape<double> read_hull(const Table& table, const fs::path& folder) {
   return hull_of_points(points, *file);
 }
 
-Shape<double> read_box(const Table& table, const fs::path&) {
+Shape<double> read_box(const Table& table, const Surroundings&) {
   const Value value = table.require("half_extents", "half_extents = [0.5, 0.5, 0.5] (metres)");
   value.numbers(3);
   Vec3d half_extents;
@@ -111,23 +89,23 @@ Round read_round(const Table& table) {
               .integer(3, kMaxSegments)};
 }
 
-Shape<double> read_cylinder(const Table& table, const fs::path&) {
+Shape<double> read_cylinder(const Table& table, const Surroundings&) {
   const Round round = read_round(table);
   return build_at(table.value(),
                   [&] { return make_cylinder(round.radius, round.half_height, round.segments); });
 }
 
-Shape<double> read_cone(const Table& table, const fs::path&) {
+Shape<double> read_cone(const Table& table, const Surroundings&) {
   const Round round = read_round(table);
   return build_at(table.value(),
                   [&] { return make_cone(round.radius, round.half_height, round.segments); });
 }
 
-Shape<double> read_sphere(const Table& table, const fs::path&) {
+Shape<double> read_sphere(const Table& table, const Surroundings&) {
   return Sphere<double>{read_length(table.require("radius", "radius = 0.5 (metres)"))};
 }
 
-Shape<double> read_capsule(const Table& table, const fs::path&) {
+Shape<double> read_capsule(const Table& table, const Surroundings&) {
   Capsule<double> capsule;
   capsule.radius = read_length(table.require("radius", "radius = 0.5 (metres)"));
   const auto points = table.find("points");
@@ -148,7 +126,7 @@ Shape<double> read_capsule(const Table& table, const fs::path&) {
   return capsule;
 }
 
-Shape<double> read_plane(const Table& table, const fs::path&) {
+Shape<double> read_plane(const Table& table, const Surroundings&) {
   const Value normal = table.require("normal", "normal = [0, 1, 0]");
   const Vec3d direction = normal.vector3();
   const double largest = direction.cwiseAbs().maxCoeff();
@@ -161,61 +139,23 @@ Shape<double> read_plane(const Table& table, const fs::path&) {
   return HalfSpace<double>{{Vec3d(direction / largest).normalized(), distance}};
 }
 
-// Shapes that cannot collide yet. Their keys are checked all the same, so that a file that is
-// refused today for its type alone will be right tomorrow.
-
-void check_grid(const Value& value) {
-  const Table grid = value.table({"size", "cells", "amplitude"});
-  const Value size = grid.require("size", "size = 10.0 (metres, or one for each direction)");
-  const Value cells = grid.require("cells", "cells = 16 (or one for each direction)");
-  constexpr int kMaxCells = 4096;
-  if (size.is_array()) size.numbers(2);
-  for (const Value& item : size.is_array() ? size.array() : std::vector<Value>{size})
-    read_length(item);
-  if (cells.is_array()) cells.numbers(2);
-  for (const Value& item : cells.is_array() ? cells.array() : std::vector<Value>{cells})
-    item.integer(1, kMaxCells);
-  if (const auto amplitude = grid.find("amplitude")) amplitude->not_negative("metres");
-}
-
-void check_mesh(const Table& table, const fs::path& folder) {
-  const auto vertices = table.find("vertices");
-  const auto triangles = table.find("triangles");
-  const auto file = table.find("file");
-  const auto grid = table.find("grid");
-  const bool listed = vertices || triangles;
-  if ((listed ? 1 : 0) + (file ? 1 : 0) + (grid ? 1 : 0) != 1)
-    table.fail("a mesh needs one of 'vertices' with 'triangles', 'file', or 'grid'");
-  if (listed) {
-    const auto points = read_points(table.require("vertices", "vertices = [[x, y, z], ..]"));
-    for (const Value& triangle : table.require("triangles", "triangles = [[0, 1, 2]]").array()) {
-      triangle.numbers(3);
-      for (const Value& index : triangle.array())
-        index.integer(0, static_cast<int>(points.size()) - 1);
-    }
-  }
-  if (file) existing_file(*file, folder);
-  if (grid) check_grid(*grid);
-}
-
-/// A type of shape: its own keys, and either what reads it or what checks it.
+/// A type of shape: its own keys, and what reads it.
 struct Type {
   std::string name;
   Keys keys;
-  Shape<double> (*read)(const Table&, const fs::path&);
-  void (*check)(const Table&, const fs::path&);
+  Shape<double> (*read)(const Table&, const Surroundings&);
 };
 
 const std::vector<Type>& types() {
   static const std::vector<Type> all = {
-      {"box", {"half_extents"}, read_box, nullptr},
-      {"hull", {"vertices", "file"}, read_hull, nullptr},
-      {"cylinder", {"radius", "half_height", "segments"}, read_cylinder, nullptr},
-      {"cone", {"radius", "half_height", "segments"}, read_cone, nullptr},
-      {"sphere", {"radius"}, read_sphere, nullptr},
-      {"capsule", {"radius", "points", "half_height"}, read_capsule, nullptr},
-      {"mesh", {"vertices", "triangles", "file", "grid"}, nullptr, check_mesh},
-      {"plane", {"normal", "offset"}, read_plane, nullptr},
+      {"box", {"half_extents"}, read_box},
+      {"hull", {"vertices", "file"}, read_hull},
+      {"cylinder", {"radius", "half_height", "segments"}, read_cylinder},
+      {"cone", {"radius", "half_height", "segments"}, read_cone},
+      {"sphere", {"radius"}, read_sphere},
+      {"capsule", {"radius", "points", "half_height"}, read_capsule},
+      {"mesh", {"vertices", "triangles", "file", "grid"}, read_mesh},
+      {"plane", {"normal", "offset"}, read_plane},
   };
   return all;
 }
@@ -238,7 +178,7 @@ const Type& type_named(const Value& value) {
   value.fail("unknown shape type '" + name + "'");  // one_of has refused it
 }
 
-ScenarioShape read_shape(const Value& value, const fs::path& folder, double end_time) {
+ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, double end_time) {
   if (value.name().empty())
     value.fail("a shape has an empty name; write [shapes.NAME] with at least one character");
   if (!value.is_table())
@@ -258,24 +198,19 @@ ScenarioShape read_shape(const Value& value, const fs::path& folder, double end_
   shape.pose = read_pose(table, {});
   if (const auto motion = table.find("motion"))
     shape.motion = read_motion(*motion, shape.pose, end_time);
-  if (type.read == nullptr) {
-    type.check(table, folder);
-    type_value.fail(type.name +
-                    " shapes are parsed but cannot collide yet; use another type of shape");
-  }
-  shape.geometry = std::make_shared<const Shape<double>>(type.read(table, folder));
+  shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
   return shape;
 }
 
 }  // namespace
 
-std::vector<ScenarioShape> read_shapes(const Value& value, const fs::path& folder,
+std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& surroundings,
                                        double end_time) {
   if (!value.is_table())
     value.fail("'shapes' must hold one table for each shape; write [shapes.NAME]");
   std::vector<ScenarioShape> shapes;
   for (const Value& member : value.members())
-    shapes.push_back(read_shape(member, folder, end_time));
+    shapes.push_back(read_shape(member, surroundings, end_time));
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
   return shapes;
 }

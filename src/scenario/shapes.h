@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "scenario/scenario.h"
+#include "scenario/shape_values.h"
 #include "scenario/toml_reader.h"
 
 namespace contactscope::scenario_file {
@@ -11,9 +11,8 @@ namespace contactscope::scenario_file {
 /// Most points that a hull may be built from.
 inline constexpr std::size_t kMaxHullPoints = 100000;
 
-/// The [shapes] table, in file order. Names of files are relative to `folder`; `end_time` is the
-/// time of the last frame in seconds.
+/// The [shapes] table, in file order. `end_time` is the time of the last frame in seconds.
 std::vector<ScenarioShape> read_shapes(const toml_reader::Value& value,
-                                       const std::filesystem::path& folder, double end_time);
+                                       const Surroundings& surroundings, double end_time);
 
 }  // namespace contactscope::scenario_file

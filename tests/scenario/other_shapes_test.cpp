@@ -75,5 +75,53 @@ TEST(OtherShapes, PairsThatMakeNoContactAreWarnedOfOnce) {
   EXPECT_THAT(frame.pairs.back().manifolds, IsEmpty());
 }
 
+const std::string kMeshes =
+    "title = \"Meshes\"\n"
+    "[shapes.terrain]\ntype = \"mesh\"\ngrid = { size = [4, 2], cells = [8, 4], amplitude = 0.1 }\n"
+    "[shapes.ramp]\ntype = \"mesh\"\n"
+    "vertices = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 1], [2, 0, 0]]\n"
+    "triangles = [[0, 1, 2], [1, 3, 2], [0, 2, 4]]\n";
+
+TEST(OtherShapes, MeshesAreReadAndWhatWasLeftOutIsWarnedOf) {
+  const Scenario scenario = parse_scenario(kMeshes, "hull/a.toml");
+  const auto& terrain = std::get<Mesh<double>>(*scenario.shapes[0].geometry);
+  EXPECT_EQ(terrain.triangle_count(), 64);
+  EXPECT_EQ(terrain.tree.bounds().upper.x(), 2);
+  EXPECT_EQ(terrain.tree.bounds().upper.z(), 1);
+  const auto& ramp = std::get<Mesh<double>>(*scenario.shapes[1].geometry);
+  EXPECT_EQ(ramp.triangle_count(), 2);
+  EXPECT_EQ(ramp.neighbour(0, 1), 1);
+  ASSERT_EQ(scenario.warnings.size(), 2u);
+  EXPECT_THAT(scenario.warnings[0], HasSubstr("mesh 'ramp': triangle 2 has no area"));
+  EXPECT_THAT(scenario.warnings[1], HasSubstr("mesh-mesh pairs are not collided"));
+}
+
+TEST(OtherShapes, AMeshStandsInTheTraceWithEveryEdgeOnce) {
+  const trace::Header header = trace_header(parse_scenario(kMeshes, "hull/a.toml"));
+  EXPECT_EQ(header.shapes[0].faces.size(), 64u);
+  EXPECT_EQ(header.shapes[0].edges.size(), 8u * 5 + 4u * 9 + 32u);
+  EXPECT_EQ(header.shapes[1].edges.size(), 5u);
+  EXPECT_EQ(header.shapes[1].faces.size(), 2u);
+}
+
+TEST(OtherShapes, ASphereOnAMeshHasAManifoldForEachTriangle) {
+  const Scenario scenario = parse_scenario(
+      "title = \"Sphere\"\n[shapes.ball]\ntype = \"sphere\"\nradius = 0.5\n"
+      "position = [0.3, 0.45, 0.2]\n"
+      "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = 4, cells = 4 }\n",
+      "hull/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Pair& pair = frame.pairs.at(0);
+  EXPECT_EQ(pair.kind, "sphere-mesh");
+  EXPECT_NEAR(pair.separation, -0.05, 1e-7);
+  ASSERT_EQ(pair.manifolds.size(), 1u);
+  EXPECT_TRUE(pair.manifolds[0].triangle.has_value());
+  ASSERT_TRUE(pair.tree.has_value());
+  EXPECT_EQ(pair.tree->shape, "floor");
+  const trace::Frame unrecorded = run_frame_unrecorded(scenario, 0);
+  EXPECT_EQ(unrecorded.pairs.at(0).manifolds.at(0).triangle, pair.manifolds[0].triangle);
+  EXPECT_FALSE(unrecorded.pairs.at(0).tree.has_value());
+}
+
 }  // namespace
 }  // namespace contactscope

@@ -1,0 +1,39 @@
+#include "geometry/triangle_hull.h"
+
+#include <algorithm>
+
+namespace contactscope {
+
+//        v2          half-edges of the front: 0 from v0 to v1, 2 from v1 to v2, 4 from v2 to v0;
+//       /  |         their twins 1, 3, 5 bound the back
+//      4   2
+//     /    |
+//    v0-0-v1
+template <class S>
+TriangleHull<S>::TriangleHull() {
+  hull_.vertices.assign(3, Vec3<S>::Zero());
+  hull_.half_edges = {{0, 2, 0}, {1, 5, 1}, {1, 4, 0}, {2, 1, 1}, {2, 0, 0}, {0, 3, 1}};
+  hull_.vertex_edges = {0, 2, 4};
+  hull_.face_edges = {0, 1};
+  hull_.planes.resize(2);
+}
+
+template <class S>
+void TriangleHull<S>::set(const Mesh<S>& mesh, int triangle) {
+  origin_ = mesh.corner(triangle, 0);
+  for (int k = 1; k < 3; ++k)
+    hull_.vertices[static_cast<std::size_t>(k)] = mesh.corner(triangle, k) - origin_;
+  const Vec3<S>& normal = mesh.normal(triangle);
+  hull_.planes[0] = {normal, S(0)};
+  hull_.planes[1] = {Vec3<S>(-normal), S(0)};
+  hull_.centroid = (hull_.vertices[1] + hull_.vertices[2]) / S(3);
+  hull_.radius = S(0);
+  for (const Vec3<S>& vertex : hull_.vertices)
+    hull_.radius = std::max(hull_.radius, Vec3<S>(vertex - hull_.centroid).norm());
+  lay_out(hull_);
+}
+
+template class TriangleHull<float>;
+template class TriangleHull<double>;
+
+}  // namespace contactscope

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "geometry/hull.h"
+#include "geometry/mesh.h"
+
+namespace contactscope {
+
+/// One triangle of a mesh as a hull, so that it collides like one: three vertices, three edges, and
+/// two faces back to back, 0 the front and 1 the back. It has no volume; its centroid is the
+/// triangle's. Made once and set to one triangle after the other, without allocations.
+///
+/// Its frame has the mesh's axes and its origin at the triangle's corner 0, where coordinates are
+/// small however large the mesh is.
+template <class S>
+class TriangleHull {
+ public:
+  TriangleHull();
+  void set(const Mesh<S>& mesh, int triangle);
+
+  const Hull<S>& hull() const { return hull_; }
+  /// Of the hull's frame, in the mesh's frame, metres.
+  const Vec3<S>& origin() const { return origin_; }
+
+ private:
+  Hull<S> hull_;
+  Vec3<S> origin_;
+};
+
+}  // namespace contactscope

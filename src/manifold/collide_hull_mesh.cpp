@@ -1,0 +1,70 @@
+#include "manifold/collide_hull_mesh.h"
+
+#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_with_triangles.h"
+#include "manifold/face_contact.h"
+#include "manifold/recorder.h"
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+#include "manifold/trace_recorder.h"
+#endif
+
+namespace contactscope {
+namespace {
+
+/// The hull as the mesh sees it: the box of its vertices.
+template <class S>
+SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
+  const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
+  SeenFromMesh<S> seen;
+  for (const Vec3<S>& vertex : hull.vertices)
+    seen.box.include(Vec3<S>(to_mesh * (vertex - b_in_a.position)));
+  seen.center = to_mesh * (hull.centroid - b_in_a.position);
+  return seen;
+}
+
+/// The face query of the talk for one face that is given.
+template <class S>
+FaceQuery<S> query_face(const HullPair<S>& pair, int face) {
+  const Plane<S> plane = pair.b.plane(face);
+  FaceQuery<S> query{face, 0, std::numeric_limits<S>::infinity()};
+  for (int vertex = 0; vertex < pair.a.vertices.count(); ++vertex) {
+    const S separation = plane.distance(pair.a.vertices[vertex]);
+    if (separation < query.separation) query = {face, vertex, separation};
+  }
+  return query;
+}
+
+}  // namespace
+
+template <class S, class Recorder>
+S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
+                    const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
+                    Recorder& recorder) {
+  const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder);
+  };
+  const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
+    const HullPair<S> pair(a, triangle.hull, triangle.in_a);
+    contact.axis = AxisKind::FaceB;
+    contact.normal = -pair.b.normals[face];
+    create_face_contact(pair, Owner::B, query_face(pair, face), options.margin, contact.points,
+                        recorder);
+    contact.type = face_contact_type(contact.points.size());
+  };
+  return collide_with_triangles(seen_from_mesh(a, b_in_a), b, b_in_a, options, sink, recorder,
+                                collide, on_face);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
+  template S collide_hull_mesh(const Hull<S>&, const Mesh<S>&, const Pose<S>&,         \
+                               const CollideOptions<S>&, ContactSink<S, Recorder<S>>&, \
+                               Recorder<S>&);
+CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
+CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
+#ifndef CONTACTSCOPE_WITHOUT_RECORDER
+CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
+CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
+#endif
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,89 @@
+#include "manifold/internal_edges.h"
+
+#include <algorithm>
+
+namespace contactscope {
+namespace {
+
+/// Radians. A normal so near to the limit of what a feature can give counts as given by it. Contact
+/// normals are that exact when the shapes are no more than a thousand roundings apart; a bump of
+/// 0.1 mm a metre is none.
+template <class S>
+constexpr S kNormalTolerance = S(1e-4);
+
+/// No vertex of a surface has more triangles; ends the walk around one whose neighbours contradict
+/// each other.
+constexpr int kMostTrianglesAround = 1024;
+
+template <class S>
+int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
+  // Neighbours may name an equal vertex by another index, so corners are found by their place.
+  const Vec3<S>& place = mesh.corner(vertex_of, k);
+  for (int i = 0; i < 3; ++i)
+    if (mesh.corner(triangle, i) == place) return i;
+  return -1;
+}
+
+/// Whether `other` lies farther along `normal` than `vertex` by more than the tolerance.
+template <class S>
+bool beyond(const Vec3<S>& normal, const Vec3<S>& vertex, const Vec3<S>& other) {
+  const Vec3<S> to_other = other - vertex;
+  return normal.dot(to_other) > kNormalTolerance<S> * to_other.norm();
+}
+
+/// Walks from `triangle` around its corner k, across the edges on one side (0: the edge that leaves
+/// the corner, 1: the one that arrives), and asks every triangle met. Sets `closed` when it comes
+/// back to where it began.
+template <class S>
+bool supports_around(const Mesh<S>& mesh, int triangle, int k, int side, const Vec3<S>& normal,
+                     bool& closed) {
+  const Vec3<S>& vertex = mesh.corner(triangle, k);
+  int at = triangle;
+  int corner = k;
+  for (int step = 0; step < kMostTrianglesAround; ++step) {
+    const int edge = side == 0 ? corner : (corner + 2) % 3;
+    const int next = mesh.neighbour(at, edge);
+    if (next < 0) return true;
+    closed = next == triangle;
+    if (closed) return true;
+    corner = corner_of(mesh, next, triangle, k);
+    if (corner < 0) return true;
+    at = next;
+    for (int i = 1; i < 3; ++i)
+      if (beyond(normal, vertex, mesh.corner(at, (corner + i) % 3))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <class S>
+bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal) {
+  // The corners that lie farthest along the normal: three for the face, two for an edge.
+  int top = 0;
+  for (int k = 1; k < 3; ++k)
+    if (normal.dot(Vec3<S>(mesh.corner(triangle, k) - mesh.corner(triangle, top))) > S(0)) top = k;
+  bool high[3];
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    high[k] = k == top || !beyond(normal, mesh.corner(triangle, k), mesh.corner(triangle, top));
+    count += high[k] ? 1 : 0;
+  }
+  if (count == 3) return true;
+  if (count == 2) {
+    const int edge = high[top] && high[(top + 1) % 3] ? top : (top + 2) % 3;
+    const int across = mesh.neighbour(triangle, edge);
+    if (across < 0) return true;
+    for (int i = 0; i < 3; ++i)
+      if (beyond(normal, mesh.corner(triangle, top), mesh.corner(across, i))) return false;
+    return true;
+  }
+  bool closed = false;
+  if (!supports_around(mesh, triangle, top, 0, normal, closed)) return false;
+  return closed || supports_around(mesh, triangle, top, 1, normal, closed);
+}
+
+template bool belongs_to_surface(const Mesh<float>&, int, const Vec3<float>&);
+template bool belongs_to_surface(const Mesh<double>&, int, const Vec3<double>&);
+
+}  // namespace contactscope

@@ -1,0 +1,136 @@
+#include "scenario/mesh_shape.h"
+
+#include <functional>
+
+#include "core/input_error.h"
+#include "geometry/mesh_grid.h"
+#include "geometry/obj.h"
+#include "scenario/placement.h"
+
+namespace contactscope::scenario_file {
+namespace {
+
+namespace fs = std::filesystem;
+using toml_reader::Table;
+using toml_reader::Value;
+
+constexpr int kMaxCells = 4096;                   // along one side
+constexpr std::size_t kMaxTriangles = 4'000'000;  // as many as a grid may have
+
+/// Runs `build`; a mesh that cannot be made is an error of the value that describes it.
+Mesh<double> build_at(const Value& at, const std::function<Mesh<double>()>& build) {
+  try {
+    return build();
+  } catch (const MeshError& error) {
+    at.fail("'" + at.name() + "' makes no mesh: " + error.what());
+  }
+}
+
+/// "triangle 3 has", "triangles 3, 5 and 9 more have"
+std::string some_triangles(const std::vector<int>& triangles) {
+  constexpr std::size_t kMostListed = 3;
+  std::string text = triangles.size() == 1 ? "triangle " : "triangles ";
+  for (std::size_t i = 0; i < std::min(triangles.size(), kMostListed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(triangles[i]);
+  if (triangles.size() > kMostListed)
+    text += " and " + std::to_string(triangles.size() - kMostListed) + " more";
+  return text + (triangles.size() == 1 ? " has" : " have");
+}
+
+void warn(const std::string& name, const MeshReport& report, std::vector<std::string>& warnings) {
+  if (!report.zero_area_triangles.empty())
+    warnings.push_back("mesh '" + name + "': " + some_triangles(report.zero_area_triangles) +
+                       " no area (counted from 0) and was left out");
+  if (!report.flipped_edges.empty())
+    warnings.push_back("mesh '" + name + "': across " +
+                       std::to_string(report.flipped_edges.size()) +
+                       " of its edges a triangle is turned over; such an edge counts as a border");
+  if (!report.non_manifold_edges.empty())
+    warnings.push_back("mesh '" + name + "': " + std::to_string(report.non_manifold_edges.size()) +
+                       " of its edges are shared by more than two triangles; such an edge counts "
+                       "as a border");
+}
+
+void check_reach(const std::vector<Vec3d>& points, const Value& at) {
+  for (const Vec3d& point : points)
+    if (!(point.cwiseAbs().maxCoeff() <= kLargestLength))
+      at.fail("'" + at.name() + "' has a point farther than 1e9 metres from the origin; scale it");
+}
+
+Mesh<double> read_listed(const Table& table, MeshReport& report) {
+  const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
+  const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
+  const std::vector<Vec3d> points = read_points(vertices);
+  check_reach(points, vertices);
+  std::vector<std::array<int, 3>> corners;
+  for (const Value& triangle : triangles.array()) {
+    triangle.numbers(3);
+    const std::vector<Value> indices = triangle.array();
+    std::array<int, 3>& corner = corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = indices[k].integer(0, static_cast<int>(points.size()) - 1);
+  }
+  return build_at(triangles, [&] { return build_mesh(points, corners, &report); });
+}
+
+Mesh<double> read_file(const Value& file, const fs::path& folder, MeshReport& report) {
+  const fs::path path = existing_obj_file(file, folder);
+  ObjMesh obj;
+  try {
+    obj = load_obj_mesh(path.string());
+  } catch (const InputError& error) {
+    file.fail(std::string("'file' cannot be used: ") + error.what());
+  }
+  if (obj.triangles.size() > kMaxTriangles)
+    file.fail("'file' has " + std::to_string(obj.triangles.size()) +
+              " triangles; a mesh may have up to " + std::to_string(kMaxTriangles));
+  check_reach(obj.vertices, file);
+  return build_at(file, [&] { return build_mesh(obj.vertices, obj.triangles, &report); });
+}
+
+/// One number for both directions, or one for each.
+std::vector<Value> for_each_direction(const Value& value) {
+  if (!value.is_array()) return {value, value};
+  value.numbers(2);
+  return value.array();
+}
+
+Mesh<double> read_grid(const Value& value) {
+  const Table grid = value.table({"size", "cells", "amplitude"});
+  const std::vector<Value> size =
+      for_each_direction(grid.require("size", "size = 10.0 (metres, or one for each direction)"));
+  const std::vector<Value> cells =
+      for_each_direction(grid.require("cells", "cells = 16 (or one for each direction)"));
+  double amplitude = 0;
+  if (const auto given = grid.find("amplitude")) {
+    amplitude = given->not_negative("metres");
+    if (amplitude > kLargestLength)
+      given->fail("'amplitude' is too large; it may be up to 1e9 metres");
+  }
+  const double size_x = read_length(size[0]);
+  const double size_z = read_length(size[1]);
+  const int cells_x = cells[0].integer(1, kMaxCells);
+  const int cells_z = cells[1].integer(1, kMaxCells);
+  return build_at(value, [&] { return make_grid(size_x, size_z, cells_x, cells_z, amplitude); });
+}
+
+}  // namespace
+
+Shape<double> read_mesh(const Table& table, const Surroundings& surroundings) {
+  const auto vertices = table.find("vertices");
+  const auto triangles = table.find("triangles");
+  const auto file = table.find("file");
+  const auto grid = table.find("grid");
+  const bool listed = vertices || triangles;
+  if ((listed ? 1 : 0) + (file ? 1 : 0) + (grid ? 1 : 0) != 1)
+    table.fail("a mesh needs one of 'vertices' with 'triangles', 'file', or 'grid'");
+  MeshReport report;
+  Mesh<double> mesh;
+  if (listed) mesh = read_listed(table, report);
+  if (file) mesh = read_file(*file, surroundings.folder, report);
+  if (grid) mesh = read_grid(*grid);
+  warn(table.value().name(), report, surroundings.warnings);
+  return mesh;
+}
+
+}  // namespace contactscope::scenario_file
