@@ -46,8 +46,8 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
   Sketch sketch;
   sketch.center = center_of_contact(frame, scene.shapes);
   if (scene.shows("shapes")) draw_shapes(scene, sketch);
+  draw_touched_triangles(scene, sketch);
   for (const trace::Pair& pair : frame.pairs) {
-    draw_touched_triangles(scene, pair, sketch);
     draw_reference_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
     draw_incident_face(scene, pair, sketch);  // its dashes leave an equal clip polygon visible

@@ -107,27 +107,49 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   }
 }
 
-void draw_touched_triangles(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!scene.shows("contacts") && !scene.shows("reference_face")) return;
+namespace {
+
+// A triangle of a mesh with the strongest role that a manifold gives it.
+struct Touched {
   const PlacedShape* mesh = nullptr;
-  bool mesh_is_a = false;
-  for (const std::string& name : {pair.a, pair.b}) {
-    const PlacedShape* shape = scene.find(name);
-    if (shape == nullptr || shape->mesh->shape->type != "mesh") continue;
-    mesh = shape;
-    mesh_is_a = name == pair.a;
-  }
-  if (mesh == nullptr) return;
-  const std::size_t triangles = mesh->mesh->shape->faces.size();
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    if (!manifold.triangle || *manifold.triangle < 0 ||
-        static_cast<std::size_t>(*manifold.triangle) >= triangles) {
-      continue;
+  int triangle = -1;
+  bool incident = false;
+};
+
+std::vector<Touched> touched_triangles(const Scene& scene) {
+  std::vector<Touched> touched;
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    for (const std::string& name : {pair.a, pair.b}) {
+      const PlacedShape* mesh = scene.find(name);
+      if (mesh == nullptr || mesh->mesh->shape->type != "mesh") continue;
+      const int triangles = static_cast<int>(mesh->mesh->shape->faces.size());
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        const int triangle = manifold.triangle.value_or(-1);
+        if (triangle < 0 || triangle >= triangles) continue;
+        const bool incident = manifold.axis == (name == pair.a ? "face_b" : "face_a");
+        const auto known = std::ranges::find_if(touched, [&](const Touched& other) {
+          return other.mesh == mesh && other.triangle == triangle;
+        });
+        if (known == touched.end()) {
+          touched.push_back({mesh, triangle, incident});
+        } else {
+          known->incident = known->incident && incident;
+        }
+      }
     }
-    const std::vector<Vec3d> polygon = mesh->polygon(*manifold.triangle);
-    const bool incident = manifold.axis == (mesh_is_a ? "face_b" : "face_a");
+  }
+  return touched;
+}
+
+}  // namespace
+
+void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
+  if (!scene.shows("contacts") && !scene.shows("reference_face")) return;
+  const std::vector<Touched> touched = touched_triangles(scene);
+  const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
+  for (const auto& [mesh, triangle, incident] : touched) {
+    const std::vector<Vec3d> polygon = mesh->polygon(triangle);
     const Color color = incident ? kIncidentFace : kReferenceFace;
-    const float width = pair.manifolds.size() > 6 ? 1.5f : pair.manifolds.size() > 2 ? 2.0f : 3.0f;
     sketch.surfaces.push_back({polygon, with_alpha(color, 0.35f)});
     sketch.outline(polygon, {width, color, incident});
     sketch.explain(incident ? LegendKind::IncidentFace : LegendKind::ReferenceFace,

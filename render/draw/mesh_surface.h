@@ -10,8 +10,8 @@ namespace contactscope::draw {
 /// an open mesh are drawn, for both collide.
 void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch);
 
-/// Highlights the triangles that have a manifold: as reference faces, or as incident faces where a
-/// face of the other shape is the reference.
-void draw_touched_triangles(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// Highlights the triangles that have a manifold with any shape, each once: as a reference face, or
+/// as an incident face where the reference is a face of the other shape.
+void draw_touched_triangles(const Scene& scene, Sketch& sketch);
 
 }  // namespace contactscope::draw

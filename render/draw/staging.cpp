@@ -17,7 +17,6 @@ constexpr double kElevation = 30;         // degrees above the contact plane
 constexpr double kPatchShare = 0.46;      // of the view's smaller side
 constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
 constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
-constexpr double kLeastWhole = 0.92;      // the same for round shapes and planes
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
@@ -110,6 +109,23 @@ Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<Sh
   return subject;
 }
 
+// What a picture cannot crop as it may a box: round shapes, which are known by their outline alone,
+// and the ground with all that is on it.
+Subject uncropped(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
+  if (std::ranges::any_of(meshes, [](const ShapeMesh& mesh) { return mesh.patch.has_value(); })) {
+    return all_shapes(frames, meshes);
+  }
+  Subject subject;
+  for (const trace::Frame& frame : frames) {
+    for (const PlacedShape& shape : place_shapes(meshes, frame)) {
+      if (shape.mesh->shape->radius == 0) continue;
+      const std::vector<Vec3d> points = extent_points(shape);
+      subject.points.insert(subject.points.end(), points.begin(), points.end());
+    }
+  }
+  return subject;
+}
+
 // Above the contact plane on the side of `normal`.
 Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   const Vec3d usual = default_direction(header);
@@ -181,13 +197,16 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
   const Frame3 axes(direction, up_axis(header));
   Fit best = fit(everything.points, axes, view.target, half_height, aspect, kShapesShare);
   if (view.focus == Focus::Contact && !contact.points.empty()) {
-    const Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
+    Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
+    Subject whole = uncropped(frames, meshes);
+    if (!whole.points.empty()) {
+      whole.points.insert(whole.points.end(), contact.points.begin(), contact.points.end());
+      const Fit around = fit(whole.points, axes, view.target, half_height, aspect, kShapesShare);
+      close = {around.target, std::max(around.distance, close.distance)};
+    }
     // Not so near that the shapes are lost.
     if (close.distance < best.distance) {
-      const bool whole = std::ranges::any_of(
-          meshes, [](const ShapeMesh& mesh) { return mesh.shape->radius > 0 || mesh.patch; });
-      const double least = (whole ? kLeastWhole : kLeastShapes) * best.distance;
-      best = {close.target, std::max(close.distance, least)};
+      best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
     }
   }
   if (view.eye) best.distance = (*view.eye - best.target).norm();

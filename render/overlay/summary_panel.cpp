@@ -64,7 +64,7 @@ Rows rows_of(const trace::Pair& pair) {
   // Of two hulls the axis says it.
   const bool touching = !pair.manifolds.empty();
   if (touching && pair.kind != "hull-hull") rows.emplace_back("contact", types_of(pair));
-  rows.emplace_back(pair.state == "separated" ? "gap" : "separation",
+  rows.emplace_back(pair.separation > 0 ? "gap" : "separation",
                     draw::spell_length(pair.separation));
   if (pair.state != "separated") rows.emplace_back("points", counted(pair));
   if (pair.degenerate) {

@@ -1,0 +1,220 @@
+#include "draw/round_body.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "draw/depth_order.h"
+#include "draw/hidden_lines.h"
+#include "draw/shading.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr Rect kView{0, 0, 800, 600};
+
+Camera looking_from(const Vec3d& eye) {
+  return Camera::perspective(eye, Vec3d::Zero(), Vec3d::UnitY(), 0.5, kView);
+}
+
+Camera flat_from(const Vec3d& eye) {
+  return Camera::orthographic(eye, Vec3d::Zero(), Vec3d::UnitY(), 4, kView);
+}
+
+const RoundBody kBall({{0.3, -0.2, 0.1}}, 0.5);
+const RoundBody kPill({{-0.6, 0.1, 0.2}, {0.5, 0.4, -0.3}}, 0.3);
+
+// Distance from the middle of the body, whatever its core.
+double core_distance(const RoundBody& body, const Vec3d& p) {
+  const Vec3d& a = body.core().front();
+  const Vec3d along = body.core().back() - a;
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
+  return (p - a - t * along).norm();
+}
+
+// Nearest that the line through `p` along `direction` comes to the core, by exhaustion.
+double nearest_on_ray(const RoundBody& body, const Vec3d& p, const Vec3d& direction) {
+  double nearest = 1e9;
+  for (int i = -4000; i <= 4000; ++i) {
+    nearest = std::min(nearest, core_distance(body, p + 1e-4 * i * direction));
+  }
+  return nearest;
+}
+
+TEST(RoundBody, OutlineIsWhereTheViewRayTouchesTheSurface) {
+  for (const RoundBody& body : {kBall, kPill}) {
+    for (const Camera& camera : {looking_from({3, 2, 4}), looking_from({-1, 0.5, 1.2}),
+                                 looking_from({4, 1.4, -2}), flat_from({1, 2, 3})}) {
+      const std::vector<Vec3d> outline = body.outline(camera);
+      ASSERT_GE(outline.size(), 90u);
+      for (std::size_t i = 0; i < outline.size(); i += 5) {
+        const Vec3d& p = outline[i];
+        EXPECT_NEAR(core_distance(body, p), body.radius(), 1e-12);
+        // The ray comes no nearer anywhere: it touches.
+        EXPECT_NEAR(nearest_on_ray(body, p, camera.to_eye(p)), body.radius(), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(RoundBody, OutlineGoesAroundOnce) {
+  for (const RoundBody& body : {kBall, kPill}) {
+    const Camera camera = looking_from({3, 2, 4});
+    const std::vector<Vec3d> outline = body.outline(camera);
+    const Point2 middle = *camera.project(0.5 * (body.core().front() + body.core().back()));
+    double turned = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Point2 p = *camera.project(outline[i]);
+      const Point2 q = *camera.project(outline[(i + 1) % outline.size()]);
+      const double px = p.x - middle.x, py = p.y - middle.y;
+      const double qx = q.x - middle.x, qy = q.y - middle.y;
+      const double step = std::atan2(px * qy - py * qx, px * qx + py * qy);
+      EXPECT_LE(step, 1e-6);  // convex, and all one way
+      turned += step;
+    }
+    EXPECT_NEAR(turned, -2 * std::acos(-1.0), 1e-6);
+  }
+}
+
+TEST(RoundBody, ACapsuleSeenEndOnHasACircleForItsOutline) {
+  const RoundBody pill({{0, 0, -1}, {0, 0, 1}}, 0.25);
+  for (const Camera& camera : {looking_from({0, 0, 5}), flat_from({0, 0, 5})}) {
+    const std::vector<Vec3d> outline = pill.outline(camera);
+    ASSERT_FALSE(outline.empty());
+    for (const Vec3d& p : outline) {
+      EXPECT_NEAR(p.head<2>().norm(), outline.front().head<2>().norm(), 1e-12);
+      EXPECT_NEAR(p.z(), outline.front().z(), 1e-12);
+    }
+  }
+}
+
+TEST(RoundBody, AnEyeInsideSeesNothingOfIt) {
+  const RoundBody around({{0, 0, -3}, {0, 0, 3}}, 1);
+  const Camera camera = looking_from({0, 0.5, 2});
+  EXPECT_TRUE(around.outline(camera).empty());
+  EXPECT_TRUE(around.front(camera, key_light(camera)).empty());
+  EXPECT_TRUE(around.shadow(camera).empty());
+}
+
+TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
+  const auto area = [](const Camera& camera, const std::vector<Vec3d>& polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point2 p = *camera.project(polygon[i]);
+      const Point2 q = *camera.project(polygon[(i + 1) % polygon.size()]);
+      twice += static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
+    }
+    return 0.5 * std::abs(twice);
+  };
+  for (const RoundBody& body : {kBall, kPill}) {
+    for (const Camera& camera : {looking_from({3, 2, 4}), flat_from({-2, 1, 1})}) {
+      double covered = 0;
+      for (const RoundBody::Facet& facet : body.front(camera, key_light(camera))) {
+        for (const Vec3d& p : facet.polygon) {
+          EXPECT_NEAR(core_distance(body, p), body.radius(), 1e-9);
+        }
+        covered += area(camera, facet.polygon);
+      }
+      const double whole = area(camera, body.outline(camera));
+      // Overlapping facets would cover more, holes less.
+      EXPECT_NEAR(covered, whole, 4e-3 * whole);
+    }
+  }
+}
+
+TEST(RoundBody, HidesWhatAViewRayMeetsItBefore) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1.6, 1.6);
+  int hidden_count = 0, seen_count = 0;
+  for (const RoundBody& body : {kBall, kPill}) {
+    const Camera camera = looking_from({3, 2, 4});
+    const HiddenLines lines(camera, {}, {body.shadow(camera)});
+    for (int i = 0; i < 900; ++i) {
+      const Vec3d p(coordinate(random), coordinate(random), coordinate(random));
+      // By exhaustion along the ray to the eye.
+      double nearest = 1e9;
+      for (int k = 0; k <= 4000; ++k) {
+        const Vec3d on_ray = p + (k / 4000.0) * (camera.eye() - p);
+        nearest = std::min(nearest, core_distance(body, on_ray));
+      }
+      if (std::abs(nearest - body.radius()) < 0.02) continue;  // beside the outline
+      const bool hidden = lines.split(p, p + Vec3d(1e-4, 0, 0)).front().hidden;
+      EXPECT_EQ(hidden, nearest < body.radius()) << p.transpose();
+      (hidden ? hidden_count : seen_count)++;
+    }
+  }
+  EXPECT_GT(hidden_count, 100);
+  EXPECT_GT(seen_count, 100);
+}
+
+TEST(RoundBody, ItsOwnOutlineIsNotHiddenByIt) {
+  for (const RoundBody& body : {kBall, kPill}) {
+    for (const Camera& camera :
+         {looking_from({3, 2, 4}), looking_from({-1, 0.5, 1.2}), flat_from({1, 2, 3})}) {
+      const HiddenLines lines(camera, {}, {body.shadow(camera)});
+      const std::vector<Vec3d> outline = body.outline(camera);
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        for (const Span& span : lines.split(outline[i], outline[(i + 1) % outline.size()])) {
+          EXPECT_FALSE(span.hidden);
+        }
+      }
+    }
+  }
+}
+
+TEST(RoundBody, PowerPlaneGoesThroughTheCircleInWhichSpheresMeet) {
+  const RoundBody small({{0, 0, 0}}, 0.5), large({{0.9, 0, 0}}, 0.8);
+  const Plane<double> plane = power_plane(small, large);
+  // Points at both radii: x^2 + y^2 = 0.25 and (x - 0.9)^2 + y^2 = 0.64.
+  const double x = (0.25 - 0.64 + 0.81) / 1.8;
+  const double y = std::sqrt(0.25 - x * x);
+  EXPECT_NEAR(plane.distance({x, y, 0}), 0, 1e-12);
+  EXPECT_NEAR(plane.distance({x, 0, -y}), 0, 1e-12);
+  EXPECT_GT(plane.distance({0.9, 0, 0}), 0);
+}
+
+TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  int parted = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto point = [&] {
+      return Vec3d(coordinate(random), coordinate(random), coordinate(random));
+    };
+    const RoundBody a({point(), point()}, 0.2), b({point(), point()}, 0.1);
+    double gap = 1e9;
+    for (int s = 0; s <= 200; ++s) {
+      const Vec3d on_a = a.core()[0] + s / 200.0 * (a.core()[1] - a.core()[0]);
+      gap = std::min(gap, core_distance(b, on_a) - 0.3);
+    }
+    if (gap < 0.02) continue;
+    const Plane<double> plane = power_plane(a, b);
+    for (const Vec3d& p : a.core()) EXPECT_LT(plane.distance(p), -0.2);
+    for (const Vec3d& p : b.core()) EXPECT_GT(plane.distance(p), 0.1);
+    ++parted;
+  }
+  EXPECT_GT(parted, 50);
+}
+
+TEST(RoundBody, TheNearerOfTwoSpheresIsPaintedLast) {
+  const Camera camera = looking_from({0, 0, 6});
+  const std::vector<RoundBody> bodies = {RoundBody({{0, 0, 1}}, 0.6),
+                                         RoundBody({{0.3, 0.1, -1}}, 0.6)};
+  std::vector<Surface> surfaces;
+  for (int k = 0; k < 2; ++k) {
+    for (RoundBody::Facet& facet :
+         bodies[static_cast<std::size_t>(k)].front(camera, key_light(camera))) {
+      surfaces.push_back({std::move(facet.polygon), {}, k});
+    }
+  }
+  const std::vector<Surface> ordered = depth_ordered(surfaces, camera, bodies);
+  ASSERT_EQ(ordered.size(), surfaces.size());
+  EXPECT_TRUE(std::ranges::is_sorted(ordered, std::greater{}, &Surface::body));
+}
+
+}  // namespace
+}  // namespace contactscope::draw
