@@ -45,7 +45,8 @@ struct MeasuredAxis {
   Vec3<S> normal;  // unit, from A to B
   S separation;
   FaceQuery<S> face;  // of a face axis
-  EdgeQuery<S> edge;  // of an edge axis; its separation is that of the edges
+  EdgeQuery<S> edge;  // of an edge axis
+  S beyond = 0;       // metres: how far an edge axis's edges are from being the support
 };
 
 template <class S>
@@ -76,9 +77,11 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   axis.normal = cross * ((cross.dot(last_normal) >= S(0) ? S(1) : S(-1)) / sine);
   const Vec3<S> between = pair.b.origin(edge_b) - pair.a.origin(edge_a);
   axis.edge = {edge_a, edge_b, axis.normal.dot(between), axis.normal};
-  const Vec3<S> most_a = pair.a.vertex(support_of_a(pair, axis.normal));
-  const Vec3<S> least_b = pair.b.vertex(support_of_b(pair, Vec3<S>(-axis.normal)));
-  axis.separation = std::min(axis.edge.separation, axis.normal.dot(Vec3<S>(least_b - most_a)));
+  const S most_a = axis.normal.dot(pair.a.vertex(support_of_a(pair, axis.normal)));
+  const S least_b = axis.normal.dot(pair.b.vertex(support_of_b(pair, Vec3<S>(-axis.normal))));
+  axis.separation = least_b - most_a;
+  axis.beyond = axis.edge.separation - axis.separation;
+  if (axis.edge.separation > S(0)) axis.edge.separation = axis.separation;  // as query_edges does
   return true;
 }
 
@@ -232,6 +235,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   const S rounding = depth_rounding(scale);
   const S far_bound = cache.far + motion.farthest + rounding;
   if (!preferred(axis.separation, far_bound, options.margin, min_radius)) return answer;
+  if (!(axis.beyond <= rounding)) return answer;  // these edges cross no longer on the Gauss map
 
   const Rebuilt<S> rebuilt =
       rebuild(pair, cache.axis, axis, scale, options.margin, contact, recorder);

@@ -14,8 +14,8 @@
 ///
 /// **What a hit promises** is what a full test promises. Separated means separated along the kept
 /// axis, measured at the new pose with the support points of both hulls. A touching pair gets the
-/// manifold that the kept features make at the new pose, bit for bit what the full test would make
-/// of them, and this axis is one that the preference accepts: its separation s is not below
+/// manifold that the kept features make at the new pose, in overlap bit for bit what the full test
+/// would make of them, and this axis is one that the preference accepts: its separation s is not below
 /// best - preference_tolerance(best), where `best` is the largest of all axes, and the deepest point
 /// is deep enough as create_contact.h has it. So results with a cache are those without, up to the
 /// preference. With Preference::None that leaves no room, and only separating axes are kept.

@@ -51,10 +51,11 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
     const S right_at_left = left.direction.dot(right_line);
     if (left_at_right <= left_value) return left_value;    // falls from the left end on
     if (right_at_left <= right_value) return right_value;  // rises up to the right end
-    const S above_left = right_at_left - left_value;
-    const S above_right = left_at_right - right_value;
-    if (!(above_left > S(0) && above_right > S(0))) return std::max(left_at_right, right_at_left);
-    const S t = above_left / (above_left + above_right);
+    // Zero where a line holds both ends, and but for rounding not less.
+    const S above_left = std::max(right_at_left - left_value, S(0));
+    const S above_right = std::max(left_at_right - right_value, S(0));
+    const S above = above_left + above_right;
+    const S t = above > S(0) ? above_left / above : S(0);
     bound = left_value + t * (left_at_right - left_value);
     if (bound <= search.bound) return bound;
     const Vec3<S> way = right.direction - left.direction;
