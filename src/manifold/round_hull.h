@@ -4,7 +4,6 @@
 
 #include "core/pose.h"
 #include "geometry/hull.h"
-#include "query/gjk.h"
 
 /// What spheres and capsules against hulls share. They are worked on in the hull's own frame: there
 /// the hull's lanes stand ready, and its vertices are as exact as they were given.
@@ -27,19 +26,6 @@ constexpr S kNearlyParallelSine = S(0.05);
 template <class S>
 S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
   return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;
-}
-
-/// For a warm start: a point of the core and the edge of the hull that is near. GJK has a few steps
-/// to go from there.
-template <class S>
-GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
-  GjkSimplex<S> simplex;
-  simplex.weights = {};
-  for (const int edge : {half_edge, Hull<S>::twin(half_edge)}) {
-    const int vertex = hull.half_edges[static_cast<std::size_t>(edge)].origin;
-    simplex.vertices.push_back({core_point, vertex, Vec3<S>::Zero(), Vec3<S>::Zero()});
-  }
-  return simplex;
 }
 
 }  // namespace contactscope

@@ -108,12 +108,7 @@ GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Capsul
                             ? best.feature.index
                             : hull.face_edges[static_cast<std::size_t>(best.feature.index)];
   const int near_end = best.parameter > S(0.5) ? 1 : 0;
-  GjkSimplex<S> start;
-  start.weights = {};
-  for (const int edge : {near_edge, Hull<S>::twin(near_edge)}) {
-    const int vertex = hull.half_edges[static_cast<std::size_t>(edge)].origin;
-    start.vertices.push_back({near_end, vertex, Vec3<S>::Zero(), Vec3<S>::Zero()});
-  }
+  const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
   NoGjkRecorder<S> unwatched;
   return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, unwatched);
 }

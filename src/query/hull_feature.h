@@ -23,4 +23,17 @@ struct HullFeature {
 template <class S>
 HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 
+/// For a warm start: a point of the core and the edge of the hull that is near. GJK has a few steps
+/// to go from there.
+template <class S>
+GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
+  GjkSimplex<S> simplex;
+  simplex.weights = {};
+  for (const int edge : {half_edge, Hull<S>::twin(half_edge)}) {
+    const int vertex = hull.half_edges[static_cast<std::size_t>(edge)].origin;
+    simplex.vertices.push_back({core_point, vertex, Vec3<S>::Zero(), Vec3<S>::Zero()});
+  }
+  return simplex;
+}
+
 }  // namespace contactscope
