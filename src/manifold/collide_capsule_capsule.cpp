@@ -29,62 +29,70 @@ inline constexpr S kShortStretch = S(0.01);
 template <class S>
 struct Axis {
   Vec3<S> points[2];
-  Vec3<S> unit;  // from the first to the second; zero if it has no length
+  Vec3<S> along;  // from the first to the second
   S length;
 
   bool has_length() const { return length > S(0); }
+  Vec3<S> unit() const { return along / length; }
 };
 
 template <class S>
 Axis<S> axis_in_own_frame(const Capsule<S>& capsule) {
   const Vec3<S> along = capsule.points[1] - capsule.points[0];
-  return {{capsule.points[0], capsule.points[1]}, safe_unit(along), safe_norm(along)};
+  return {{capsule.points[0], capsule.points[1]}, along, along.norm()};
 }
 
 /// The direction is turned by itself: it does not lose what the ends lose far from A.
 template <class S>
 Axis<S> placed(const Axis<S>& axis, const Pose<S>& pose) {
   return {{pose.transform(axis.points[0]), pose.transform(axis.points[1])},
-          pose.rotate(axis.unit),
+          pose.rotate(axis.along),
           axis.length};
 }
+
+/// How far A's axis has B's beside it.
+template <class S>
+struct Stretch {
+  S from_b = 0, to_b = 0;  // B's ends along A's axis, metres from A's first
+  S length = 0;            // negative where they pass
+  /// Of the angle between nearly parallel axes.
+  S largest_sine = kNearlyParallel<S>;
+};
 
 /// Two axes and how they lie to each other.
 template <class S>
 struct AxisPair {
   AxisPair(const Axis<S>& one, const Axis<S>& other, S sum_of_radii)
-      : a(one), b(other), radii(sum_of_radii), cross(a.unit.cross(b.unit)), sine(cross.norm()) {
-    if (!a.has_length() || !b.has_length()) return;
-    const S first = a.unit.dot(b.points[0] - a.points[0]);
-    const S second = a.unit.dot(b.points[1] - a.points[0]);
-    from_b = std::min(first, second);
-    to_b = std::max(first, second);
-    stretch = std::min(to_b, a.length) - std::max(from_b, S(0));
-    // Rounding must not decide between axes that were placed in parallel.
-    largest_sine = std::max(kNearlyParallel<S> * std::min(S(1), radii / std::max(stretch, radii)),
-                            S(2) * kParallelSine<S>);
+      : a(one), b(other), radii(sum_of_radii), cross(a.along.cross(b.along)), sine(0) {
+    const S lengths = a.length * b.length;
+    if (lengths > S(0)) sine = cross.norm() / lengths;
   }
 
-  bool nearly_parallel() const {
-    return stretch > kShortStretch<S> * radii && sine <= largest_sine;
+  Stretch<S> stretch() const {
+    if (!a.has_length() || !b.has_length()) return {};
+    const Vec3<S> unit = a.unit();
+    const S first = unit.dot(b.points[0] - a.points[0]);
+    const S second = unit.dot(b.points[1] - a.points[0]);
+    Stretch<S> result;
+    result.from_b = std::min(first, second);
+    result.to_b = std::max(first, second);
+    result.length = std::min(result.to_b, a.length) - std::max(result.from_b, S(0));
+    // Rounding must not decide between axes that were placed in parallel.
+    result.largest_sine = std::max(kNearlyParallel<S> * radii / std::max(result.length, radii),
+                                   S(2) * kParallelSine<S>);
+    return result;
   }
   S scale() const {
-    S largest = 0;
-    for (const Axis<S>* axis : {&a, &b}) {
-      for (const Vec3<S>& point : axis->points) {
-        largest = std::max(largest, point.cwiseAbs().maxCoeff());
-      }
-    }
-    return largest;
+    const auto largest = [](const Axis<S>& axis) {
+      return axis.points[0].cwiseAbs().cwiseMax(axis.points[1].cwiseAbs()).maxCoeff();
+    };
+    return std::max(largest(a), largest(b));
   }
 
   const Axis<S>&a, &b;
   S radii;
-  Vec3<S> cross;  // of the units
-  S sine;
-  S from_b = 0, to_b = 0;  // B's ends along A's axis, metres from A's first
-  S stretch = 0;           // of A's axis that has B beside it; negative where they pass
-  S largest_sine = kNearlyParallel<S>;
+  Vec3<S> cross;  // A's by B's, square metres
+  S sine;         // of the angle between them; 0 if one has no length
 };
 
 /// From A to B by the closest points. Inside of an axis it is at right angles to it, and within an
@@ -93,39 +101,42 @@ struct AxisPair {
 /// points are very close.
 template <class S>
 Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
-  const auto is_inside = [](S parameter) { return S(0) < parameter && parameter < S(1); };
-  const bool inside_a = is_inside(closest.parameter_a);
-  const bool inside_b = is_inside(closest.parameter_b);
+  const auto is_inside = [](const Axis<S>& axis, S parameter) {
+    return axis.has_length() && S(0) < parameter && parameter < S(1);
+  };
+  const bool inside_a = is_inside(axes.a, closest.parameter_a);
+  const bool inside_b = is_inside(axes.b, closest.parameter_b);
   Vec3<S> between = closest.on_b - closest.on_a;
   if (inside_a && inside_b &&
       closest.distance < axes.sine * std::min(axes.a.length, axes.b.length)) {
-    const Vec3<S> normal = axes.cross / axes.sine;
+    const Vec3<S> normal = axes.cross.normalized();
     return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
   }
-  if (inside_a) between = rejected(between, axes.a.unit);
-  if (inside_b) between = rejected(between, axes.b.unit);
-  return safe_unit(between);
+  if (inside_a) between = rejected(between, axes.a.unit());
+  if (inside_b) between = rejected(between, axes.b.unit());
+  return between.normalized();
 }
 
 template <class S>
-const char* degenerate_name(const AxisPair<S>& axes) {
+const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) {
   if (!axes.a.has_length() && !axes.b.has_length()) return "coincident centres";
   if (!axes.a.has_length() || !axes.b.has_length()) return "centre on the axis";
-  return axes.sine < axes.largest_sine ? "overlapping axes" : "crossing axes";
+  return axes.sine < stretch.largest_sine ? "overlapping axes" : "crossing axes";
 }
 
 /// Of axes that meet. The cross product of parallel axes is nothing but rounding, and that of nearly
 /// parallel ones turns about quickly, so up to half the angle at which they count as parallel the
 /// direction that is fixed to a body has its say.
 template <class S>
-Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Capsule<S>& b,
-                        const Pose<S>& b_in_a) {
+Vec3<S> fallback_normal(const AxisPair<S>& axes, const Stretch<S>& stretch, const Capsule<S>& a,
+                        const Capsule<S>& b, const Pose<S>& b_in_a) {
   if (!axes.b.has_length() && axes.a.has_length()) {
     return body_perpendicular(Vec3<S>(a.points[1] - a.points[0]));
   }
   const Vec3<S> fixed = b_in_a.rotate(body_perpendicular(Vec3<S>(b.points[1] - b.points[0])));
-  const Vec3<S> cross = axes.cross.dot(fixed) < S(0) ? Vec3<S>(-axes.cross) : axes.cross;
-  const S missing = std::max(S(0), S(0.5) * axes.largest_sine - axes.sine);
+  const Vec3<S> across = axes.sine * safe_unit(axes.cross);
+  const Vec3<S> cross = across.dot(fixed) < S(0) ? Vec3<S>(-across) : across;
+  const S missing = std::max(S(0), S(0.5) * stretch.largest_sine - axes.sine);
   return safe_unit(Vec3<S>(cross + missing * fixed));
 }
 
@@ -138,8 +149,8 @@ struct Facing {
 /// At the end of the stretch on the side of A's end `side`: the end of B's axis if it lies beside
 /// A's, else that of A's, each with the point of the other axis that is closest to it.
 template <class S>
-Facing<S> facing_at(const AxisPair<S>& axes, int side, int end_of_b) {
-  const bool b_ends = side == 0 ? axes.from_b > S(0) : axes.to_b < axes.a.length;
+Facing<S> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side, int end_of_b) {
+  const bool b_ends = side == 0 ? stretch.from_b > S(0) : stretch.to_b < axes.a.length;
   if (b_ends) {
     const Vec3<S>& end = axes.b.points[end_of_b];
     return {closest_on_segment(end, axes.a.points[0], axes.a.points[1]).point, end};
@@ -148,13 +159,17 @@ Facing<S> facing_at(const AxisPair<S>& axes, int side, int end_of_b) {
   return {end, closest_on_segment(end, axes.b.points[0], axes.b.points[1]).point};
 }
 
+/// Nothing unless the axes are nearly parallel and long enough beside each other.
 template <class S>
 void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
                     Contact<S>& contact) {
-  const bool same_way = axes.a.unit.dot(axes.b.unit) > S(0);
+  if (axes.sine > kNearlyParallel<S>) return;
+  const Stretch<S> stretch = axes.stretch();
+  if (stretch.length <= kShortStretch<S> * axes.radii || axes.sine > stretch.largest_sine) return;
+  const bool same_way = axes.a.along.dot(axes.b.along) > S(0);
   for (int side = 0; side < 2; ++side) {
     const int end_of_b = same_way ? side : 1 - side;
-    const Facing<S> facing = facing_at(axes, side, end_of_b);
+    const Facing<S> facing = facing_at(axes, stretch, side, end_of_b);
     const S distance = contact.normal.dot(facing.on_b - facing.on_a);
     if (distance - axes.radii > margin) continue;
     const FeatureId id = FeatureId::of(vertex_ref(Owner::A, side), vertex_ref(Owner::B, end_of_b));
@@ -188,15 +203,16 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   if (closest.distance > clip_thickness(axes.scale())) {
     contact.normal = normal_between(axes, closest);
   } else {
-    recorder.degenerate(degenerate_name(axes), options.degenerate);
+    const Stretch<S> stretch = axes.stretch();
+    recorder.degenerate(degenerate_name(axes, stretch), options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
-    contact.normal = fallback_normal(axes, a, b, b_in_a);
+    contact.normal = fallback_normal(axes, stretch, a, b, b_in_a);
   }
   const FeatureRef feature_a = axis_feature(Owner::A, closest.parameter_a, axis_a.has_length());
   const FeatureRef feature_b = axis_feature(Owner::B, closest.parameter_b, axis_b.has_length());
   contact.axis = AxisKind::ClosestPoints;
   contact.type = contact_type(feature_a.kind, feature_b.kind);
-  if (axes.nearly_parallel()) add_two_points(axes, a.radius, b.radius, options.margin, contact);
+  add_two_points(axes, a.radius, b.radius, options.margin, contact);
   if (contact.points.empty()) {
     add_round_point(closest.on_a, a.radius, closest.on_b, b.radius, contact.normal,
                     closest.distance, FeatureId::of(feature_a, feature_b), contact);
