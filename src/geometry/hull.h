@@ -26,8 +26,9 @@ struct HullLanes {
 };
 
 /// Convex polyhedron with half-edges, local frame, metres. Made by the hull builder only, which
-/// keeps these promises: faces are planar within rounding and merged when coplanar, every vertex is
-/// used, V - E + F = 2, twins run opposite, no face has more than kMaxFaceVertices vertices.
+/// keeps these promises: faces are planar within rounding, and merged when coplanar unless it was
+/// asked to leave them unmerged (triangulate_faces.h); every vertex is used, V - E + F = 2, twins run
+/// opposite, no face has more than kMaxFaceVertices vertices.
 template <class S>
 struct Hull {
   std::vector<Vec3<S>> vertices;

@@ -12,6 +12,7 @@
 
 #include "geometry/hull_from_polygons.h"
 #include "geometry/quickhull.h"
+#include "geometry/triangulate_faces.h"
 
 namespace contactscope {
 namespace {
@@ -179,7 +180,10 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
   const double tolerance = tolerance_for(bounds);
   for (const double factor : kAttempts) {
     quickhull::Result result = quickhull::run(local, std::ldexp(factor * tolerance, -exponent));
-    if (result.status == quickhull::Status::Done) return compact(kept, std::move(result.faces));
+    if (result.status == quickhull::Status::Done) {
+      Hull<double> hull = compact(kept, std::move(result.faces));
+      return options.merge_coplanar ? hull : triangulate_faces(hull);
+    }
     if (result.status != quickhull::Status::Unresolved) {
       refuse(result.status, kept.size(), factor * tolerance);
     }

@@ -13,6 +13,11 @@ struct HullOptions {
   /// hand-written list a repeated vertex is a slip of the pen. File formats that repeat vertices on
   /// purpose turn it on (or weld while reading, as load_obj_vertices does).
   bool weld_duplicates = false;
+
+  /// Off, every face is left in triangles (see triangulate_faces.h), as by a builder that does not
+  /// merge. For comparison: clipping then misses parts of a manifold. Quickhull merges all the same
+  /// while it grows, because the planes of slivers say nothing, and the faces are cut afterwards.
+  bool merge_coplanar = true;
 };
 
 /// Convex hull of `points` (metres, any frame, any order; points inside or on the surface are left

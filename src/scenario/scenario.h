@@ -13,6 +13,10 @@
 
 /// The scenario format of FORMATS.md, and what it has grown since:
 ///
+///     [shapes.crate]
+///     merge_coplanar = true            # of box, hull, cylinder, cone; false: faces are left in
+///                                      # triangles, and clipping sees one of them
+///
 ///     [pipeline]
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
 ///     internal_edges = true            # false: meshes trip over edges that the surface lacks

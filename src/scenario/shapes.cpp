@@ -8,6 +8,7 @@
 #include "geometry/hull_builder.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
+#include "geometry/triangulate_faces.h"
 #include "scenario/mesh_shape.h"
 #include "scenario/placement.h"
 #include "scenario/shape_values.h"
@@ -35,15 +36,31 @@ Hull<double> build_at(const Value& at, const std::function<Hull<double>()>& buil
   }
 }
 
+/// Of shapes that are hulls.
+bool merges_coplanar(const Table& table) {
+  const auto value = table.find("merge_coplanar");
+  return !value || value->boolean();
+}
+
+/// A simple shape's hull, whose faces are left in triangles where the file says so.
+Hull<double> build_primitive(const Value& at, const Table& table,
+                             const std::function<Hull<double>()>& build) {
+  Hull<double> hull = build_at(at, build);
+  return merges_coplanar(table) ? hull : triangulate_faces(hull);
+}
+
 /// Points of a list or file: a hull that can be computed with, within the lengths of a scenario.
-Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at) {
+Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at,
+                            bool merge_coplanar) {
   if (points.size() > kMaxHullPoints)
     at.fail("'" + at.name() + "' has " + std::to_string(points.size()) +
             " points; a hull may be built from up to " + std::to_string(kMaxHullPoints));
   for (const Vec3d& point : points)
     if (!(point.cwiseAbs().maxCoeff() <= kLargestLength))
       at.fail("'" + at.name() + "' has a point farther than 1e9 metres from the origin; scale it");
-  Hull<double> hull = build_at(at, [&] { return build_hull(points); });
+  HullOptions options;
+  options.merge_coplanar = merge_coplanar;
+  Hull<double> hull = build_at(at, [&] { return build_hull(points, options); });
   if (hull.radius < kSmallestLength)
     at.fail("'" + at.name() + "' is smaller than 1e-9 metres; scale it up");
   return hull;
@@ -56,7 +73,8 @@ Shape<double> read_hull(const Table& table, const Surroundings& surroundings) {
   if (!vertices && !file)
     table.fail("the hull '" + table.value().name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
-  if (vertices) return hull_of_points(read_points(*vertices), *vertices);
+  const bool merge_coplanar = merges_coplanar(table);
+  if (vertices) return hull_of_points(read_points(*vertices), *vertices, merge_coplanar);
   const fs::path path = existing_obj_file(*file, surroundings.folder);
   std::vector<Vec3d> points;
   try {
@@ -64,7 +82,7 @@ Shape<double> read_hull(const Table& table, const Surroundings& surroundings) {
   } catch (const InputError& error) {
     file->fail(std::string("'file' cannot be used: ") + error.what());
   }
-  return hull_of_points(points, *file);
+  return hull_of_points(points, *file, merge_coplanar);
 }
 
 Shape<double> read_box(const Table& table, const Surroundings&) {
@@ -73,7 +91,7 @@ Shape<double> read_box(const Table& table, const Surroundings&) {
   Vec3d half_extents;
   const std::vector<Value> items = value.array();
   for (int i = 0; i < 3; ++i) half_extents[i] = read_length(items[static_cast<std::size_t>(i)]);
-  return build_at(value, [&] { return make_box(half_extents); });
+  return build_primitive(value, table, [&] { return make_box(half_extents); });
 }
 
 /// Keys of the round shapes.
@@ -91,14 +109,16 @@ Round read_round(const Table& table) {
 
 Shape<double> read_cylinder(const Table& table, const Surroundings&) {
   const Round round = read_round(table);
-  return build_at(table.value(),
-                  [&] { return make_cylinder(round.radius, round.half_height, round.segments); });
+  return build_primitive(table.value(), table, [&] {
+    return make_cylinder(round.radius, round.half_height, round.segments);
+  });
 }
 
 Shape<double> read_cone(const Table& table, const Surroundings&) {
   const Round round = read_round(table);
-  return build_at(table.value(),
-                  [&] { return make_cone(round.radius, round.half_height, round.segments); });
+  return build_primitive(table.value(), table, [&] {
+    return make_cone(round.radius, round.half_height, round.segments);
+  });
 }
 
 Shape<double> read_sphere(const Table& table, const Surroundings&) {
@@ -148,10 +168,10 @@ struct Type {
 
 const std::vector<Type>& types() {
   static const std::vector<Type> all = {
-      {"box", {"half_extents"}, read_box},
-      {"hull", {"vertices", "file"}, read_hull},
-      {"cylinder", {"radius", "half_height", "segments"}, read_cylinder},
-      {"cone", {"radius", "half_height", "segments"}, read_cone},
+      {"box", {"half_extents", "merge_coplanar"}, read_box},
+      {"hull", {"vertices", "file", "merge_coplanar"}, read_hull},
+      {"cylinder", {"radius", "half_height", "segments", "merge_coplanar"}, read_cylinder},
+      {"cone", {"radius", "half_height", "segments", "merge_coplanar"}, read_cone},
       {"sphere", {"radius"}, read_sphere},
       {"capsule", {"radius", "points", "half_height"}, read_capsule},
       {"mesh", {"vertices", "triangles", "file", "grid"}, read_mesh},

@@ -5,7 +5,10 @@
 
 #include "geometry/hull_builder.h"
 #include "geometry/hull_checks.h"
+#include "geometry/hull_from_polygons.h"
 #include "geometry/point_sets.h"
+#include "geometry/primitives.h"
+#include "geometry/triangulate_faces.h"
 
 // Coplanar input must come out as the faces that a person sees, rounding or not.
 namespace contactscope::test {
@@ -123,6 +126,73 @@ TEST(BuildHull, CentroidIsByVolumeAndNotByVertices) {
   const Hull<double> hull = build_hull(points);
   EXPECT_NEAR(hull.centroid.y(), 1, 1e-12);
   EXPECT_NEAR(hull.centroid.x(), 0, 1e-12);
+}
+
+Hull<double> unmerged(const Points& points) {
+  HullOptions options;
+  options.merge_coplanar = false;
+  return build_hull(points, options);
+}
+
+TEST(UnmergedHull, OfAGridIsACubeOfTwelveTriangles) {
+  const Hull<double> hull = unmerged(box_grid(3));
+  EXPECT_TRUE(is_sound(hull));
+  EXPECT_TRUE(is_convex(hull, 1e-15));
+  EXPECT_EQ(hull.vertex_count(), 8);
+  EXPECT_EQ(face_sizes(hull), std::vector<int>(12, 3));
+}
+
+TEST(UnmergedHull, IsTheSameSolidAsTheMergedOne) {
+  Random random(6);
+  for (int i = 0; i < 40; ++i) {
+    const Points sets[] = {box_grid(1 + i % 3), prism(3 + i), globe(4 + i % 5, 8)};
+    for (const Points& points : sets) {
+      const Points noisy = posed(random, points);
+      const Hull<double> merged = build_hull(noisy);
+      const Hull<double> cut = unmerged(noisy);
+      EXPECT_TRUE(is_sound(cut));
+      EXPECT_TRUE(is_convex(cut, 10 * hull_tolerance(noisy)));
+      EXPECT_EQ(cut.vertices, merged.vertices);
+      EXPECT_EQ(cut.centroid, merged.centroid);
+      EXPECT_EQ(cut.radius, merged.radius);
+      EXPECT_NEAR(measure(cut).volume, measure(merged).volume, 1e-6);
+      EXPECT_NEAR(measure(cut).area, measure(merged).area, 1e-5);
+      std::size_t triangles = 0;
+      for (const int size : face_sizes(merged)) triangles += static_cast<std::size_t>(size) - 2;
+      EXPECT_EQ(face_sizes(cut), std::vector<int>(triangles, 3));
+    }
+  }
+}
+
+TEST(UnmergedHull, TrianglesOfOneFaceFollowEachOtherAndHaveItsPlane) {
+  const Hull<double> cylinder = make_cylinder(0.4, 0.7, 9);
+  const Hull<double> cut = triangulate_faces(cylinder);
+  std::size_t at = 0;
+  for (int face = 0; face < cylinder.face_count(); ++face) {
+    const Plane<double>& plane = cylinder.planes[static_cast<std::size_t>(face)];
+    for (std::size_t k = 2; k < face_vertices(cylinder, face).size(); ++k, ++at) {
+      EXPECT_EQ(cut.planes[at].normal, plane.normal);
+      EXPECT_EQ(cut.planes[at].offset, plane.offset);
+    }
+  }
+  EXPECT_EQ(at, cut.planes.size());
+}
+
+TEST(UnmergedHull, WithNothingToMergeIsTheMergedHull) {
+  Random random(7);
+  const Points points = on_sphere(random, 30);
+  const Hull<double> merged = build_hull(points);
+  const Hull<double> cut = unmerged(points);
+  EXPECT_EQ(cut.face_edges, merged.face_edges);
+  EXPECT_EQ(cut.lanes, merged.lanes);
+}
+
+TEST(UnmergedHull, LeavesAFaceWholeWhoseCutIsAnEdgeAlready) {
+  // Two squares back to back, whose first ears lie at the two ends of one diagonal.
+  const Hull<double> flat =
+      hull_from_polygons({Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)},
+                         {{0, 1, 2, 3}, {2, 1, 0, 3}});
+  EXPECT_EQ(face_sizes(triangulate_faces(flat)), (std::vector<int>{3, 3, 4}));
 }
 
 }  // namespace
