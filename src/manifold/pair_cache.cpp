@@ -239,16 +239,13 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
 
   const Rebuilt<S> rebuilt =
       rebuild(pair, cache.axis, axis, scale, options.margin, contact, recorder);
-  const bool deep_enough =
-      rebuilt.deepest <= axis.separation +
-                             preference_tolerance(std::min(axis.separation, S(0)), min_radius) +
-                             rounding;
   // A face's normal stands still in its own hull; a cross product may turn more than the hulls do.
   const bool on_face = cache.axis != AxisKind::EdgeEdge;
   const S swing = motion.turn + (on_face ? S(0) : Vec3<S>(axis.normal - cache.normal).norm());
   const S bound = std::max(far_bound, rebuilt.near_bound(cache.near_cosine - swing));
-  answer.hit = deep_enough && !contact.points.empty() &&
-               preferred(axis.separation, bound, options.margin, min_radius);
+  // The bound is not below the deepest point, which is thus deep enough as well.
+  answer.hit =
+      !contact.points.empty() && preferred(axis.separation, bound, options.margin, min_radius);
   if (!answer.hit) recorder.clip_abandoned();
   return answer;
 }

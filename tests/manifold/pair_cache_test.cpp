@@ -247,6 +247,39 @@ TEST(PairCache, BoxesAtRestMayMoveBySeveralPercentOfTheirSize) {
   EXPECT_EQ(ask(pair, cache).kind, CachedKind::Features);
 }
 
+TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
+  Random random(8);
+  for (int i = 0; i < 300; ++i) {
+    Vec3d normal;
+    PairCase<double> pair = touching_pair(random, normal);
+    const double size = pair.a.radius;
+    PairCache<double> cache;
+    collide(pair, cache);
+    if (cache.kind != CachedKind::Features) continue;
+    const PairCase<double> before = pair;
+    const double turn = random.decade(-6, 0);
+    pair.pose_b.rotation = random.rotation_by(turn) * pair.pose_b.rotation;
+    pair.pose_b.position += random.decade(-6, -1) * size * random.unit_vector();
+    // The same rotation may come with either sign.
+    if (random.chance(0.5)) pair.pose_b.rotation.coeffs() *= -1;
+    const CacheAnswer<double> answer = ask(pair, cache);
+    if (answer.kind != CachedKind::Features) continue;
+
+    double farthest = 0;
+    const Pose<double> old_pose = relative_pose(before.pose_a, before.pose_b);
+    const Pose<double> new_pose = relative_pose(pair.pose_a, pair.pose_b);
+    for (const Vec3d& v : pair.b.vertices) {
+      farthest = std::max(farthest, (new_pose.transform(v) - old_pose.transform(v)).norm());
+    }
+    for (const Vec3d& v : pair.a.vertices) {
+      const Vec3d moved = new_pose.inverse_transform(v) - old_pose.inverse_transform(v);
+      farthest = std::max(farthest, moved.norm());
+    }
+    EXPECT_GE(answer.moved, farthest * (1 - 1e-9) - 1e-12 * size);
+    EXPECT_LE(answer.moved, 4 * farthest);
+  }
+}
+
 TEST(PairCache, ABoxThatSlidesOverTheRimIsPushedOutSideways) {
   // Far from the kept axis another one becomes shallower: the bound must notice, not the axis.
   PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.5),

@@ -204,6 +204,33 @@ TEST_P(Run, FramesAskedForInAnyOrderAreTheSame) {
   EXPECT_EQ(run_frame(scenario, 5).pairs.front().reduction->points.size(), 8u);
 }
 
+TEST_P(Run, ACacheIsKeptFromFrameToFrameUnlessTheFileSaysOtherwise) {
+  const std::string motion = two_boxes(
+      "position = [0, -0.99, 0]\n[time]\nframes = 8\ndt = 0.1\n"
+      "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"kept\"\n"
+      "[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"anew\"\ncache = false\n"
+      "[pipeline]\nscalar = \"" +
+      std::string(GetParam()) + "\"\n");
+  const Scenario scenario = parse_scenario(motion, "g/a.toml");
+  const Runner runner(scenario);
+  for (int number = 0; number < 8; ++number) {
+    const trace::Frame frame = runner.frame(number);
+    const trace::Pair& kept = frame.pairs[0];
+    const trace::Pair& anew = frame.pairs[1];
+    EXPECT_EQ(kept.cache.has_value(), number > 0);  // nothing to try in the first frame
+    if (kept.cache) {
+      EXPECT_TRUE(kept.cache->hit);
+      EXPECT_EQ(kept.cache->kind, "features");
+    }
+    EXPECT_EQ(kept.sat.has_value(), number == 0);
+    EXPECT_TRUE(kept.clip && anew.sat && anew.clip);
+    EXPECT_FALSE(anew.cache);
+    ASSERT_EQ(kept.manifolds.size(), 1u);
+    EXPECT_EQ(kept.manifolds[0].normal, anew.manifolds[0].normal);
+    EXPECT_EQ(kept.separation, anew.separation);
+  }
+}
+
 // The oracle is the pipeline itself, run from the first frame on with what it kept handed on.
 TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
   int remembering = 0;

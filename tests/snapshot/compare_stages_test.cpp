@@ -84,6 +84,16 @@ TEST(CompareStages, Reduction) {
               ElementsAre("reduction point 1 separation -0.005 -> 0.045"));
 }
 
+TEST(CompareStages, Cache) {
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.cache->hit = false; }),
+              ElementsAre("cache: hit of features, face_a -> miss of features, face_a"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.cache->moved = 0.0225; }),
+              ElementsAre("cache: moved 0.0125 -> 0.0225"));
+  EXPECT_THAT(after([](trace::Pair& pair) { *pair.cache->normal *= -1; }),
+              ElementsAre("cache: normal flipped"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.cache.reset(); }), ElementsAre("cache gone"));
+}
+
 TEST(CompareStages, MeshManifoldsBelongTogetherByTriangle) {
   trace::Trace trace = sample_trace();
   trace::Pair& expected = sample_pair(trace);

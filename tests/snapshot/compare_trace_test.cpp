@@ -225,6 +225,8 @@ std::vector<double*> numbers_of(trace::Trace& trace) {
     polygon(step.polygon);
   }
   for (trace::DroppedPoint& point : pair.clip->dropped) vector(point.position);
+  vector(*pair.cache->normal);
+  numbers.push_back(&*pair.cache->moved);
   points(pair.reduction->points);
   numbers.push_back(&pair.reduction->area);
   numbers.push_back(&pair.reduction->best_area);

@@ -60,6 +60,7 @@ trace::Pair contact() {
   clip.steps.push_back({Vec3d(0, 0, 1), 0.5, patch});
   clip.dropped.push_back({rounded(0.2, 0.6, 0.1), "above the reference face"});
 
+  pair.cache = trace::Cache{true, "features", "face_a", manifold.normal, 0.0125};
   trace::Reduction& reduction = pair.reduction.emplace();
   reduction.method = "area";
   reduction.points = manifold.points;
