@@ -9,6 +9,8 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr float kJoin = 0.25f;    // pixels
+constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
 constexpr double kCoreRadius = 2.4;
@@ -37,8 +39,15 @@ class Composer {
     }
     for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
+    // What is inside of a shape stays under what is said about it.
+    const auto is_core = [](const Mark& mark) { return mark.kind == MarkKind::Core; };
+    for (const Mark& mark : sketch_.marks) {
+      if (is_core(mark)) draw_mark(mark);
+    }
     for (const Arrow& arrow : sketch_.arrows) draw_arrow(arrow);
-    for (const Mark& mark : sketch_.marks) draw_mark(mark);
+    for (const Mark& mark : sketch_.marks) {
+      if (!is_core(mark)) draw_mark(mark);
+    }
     for (const Label& label : sketch_.labels) draw_label(label);
   }
 
@@ -46,12 +55,21 @@ class Composer {
   float px(double at_720) const { return layout_.px(at_720); }
 
   void stroke(const Vec3d& from, const Vec3d& to, float width, const Color& color, float dash,
-              float gap, float phase) {
+              float gap, float phase, bool joined) {
     const std::optional<Segment2> seen = project_segment(camera_, from, to);
     if (!seen) return;
     Stroke result{seen->from, seen->to, px(width), color, Cap::Round};
     // Translucent strokes end flat, for round ends would add up where they meet.
     if (gap > 0 || color.a < 1) result.cap = Cap::Butt;
+    const float length = distance(seen->from, seen->to);
+    if (joined && result.cap == Cap::Round && length > 0) {
+      // So do pieces of a curve: round ends would bead it. They overlap by what two flat ends lack.
+      result.cap = Cap::Butt;
+      const float dx = kJoin / length * (seen->to.x - seen->from.x);
+      const float dy = kJoin / length * (seen->to.y - seen->from.y);
+      result.from = {result.from.x - dx, result.from.y - dy};
+      result.to = {result.to.x + dx, result.to.y + dy};
+    }
     result.dash = px(dash);
     result.gap = px(gap);
     result.phase = phase;
@@ -64,15 +82,16 @@ class Composer {
       const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
       if (seen) placer_.block(seen->from, seen->to, px(style.width + 2));
     }
-    draw_spans(line.from, line.to, style, 0);
+    draw_spans(line.from, line.to, style, 0, false);
   }
 
   // `run`: pixels of the line's dashes before `first`.
-  void draw_spans(const Vec3d& first, const Vec3d& last, const LineStyle& style, float run) {
+  void draw_spans(const Vec3d& first, const Vec3d& last, const LineStyle& style, float run,
+                  bool joined) {
     if (!project_segment(camera_, first, last)) return;
     if (style.hidden == LineStyle::Hidden::Same) {
       stroke(first, last, style.width, style.color, style.dashed ? 10.0f : 0.0f,
-             style.dashed ? 6.0f : 0.0f, run);
+             style.dashed ? 6.0f : 0.0f, run, joined);
       return;
     }
     for (const Span& span : hidden_.split(first, last)) {
@@ -80,24 +99,26 @@ class Composer {
       const Vec3d to = first + span.to * (last - first);
       if (span.hidden) {
         if (style.hidden == LineStyle::Hidden::Gone) continue;
-        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run);
+        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run, joined);
       } else {
-        stroke(from, to, style.width, style.color, 0, 0, 0);
+        stroke(from, to, style.width, style.color, 0, 0, 0, joined);
       }
     }
   }
 
   // The lengths already run are measured on the screen, where dashes are.
   void draw_curve(const Curve& curve) {
-    const std::size_t count = curve.points.size();
     float run = 0;
-    for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i) {
-      const Vec3d& p = curve.points[i];
-      const Vec3d& q = curve.points[(i + 1) % count];
+    for (std::size_t from = 0, to = 1; to < curve.points.size() + (curve.closed ? 1 : 0); ++to) {
+      const Vec3d& p = curve.points[from];
+      const Vec3d& q = curve.points[to % curve.points.size()];
       const std::optional<Segment2> seen = project_segment(camera_, p, q);
-      if (!seen) continue;
-      draw_spans(p, q, curve.style, run);
-      run += distance(seen->from, seen->to);
+      const float length = seen ? distance(seen->from, seen->to) : 0;
+      const bool last = to + 1 == curve.points.size() + (curve.closed ? 1 : 0);
+      if (seen && length < kLeastPiece && !last) continue;
+      if (seen) draw_spans(p, q, curve.style, run, true);
+      run += length;
+      from = to;
     }
   }
 

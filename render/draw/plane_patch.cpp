@@ -99,7 +99,10 @@ void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
     const double length = along.norm();
     const double metres = 1 / camera.pixels_per_metre(from + 0.5 * along);
     const int count = std::clamp(static_cast<int>(length / (kTickSpacing * metres)), 4, 200);
-    const Vec3d tick = kTickLength * metres * (-normal - along / length);
+    // Ticks lean to the side to which the border does not.
+    const double rise = along.dot(camera.right()) * along.dot(camera.up());
+    const Vec3d aside = rise > 0 ? camera.right() : Vec3d(-camera.right());
+    const Vec3d tick = kTickLength * metres * (aside - normal);
     for (int k = 1; k <= count; ++k) {
       const Vec3d at = from + along * k / count;
       sketch.lines.push_back({at, at + tick, kTick});
