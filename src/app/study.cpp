@@ -1,6 +1,5 @@
 #include "study/study.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -10,9 +9,11 @@
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
-#include "app/table.h"
+#include "app/study_tables.h"
 #include "app/verbs.h"
 #include "draw/plot.h"
+#include "draw/plot_curves.h"
+#include "draw/plot_map.h"
 #include "image/png.h"
 #include "image/whole_file.h"
 #include "trace/study.h"
@@ -51,57 +52,16 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
-// Errors of all methods at all parameters.
-void print_errors(const trace::Study& result, std::ostream& out) {
-  const std::vector<trace::StudyPoint>& parameters = result.series.front().points;
-  const bool has_worst = std::ranges::any_of(
-      parameters, [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
-  out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
-      << (has_worst ? ": mean / worst" : ": mean") << ", by " << result.parameter << '\n';
-  std::vector<std::string> heads = {"method"};
-  for (const trace::StudyPoint& point : parameters) heads.push_back(spelled("%g", point.parameter));
-  heads.push_back("failed");
-  Table table(heads);
-  for (const trace::StudySeries& series : result.series) {
-    std::vector<std::string> cells = {series.method};
-    int failed = 0;
-    for (const trace::StudyPoint& point : series.points) {
-      std::string cell = point.error ? spelled("%.2g", *point.error) : "-";
-      if (has_worst) cell += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
-      cells.push_back(cell);
-      failed += point.failed;
-    }
-    cells.push_back(std::to_string(failed));
-    table.add(cells);
+draw::Drawing drawing_of(const trace::Study& result, const Size& size) {
+  switch (result.form) {
+    case trace::StudyForm::Curves:
+      return draw::plot_curves(result, size.width, size.height);
+    case trace::StudyForm::Map:
+      return draw::plot_map(result, size.width, size.height);
+    case trace::StudyForm::WorkPrecision:
+      break;
   }
-  table.print(out);
-}
-
-void print_times(const trace::Study& result, std::ostream& out) {
-  out << "nanoseconds a call: median / least, by " << result.parameter << '\n';
-  std::vector<std::string> heads = {"method"};
-  for (const trace::StudyPoint& point : result.series.front().points) {
-    heads.push_back(spelled("%g", point.parameter));
-  }
-  Table table(heads);
-  for (const trace::StudySeries& series : result.series) {
-    std::vector<std::string> cells = {series.method};
-    for (const trace::StudyPoint& point : series.points) {
-      cells.push_back(spelled("%.0f", point.nanoseconds.median) +
-                      spelled(" / %.0f", point.nanoseconds.min));
-    }
-    table.add(cells);
-  }
-  table.print(out);
-}
-
-// Times are those of the same runs in all results of a study.
-void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
-  for (const trace::Study& result : results) {
-    print_errors(result, out);
-    out << '\n';
-  }
-  print_times(results.front(), out);
+  return draw::plot(result, size.width, size.height);
 }
 
 }  // namespace
@@ -124,8 +84,8 @@ ExitCode study(const Options& options) {
     files.push_back({folder / ("results" + suffix + ".csv"), bytes_of(trace::to_csv(result))});
     if (options.tables_only) continue;
     const Size size = options.size.value_or(Size{});
-    const draw::Drawing drawing = draw::plot(result, size.width, size.height);
-    files.push_back({folder / ("plot" + suffix + ".png"), encode_png(studio.paint(drawing))});
+    files.push_back(
+        {folder / ("plot" + suffix + ".png"), encode_png(studio.paint(drawing_of(result, size)))});
   }
   if (options.tables_only) {
     ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");

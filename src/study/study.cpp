@@ -6,6 +6,7 @@
 
 #include "study/hull_precision_study.h"
 #include "study/reducer_study.h"
+#include "study/stability_study.h"
 
 namespace contactscope {
 namespace {
@@ -56,6 +57,8 @@ const std::vector<StudyInfo>& studies() {
       {"reducers", "what each reducer loses of the contact, against its run time", &study_reducers},
       {"hull_precision", "float against double, and what the Gauss map saves of the edge pairs",
        &study_hull_precision},
+      {"stability", "where float and double run out: tilt, scale, distance, aspect, angle, overlap",
+       &study_stability},
   };
   return list;
 }

@@ -3,7 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -63,28 +62,41 @@ Json whole(const Study& study) {
   for (const StudySeries& one : study.series) {
     Json points = Json::array();
     for (const StudyPoint& p : one.points) points.push_back(point(p));
-    series.push_back({{"method", one.method}, {"points", std::move(points)}});
+    Json entry = {{"method", one.method}};
+    if (study.form != StudyForm::WorkPrecision) {
+      entry["panel"] = one.panel;
+      entry["parameter"] = one.parameter;
+      entry["row"] = number_or_null(one.row, "row");
+    }
+    entry["points"] = std::move(points);
+    series.push_back(std::move(entry));
   }
   const StudyContext& context = study.context;
-  return {{"schema", kStudySchema},
-          {"study", study.study},
-          {"measure", study.measure},
-          {"title", study.title},
-          {"context",
-           {{"cpu", context.cpu},
-            {"compiler", context.compiler},
-            {"build_type", context.build_type},
-            {"date", context.date},
-            {"scalar", context.scalar}}},
-          {"reference", study.reference},
-          {"error", study.error},
-          {"unit", study.unit},
-          {"resolution", finite(study.resolution, "resolution")},
-          {"parameter", study.parameter},
-          {"series", std::move(series)}};
+  Json json = {{"schema", kStudySchema},
+               {"study", study.study},
+               {"measure", study.measure},
+               {"title", study.title},
+               {"context",
+                {{"cpu", context.cpu},
+                 {"compiler", context.compiler},
+                 {"build_type", context.build_type},
+                 {"date", context.date},
+                 {"scalar", context.scalar}}},
+               {"reference", study.reference},
+               {"error", study.error},
+               {"unit", study.unit},
+               {"resolution", finite(study.resolution, "resolution")},
+               {"parameter", study.parameter}};
+  if (study.form != StudyForm::WorkPrecision) {
+    json["form"] = to_string(study.form);
+    json["row"] = study.row;
+    json["signal"] = study.signal;
+  }
+  json["series"] = std::move(series);
+  return json;
 }
 
-std::string row(std::initializer_list<std::string> cells) {
+std::string row(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) line += quoted(cell) + ',';
   line.back() = '\n';
@@ -102,49 +114,56 @@ std::string to_json_line(const Study& study) {
 }
 
 std::string to_csv(const Study& study) {
-  std::string text = row({"study",
-                          "measure",
-                          "method",
-                          "parameter",
-                          "error",
-                          "error_worst",
-                          "nanoseconds_median",
-                          "nanoseconds_min",
-                          "nanoseconds_max",
-                          "failed",
-                          "of",
-                          "error_name",
-                          "unit",
-                          "parameter_name",
-                          "reference",
-                          "cpu",
-                          "compiler",
-                          "build_type",
-                          "date",
-                          "scalar"});
+  std::vector<std::string> heads = {"study",
+                                    "measure",
+                                    "method",
+                                    "parameter",
+                                    "error",
+                                    "error_worst",
+                                    "nanoseconds_median",
+                                    "nanoseconds_min",
+                                    "nanoseconds_max",
+                                    "failed",
+                                    "of",
+                                    "error_name",
+                                    "unit",
+                                    "parameter_name",
+                                    "reference",
+                                    "cpu",
+                                    "compiler",
+                                    "build_type",
+                                    "date",
+                                    "scalar"};
+  const bool has_panels = study.form != StudyForm::WorkPrecision;
+  if (has_panels) heads.insert(heads.end(), {"panel", "row_name", "row"});
+  std::string text = row(heads);
   const StudyContext& context = study.context;
   for (const StudySeries& one : study.series) {
     for (const StudyPoint& p : one.points) {
-      text += row({study.study,
-                   study.measure,
-                   one.method,
-                   spelled(p.parameter, "parameter"),
-                   spelled(p.error, "error"),
-                   spelled(p.error_worst, "error_worst"),
-                   spelled(p.nanoseconds.median, "median"),
-                   spelled(p.nanoseconds.min, "min"),
-                   spelled(p.nanoseconds.max, "max"),
-                   std::to_string(p.failed),
-                   std::to_string(p.of),
-                   study.error,
-                   study.unit,
-                   study.parameter,
-                   study.reference,
-                   context.cpu,
-                   context.compiler,
-                   context.build_type,
-                   context.date,
-                   context.scalar});
+      std::vector<std::string> cells = {study.study,
+                                        study.measure,
+                                        one.method,
+                                        spelled(p.parameter, "parameter"),
+                                        spelled(p.error, "error"),
+                                        spelled(p.error_worst, "error_worst"),
+                                        spelled(p.nanoseconds.median, "median"),
+                                        spelled(p.nanoseconds.min, "min"),
+                                        spelled(p.nanoseconds.max, "max"),
+                                        std::to_string(p.failed),
+                                        std::to_string(p.of),
+                                        study.error,
+                                        study.unit,
+                                        one.parameter.empty() ? study.parameter : one.parameter,
+                                        study.reference,
+                                        context.cpu,
+                                        context.compiler,
+                                        context.build_type,
+                                        context.date,
+                                        context.scalar};
+      if (has_panels) {
+        cells.insert(cells.end(), {one.panel, study.row, spelled(one.row, "row")});
+      }
+      text += row(cells);
     }
   }
   return text;

@@ -41,7 +41,24 @@ struct StudyPoint {
 struct StudySeries {
   std::string method;
   std::vector<StudyPoint> points;  // by growing parameter
+  // Of curves and maps only:
+  std::string panel{};          // series of one panel are drawn together; empty: there is one
+  std::string parameter{};      // what the parameter is in this panel
+  std::optional<double> row{};  // of a map: its place along the other axis
 };
+
+/// How a study is drawn.
+enum class StudyForm {
+  WorkPrecision,  // error against run time, a line a method
+  Curves,         // error against the parameter, small multiples
+  Map,            // a cell for each parameter and row, coloured by the decade of its worst error
+};
+
+/// "work_precision", "curves", "map".
+constexpr const char* to_string(StudyForm form) {
+  constexpr const char* kNames[] = {"work_precision", "curves", "map"};
+  return kNames[static_cast<int>(form)];
+}
 
 struct Study {
   std::string study;    // "reducers", as the command line names it
@@ -54,6 +71,9 @@ struct Study {
   double resolution = 0;  // errors up to this one cannot be told from rounding
   std::string parameter;  // "points": what the parameter counts
   std::vector<StudySeries> series;
+  StudyForm form = StudyForm::WorkPrecision;
+  std::string row{};  // of a map: what its rows stand for; rows without a number are methods
+  std::string signal{};  // the series that is no error, but the size of what the errors spoil
 };
 
 /// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
@@ -61,6 +81,7 @@ struct Study {
 ///
 /// Beyond FORMATS.md: "measure", "title", "unit", "resolution", "parameter"; "scalar" in the
 /// context, and "error_worst" beside each "error". Both errors are null where every case failed.
+/// Curves and maps have "form", "row" and "signal", and their series "panel", "parameter" and "row".
 std::string to_json(const Study& study);
 
 /// The same on one line, without the newline.
@@ -68,7 +89,8 @@ std::string to_json_line(const Study& study);
 
 /// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then a line a point;
 /// what holds of the whole study is repeated in every line, so that files can be joined. An error
-/// is empty where every case failed. Throws as to_json() does.
+/// is empty where every case failed. Curves and maps have three columns more. Throws as to_json()
+/// does.
 std::string to_csv(const Study& study);
 
 }  // namespace contactscope::trace

@@ -1,0 +1,168 @@
+#include "draw/plot_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "draw/plot_canvas.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kTitle = 28;
+constexpr double kLegend = 24;
+constexpr double kCaption = 20;
+constexpr double kLeftNumbers = 56;
+constexpr double kLeftNames = 132;
+
+// From white over Okabe-Ito's sky blue and blue to near black: lightness alone tells the order.
+constexpr std::array<Color, 8> kDecades = {rgb(0xEAF5FC), rgb(0xC4E3F6), rgb(0x8FCBEE),
+                                           rgb(0x56B4E9), rgb(0x1F88C4), rgb(0x005F96),
+                                           rgb(0x003F66), rgb(0x001F33)};
+constexpr Color kFailure = rgb(0xD55E00);
+
+/// Errors up to 1 are the first, up to 10 the second, and so on; the last takes all above.
+std::size_t decade_of(double error) {
+  if (!(error > 1)) return 0;
+  const double above = std::ceil(std::log10(error));
+  return static_cast<std::size_t>(std::clamp(above, 0.0, double(kDecades.size() - 1)));
+}
+
+double largest(const trace::StudyPoint& point) {
+  return point.error_worst.value_or(point.error.value_or(0));
+}
+
+class Map {
+ public:
+  Map(const trace::Study& study, Drawing& drawing, float scale)
+      : study_(study), canvas_(drawing, scale) {
+    for (const trace::StudySeries& series : study.series) {
+      numbered_ = numbered_ && series.row.has_value();
+    }
+  }
+
+  void legend(double x, double y) {
+    auto at = static_cast<float>(x);
+    const auto middle = static_cast<float>(y);
+    std::size_t most = 0;
+    for (const trace::StudySeries& series : study_.series) {
+      for (const trace::StudyPoint& point : series.points) {
+        if (point.error) most = std::max(most, decade_of(largest(point)));
+      }
+    }
+    for (std::size_t i = 0; i <= most; ++i) {
+      const Rect box{at, middle - px(8), px(26), px(16)};
+      canvas_.fill(box, kDecades[i]);
+      canvas_.frame(box);
+      const bool open = i + 1 == kDecades.size();
+      const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));
+      const std::string name = (open ? "> " : "≤ ") + spell_tick_error(bound, "");
+      canvas_.text(name, {at + px(32), middle + px(5)}, Align::Left, kText);
+      at += px(32) + canvas_.width_of(name) + px(18);
+    }
+    canvas_.cross({at + px(10), middle}, 5, kFailure);
+    canvas_.text("cases failed; white: all of them", {at + px(22), middle + px(5)}, Align::Left,
+                 kText);
+  }
+
+  void panels(const Rect& space) {
+    const std::vector<PlotPanel> all = panels_of(study_);
+    const std::vector<Rect> areas =
+        panel_areas(space, all.size(), numbered_ ? kLeftNumbers : kLeftNames, px(1));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      panel(all[i], areas[i], areas[i].x == areas[0].x);
+    }
+  }
+
+ private:
+  float px(double at_720) const { return canvas_.px(at_720); }
+
+  /// Half a cell beyond the first and the last value.
+  static LogAxis axis_of(const std::vector<double>& values, double from, double to) {
+    const double cell = std::abs(to - from) / static_cast<double>(values.size());
+    const auto half = static_cast<float>(0.5 * cell);
+    return {values.front(),         values.back(), static_cast<float>(from),
+            static_cast<float>(to), half,          half};
+  }
+
+  void panel(const PlotPanel& panel, const Rect& area, bool labelled) {
+    std::vector<double> parameters;
+    for (const trace::StudyPoint& point : panel.series.front()->points) {
+      parameters.push_back(point.parameter);
+    }
+    if (parameters.empty()) return;
+    const double bottom = area.y + area.height;
+    const LogAxis x = axis_of(parameters, area.x, area.x + area.width);
+    const double cell_width = area.width / static_cast<double>(parameters.size());
+    const double cell_height = area.height / static_cast<double>(panel.series.size());
+    for (std::size_t row = 0; row < panel.series.size(); ++row) {
+      // Numbers grow upwards, names are read downwards.
+      const double from_top =
+          static_cast<double>(numbered_ ? panel.series.size() - 1 - row : row) * cell_height;
+      for (const trace::StudyPoint& point : panel.series[row]->points) {
+        const double left = x.at(point.parameter) - 0.5 * cell_width;
+        cell(point, {left, area.y + from_top, cell_width, cell_height});
+      }
+      if (numbered_ || !labelled) continue;
+      canvas_.text(panel.series[row]->method,
+                   {static_cast<float>(area.x) - px(8),
+                    static_cast<float>(area.y + from_top + 0.5 * cell_height) + px(5)},
+                   Align::Right, kText);
+    }
+    if (numbered_) {
+      std::vector<double> rows;
+      for (const trace::StudySeries* series : panel.series) rows.push_back(*series->row);
+      canvas_.ticks_up(axis_of(rows, bottom, area.y), area, false, labelled);
+    }
+    canvas_.ticks_along(x, area, false);
+    canvas_.frame(area);
+    const float above = static_cast<float>(area.y) - px(6);
+    canvas_.text(panel.name, {static_cast<float>(area.x), above}, Align::Left, kText, Weight::Bold);
+    const std::string axes =
+        "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
+    if (canvas_.width_of(axes) + canvas_.width_of(panel.name, Weight::Bold) + px(12) < area.width) {
+      canvas_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right,
+                   kQuietText);
+    }
+  }
+
+  void cell(const trace::StudyPoint& point, const Rect& rect) {
+    if (point.error) canvas_.fill(rect, kDecades[decade_of(largest(point))]);
+    if (point.failed == 0) return;
+    const double room = 0.32 * std::min(rect.width, rect.height) / px(1);
+    const Point2 middle{static_cast<float>(rect.x + 0.5 * rect.width),
+                        static_cast<float>(rect.y + 0.5 * rect.height)};
+    canvas_.cross(middle, std::clamp(room, 2.0, 5.0), kFailure);
+  }
+
+  const trace::Study& study_;
+  PlotCanvas canvas_;
+  bool numbered_ = true;
+};
+
+}  // namespace
+
+Drawing plot_map(const trace::Study& study, int width, int height) {
+  const Layout layout = make_layout(width, height, false, {});
+  Drawing drawing;
+  drawing.width = width;
+  drawing.height = height;
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context), layout,
+                drawing);
+  const double left = layout.legend.x;
+  const double top = left + layout.px(kTitle + 4);
+  PlotCanvas canvas(drawing, layout.scale);
+  canvas.text("Colour: " + study.error,
+              {static_cast<float>(left), static_cast<float>(top) + layout.px(12)}, Align::Left,
+              kQuietText);
+  Map map(study, drawing, layout.scale);
+  const double legend_at = top + layout.px(16 + 0.5 * kLegend);
+  map.legend(left, legend_at);
+  const double begin = legend_at + layout.px(0.5 * kLegend + 4);
+  const double end = height - left - layout.px(kCaption);
+  map.panels({left, begin, layout.legend.width, end - begin});
+  return drawing;
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/pose.h"
+#include "geometry/shape.h"
+
+namespace contactscope {
+
+/// The signed distance of two placed shapes of any kinds, in extended precision, taking what the
+/// pipeline is given as exact: coordinates and radii as they are, rotations made unit. Shares
+/// nothing with the queries that it judges.
+///
+/// A sphere is a point with a radius, a capsule a segment with one; the distance is that of the
+/// cores less the radii. Cores apart: the least distance over all vertices, edges and faces.
+/// Cores that overlap: the largest separation over all axes, which are the face normals of both and
+/// the cross products of all pairs of edges, each measured over all vertices. A triangle of a mesh
+/// is a core with two faces, and the mesh as far as its nearest triangle.
+class SeparationOracle {
+ public:
+  template <class S>
+  SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                   const Pose<S>& pose_b);
+
+  /// Metres, negative in overlap.
+  double separation() const;
+
+  /// Along a unit normal from A to B, metres: never more than separation() but for rounding, and
+  /// as much along a normal of least overlap. `triangle` is the mesh's, -1 where there is none.
+  /// Against a plane only its own normal counts: any other one costs what it is off.
+  double separation_along(const Vec3d& normal, int triangle) const;
+
+  /// How far the direction of a normal may magnify rounding, >= 1. That between closest points is
+  /// known as well as the points over their distance, so it is scale() over the distance of the cores
+  /// where these are apart (+infinity where they meet), and 1 for axes of faces and edges.
+  double leverage() const;
+
+  /// Coordinates of the pair that round, metres: how far each shape reaches from its own origin,
+  /// and the way between the origins.
+  double scale() const { return static_cast<double>(scale_); }
+
+ private:
+  using Real = long double;
+  using Vec = Vec3<Real>;
+
+  /// What is left of a convex shape without its radius.
+  struct Core {
+    std::vector<Vec> vertices;
+    std::vector<std::pair<Vec, Vec>> edges;  // a point is an edge without length
+    std::vector<std::vector<Vec>> faces;     // counter-clockwise from outside
+    std::vector<Vec> normals;                // of the faces
+    Real radius = 0;
+  };
+
+  struct Body {
+    std::vector<Core> cores;  // of a mesh one a triangle
+    bool is_plane = false;
+    Vec normal = Vec::Zero();  // of a plane
+    Real offset = 0;
+    Real reach = 0;
+  };
+
+  template <class S>
+  static Body make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& position);
+  static Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& loops);
+  static void try_axis(const Vec& axis, const Core& a, const Core& b, Real& best);
+  static Real largest_separation(const Core& a, const Core& b);
+  static Real vertices_to_faces(const Core& a, const Core& b);
+  static Real distance(const Core& a, const Core& b);
+  static Real separation_of(const Core& a, const Core& b);
+  static Real along(const Vec& normal, const Core& a, const Core& b);
+
+  Body a_, b_;
+  Real scale_ = 0;
+};
+
+}  // namespace contactscope

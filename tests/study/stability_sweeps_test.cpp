@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "study/pair_verdict.h"
+#include "study/stability_study.h"
+
+// Every pair of shapes, driven to where numbers run out.
+namespace contactscope {
+namespace {
+
+constexpr int kCases = 12;
+constexpr std::uint64_t kSeed = 7;
+
+/// What a sweep came to in one scalar.
+struct Outcome {
+  int faults[6] = {};
+  int lost = 0;
+  double worst_ulps = 0;
+  double worst_error = 0;   // over the size, imprecise ones included
+  double worst_cells = 0;   // error of the unrounded geometry, in cells of the world's coordinates
+  double deepest_lost = 0;  // the same of the overlaps that were lost
+  int of = 0;
+
+  int count(ContactFault fault) const { return faults[static_cast<int>(fault)]; }
+};
+
+template <class S>
+Outcome run(const StabilitySweep& sweep) {
+  Outcome outcome;
+  for (const double value : sweep.values()) {
+    for (const PairKind& kind : sweep.kinds) {
+      for (int i = 0; i < kCases; ++i) {
+        const StabilityCase one = stability_case(sweep, value, kind, i, kSeed);
+        const double exact = exact_separation(one.pair);
+        const PairVerdict verdict = judge_pair<S>(one.pair, one.motion, exact);
+        ++outcome.of;
+        ++outcome.faults[static_cast<int>(verdict.fault)];
+        if (verdict.fault == ContactFault::None) {
+          outcome.worst_ulps = std::max(outcome.worst_ulps, verdict.ulps);
+        }
+        if (verdict.fault != ContactFault::NotFinite) {
+          outcome.worst_error = std::max(outcome.worst_error, verdict.error / one.pair.size);
+        }
+        const double epsilon = std::numeric_limits<S>::epsilon();
+        const double cell = epsilon * (one.motion.position.norm() + verdict.scale);
+        if (verdict.lost) {
+          ++outcome.lost;
+          outcome.deepest_lost = std::max(outcome.deepest_lost, verdict.depth / cell);
+        }
+        outcome.worst_cells = std::max(outcome.worst_cells, verdict.unrounded_error / cell);
+      }
+    }
+  }
+  return outcome;
+}
+
+class StabilitySweeps : public testing::TestWithParam<StabilitySweep> {};
+
+std::string name_of(const testing::TestParamInfo<StabilitySweep>& info) {
+  return info.param.name;
+}
+
+template <class S>
+void expect_no_wrong_answer(const StabilitySweep& sweep) {
+  const Outcome outcome = run<S>(sweep);
+  EXPECT_GT(outcome.of, 500);
+  EXPECT_EQ(outcome.count(ContactFault::NotFinite), 0);
+  EXPECT_EQ(outcome.count(ContactFault::Missing), 0);
+  EXPECT_EQ(outcome.count(ContactFault::Phantom), 0);
+  EXPECT_EQ(outcome.count(ContactFault::Drifting), 0);
+  if (sweep.name == "angle") {
+    // The common normal of axes that are parallel but for some hundred roundings is known to some
+    // hundredths only, and the distance along it to its square.
+    EXPECT_LT(outcome.worst_error, sizeof(S) == sizeof(float) ? 1e-3 : 1e-6);
+  } else {
+    EXPECT_EQ(outcome.count(ContactFault::Imprecise), 0);
+    EXPECT_LE(outcome.worst_ulps, kPrecisionBound);
+  }
+}
+
+TEST_P(StabilitySweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
+  expect_no_wrong_answer<float>(GetParam());
+}
+
+TEST_P(StabilitySweeps, DoubleIsNeverWrongAboutWhatItIsGiven) {
+  expect_no_wrong_answer<double>(GetParam());
+}
+
+TEST_P(StabilitySweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfTheirCoordinates) {
+  constexpr double kCells = 16;
+  const Outcome in_float = run<float>(GetParam());
+  EXPECT_LE(in_float.deepest_lost, 2 * kCells);
+  const Outcome in_double = run<double>(GetParam());
+  EXPECT_LE(in_double.deepest_lost, 2 * kCells);
+  if (GetParam().name == "angle") return;
+  EXPECT_LE(in_float.worst_cells, kCells);
+  EXPECT_LE(in_double.worst_cells, kCells);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, StabilitySweeps, testing::ValuesIn(stability_sweeps()), name_of);
+
+TEST(StabilitySweep, FloatDoesRunOutSomewhere) {
+  // A sweep that never gets there would prove nothing.
+  EXPECT_GT(run<float>(stability_sweeps()[2]).lost, 0);  // distance
+  EXPECT_GT(run<float>(stability_sweeps()[5]).lost, 0);  // kiss
+}
+
+TEST(StabilitySweep, AtTheOriginAndCoincident) {
+  std::mt19937_64 engine(5);
+  for (const PairKind& kind : stability_sweeps()[1].kinds) {
+    for (const double overlap : {0.0, 0.01, 1.0}) {
+      for (int i = 0; i < 8; ++i) {
+        Stacking stacking;
+        stacking.overlap = overlap;
+        const StackedPair pair = stacked_pair(kind, stacking, i, engine);
+        const double exact = exact_separation(pair);
+        const PairVerdict in_float = judge_pair<float>(pair, {}, exact);
+        const PairVerdict in_double = judge_pair<double>(pair, {}, exact);
+        EXPECT_EQ(in_float.fault, ContactFault::None)
+            << to_string(kind) << ", overlap " << overlap << ": " << to_string(in_float.fault);
+        EXPECT_EQ(in_double.fault, ContactFault::None)
+            << to_string(kind) << ", overlap " << overlap << ": " << to_string(in_double.fault);
+      }
+    }
+  }
+}
+
+TEST(StackedPair, OverlapsByWhatIsAskedFor) {
+  std::mt19937_64 engine(6);
+  for (const StabilitySweep& sweep : stability_sweeps()) {
+    for (const PairKind& kind : sweep.kinds) {
+      Stacking stacking;
+      stacking.size = 2;
+      stacking.overlap = 0;
+      for (int i = 0; i < 4; ++i) {
+        const StackedPair pair = stacked_pair(kind, stacking, i, engine);
+        EXPECT_NEAR(exact_separation(pair), 0, 2e-15) << to_string(kind) << ' ' << i;
+      }
+    }
+  }
+  // Spheres of 2 m: half way from a kiss to coincidence is one metre.
+  Stacking half;
+  half.size = 2;
+  half.overlap = 0.5;
+  const StackedPair spheres = stacked_pair({OnTop::Sphere, Below::Sphere}, half, 0, engine);
+  EXPECT_NEAR(exact_separation(spheres), -1, 1e-15);
+}
+
+TEST(PairVerdict, AContactThatIsNotTheOneExpectedIsLost) {
+  std::mt19937_64 engine(8);
+  const StackedPair pair = stacked_pair({OnTop::Box, Below::Box}, {}, 0, engine);
+  const double exact = exact_separation(pair);
+  EXPECT_FALSE(judge_pair<float>(pair, {}, exact).lost);
+  EXPECT_TRUE(judge_pair<float>(pair, {}, 3 * exact).lost);
+  // The oracle judges what the scalar holds and knows nothing of the expectation.
+  EXPECT_EQ(judge_pair<float>(pair, {}, 3 * exact).fault, ContactFault::None);
+}
+
+TEST(PairVerdict, AKissFarAwayInFloatIsLostButNotWrong) {
+  std::mt19937_64 engine(9);
+  Stacking stacking;
+  stacking.overlap = 1e-4;
+  int lost = 0;
+  for (int i = 0; i < 20; ++i) {
+    const StackedPair pair = stacked_pair({OnTop::Box, Below::Box}, stacking, 0, engine);
+    const PairVerdict verdict =
+        judge_pair<float>(pair, world_motion(586507, engine), exact_separation(pair));
+    EXPECT_EQ(verdict.fault, ContactFault::None) << to_string(verdict.fault);
+    lost += verdict.lost;
+  }
+  EXPECT_GT(lost, 10);
+}
+
+}  // namespace
+}  // namespace contactscope
