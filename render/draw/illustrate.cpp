@@ -51,6 +51,7 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
     draw_reference_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
     draw_incident_face(scene, pair, sketch);  // its dashes leave an equal clip polygon visible
+    if (scene.shows("tree")) draw_tree(scene, pair, sketch);
     if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
     if (scene.shows("contact_axis")) draw_sat_axes(scene, pair, false, sketch);
     if (!pair.label.empty()) draw_pair_label(scene, pair, sketch);

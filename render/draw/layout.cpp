@@ -165,6 +165,15 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       swatch.head(22, 8, kAxis);
       swatch.head(0, -8, kAxis);
       break;
+    case LegendKind::TreeQuery:
+      swatch.face(with_alpha(kNormal, 0), kNormal, 2, false);
+      break;
+    case LegendKind::TreeBox:
+      swatch.face(with_alpha(kSidePlane, 0), kSidePlane, 2.5, false);
+      break;
+    case LegendKind::TreeMiss:
+      swatch.face(with_alpha(kDropped, 0), kDropped, 1.5, true);
+      break;
   }
 }
 

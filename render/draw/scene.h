@@ -80,6 +80,8 @@ void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// The best axis of every query, or only the one that was chosen.
 void draw_sat_axes(const Scene& scene, const trace::Pair& pair, bool all_queries, Sketch& sketch);
+/// The boxes of a mesh's tree that the query looked at, and the triangles that it found.
+void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// What a scenario calls the pair, above its shapes.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_coherent_points(const trace::Pair& pair, Sketch& sketch);

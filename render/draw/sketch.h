@@ -88,6 +88,9 @@ enum class LegendKind {
   KeptIds,
   Normal,
   Axis,
+  TreeQuery,
+  TreeBox,
+  TreeMiss,
 };
 
 struct LegendEntry {

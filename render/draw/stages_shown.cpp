@@ -15,7 +15,7 @@ bool names_any(const std::vector<std::string>& names, std::initializer_list<cons
 }  // namespace
 
 trace::Stages stages_shown(const std::vector<View>& views) {
-  trace::Stages stages{false, false, false};
+  trace::Stages stages{false, false, false, false, false};
   for (const View& view : views) {
     stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis"}) ||
                  names_any(view.panels, {"summary", "axis_history"});
@@ -23,6 +23,7 @@ trace::Stages stages_shown(const std::vector<View>& views) {
                   names_any(view.layers, {"reference_face", "incident_face", "side_planes",
                                           "clip_polygons", "dropped", "coherent"}) ||
                   names_any(view.panels, {"contact_plane"});
+    stages.tree = stages.tree || names_any(view.layers, {"tree"});
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane ||
                        names_any(view.layers, {"contacts", "reduced", "ids", "coherent"}) ||
                        names_any(view.panels, {"summary", "contact_plane"});

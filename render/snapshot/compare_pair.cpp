@@ -173,6 +173,38 @@ void compare_reduction(const trace::Reduction& expected, const trace::Reduction&
   compare_points("reduction point", expected.points, actual.points, tolerance, parts);
 }
 
+void compare_gjk(const trace::Gjk& expected, const trace::Gjk& actual, const Tolerance& tolerance,
+                 Parts& parts) {
+  Changes changes("gjk: ", tolerance);
+  changes.exact("status ", expected.status, actual.status);
+  changes.exact("iterations ", expected.iterations, actual.iterations);
+  changes.length("distance ", expected.distance, actual.distance);
+  changes.position("point on a ", expected.point_a, actual.point_a);
+  changes.position("point on b ", expected.point_b, actual.point_b);
+  for (std::size_t i = 0; i < std::min(expected.steps.size(), actual.steps.size()); ++i) {
+    const auto points = [](const trace::Simplex& simplex) {
+      std::vector<Vec3d> all;
+      for (const trace::SimplexVertex& vertex : simplex)
+        all.insert(all.end(), {vertex.a, vertex.b});
+      return all;
+    };
+    changes.vertices(points(expected.steps[i]), points(actual.steps[i]));
+  }
+  changes.tell(parts);
+}
+
+void compare_tree(const trace::Tree& expected, const trace::Tree& actual,
+                  const Tolerance& tolerance, Parts& parts) {
+  Changes changes("tree: ", tolerance);
+  changes.exact("of ", expected.shape, actual.shape);
+  changes.position("lower corner of the box ", expected.box.lower, actual.box.lower);
+  changes.position("upper corner of the box ", expected.box.upper, actual.box.upper);
+  changes.exact("number of boxes ", static_cast<int>(expected.visits.size()),
+                static_cast<int>(actual.visits.size()));
+  changes.exact("candidates ", spell_list(expected.candidates), spell_list(actual.candidates));
+  changes.tell(parts);
+}
+
 }  // namespace
 
 std::vector<std::string> compare_pair(const trace::Pair& expected, const trace::Pair& actual,
@@ -192,6 +224,12 @@ std::vector<std::string> compare_pair(const trace::Pair& expected, const trace::
     changes.exact("geometry ", expected.degenerate->geometry, actual.degenerate->geometry);
     changes.exact("answer ", expected.degenerate->answer, actual.degenerate->answer);
     changes.tell(parts);
+  }
+  if (both_there("gjk", expected.gjk, actual.gjk, parts)) {
+    compare_gjk(*expected.gjk, *actual.gjk, tolerance, parts);
+  }
+  if (both_there("tree", expected.tree, actual.tree, parts)) {
+    compare_tree(*expected.tree, *actual.tree, tolerance, parts);
   }
   if (both_there("cache", expected.cache, actual.cache, parts)) {
     compare_cache(*expected.cache, *actual.cache, tolerance, parts);

@@ -254,7 +254,9 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   const CapsuleSat<S> axes = capsule_sat(b, ends, reach, tie_tolerance(scale));
   if (axes.separation() > reach) return axes.separation() - a.radius;
 
-  const CapsuleTouch<S> touch = capsule_touch(b, ends, axes, scale, touching_distance(scale));
+  const CapsuleTouch<S> touch =
+      capsule_touch(b, ends, axes, scale, touching_distance(scale), recorder.gjk_run());
+  recorder.gjk(b_in_a);
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr) {

@@ -42,12 +42,11 @@ Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
 
 /// The closest feature of the hull to a centre that projects into none of its nearest faces.
 template <class S>
-Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face) {
+Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
+                              GjkRun<S>* run) {
   const GjkSimplex<S> start =
       simplex_near(hull, hull.face_edges[static_cast<std::size_t>(nearest_face)], 0);
-  NoGjkRecorder<S> unwatched;
-  const GjkResult<S> closest =
-      gjk(support_set(center), support_set(hull), Pose<S>{}, &start, unwatched);
+  const GjkResult<S> closest = gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run);
   const HullFeature feature = feature_of_b(hull, closest.simplex);
   Vec3<S> outward = center - closest.on_b;
   if (feature.kind == FeatureKind::Face) {
@@ -92,7 +91,8 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
     }
   } else if (!projects_into(b, face, center, S(0))) {
-    const Touch<S> closest = touch_edge_or_vertex(b, center, face);
+    const Touch<S> closest = touch_edge_or_vertex(b, center, face, recorder.gjk_run());
+    recorder.gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {
       touch = closest;
     } else if (closest.feature.kind != FeatureKind::Face) {

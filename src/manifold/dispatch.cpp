@@ -79,12 +79,11 @@ using CollideMesh = S (*)(const A&, const Mesh<S>&, const Pose<S>&, const Collid
 
 /// A convex shape and a mesh: one manifold a triangle.
 template <class S, class Recorder, class A, CollideMesh<S, Recorder, A> kCollide>
-void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options,
-               Manifolds<S>& manifolds, Recorder& recorder) {
+void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+               Recorder& recorder) {
   ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
-  const S separation =
-      kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
-               relative_pose(pair.pose_a, pair.pose_b), options, sink, recorder);
+  const S separation = kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
+                                relative_pose(pair.pose_a, pair.pose_b), options, sink, recorder);
   if (manifolds.empty()) recorder.separation(separation);
 }
 
@@ -177,7 +176,9 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
   record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
   trace::Stages stages = recording.stages;
   // Each triangle has these of its own, and a record has room for one of each.
-  if (kind_of(pair.b) == ShapeKind::Mesh) stages.sat = stages.clip = stages.reduction = false;
+  if (kind_of(pair.b) == ShapeKind::Mesh) {
+    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
+  }
   TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, stages, told_mirrored,
                             record);
   collide_in_order(pair, options, manifolds, recorder);

@@ -2,11 +2,12 @@
 
 #include "core/manifold.h"
 #include "core/plane.h"
-#include "geometry/mesh.h"
 #include "core/preference.h"
+#include "geometry/mesh.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
+#include "query/gjk.h"
 #include "query/sat.h"
 #include "reduce/reducer.h"
 
@@ -29,6 +30,9 @@ struct NoRecorder {
   void clip_abandoned() {}
   void contact_axis(AxisKind) {}
   void reduction(std::span<const ContactPoint<S>>, const Vec3<S>&, int, const KeptIndices&) {}
+  /// Where a run of GJK that is to be told goes; nullptr: nowhere.
+  GjkRun<S>* gjk_run() { return nullptr; }
+  void gjk(const Pose<S>&) {}
   void tree(const Mesh<S>&, const Aabb<S>&) {}
   void degenerate(const char*, Degenerate) {}
   void separation(S) {}

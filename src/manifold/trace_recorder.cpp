@@ -54,6 +54,7 @@ TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_
   pair_.manifolds.clear();
   pair_.degenerate.reset();
   pair_.tree.reset();
+  pair_.gjk.reset();
   pair_.cache.reset();
   pair_.sat.reset();
   pair_.clip.reset();
@@ -194,6 +195,27 @@ void TraceRecorder<S>::reduction(std::span<const ContactPoint<S>> points, const 
         {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
   }
   measure(exact, normal.template cast<double>(), max_points, reduction);
+}
+
+template <class S>
+void TraceRecorder<S>::gjk(const Pose<S>& frame) {
+  if (!stages_.gjk || gjk_run_.steps.empty()) return;
+  const auto placed = [&](const Vec3<S>& local) { return point(frame.transform(local)); };
+  const GjkResult<S>& result = gjk_run_.result;
+  trace::Gjk& gjk = pair_.gjk.emplace();
+  gjk.status = to_string(result.status);
+  gjk.iterations = result.iterations;
+  gjk.distance = static_cast<double>(result.distance);
+  gjk.point_a = placed(result.on_a);
+  gjk.point_b = placed(result.on_b);
+  if (mirrored_) std::swap(gjk.point_a, gjk.point_b);
+  for (const GjkSimplex<S>& step : gjk_run_.steps) {
+    trace::Simplex& simplex = gjk.steps.emplace_back();
+    for (const GjkVertex<S>& vertex : step.vertices) {
+      simplex.push_back({placed(vertex.a), placed(vertex.b)});
+      if (mirrored_) std::swap(simplex.back().a, simplex.back().b);
+    }
+  }
 }
 
 template <class S>

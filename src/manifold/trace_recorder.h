@@ -35,6 +35,9 @@ class TraceRecorder {
   /// `points` and `normal` in the world.
   void reduction(std::span<const ContactPoint<S>> points, const Vec3<S>& normal, int max_points,
                  const KeptIndices& kept);
+  GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
+  /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
+  void gjk(const Pose<S>& frame);
   /// The query of a mesh's tree with the other shape's box; both in the mesh's frame.
   void tree(const Mesh<S>& mesh, const Aabb<S>& box);
   /// The geometry had no normal of its own; what was done about it.
@@ -60,6 +63,7 @@ class TraceRecorder {
   trace::Stages stages_;
   bool mirrored_;
   trace::Pair& pair_;
+  GjkRun<S> gjk_run_;
 };
 
 }  // namespace contactscope

@@ -102,23 +102,23 @@ Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feat
 }
 
 template <class S>
-GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const CapsuleTouch<S>& best) {
+GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const CapsuleTouch<S>& best,
+                     GjkRun<S>* run) {
   // From the edge or the face of the best axis GJK has a step or two to go.
   const int near_edge = best.feature.kind == FeatureKind::Edge
                             ? best.feature.index
                             : hull.face_edges[static_cast<std::size_t>(best.feature.index)];
   const int near_end = best.parameter > S(0.5) ? 1 : 0;
   const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
-  NoGjkRecorder<S> unwatched;
-  return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, unwatched);
+  return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, run);
 }
 
 /// Closest points that are neither over a face nor at the crossing of two edges. `best` is the touch
 /// of the best axis, which gives the normal where there is none between the points.
 template <class S>
 CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
-                              const CapsuleTouch<S>& best, S scale, S touching) {
-  const GjkResult<S> closest = run_gjk(hull, ends, best);
+                              const CapsuleTouch<S>& best, S scale, S touching, GjkRun<S>* run) {
+  const GjkResult<S> closest = run_gjk(hull, ends, best, run);
   CapsuleTouch<S> touch;
   touch.kind = CapsuleTouchKind::Closest;
   touch.feature = feature_of_b(hull, closest.simplex);
@@ -160,7 +160,7 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 /// face of it, here the Minkowski difference; 4. outside, GJK.
 template <class S>
 CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
-                              const CapsuleSat<S>& axes, S scale, S touching) {
+                              const CapsuleSat<S>& axes, S scale, S touching, GjkRun<S>* run) {
   const S tie = tie_tolerance(scale);
   const bool is_deep = axes.separation() < -touching;
   if (axes.edge_wins()) {
@@ -170,12 +170,12 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
                        closest.parameter_b > S(0) && closest.parameter_b < S(1);
     if (cross || is_deep) return touch;
-    return closest_touch(hull, ends, touch, scale, touching);
+    return closest_touch(hull, ends, touch, scale, touching, run);
   }
   CapsuleTouch<S> touch = face_touch(hull, ends, axes.face, scale);
   const bool is_over_face = settle_on_face(hull, ends, tie, touch);
   if (!is_over_face) {
-    if (!is_deep) return closest_touch(hull, ends, touch, scale, touching);
+    if (!is_deep) return closest_touch(hull, ends, touch, scale, touching, run);
     extend_to_deepest(touch);
   }
   if (axes.face_tied && touch.distance <= touching) {
@@ -185,8 +185,9 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 }
 
 template CapsuleTouch<float> capsule_touch(const Hull<float>&, const Vec3<float> (&)[2],
-                                           const CapsuleSat<float>&, float, float);
+                                           const CapsuleSat<float>&, float, float, GjkRun<float>*);
 template CapsuleTouch<double> capsule_touch(const Hull<double>&, const Vec3<double> (&)[2],
-                                            const CapsuleSat<double>&, double, double);
+                                            const CapsuleSat<double>&, double, double,
+                                            GjkRun<double>*);
 
 }  // namespace contactscope

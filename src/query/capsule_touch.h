@@ -2,6 +2,7 @@
 
 #include "query/capsule_sat.h"
 #include "query/face_prism.h"
+#include "query/gjk.h"
 #include "query/hull_feature.h"
 
 namespace contactscope {
@@ -28,9 +29,11 @@ struct CapsuleTouch {
 
 /// `axes` is what capsule_sat found, with a separation of at most its reach. `scale` is that of the
 /// pair: no coordinate is larger. `touching` is the distance below which rounding decides on the
-/// direction between two points (metres, of the order of some roundings of `scale`).
+/// direction between two points (metres, of the order of some roundings of `scale`). Where closest
+/// points are looked for by GJK, `run` gets the steps, unless it is nullptr.
 template <class S>
 CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
-                              const CapsuleSat<S>& axes, S scale, S touching);
+                              const CapsuleSat<S>& axes, S scale, S touching,
+                              GjkRun<S>* run = nullptr);
 
 }  // namespace contactscope

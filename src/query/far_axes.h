@@ -9,7 +9,7 @@ namespace contactscope {
 /// n . normal < `cosine`, and the parts of the arcs of A's edges on the Gauss map for which that
 /// holds, whether or not an edge of B crosses them now. `cosine` is in (0, 1).
 ///
-/// Never less than `floor`, which saves looking closer at what lies below. +infinity where an arc
+/// Never less than `floor` (< 0), which saves looking closer at what lies below. +infinity where an arc
 /// may hold an axis that separates. `faces_a` and `faces_b` are what the face queries found.
 template <class S>
 S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,

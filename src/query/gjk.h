@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "core/pose.h"
@@ -81,6 +82,13 @@ struct GjkStepList {
   std::vector<GjkSimplex<S>> steps;
 };
 
+/// A run that somebody watches.
+template <class S>
+struct GjkRun {
+  GjkResult<S> result;
+  std::vector<GjkSimplex<S>> steps;  // one an iteration; empty when GJK was not needed
+};
+
 /// Distance and closest points of two convex cores. Metres; all results in A's frame. `warm_start`
 /// is the simplex of an earlier call for the same two sets, or nullptr; it changes how many
 /// iterations are taken, and the result by rounding only. StepRecorder is NoGjkRecorder<S> or
@@ -93,6 +101,20 @@ struct GjkStepList {
 template <class S, class StepRecorder>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                  const GjkSimplex<S>* warm_start, StepRecorder& steps);
+
+/// The same, and leaves the run where there is a place for it: `run` may be nullptr.
+template <class S>
+GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
+                 const GjkSimplex<S>* warm_start, GjkRun<S>* run) {
+  if (run == nullptr) {
+    NoGjkRecorder<S> unwatched;
+    return gjk(a, b, b_in_a, warm_start, unwatched);
+  }
+  GjkStepList<S> list;
+  run->result = gjk(a, b, b_in_a, warm_start, list);
+  run->steps = std::move(list.steps);
+  return run->result;
+}
 
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a) {

@@ -11,7 +11,7 @@ const std::vector<std::string>& known_layers() {
   static const std::vector<std::string> layers = {
       "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons",
       "dropped",  "contacts",       "reduced",       "normals",     "ids",
-      "sat_axes", "contact_axis",   "coherent"};
+      "sat_axes", "contact_axis",   "coherent",      "tree"};
   return layers;
 }
 

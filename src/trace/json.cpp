@@ -102,6 +102,22 @@ Json reduction(const Reduction& r) {
   return json;
 }
 
+Json gjk(const Gjk& g) {
+  Json steps = Json::array();
+  for (const Simplex& simplex : g.steps) {
+    Json vertices = Json::array();
+    for (const SimplexVertex& vertex : simplex)
+      vertices.push_back({{"a", vector(vertex.a, "a")}, {"b", vector(vertex.b, "b")}});
+    steps.push_back(std::move(vertices));
+  }
+  return {{"status", g.status},
+          {"iterations", g.iterations},
+          {"distance", number(g.distance, "distance")},
+          {"point_a", vector(g.point_a, "point_a")},
+          {"point_b", vector(g.point_b, "point_b")},
+          {"steps", std::move(steps)}};
+}
+
 Json box(const Box& b) {
   return {{"lower", vector(b.lower, "lower")}, {"upper", vector(b.upper, "upper")}};
 }
@@ -137,6 +153,7 @@ Json pair(const Pair& p) {
   if (p.sat) json["sat"] = sat(*p.sat);
   if (p.clip) json["clip"] = clip(*p.clip);
   if (p.reduction) json["reduction"] = reduction(*p.reduction);
+  if (p.gjk) json["gjk"] = gjk(*p.gjk);
   if (p.tree) json["tree"] = tree(*p.tree);
   if (p.degenerate)
     json["degenerate"] = {{"geometry", p.degenerate->geometry}, {"answer", p.degenerate->answer}};

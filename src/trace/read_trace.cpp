@@ -259,6 +259,21 @@ Reduction read_reduction(const Node& node) {
   return reduction;
 }
 
+Gjk read_gjk(const Node& node) {
+  Gjk gjk;
+  gjk.status = node.at("status").string();
+  gjk.iterations = node.at("iterations").integer();
+  gjk.distance = node.at("distance").number();
+  gjk.point_a = node.at("point_a").vector();
+  gjk.point_b = node.at("point_b").vector();
+  for (const Node& step : node.at("steps").items()) {
+    Simplex& simplex = gjk.steps.emplace_back();
+    for (const Node& vertex : step.items())
+      simplex.push_back({vertex.at("a").vector(), vertex.at("b").vector()});
+  }
+  return gjk;
+}
+
 Box read_box(const Node& node) {
   return {node.at("lower").vector(), node.at("upper").vector()};
 }
@@ -306,6 +321,7 @@ Pair read_pair(const Node& node) {
   if (const auto clip = node.find("clip")) pair.clip = read_clip(*clip);
   if (const auto reduction = node.find("reduction")) pair.reduction = read_reduction(*reduction);
   if (const auto cache = node.find("cache")) pair.cache = read_cache(*cache);
+  if (const auto gjk = node.find("gjk")) pair.gjk = read_gjk(*gjk);
   if (const auto tree = node.find("tree")) pair.tree = read_tree(*tree);
   if (const auto degenerate = node.find("degenerate"))
     pair.degenerate =

@@ -130,6 +130,25 @@ struct Reduction {
   std::vector<Choice> choices;  // for each kept point, where the method has such steps
 };
 
+/// A point of the Minkowski difference b - a, by the points that it is the difference of.
+struct SimplexVertex {
+  Vec3d a = Vec3d::Zero();
+  Vec3d b = Vec3d::Zero();
+
+  friend bool operator==(const SimplexVertex&, const SimplexVertex&) = default;
+};
+using Simplex = std::vector<SimplexVertex>;  // one to four
+
+/// Closest points by GJK, between the cores of round shapes.
+struct Gjk {
+  std::string status;  // "separated", "touching", "overlap", "out of iterations"
+  int iterations = 0;
+  double distance = 0;  // of the cores, metres
+  Vec3d point_a = Vec3d::Zero();
+  Vec3d point_b = Vec3d::Zero();
+  std::vector<Simplex> steps;  // the simplex after each iteration
+};
+
 /// Axis-aligned box in the frame of a shape, metres.
 struct Box {
   Vec3d lower = Vec3d::Zero();
@@ -181,6 +200,7 @@ struct Stages {
   bool clip = true;
   bool reduction = true;
   bool tree = true;
+  bool gjk = true;
 };
 
 struct Pair {
@@ -196,6 +216,7 @@ struct Pair {
   std::optional<Reduction> reduction;
   std::optional<Degenerate> degenerate{};
   std::optional<Tree> tree{};
+  std::optional<Gjk> gjk{};
   std::optional<Cache> cache{};  // empty too where there was nothing to try
 };
 

@@ -27,6 +27,9 @@ TEST_P(EveryScenario, GivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
       pair.clip.reset();
       pair.reduction.reset();
       pair.cache.reset();
+      pair.degenerate.reset();
+      pair.gjk.reset();
+      pair.tree.reset();
       pair.gjk.reset();
       pair.tree.reset();
       pair.degenerate.reset();

@@ -52,8 +52,11 @@ TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
   EXPECT_THAT(keys_of(line["poses"]["zebra"]), ElementsAre("position", "quat_wxyz"));
   EXPECT_EQ(line["poses"]["zebra"]["quat_wxyz"], json({0.5, -0.5, 0.5, -0.5}));
   const auto& pair = line["pairs"][0];
-  EXPECT_THAT(keys_of(pair), ElementsAre("a", "b", "label", "kind", "state", "separation",
-                                         "manifolds", "sat", "clip", "reduction", "degenerate"));
+  EXPECT_THAT(keys_of(pair),
+              ElementsAre("a", "b", "label", "kind", "state", "separation", "manifolds", "sat",
+                          "clip", "reduction", "gjk", "tree", "degenerate", "cache"));
+  EXPECT_THAT(keys_of(pair["cache"]), ElementsAre("hit", "kind", "axis", "normal", "moved"));
+  EXPECT_EQ(pair["cache"]["hit"], true);
   EXPECT_THAT(keys_of(pair["manifolds"][0]),
               ElementsAre("normal", "axis", "type", "triangle", "points"));
   EXPECT_THAT(keys_of(pair["manifolds"][0]["points"][0]),
@@ -86,6 +89,13 @@ TEST(TraceJson, AReductionWithoutStepsOrABestPolygonHasNoKeyForThem) {
   const auto line = nlohmann::ordered_json::parse(to_json_line(frame));
   EXPECT_THAT(keys_of(line["pairs"][0]["reduction"]),
               ElementsAre("method", "points", "kept", "area", "best_area"));
+}
+
+TEST(TraceJson, AMissOfASeparatingAxisHasNeitherANormalNorAWayMoved) {
+  Frame frame = sample_frame();
+  frame.pairs[0].cache = Cache{false, "separating_axis", "edge_edge", {}, {}};
+  const auto line = nlohmann::ordered_json::parse(to_json_line(frame));
+  EXPECT_THAT(keys_of(line["pairs"][0]["cache"]), ElementsAre("hit", "kind", "axis"));
 }
 
 TEST(TraceJson, TriangleIsNullWithoutOne) {
@@ -163,6 +173,22 @@ TEST(TraceJson, EveryFieldComesBack) {
   EXPECT_EQ(pair.degenerate->geometry, "coincident centres");
   EXPECT_EQ(pair.degenerate->answer, "skip");
   EXPECT_EQ(read.pairs[1].degenerate, std::nullopt);
+  EXPECT_EQ(pair.gjk->status, "separated");
+  EXPECT_EQ(pair.gjk->iterations, 3);
+  EXPECT_EQ(pair.gjk->distance, 0.25);
+  EXPECT_EQ(pair.gjk->point_a, Vec3d(1, 2, 3));
+  EXPECT_EQ(pair.gjk->point_b, Vec3d(4, 5, 6));
+  EXPECT_EQ(pair.gjk->steps, frame.pairs[0].gjk->steps);
+  EXPECT_EQ(pair.tree->shape, "apple");
+  EXPECT_EQ(pair.tree->box, frame.pairs[0].tree->box);
+  EXPECT_EQ(pair.tree->visits, frame.pairs[0].tree->visits);
+  EXPECT_THAT(pair.tree->candidates, ElementsAre(4, 17));
+  EXPECT_TRUE(pair.cache->hit);
+  EXPECT_EQ(pair.cache->kind, "features");
+  EXPECT_EQ(pair.cache->axis, "face_b");
+  EXPECT_EQ(*pair.cache->normal, Vec3d(0, -1, 0));
+  EXPECT_EQ(pair.cache->moved, double(0.0125f));
+  EXPECT_FALSE(read.pairs[1].cache.has_value());
   EXPECT_EQ(pair.manifolds[0].triangle, std::nullopt);
   EXPECT_EQ(pair.manifolds[1].triangle, 17);
   EXPECT_EQ(pair.manifolds[0].points.at(0).id, "a:e3 b:e7");

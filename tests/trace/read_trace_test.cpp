@@ -122,7 +122,7 @@ TEST(ReadTrace, AnIndexOfTheBestPolygonOrOfAChoiceIsCheckedToo) {
 TEST(ReadTrace, ATraceWithUnknownKeysIsRead) {
   ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
   frame["engine"] = "another";
-  frame["pairs"][0]["gjk"] = {{"iterations", 7}};
+  frame["pairs"][0]["epa"] = {{"iterations", 7}};
   std::istringstream in(header_line() + frame.dump());
   const Trace trace = read_trace(in, "run.jsonl");
   ASSERT_EQ(trace.frames.size(), 1u);

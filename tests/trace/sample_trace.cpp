@@ -79,6 +79,12 @@ Frame sample_frame() {
       {"support", {0.6, -0.0, 0.8}, {{0, -1, -1, -0.0}, {1, -1, -1, double(0.1f)}}},
       {"outside", {0, 0, 0}, {{0, 1, 0, -1e-300}}}};
   pair.degenerate = Degenerate{"coincident centres", "skip"};
+  pair.gjk = Gjk{"separated", 3, 0.25, {1, 2, 3}, {4, 5, 6}, {}};
+  pair.gjk->steps = {{{{0, 1, 0}, {-0.0, 2, 1}}}, {{{1, 0, 0}, {0, 0, 1}}, {{7, 8, 9}, {1, 1, 1}}}};
+  pair.tree = Tree{"apple", {{-1, -2, -3}, {1, 2, 3}}, {}, {4, 17}};
+  pair.tree->visits = {{{{-8, -8, -8}, {8, 8, 8}}, 0, false, true},
+                       {{{0, 0, 0}, {1, 1, 1e-300}}, 1, true, false}};
+  pair.cache = Cache{true, "features", "face_b", Vec3d(0, -1, -0.0), double(0.0125f)};
   frame.pairs.push_back(pair);
 
   frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});

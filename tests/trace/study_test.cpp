@@ -97,6 +97,30 @@ TEST(StudyCsv, QuotesWhatHoldsCommasAndQuotes) {
   EXPECT_THAT(text, HasSubstr(",GCC 12,Release,2026-01-02T03:04:05Z,float\n"));
 }
 
+TEST(StudyJson, CurvesAndMapsSayWhereTheirSeriesStand) {
+  Study study = sample_study();
+  study.form = StudyForm::Map;
+  study.row = "size (m)";
+  study.signal = "overlap";
+  study.series[0].panel = "float";
+  study.series[0].parameter = "tilt (rad)";
+  study.series[0].row = 0.001;
+  const auto json = nlohmann::ordered_json::parse(to_json(study));
+  EXPECT_EQ(json["form"], "map");
+  EXPECT_EQ(json["row"], "size (m)");
+  EXPECT_EQ(json["signal"], "overlap");
+  EXPECT_THAT(keys(json["series"][0]),
+              ElementsAre("method", "panel", "parameter", "row", "points"));
+  EXPECT_EQ(json["series"][0]["panel"], "float");
+  EXPECT_EQ(json["series"][0]["row"].get<double>(), 0.001);
+  EXPECT_TRUE(json["series"][1]["row"].is_null());
+  const std::vector<std::string> rows = lines(to_csv(study));
+  EXPECT_THAT(rows[0], testing::EndsWith(",scalar,panel,row_name,row"));
+  EXPECT_THAT(rows[1], testing::EndsWith(",float,float,size (m),0.001"));
+  EXPECT_THAT(rows[1], HasSubstr(",tilt (rad),"));
+  EXPECT_THAT(rows[3], testing::EndsWith(",float,,size (m),"));
+}
+
 TEST(Study, NumbersThatAreNotFiniteAreRefusedByName) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "manifold/placed_shapes.h"
+#include "support/builders.h"
+
+namespace contactscope {
+namespace {
+
+// Beside an edge and beside a vertex the closest point is looked for by GJK; above a face it is not.
+TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
+  const Shape<double> box = test::cube(0.5);
+  const auto record_at = [&](const Vec3d& center) {
+    return test::record_of<double>({box, {}, test::ball(0.5), {Quatd::Identity(), center}});
+  };
+  EXPECT_FALSE(record_at(Vec3d(0.1, 0.9, 0.2)).gjk.has_value());
+  const trace::Pair beside_edge = record_at(Vec3d(0.7, 0.7, 0.1));
+  ASSERT_TRUE(beside_edge.gjk.has_value());
+  EXPECT_EQ(beside_edge.gjk->status, "separated");
+  EXPECT_GE(beside_edge.gjk->iterations, 1);
+  EXPECT_NEAR(beside_edge.gjk->distance, std::sqrt(0.08), 1e-15);
+  // The hull is a here, the pair is told mirrored.
+  EXPECT_LT((beside_edge.gjk->point_a - Vec3d(0.5, 0.5, 0.1)).norm(), 1e-15);
+  EXPECT_LT((beside_edge.gjk->point_b - Vec3d(0.7, 0.7, 0.1)).norm(), 1e-15);
+  ASSERT_FALSE(beside_edge.gjk->steps.empty());
+  for (const trace::Simplex& simplex : beside_edge.gjk->steps) {
+    ASSERT_GE(simplex.size(), 1u);
+    ASSERT_LE(simplex.size(), 4u);
+    for (const trace::SimplexVertex& vertex : simplex) {
+      EXPECT_LT((vertex.a.cwiseAbs() - Vec3d(0.5, 0.5, 0.5)).norm(), 1e-15);  // a corner
+      EXPECT_LT((vertex.b - Vec3d(0.7, 0.7, 0.1)).norm(), 1e-15);             // the centre
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
