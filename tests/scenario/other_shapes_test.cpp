@@ -61,6 +61,27 @@ TEST(OtherShapes, TradingAAndBMirrorsTheManifold) {
   EXPECT_EQ(there.manifolds[0].type, "point-point");
 }
 
+TEST(OtherShapes, MayBeLeftUnmergedWhereTheyAreHulls) {
+  const std::string shapes =
+      "title = \"Unmerged\"\n"
+      "[shapes.box]\ntype = \"box\"\nhalf_extents = [1, 1, 1]\nmerge_coplanar = false\n"
+      "[shapes.can]\ntype = \"cylinder\"\nradius = 1\nhalf_height = 1\nsegments = 8\n"
+      "merge_coplanar = false\n"
+      "[shapes.hat]\ntype = \"cone\"\nradius = 1\nhalf_height = 1\nsegments = 8\n"
+      "merge_coplanar = false\n"
+      "[shapes.wedge]\ntype = \"hull\"\nmerge_coplanar = false\n"
+      "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]]\n"
+      "[shapes.merged]\ntype = \"box\"\nhalf_extents = [1, 1, 1]\nmerge_coplanar = true\n";
+  const Scenario scenario = parse_scenario(shapes, "hull/a.toml");
+  const int faces[] = {12, 2 * 6 + 8 * 2, 6 + 8, 2 + 3 * 2, 6};
+  for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
+    EXPECT_EQ(scenario.shapes[i].hull()->face_count(), faces[i]) << scenario.shapes[i].name;
+  }
+  const trace::Header header = trace_header(scenario);
+  EXPECT_EQ(header.shapes[0].faces.size(), 12u);
+  EXPECT_EQ(header.shapes[0].edges.size(), 18u);
+}
+
 TEST(OtherShapes, PairsThatMakeNoContactAreWarnedOfOnce) {
   const std::string planes = kShapes +
                              "[shapes.wall]\ntype = \"plane\"\nnormal = [1, 0, 0]\noffset = 0\n"
