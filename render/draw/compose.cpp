@@ -82,44 +82,67 @@ class Composer {
       const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
       if (seen) placer_.block(seen->from, seen->to, px(style.width + 2));
     }
-    draw_spans(line.from, line.to, style, 0, false);
-  }
-
-  // `run`: pixels of the line's dashes before `first`.
-  void draw_spans(const Vec3d& first, const Vec3d& last, const LineStyle& style, float run,
-                  bool joined) {
-    if (!project_segment(camera_, first, last)) return;
-    if (style.hidden == LineStyle::Hidden::Same) {
-      stroke(first, last, style.width, style.color, style.dashed ? 10.0f : 0.0f,
-             style.dashed ? 6.0f : 0.0f, run, joined);
-      return;
-    }
-    for (const Span& span : hidden_.split(first, last)) {
-      const Vec3d from = first + span.from * (last - first);
-      const Vec3d to = first + span.to * (last - first);
-      if (span.hidden) {
-        if (style.hidden == LineStyle::Hidden::Gone) continue;
-        stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run, joined);
-      } else {
-        stroke(from, to, style.width, style.color, 0, 0, 0, joined);
-      }
+    if (!project_segment(camera_, line.from, line.to)) return;
+    const Vec3d way = line.to - line.from;
+    for (const Span& span : spans_of(line.from, line.to, style)) {
+      draw_span(line.from + span.from * way, line.from + span.to * way, span.hidden, style, 0,
+                false);
     }
   }
 
-  // The lengths already run are measured on the screen, where dashes are.
+  // `run`: pixels of the line's dashes before `from`.
+  void draw_span(const Vec3d& from, const Vec3d& to, bool hidden, const LineStyle& style, float run,
+                 bool joined) {
+    if (hidden) {
+      if (style.hidden == LineStyle::Hidden::Gone) return;
+      stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run, joined);
+    } else {
+      const bool dashed = style.hidden == LineStyle::Hidden::Same && style.dashed;
+      stroke(from, to, style.width, style.color, dashed ? 10.0f : 0.0f, dashed ? 6.0f : 0.0f, run,
+             joined);
+    }
+  }
+
+  std::vector<Span> spans_of(const Vec3d& from, const Vec3d& to, const LineStyle& style) const {
+    if (style.hidden == LineStyle::Hidden::Same) return {{0, 1, false}};
+    return hidden_.split(from, to);
+  }
+
+  // What is hidden is decided for each piece of the curve: a longer chord would lie inside the body
+  // whose outline it is. Drawn are longer pieces, with fewer ends. The lengths already run are
+  // measured on the screen, where dashes are.
   void draw_curve(const Curve& curve) {
     float run = 0;
-    for (std::size_t from = 0, to = 1; to < curve.points.size() + (curve.closed ? 1 : 0); ++to) {
-      const Vec3d& p = curve.points[from];
-      const Vec3d& q = curve.points[to % curve.points.size()];
-      const std::optional<Segment2> seen = project_segment(camera_, p, q);
-      const float length = seen ? distance(seen->from, seen->to) : 0;
-      const bool last = to + 1 == curve.points.size() + (curve.closed ? 1 : 0);
-      if (seen && length < kLeastPiece && !last) continue;
-      if (seen) draw_spans(p, q, curve.style, run, true);
-      run += length;
-      from = to;
+    Vec3d from = Vec3d::Zero(), to = Vec3d::Zero();
+    bool hidden = false, any = false;
+    const auto draw = [&] {
+      if (any) draw_span(from, to, hidden, curve.style, run, true);
+      if (any) run += on_screen(from, to);
+      any = false;
+    };
+    const std::size_t pieces = curve.points.size() - (curve.closed ? 0 : 1);
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const Vec3d& p = curve.points[i];
+      const Vec3d& q = curve.points[(i + 1) % curve.points.size()];
+      if (!project_segment(camera_, p, q)) {
+        draw();
+        continue;
+      }
+      for (const Span& span : spans_of(p, q, curve.style)) {
+        if (any && (span.hidden != hidden || on_screen(from, to) >= kLeastPiece)) draw();
+        if (!any) from = p + span.from * (q - p);
+        to = p + span.to * (q - p);
+        hidden = span.hidden;
+        any = true;
+      }
     }
+    draw();
+  }
+
+  // Pixels; 0 behind the eye.
+  float on_screen(const Vec3d& from, const Vec3d& to) const {
+    const std::optional<Segment2> seen = project_segment(camera_, from, to);
+    return seen ? distance(seen->from, seen->to) : 0;
   }
 
   void head(const Point2& tip, const Point2& from, double size, const Color& color) {

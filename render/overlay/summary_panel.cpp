@@ -61,9 +61,7 @@ Rows rows_of(const trace::Pair& pair) {
   rows.emplace_back("pair", pair.kind);
   rows.emplace_back("state", pair.state);
   if (pair.sat) rows.emplace_back("axis", spoken(pair.sat->chosen));
-  // Of two hulls the axis says it.
-  const bool touching = !pair.manifolds.empty();
-  if (touching && pair.kind != "hull-hull") rows.emplace_back("contact", types_of(pair));
+  if (!pair.manifolds.empty()) rows.emplace_back("contact", types_of(pair));
   rows.emplace_back(pair.separation > 0 ? "gap" : "separation",
                     draw::spell_length(pair.separation));
   if (pair.state != "separated") rows.emplace_back("points", counted(pair));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -48,12 +49,18 @@ void account(const Scenario& scenario, const std::vector<View>& views, const tra
       ledger.left_out(scenario.name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
-  for (const auto& [recorded, stage] :
-       {std::pair{stages.sat, "sat"}, {stages.clip, "clip"}, {stages.reduction, "reduction"}}) {
+  for (const auto& [recorded, stage] : {std::pair{stages.sat, "sat"},
+                                        {stages.clip, "clip"},
+                                        {stages.reduction, "reduction"},
+                                        {stages.tree, "tree"},
+                                        {stages.gjk, "gjk"}}) {
     if (recorded) continue;
     ledger.left_out(scenario.name + ": record of stage " + stage + ", for no view shows it");
   }
-  ledger.left_out("bounding volume tree, for all shapes are convex");
+  const bool has_mesh = std::ranges::any_of(scenario.shapes, [](const ScenarioShape& shape) {
+    return kind_of(*shape.geometry) == ShapeKind::Mesh;
+  });
+  if (!has_mesh) ledger.left_out("bounding volume tree, for no shape is a mesh");
   ledger.left_out("solver, for no shape is dynamic");
 }
 
