@@ -166,9 +166,16 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   if (axes.edge_wins()) {
     const ClosestOfSegments<S> closest =
         closest_of_segments(ends[0], ends[1], hull.origin(axes.edge), hull.target(axes.edge));
-    const CapsuleTouch<S> touch = edge_touch(axes, closest.parameter_a);
+    CapsuleTouch<S> touch = edge_touch(axes, closest.parameter_a);
     const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
                        closest.parameter_b > S(0) && closest.parameter_b < S(1);
+    if (cross && touch.distance > touching && closest.distance > touch.distance + tie) {
+      // Apart, no axis shows more than the distance, and this one less: the cross product of nearly
+      // parallel edges is rounded by epsilon over their sine. What the points lack along the edges
+      // hardly changes their distance.
+      touch.distance = closest.distance;
+      touch.normal = (closest.on_a - closest.on_b) / closest.distance;
+    }
     if (cross || is_deep) return touch;
     return closest_touch(hull, ends, touch, scale, touching, run);
   }
