@@ -41,22 +41,20 @@ Real point_to_segment(const Vec& point, const std::pair<Vec, Vec>& segment) {
   return (point - nearest).norm();
 }
 
-/// The closest points lie inside of both segments, or one of them is an end.
+/// The closest points lie inside of both segments, or one of them is an end. Of nearly parallel ones
+/// the first point is uncertain, but then the distance hardly depends on it.
 Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec>& other) {
-  Real best = std::min({point_to_segment(one.first, other), point_to_segment(one.second, other),
-                        point_to_segment(other.first, one), point_to_segment(other.second, one)});
+  const Real best =
+      std::min({point_to_segment(one.first, other), point_to_segment(one.second, other),
+                point_to_segment(other.first, one), point_to_segment(other.second, one)});
   const Vec along = one.second - one.first;
   const Vec across = other.second - other.first;
   const Vec normal = along.cross(across);
   const Real squared = normal.squaredNorm();
   if (!(squared > kParallel * kParallel * along.squaredNorm() * across.squaredNorm())) return best;
   const Vec between = other.first - one.first;
-  const Real s = between.cross(across).dot(normal) / squared;
-  const Real t = between.cross(along).dot(normal) / squared;
-  if (s >= 0 && s <= 1 && t >= 0 && t <= 1) {
-    best = std::min(best, std::abs(between.dot(normal)) / std::sqrt(squared));
-  }
-  return best;
+  const Real s = clamped(between.cross(across).dot(normal) / squared);
+  return std::min(best, point_to_segment(Vec(one.first + s * along), other));
 }
 
 template <class S>

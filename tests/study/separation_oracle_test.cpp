@@ -105,6 +105,15 @@ TEST(SeparationOracle, NearlyParallelEdgesKeepTheirAxis) {
   EXPECT_NEAR(oracle.separation_along(Vec3d::UnitY(), -1), -overlap, 4e-16);
 }
 
+TEST(SeparationOracle, NearlyParallelAxesKeepTheirDistance) {
+  // Axes 0.5 m apart that cross in their middle: the distance is that of the planes they lie in.
+  const Shape<double> rod = lying_capsule(1, 0.25);
+  for (double angle = 1e-16; angle < 1; angle *= 3) {
+    const Pose<double> turned{Quatd(Eigen::AngleAxisd(angle, Vec3d::UnitY())), Vec3d(0, 0.5, 0)};
+    EXPECT_NEAR(separation(rod, at(0.3, 0, 0), rod, turned), 0, 1e-16) << angle;
+  }
+}
+
 TEST(SeparationOracle, AnyOtherNormalIsWorse) {
   Random random(3);
   const Shape<double> a = make_box({0.5, 0.3, 0.4});

@@ -1,0 +1,191 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+
+#include "draw/camera.h"
+#include "draw/plot_curves.h"
+#include "draw/plot_map.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {640, 360}};
+
+/// As large as the study of stability becomes.
+trace::Study study_of(trace::StudyForm form) {
+  trace::Study study;
+  study.study = "stability";
+  study.title = "Where float and double run out";
+  study.context = {"Some processor", "GCC 12", "Release", "2026-01-02T03:04:05Z", "both"};
+  study.reference = "all axes in extended precision";
+  study.error = "error / size";
+  study.parameter = "parameter";
+  study.form = form;
+  return study;
+}
+
+std::vector<trace::StudyPoint> points(double slope, int failed_from = 1000) {
+  std::vector<trace::StudyPoint> list;
+  for (int i = 0; i < 21; ++i) {
+    const double parameter = std::pow(10.0, -9 + 0.5 * i);
+    trace::StudyPoint point{parameter, 1e-7, 1e-16 * std::pow(10.0, slope * i), {2, 1, 3}, 0, 40};
+    if (i >= failed_from) point.failed = i + 1 < 21 ? 3 : 40;
+    if (point.failed == point.of) point.error = point.error_worst = std::nullopt;
+    list.push_back(point);
+  }
+  return list;
+}
+
+trace::Study curves() {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  study.signal = "overlap";
+  for (const char* panel : {"tilt", "scale", "distance", "aspect", "angle", "kiss"}) {
+    const std::string parameter = std::string("the ") + panel + " of it (m)";
+    study.series.push_back({"float", points(0.4), panel, parameter});
+    study.series.push_back({"double", points(0), panel, parameter});
+    study.series.push_back({"float, unrounded", points(0.5, 12), panel, parameter});
+    study.series.push_back({"double, unrounded", points(0.1), panel, parameter});
+    study.series.push_back({"overlap", points(0.2), panel, parameter});
+  }
+  return study;
+}
+
+trace::Study numbered_map() {
+  trace::Study study = study_of(trace::StudyForm::Map);
+  study.row = "overlap, 1 = coincident";
+  for (const char* panel : {"float", "double", "float, unrounded", "double, unrounded"}) {
+    for (int row = 0; row < 25; ++row) {
+      study.series.push_back(
+          {panel, points(0.02 * row, 30 - row), panel, "distance (m)", std::pow(10.0, -6 + row)});
+    }
+  }
+  return study;
+}
+
+trace::Study named_map() {
+  trace::Study study = study_of(trace::StudyForm::Map);
+  study.row = "kind of pair";
+  for (const char* panel : {"float: a", "float: b", "float: c", "double: a", "double: b"}) {
+    for (int row = 0; row < 12; ++row) {
+      study.series.push_back({"capsule on capsule " + std::to_string(row), points(1), panel, "m"});
+    }
+  }
+  return study;
+}
+
+template <class T>
+std::vector<T> all_of(const Drawing& drawing) {
+  std::vector<T> list;
+  for (const Primitive& primitive : drawing.primitives) {
+    if (const auto* one = std::get_if<T>(&primitive)) list.push_back(*one);
+  }
+  return list;
+}
+
+std::vector<std::string> words(const Drawing& drawing) {
+  std::vector<std::string> list;
+  for (const Text& text : all_of<Text>(drawing)) list.push_back(text.text);
+  return list;
+}
+
+Rect box_of(const Text& text) {
+  const FontWeight weight = text.weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
+  const double width = text_width(text.text, text.size, weight);
+  const double share = text.align == Align::Left ? 0 : text.align == Align::Center ? 0.5 : 1;
+  return {text.at.x - share * width, text.at.y - 0.62 * text.size, width, 0.7 * text.size};
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+void expect_legible(const Drawing& drawing) {
+  const std::vector<Text> all = all_of<Text>(drawing);
+  ASSERT_GT(all.size(), 10u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Rect box = box_of(all[i]);
+    EXPECT_GE(box.x, 0) << all[i].text;
+    EXPECT_GE(box.y, 0) << all[i].text;
+    EXPECT_LE(box.x + box.width, drawing.width) << all[i].text;
+    EXPECT_LE(box.y + box.height, drawing.height) << all[i].text;
+    EXPECT_GE(all[i].size, 9.9f) << all[i].text;
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_FALSE(overlap(box, box_of(all[k]))) << all[i].text << " on " << all[k].text;
+    }
+  }
+}
+
+TEST(PlotCurves, TextStaysOnTheCanvasAndApart) {
+  for (const auto& [width, height] : kSizes) expect_legible(plot_curves(curves(), width, height));
+}
+
+TEST(PlotMap, TextStaysOnTheCanvasAndApart) {
+  for (const auto& [width, height] : kSizes) {
+    expect_legible(plot_map(numbered_map(), width, height));
+    expect_legible(plot_map(named_map(), width, height));
+  }
+}
+
+TEST(PlotCurves, NamesEveryPanelAndCountsItsFailures) {
+  const std::vector<std::string> all = words(plot_curves(curves(), 1280, 720));
+  for (const char* panel : {"the tilt of it (m)", "the kiss of it (m)"}) {
+    EXPECT_THAT(all, Contains(panel));
+  }
+  EXPECT_EQ(std::ranges::count(all, "64 of 840"), 6);
+  EXPECT_THAT(all, Contains("float, unrounded"));
+  EXPECT_THAT(all, Contains(HasSubstr("all axes in extended precision")));
+}
+
+TEST(PlotCurves, OneHeightIsOneErrorInEveryPanelOfARow) {
+  // Dots of the flat line of "double" are level across the three panels of the upper row.
+  std::multiset<float> heights;
+  for (const Disc& disc : all_of<Disc>(plot_curves(curves(), 1280, 720))) {
+    heights.insert(std::round(disc.center.y * 8) / 8);
+  }
+  std::size_t most = 0;
+  for (const float height : heights) most = std::max(most, heights.count(height));
+  EXPECT_GE(most, 3u * 21u);
+}
+
+TEST(PlotMap, ACellForEachPointAndACrossForEachFailure) {
+  trace::Study map = study_of(trace::StudyForm::Map);
+  map.row = "row";
+  map.series.push_back({"m", points(0), "one", "p", 1.0});
+  const auto count = [&] {
+    const Drawing drawing = plot_map(map, 1280, 720);
+    return std::pair{all_of<Fill>(drawing).size(), all_of<Stroke>(drawing).size()};
+  };
+  const auto [fills, strokes] = count();
+  EXPECT_EQ(fills, 21u + 1u);  // and the only decade of the legend
+  map.series[0].points[4].failed = 1;
+  EXPECT_EQ(count(), std::pair(fills, strokes + 2));
+  map.series[0].points[4].error = map.series[0].points[4].error_worst = std::nullopt;
+  EXPECT_EQ(count(), std::pair(fills - 1, strokes + 2));
+}
+
+TEST(PlotMap, WorseIsDarker) {
+  trace::Study map = study_of(trace::StudyForm::Map);
+  map.row = "row";
+  map.series.push_back({"m", points(0), "one", "p", 1.0});
+  for (std::size_t i = 0; i < 21; ++i) {
+    map.series[0].points[i].error_worst = std::pow(10.0, 0.5 * static_cast<double>(i));
+  }
+  const std::vector<Fill> fills = all_of<Fill>(plot_map(map, 1280, 720));
+  ASSERT_GE(fills.size(), 21u);
+  const auto lightness = [](const Fill& fill) {
+    return 0.2126f * fill.color.r + 0.7152f * fill.color.g + 0.0722f * fill.color.b;
+  };
+  const std::size_t first = fills.size() - 21;
+  for (std::size_t i = first + 1; i < fills.size(); ++i) {
+    EXPECT_LE(lightness(fills[i]), lightness(fills[i - 1]));
+  }
+  EXPECT_LT(lightness(fills.back()), 0.2f * lightness(fills[first]));
+}
+
+}  // namespace
+}  // namespace contactscope::draw
