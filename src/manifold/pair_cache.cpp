@@ -17,11 +17,10 @@
 namespace contactscope {
 namespace {
 
-/// How much worse than the kept axis another one must have been to be of no further interest, as a
-/// part of the smaller radius. A pair that moves farther is worth a full test: at this many
-/// millimetres a step, a hit or two would be saved.
+/// How much worse than the kept axis another one must be to be of no further interest, as a part of
+/// the smaller radius: a pair that has moved so far has earned a full test.
 template <class S>
-constexpr S kHorizon = S(0.05);
+constexpr S kHorizon = S(0.2);
 
 /// Two hulls of which features are placed as they are asked for.
 template <class S>
@@ -289,7 +288,7 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   cache.near_cosine = S(1) - S(0.6) * spare / (depth + tolerance);
   if (!(spare > S(0))) return cache;
   cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
-                             separation - kHorizon<S> * pair.min_radius);
+                             separation - kHorizon<S> * pair.min_radius, separation + tolerance);
   if (!preferred(separation, cache.far, options.margin, pair.min_radius)) return cache;
   cache.kind = CachedKind::Features;
   cache.rotation = b_in_a.rotation;

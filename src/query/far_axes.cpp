@@ -125,11 +125,13 @@ S largest_of_faces(const PlacedHull<S>& hull, const FaceSeparations<S>& faces,
 /// an arc is whose ends are: the near directions make a cap of less than a half sphere.
 template <class S>
 S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
-                 const FaceSeparations<S>& faces_b, const Vec3<S>& normal, S cosine, S floor) {
+                 const FaceSeparations<S>& faces_b, const Vec3<S>& normal, S cosine, S floor,
+                 S ceiling) {
   const PlacedHull<S>& a = pair.a;
   Search<S> search{pair, pair.b.rotation.transpose(), normal, cosine, floor};
   search.bound = largest_of_faces(a, faces_a, search, S(1));
   search.bound = largest_of_faces(pair.b, faces_b, search, S(-1));
+  if (search.bound > ceiling) return std::numeric_limits<S>::infinity();
 
   for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
     const int first = a.half_edge(edge).face;
@@ -140,15 +142,17 @@ S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
         at_first.direction.dot(normal) >= cosine && at_second.direction.dot(normal) >= cosine;
     if (near) continue;
     const S largest = largest_on_arc(search, a.origin(edge), at_first, at_second);
-    if (!(largest <= S(0))) return std::numeric_limits<S>::infinity();
+    if (!(largest <= std::min(ceiling, S(0)))) return std::numeric_limits<S>::infinity();
     search.bound = std::max(search.bound, largest);
   }
   return search.bound;
 }
 
 template float far_separation(const HullPair<float>&, const FaceSeparations<float>&,
-                              const FaceSeparations<float>&, const Vec3<float>&, float, float);
+                              const FaceSeparations<float>&, const Vec3<float>&, float, float,
+                              float);
 template double far_separation(const HullPair<double>&, const FaceSeparations<double>&,
-                               const FaceSeparations<double>&, const Vec3<double>&, double, double);
+                               const FaceSeparations<double>&, const Vec3<double>&, double, double,
+                               double);
 
 }  // namespace contactscope
