@@ -84,11 +84,44 @@ TEST(CompareStages, Reduction) {
               ElementsAre("reduction point 1 separation -0.005 -> 0.045"));
 }
 
+TEST(CompareStages, Gjk) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.gjk->status = "touching";
+                pair.gjk->iterations = 5;
+              }),
+              ElementsAre("gjk: status separated -> touching, iterations 3 -> 5"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.gjk->point_b.x() += 0.5; }),
+              ElementsAre("gjk: point on b moved 500 mm along x"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.gjk->steps[0][0].a.x() += 0.5; }),
+              ElementsAre("gjk: vertex 0 moved 500 mm along x"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.gjk.reset(); }), ElementsAre("gjk gone"));
+}
+
+TEST(CompareStages, Tree) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.tree->candidates = {4};
+                pair.tree->visits.clear();
+              }),
+              ElementsAre("tree: number of boxes 1 -> 0, candidates 4 17 -> 4"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.tree->box.upper.y() += 0.5; }),
+              ElementsAre("tree: upper corner of the box moved 500 mm along y"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.tree.reset(); }), ElementsAre("tree gone"));
+}
+
+TEST(CompareStages, ContactTypeAndDegenerateAnswer) {
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].type = "edge-face"; }),
+              ElementsAre("type face-face -> edge-face"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.degenerate->answer = "skip"; }),
+              ElementsAre("degenerate: answer fallback -> skip"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.degenerate.reset(); }),
+              ElementsAre("degenerate gone"));
+}
+
 TEST(CompareStages, Cache) {
   EXPECT_THAT(after([](trace::Pair& pair) { pair.cache->hit = false; }),
               ElementsAre("cache: hit of features, face_a -> miss of features, face_a"));
   EXPECT_THAT(after([](trace::Pair& pair) { pair.cache->moved = 0.0225; }),
-              ElementsAre("cache: moved 0.0125 -> 0.0225"));
+              ElementsAre("cache: moved 0.013 -> 0.022"));
   EXPECT_THAT(after([](trace::Pair& pair) { *pair.cache->normal *= -1; }),
               ElementsAre("cache: normal flipped"));
   EXPECT_THAT(after([](trace::Pair& pair) { pair.cache.reset(); }), ElementsAre("cache gone"));

@@ -35,6 +35,7 @@ trace::Pair contact() {
   trace::Manifold manifold;
   manifold.normal = Vec3d(0, -1, 0);
   manifold.axis = "face_b";
+  manifold.type = "face-face";
   trace::Polygon patch;
   for (int i = 0; i < 4; ++i) {
     trace::Point point;
@@ -61,6 +62,10 @@ trace::Pair contact() {
   clip.dropped.push_back({rounded(0.2, 0.6, 0.1), "above the reference face"});
 
   pair.cache = trace::Cache{true, "features", "face_a", manifold.normal, 0.0125};
+  pair.degenerate = trace::Degenerate{"crossing axes", "fallback"};
+  pair.gjk = trace::Gjk{"separated", 3, 0.25, patch[0], patch[1], {{{patch[0], patch[1]}}}};
+  pair.tree = trace::Tree{"floor", {Vec3d(-1, -1, -1), Vec3d(1, 1, 1)}, {}, {4, 17}};
+  pair.tree->visits.push_back({pair.tree->box, 0, true, true});
   trace::Reduction& reduction = pair.reduction.emplace();
   reduction.method = "area";
   reduction.points = manifold.points;
