@@ -78,13 +78,14 @@ Cell judge(const std::vector<StabilityCase>& cases, int repetitions) {
 }
 
 /// A study to be filled, with what all of them share.
-trace::Study described(const StudyOptions& options, const std::string& measure, int cases) {
+trace::Study described(const StudyOptions& options, const std::string& measure, int cases,
+                       const std::string& of_what = "a cell") {
   trace::Study study;
   study.study = "stability";
   study.measure = measure;
   study.context = study_context("float and double");
   study.reference = "all axes and features in extended precision, " + std::to_string(cases) +
-                    " cases a point, seed " + std::to_string(options.seed);
+                    " cases " + of_what + ", seed " + std::to_string(options.seed);
   return study;
 }
 
@@ -109,9 +110,8 @@ class Stability {
 
   /// Six sweeps over all pairs at once, and three of them by kind of pair.
   void run_sweeps() {
-    sweeps_ = described(options_, "sweeps", cases_);
-    sweeps_.reference +=
-        " and kind of pair; unrounded: the geometry before it was moved and rounded";
+    sweeps_ = described(options_, "sweeps", cases_, "a point and kind of pair");
+    sweeps_.reference += "; unrounded: the geometry before it was moved and rounded";
     sweeps_.title = "Where float and double run out";
     sweeps_.error = "error of the contact / size of the shapes";
     sweeps_.parameter = "what a panel's axis says";
