@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "geometry/mesh_grid.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 
@@ -25,6 +26,7 @@ testing::AssertionResult same(const Manifolds<S>& one, const Manifolds<S>& other
     if (!same_bits(one[m].normal, other[m].normal)) return testing::AssertionFailure() << "normal";
     if (one[m].axis != other[m].axis) return testing::AssertionFailure() << "axis";
     if (one[m].type != other[m].type) return testing::AssertionFailure() << "type";
+    if (one[m].triangle != other[m].triangle) return testing::AssertionFailure() << "triangle";
     if (one[m].points.size() != other[m].points.size())
       return testing::AssertionFailure() << "count of points";
     for (std::size_t i = 0; i < one[m].points.size(); ++i) {
@@ -46,7 +48,9 @@ Shape<double> random_shape(test::Random& random, ShapeKind kind, double size) {
     case ShapeKind::Hull:
       return random.chance(0.5) ? test::random_box(random, size, 5)
                                 : test::random_hull(random, 12, size, 3);
-    default:
+    case ShapeKind::Mesh:
+      return make_grid(3 * size, 2 * size, 3, 2, random.chance(0.3) ? 0 : 0.3 * size);
+    case ShapeKind::Plane:
       break;
   }
   return HalfSpace<double>{{random.unit_vector(), size * random.uniform(-1, 1)}};
@@ -62,7 +66,7 @@ PlacedShapes random_pair(test::Random& random, ShapeKind a, ShapeKind b) {
 }
 
 constexpr ShapeKind kKinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind::Hull,
-                                ShapeKind::Plane};
+                                ShapeKind::Plane, ShapeKind::Mesh};
 
 template <class S>
 CollideOptions<S> some_options(int number) {
@@ -96,11 +100,14 @@ class Dispatch : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Dispatch, Scalars);
 
-TEST(Dispatch, EveryPairOfKindsCollidesInBothOrdersButTwoPlanes) {
+TEST(Dispatch, EveryPairOfKindsCollidesInBothOrdersButPlanesAndMeshes) {
+  const auto bounds_nothing = [](ShapeKind kind) {
+    return kind == ShapeKind::Plane || kind == ShapeKind::Mesh;
+  };
   for (const ShapeKind a : kKinds) {
     for (const ShapeKind b : kKinds) {
-      const bool both_planes = a == ShapeKind::Plane && b == ShapeKind::Plane;
-      EXPECT_EQ(can_collide(a, b), !both_planes) << to_string(a) << "-" << to_string(b);
+      const bool neither = bounds_nothing(a) && bounds_nothing(b);
+      EXPECT_EQ(can_collide(a, b), !neither) << to_string(a) << "-" << to_string(b);
     }
   }
 }
