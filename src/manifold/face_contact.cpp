@@ -91,10 +91,9 @@ namespace {
 
 template <class S, class Reference, class Other, class Recorder>
 S clipped_contact(const Reference& hull, const Other& other_hull, Owner reference,
-                  const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
+                  const FaceQuery<S>& query, int incident, S scale, S margin, PointSet<S>& points,
                   Recorder& recorder) {
   const Plane<S> plane = hull.plane(query.face);
-  const int incident = incident_face(other_hull, query.support, plane.normal);
 
   ClipPolygon<S> polygon;
   ClipPolygon<S> spare;
@@ -129,17 +128,20 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
 template <class S, class Recorder>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       PointSet<S>& points, Recorder& recorder) {
-  return clipped_contact(hull_of(pair, reference), hull_of(pair, other(reference)), reference,
-                         query, pair.scale, margin, points, recorder);
+  const PlacedHull<S>& hull = hull_of(pair, reference);
+  const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
+  const int incident = incident_face(other_hull, query.support, hull.normal(query.face));
+  return clipped_contact(hull, other_hull, reference, query, incident, pair.scale, margin, points,
+                         recorder);
 }
 
 template <class S, class Recorder, bool kReferenceMoved>
 S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
                       const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
-                      const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
-                      Recorder& recorder) {
-  return clipped_contact(reference_hull, other_hull, reference, query, scale, margin, points,
-                         recorder);
+                      const FaceQuery<S>& query, int incident, S scale, S margin,
+                      PointSet<S>& points, Recorder& recorder) {
+  return clipped_contact(reference_hull, other_hull, reference, query, incident, scale, margin,
+                         points, recorder);
 }
 
 template <class S, class Recorder>
@@ -160,9 +162,11 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
   template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, PointSet<S>&, \
                                  Recorder<S>&);                                                   \
   template S create_face_contact(const PlacedFeatures<S, false>&, const PlacedFeatures<S, true>&, \
-                                 Owner, const FaceQuery<S>&, S, S, PointSet<S>&, Recorder<S>&);   \
+                                 Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
+                                 Recorder<S>&);                                                   \
   template S create_face_contact(const PlacedFeatures<S, true>&, const PlacedFeatures<S, false>&, \
-                                 Owner, const FaceQuery<S>&, S, S, PointSet<S>&, Recorder<S>&);   \
+                                 Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
+                                 Recorder<S>&);                                                   \
   template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
                                            Recorder<S>&);
 CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
@@ -173,7 +177,12 @@ CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
 #endif
 #undef CONTACTSCOPE_INSTANTIATE
 
-template int incident_face(const PlacedHull<float>&, int, const Vec3<float>&);
-template int incident_face(const PlacedHull<double>&, int, const Vec3<double>&);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                 \
+  template int incident_face(const PlacedHull<S>&, int, const Vec3<S>&);            \
+  template int incident_face(const PlacedFeatures<S, false>&, int, const Vec3<S>&); \
+  template int incident_face(const PlacedFeatures<S, true>&, int, const Vec3<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

@@ -23,13 +23,13 @@ template <class S, class Recorder>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       PointSet<S>& points, Recorder& recorder);
 
-/// The same from two hulls of which only the faces that meet are placed. `scale` is the pair's (see
-/// HullPair), metres.
+/// The same from two hulls of which only the faces that meet are placed, and with an incident face
+/// that is known. `scale` is the pair's (see HullPair), metres.
 template <class S, class Recorder, bool kReferenceMoved>
 S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
                       const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
-                      const FaceQuery<S>& query, S scale, S margin, PointSet<S>& points,
-                      Recorder& recorder);
+                      const FaceQuery<S>& query, int incident, S scale, S margin,
+                      PointSet<S>& points, Recorder& recorder);
 
 /// The contact point of the support vertex of `query`: moved onto the reference face, its id from
 /// the two edges of the incident face that meet there. For overlaps whose deepest point the

@@ -84,24 +84,33 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   return true;
 }
 
+/// `of` owns the face, `other` the support vertex; `find` looks for it.
+template <class S, class Reference, class Other, class Find>
+void measure_face(const Reference& of, const Other& other, const PairCache<S>& cache, S moved,
+                  const Find& find, MeasuredAxis<S>& axis) {
+  const Plane<S> plane = of.plane(cache.first);
+  // Along the face's normal no vertex has moved by more than the pair has.
+  const bool still_deepest = S(2) * moved < cache.support_clearance;
+  const int support = still_deepest ? cache.support : find(Vec3<S>(-plane.normal));
+  axis.normal = plane.normal;
+  axis.separation = distance(plane, other.vertex(support));
+  axis.face = {cache.first, support, axis.separation};
+}
+
 template <class S>
-bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, MeasuredAxis<S>& axis) {
+bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
+             MeasuredAxis<S>& axis) {
   if (cache.axis == AxisKind::EdgeEdge) {
     return measure_edges(pair, cache.first, cache.second, cache.normal, axis);
   }
   if (cache.axis == AxisKind::FaceA) {
-    const Plane<S> plane = pair.a.plane(cache.first);
-    const int support = support_of_b(pair, Vec3<S>(-plane.normal));
-    axis.normal = plane.normal;
-    axis.separation = distance(plane, pair.b.vertex(support));
-    axis.face = {cache.first, support, axis.separation};
+    const auto find = [&](const Vec3<S>& direction) { return support_of_b(pair, direction); };
+    measure_face(pair.a, pair.b, cache, moved, find, axis);
     return true;
   }
-  const Plane<S> plane = pair.b.plane(cache.first);
-  const int support = support_of_a(pair, Vec3<S>(-plane.normal));
-  axis.normal = -plane.normal;
-  axis.separation = distance(plane, pair.a.vertex(support));
-  axis.face = {cache.first, support, axis.separation};
+  const auto find = [&](const Vec3<S>& direction) { return support_of_a(pair, direction); };
+  measure_face(pair.b, pair.a, cache, moved, find, axis);
+  axis.normal = -axis.normal;
   return true;
 }
 
@@ -176,9 +185,25 @@ struct Rebuilt {
   }
 };
 
+/// Against the face of `reference` in `cache`, whose other hull has turned by no more than `turn`.
+template <class S, class Reference, class Other, class Recorder>
+S rebuild_face(const Reference& reference, const Other& other_hull, Owner owner,
+               const PairCache<S>& cache, const FaceQuery<S>& query, S turn, S scale, S margin,
+               PointSet<S>& points, Recorder& recorder) {
+  const bool still_incident =
+      query.support == cache.support && S(2) * turn < cache.incident_clearance;
+  const int incident = still_incident
+                           ? cache.incident
+                           : incident_face(other_hull, query.support, reference.normal(query.face));
+  return create_face_contact(reference, other_hull, owner, query, incident, scale, margin, points,
+                             recorder);
+}
+
 template <class S, class Recorder>
-Rebuilt<S> rebuild(const FeaturePair<S>& pair, AxisKind kind, const MeasuredAxis<S>& axis, S scale,
-                   S margin, Contact<S>& contact, Recorder& recorder) {
+Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
+                   const MeasuredAxis<S>& axis, S turn, S scale, S margin, Contact<S>& contact,
+                   Recorder& recorder) {
+  const AxisKind kind = cache.axis;
   contact.axis = kind;
   contact.normal = axis.normal;
   if (kind == AxisKind::EdgeEdge) {
@@ -192,10 +217,10 @@ Rebuilt<S> rebuild(const FeaturePair<S>& pair, AxisKind kind, const MeasuredAxis
     return {deepest, Vec3<S>(between - deepest * axis.normal).norm()};
   }
   const S deepest = kind == AxisKind::FaceA
-                        ? create_face_contact(pair.a, pair.b, Owner::A, axis.face, scale, margin,
-                                              contact.points, recorder)
-                        : create_face_contact(pair.b, pair.a, Owner::B, axis.face, scale, margin,
-                                              contact.points, recorder);
+                        ? rebuild_face(pair.a, pair.b, Owner::A, cache, axis.face, turn, scale,
+                                       margin, contact.points, recorder)
+                        : rebuild_face(pair.b, pair.a, Owner::B, cache, axis.face, turn, scale,
+                                       margin, contact.points, recorder);
   contact.type = face_contact_type(contact.points.size());
   return {deepest, S(0)};
 }
@@ -214,8 +239,11 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   answer.axis = cache.axis;
 
   const FeaturePair<S> pair(a, b, b_in_a);
+  const bool features = cache.kind == CachedKind::Features;
+  const Motion<S> motion =
+      features ? motion_since(cache, pair, b_in_a.rotation) : Motion<S>{S(0), S(0)};
   MeasuredAxis<S> axis;
-  if (!measure(pair, cache, axis)) return answer;
+  if (!measure(pair, cache, motion.farthest, axis)) return answer;
   answer.normal = axis.normal;
   answer.separation = axis.separation;
   if (axis.separation > options.margin) {  // still, or by now, a separating axis
@@ -224,10 +252,8 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
     contact.points.clear();
     return answer;
   }
-  const Motion<S> motion = motion_since(cache, pair, b_in_a.rotation);
   answer.moved = motion.farthest;
-  const bool may_prefer = options.preference == Preference::Relative;
-  if (cache.kind != CachedKind::Features || !may_prefer) return answer;
+  if (!features || options.preference != Preference::Relative) return answer;
 
   const S scale = scale_of(pair);
   const S min_radius = std::min(a.radius, b.radius);
@@ -237,7 +263,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   if (!(axis.beyond <= rounding)) return answer;  // these edges cross no longer on the Gauss map
 
   const Rebuilt<S> rebuilt =
-      rebuild(pair, cache.axis, axis, scale, options.margin, contact, recorder);
+      rebuild(pair, cache, axis, motion.turn, scale, options.margin, contact, recorder);
   // A face's normal stands still in its own hull; a cross product may turn more than the hulls do.
   const bool on_face = cache.axis != AxisKind::EdgeEdge;
   const S swing = motion.turn + (on_face ? S(0) : Vec3<S>(axis.normal - cache.normal).norm());
@@ -247,6 +273,31 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
       !contact.points.empty() && preferred(axis.separation, bound, options.margin, min_radius);
   if (!answer.hit) recorder.clip_abandoned();
   return answer;
+}
+
+/// Notes the support vertex and the incident face of a face axis, and how clear they are of others.
+template <class S>
+void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hull,
+                   const FaceQuery<S>& query, S rounding, PairCache<S>& cache) {
+  const Plane<S> plane = reference.plane(query.face);
+  S next = std::numeric_limits<S>::infinity();
+  for (int v = 0; v < other_hull.vertices.count(); ++v) {
+    if (v != query.support) next = std::min(next, plane.distance(other_hull.vertices[v]));
+  }
+  cache.support = query.support;
+  cache.support_clearance = next - query.separation - rounding;
+
+  cache.incident = incident_face(other_hull, query.support, plane.normal);
+  next = std::numeric_limits<S>::infinity();
+  const int start = other_hull.hull.vertex_edges[static_cast<std::size_t>(query.support)];
+  int edge = start;
+  do {
+    const int face = other_hull.half_edge(edge).face;
+    if (face != cache.incident) next = std::min(next, plane.normal.dot(other_hull.normals[face]));
+    edge = other_hull.half_edge(Hull<S>::twin(edge)).next;
+  } while (edge != start);
+  cache.incident_clearance = next - plane.normal.dot(other_hull.normals[cache.incident]) -
+                             S(32) * std::numeric_limits<S>::epsilon();
 }
 
 template <class S>
@@ -291,6 +342,12 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
                              separation - kHorizon<S> * pair.min_radius, separation + tolerance);
   if (!preferred(separation, cache.far, options.margin, pair.min_radius)) return cache;
   cache.kind = CachedKind::Features;
+  const S rounding = depth_rounding(pair.scale);
+  if (cache.axis == AxisKind::FaceA) {
+    note_features(pair.a, pair.b, axes.face_a, rounding, cache);
+  } else if (cache.axis == AxisKind::FaceB) {
+    note_features(pair.b, pair.a, axes.face_b, rounding, cache);
+  }
   cache.rotation = b_in_a.rotation;
   cache.center_b = pair.b.rotation * b.centroid + b_in_a.position;
   cache.center_a = pair.b.rotation.transpose() * Vec3<S>(a.centroid - b_in_a.position);

@@ -65,12 +65,18 @@ struct PairCache {
   S radius_a = 0, radius_b = 0;       // of the hulls that it belongs to
   Vec3<S> normal = Vec3<S>::UnitX();  // of the axis at the full test, from A to B, in A's frame
 
-  // What bounds the other axes, at the full test; set for features.
+  // What bounds the other axes, at the full test; set for features, as all that follows.
   Quat<S> rotation = Quat<S>::Identity();  // b_in_a's
   Vec3<S> center_b = Vec3<S>::Zero();      // B's centroid in A's frame
   Vec3<S> center_a = Vec3<S>::Zero();      // A's centroid in B's frame
   S near_cosine = 1;                       // axes at a larger angle are far
   S far = 0;                               // metres: no far axis had a larger separation
+
+  // Of a face axis: what need not be looked for again for as long as no other can have overtaken.
+  int support = -1;          // vertex of the other hull, deepest below the face
+  S support_clearance = 0;   // metres: so much deeper than its next
+  int incident = -1;         // face around it, most anti-parallel
+  S incident_clearance = 0;  // its cosine is so much less than its next's
 };
 
 /// What the cache gave.
