@@ -81,7 +81,11 @@ using CollideMesh = S (*)(const A&, const Mesh<S>&, const Pose<S>&, const Collid
 template <class S, class Recorder, class A, CollideMesh<S, Recorder, A> kCollide>
 void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
                Recorder& recorder) {
-  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
+  // Ids count within a triangle, so those that were kept before say nothing without the triangle:
+  // every manifold is reduced as if it were new.
+  CollideOptions<S> of_triangle = options;
+  of_triangle.reduction.previous = {};
+  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder);
   const S separation = kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
                                 relative_pose(pair.pose_a, pair.pose_b), options, sink, recorder);
   if (manifolds.empty()) recorder.separation(separation);
