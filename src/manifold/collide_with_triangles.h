@@ -17,6 +17,14 @@ struct SeenFromMesh {
   Vec3<S> center;  // a point inside
 };
 
+/// One triangle as a flat hull, and where that is in A's frame.
+template <class S>
+struct PlacedTriangle {
+  const Hull<S>& hull;
+  Pose<S> in_a;
+  int index;
+};
+
 /// How far from the origin of either frame anything of the shape gets: a bound on what rounds.
 template <class S>
 S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
@@ -31,23 +39,59 @@ S box_distance(const Aabb<S>& a, const Aabb<S>& b) {
   return gap.norm();
 }
 
+/// Points that are nearer to another part of the surface by more than this factor leave through it.
+template <class S>
+constexpr S kNearerSurface = S(0.5);
+
+/// A contact that was moved to the face of its triangle leads out through that face, however far that
+/// is: a box that dips over the edge of a table reaches deep behind the table's side. Takes out the
+/// points to which another part of the surface is much nearer, and those that have come through
+/// another part. On a flat floor all triangles are equally far, and nothing is taken out.
+template <class S>
+void drop_detours(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a, Contact<S>& contact) {
+  std::size_t kept = 0;
+  for (const ContactPoint<S>& point : contact.points) {
+    const Vec3<S> on_mesh = b_in_a.inverse_transform(point.position);
+    const Vec3<S> deep =
+        b_in_a.inverse_transform(Vec3<S>(point.position - point.separation * contact.normal));
+    const bool detour = point.separation < S(0) &&
+                        (surface_within(b, deep, -kNearerSurface<S> * point.separation) ||
+                         hidden_from(b, triangle, deep, on_mesh));
+    if (!detour) contact.points[kept++] = point;
+  }
+  if (kept == contact.points.size()) return;
+  contact.points.truncate(kept);
+  contact.type = face_contact_type(kept);
+}
+
+/// Whether a contact normal (mesh frame, to the shape) is that of the triangle's back.
+template <class S>
+bool is_back(const Mesh<S>& b, int triangle, const Vec3<S>& normal) {
+  return normal.dot(b.normal(triangle)) < S(-0.99);
+}
+
+template <class S>
+S deepest_of(const Contact<S>& contact) {
+  S least = std::numeric_limits<S>::infinity();
+  for (const ContactPoint<S>& point : contact.points) least = std::min(least, point.separation);
+  return least;
+}
+
 /// What every convex shape does with a mesh. Gregorius 2015, "Mesh Contacts". Steps:
 /// 1. collect the triangles whose boxes the shape's box touches, grown by the margin;
 /// 2. each one is a flat hull that collides by itself (`collide`), one contact a triangle;
 /// 3. a contact on an edge or corner that the surface does not have gives way to one on the face
-///    (`on_face`), which has no points where the shape is not over it: see internal_edges.h.
+///    (`on_face`), which has no points where the shape is not over it, see internal_edges.h, nor
+///    where that would be a detour, see drop_detours;
+/// 4. such a contact, or one with the back of a triangle, is left out where other triangles hide it
+///    from the shape's centre: a box on a table is not behind the table's side;
+/// 5. when that leaves nothing of an overlap, the shallowest contact that was left out comes back, as
+///    step 2 made it.
 ///
 /// collide(triangle, contact) returns the separation; on_face(triangle, face, contact) gets the face
 /// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
 /// hull is placed by `triangle.in_a`. Returns the least separation, metres; when no triangle is
 /// near, that is a lower bound, for the record, from the boxes.
-template <class S>
-struct PlacedTriangle {
-  const Hull<S>& hull;
-  Pose<S> in_a;
-  int index;
-};
-
 template <class S, class Recorder, class Collide, class OnFace>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
@@ -57,22 +101,58 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   recorder.tree(b, box);
 
   TriangleHull<S> triangle;
-  S least = std::numeric_limits<S>::infinity();
-  b.tree.query(box, [&](int index) {
+  const auto place = [&](int index) -> PlacedTriangle<S> {
     triangle.set(b, index);
-    const PlacedTriangle<S> placed{
-        triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
+    return {triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
+  };
+  const auto make_on_face = [&](const PlacedTriangle<S>& placed, Contact<S>& contact) {
+    const bool in_front =
+        b.normal(placed.index).dot(Vec3<S>(shape.center - triangle.origin())) >= S(0);
+    contact.points.clear();
+    on_face(placed, in_front ? 0 : 1, contact);
+  };
+  const auto hidden = [&](int index, const Contact<S>& contact) {
+    Vec3<S> middle = Vec3<S>::Zero();
+    for (const ContactPoint<S>& point : contact.points) middle += point.position;
+    middle = b_in_a.inverse_transform(Vec3<S>(middle / static_cast<S>(contact.points.size())));
+    const Vec3<S>& normal = b.normal(index);
+    middle -= normal.dot(Vec3<S>(middle - b.corner(index, 0))) * normal;
+    return hidden_from(b, index, shape.center, middle);
+  };
+
+  S least = std::numeric_limits<S>::infinity();
+  S deepest = std::numeric_limits<S>::infinity();  // of what was added
+  Contact<S> spare;                                // the shallowest of what was taken out
+  int spare_triangle = -1;
+  S spare_depth = -std::numeric_limits<S>::infinity();
+  b.tree.query(box, [&](int index) {
+    const PlacedTriangle<S> placed = place(index);
     Contact<S> contact;
     least = std::min(least, collide(placed, contact));
     if (contact.points.empty()) return;
-    if (options.internal_edges &&
-        !belongs_to_surface(b, index, Vec3<S>(-b_in_a.inverse_rotate(contact.normal)))) {
-      const bool in_front = b.normal(index).dot(Vec3<S>(shape.center - triangle.origin())) >= S(0);
-      contact.points.clear();
-      on_face(placed, in_front ? 0 : 1, contact);
+    if (options.internal_edges) {
+      const Vec3<S> normal = -b_in_a.inverse_rotate(contact.normal);
+      const bool belongs = belongs_to_surface(b, index, normal);
+      if (!belongs || is_back(b, index, normal)) {
+        const Contact<S> given = contact;
+        if (!belongs) make_on_face(placed, contact);
+        const S depth = deepest_of(given);
+        const bool overlap = deepest_of(contact) < S(0);
+        if (overlap && hidden(index, contact))
+          contact.points.clear();
+        else if (overlap && !belongs)
+          drop_detours(b, index, b_in_a, contact);
+        if (contact.points.empty() && depth < S(0) && depth > spare_depth) {
+          spare = given;
+          spare_triangle = index;
+          spare_depth = depth;
+        }
+      }
     }
+    deepest = std::min(deepest, deepest_of(contact));
     sink.add(contact, index);
   });
+  if (spare_triangle >= 0 && deepest >= S(0)) sink.add(spare, spare_triangle);
   if (Recorder::kRecords && least == std::numeric_limits<S>::infinity()) {
     for (const Aabb<S>& leaf : b.tree.boxes) least = std::min(least, box_distance(shape.box, leaf));
   }

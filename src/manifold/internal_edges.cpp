@@ -1,6 +1,10 @@
 #include "manifold/internal_edges.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "query/closest_points.h"
 
 namespace contactscope {
 namespace {
@@ -55,7 +59,75 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, int side, const V
   return true;
 }
 
+/// A point at or above one of the triangle's points, along its normal.
+template <class S>
+bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<S>& from = mesh.corner(triangle, k);
+    const Vec3<S> along = mesh.corner(triangle, (k + 1) % 3) - from;
+    if (along.cross(mesh.normal(triangle)).dot(Vec3<S>(point - from)) > S(0)) return false;
+  }
+  return true;
+}
+
+template <class S>
+S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+  if (over_triangle(mesh, triangle, point))
+    return std::abs(mesh.normal(triangle).dot(Vec3<S>(point - mesh.corner(triangle, 0))));
+  S least = std::numeric_limits<S>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const ClosestOnSegment<S> closest =
+        closest_on_segment(point, mesh.corner(triangle, k), mesh.corner(triangle, (k + 1) % 3));
+    least = std::min(least, Vec3<S>(point - closest.point).norm());
+  }
+  return least;
+}
+
+/// Whether the segment goes through the triangle from one side to the other, between its ends. What
+/// meets only the triangle's outline or plane does not.
+template <class S>
+bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<S>& to) {
+  const Vec3<S>& normal = mesh.normal(triangle);
+  const S before = normal.dot(Vec3<S>(from - mesh.corner(triangle, 0)));
+  const S behind = normal.dot(Vec3<S>(to - mesh.corner(triangle, 0)));
+  if (!(before * behind < S(0))) return false;
+  const Vec3<S> way = to - from;
+  int left = 0, right = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<S> corner = mesh.corner(triangle, k) - from;
+    const Vec3<S> next = mesh.corner(triangle, (k + 1) % 3) - from;
+    const S turn = way.dot(corner.cross(next));
+    left += turn > S(0) ? 1 : 0;
+    right += turn < S(0) ? 1 : 0;
+  }
+  return left == 0 || right == 0;
+}
+
 }  // namespace
+
+template <class S>
+bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye,
+                 const Vec3<S>& on_triangle) {
+  // A little inside, for the neighbours of a point on an edge end there.
+  const Vec3<S> middle =
+      (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / S(3);
+  const Vec3<S> target = on_triangle + S(0.01) * (middle - on_triangle);
+  bool hidden = false;
+  mesh.tree.query({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
+    hidden = hidden || (other != triangle && crosses(mesh, other, eye, target));
+  });
+  return hidden;
+}
+
+template <class S>
+bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance) {
+  const Vec3<S> reach = Vec3<S>::Constant(distance);
+  bool found = false;
+  mesh.tree.query({point - reach, point + reach}, [&](int triangle) {
+    found = found || distance_to_triangle(mesh, triangle, point) < distance;
+  });
+  return found;
+}
 
 template <class S>
 bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal) {
@@ -85,5 +157,9 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal
 
 template bool belongs_to_surface(const Mesh<float>&, int, const Vec3<float>&);
 template bool belongs_to_surface(const Mesh<double>&, int, const Vec3<double>&);
+template bool hidden_from(const Mesh<float>&, int, const Vec3<float>&, const Vec3<float>&);
+template bool hidden_from(const Mesh<double>&, int, const Vec3<double>&, const Vec3<double>&);
+template bool surface_within(const Mesh<float>&, const Vec3<float>&, float);
+template bool surface_within(const Mesh<double>&, const Vec3<double>&, double);
 
 }  // namespace contactscope

@@ -19,4 +19,13 @@ namespace contactscope {
 template <class S>
 bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal);
 
+/// Whether another triangle stands between `eye` and the point `on_triangle` of a triangle, so that
+/// what has its centre at `eye` cannot have come to that side of it. Asks no winding. Mesh frame.
+template <class S>
+bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye, const Vec3<S>& on_triangle);
+
+/// Whether any of the mesh is nearer to `point` than `distance`. Mesh frame, metres.
+template <class S>
+bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance);
+
 }  // namespace contactscope
