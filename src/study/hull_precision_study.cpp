@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "geometry/hull_builder.h"
+#include "manifold/collide_hull_hull.h"
+#include "manifold/recorder.h"
 #include "query/sat.h"
 #include "study/all_edge_pairs.h"
 #include "study/depth_oracle.h"
@@ -19,6 +21,7 @@ constexpr int kVertexCounts[] = {8, 16, 32, 64};
 // The slowest method takes milliseconds a pair.
 constexpr int kCases = 100;
 constexpr int kRepetitions = 7;
+constexpr int kSteps = 8;  // of the motion that a cache has seen
 
 Vec3d unit_vector(std::mt19937_64& engine) {
   const double z = uniform(engine, -1, 1);
@@ -39,14 +42,28 @@ Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) 
   return build_hull(points);
 }
 
+/// Where B was `back` steps before its pose, on a way that is drawn for the pair: a step is 0.02% of
+/// the hulls' size and half a milliradian.
+Pose<double> earlier(const OverlappingHulls& hulls, int back) {
+  const Quatd turn(Eigen::AngleAxisd(5e-4 * back, hulls.turn_axis));
+  return {(turn * hulls.b_in_a.rotation).normalized(),
+          hulls.b_in_a.position + 2e-4 * hulls.size * back * hulls.way};
+}
+
 /// A pair as one scalar sees it.
 template <class S>
 struct Case {
   Hull<S> a, b;
   Pose<S> b_in_a;
+  PairCache<S> cache;  // that the steps up to this pose have left
 
   explicit Case(const OverlappingHulls& hulls)
-      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
+      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {
+    for (int back = kSteps; back > 0; --back) {
+      collide_hull_hull(a, Pose<S>(), b, earlier(hulls, back).cast<S>(), CollideOptions<S>(),
+                        cache);
+    }
+  }
 };
 
 template <class S>
@@ -65,6 +82,23 @@ double asked(const Case<S>& c) {
 template <class S>
 double all_pairs(const Case<S>& c) {
   return static_cast<double>(separation_by_all_edge_pairs(HullPair<S>(c.a, c.b, c.b_in_a)));
+}
+
+template <class S>
+double contact(const Case<S>& c) {
+  Contact<S> result;
+  NoRecorder<S> recorder;
+  return static_cast<double>(
+      collide_hull_hull(c.a, c.b, c.b_in_a, CollideOptions<S>(), result, recorder));
+}
+
+template <class S>
+double cached_contact(const Case<S>& c) {
+  PairCache<S> cache = c.cache;
+  Contact<S> result;
+  NoRecorder<S> recorder;
+  return static_cast<double>(
+      collide_hull_hull(c.a, c.b, c.b_in_a, CollideOptions<S>(), cache, result, recorder));
 }
 
 /// The cases of one size of hull, in both scalars.
@@ -96,11 +130,17 @@ constexpr Method kMethods[] = {
     {"float, every pair asked", [](const Cases& c, std::size_t i) { return asked(c.as_float[i]); }},
     {"float, every pair measured",
      [](const Cases& c, std::size_t i) { return all_pairs(c.as_float[i]); }},
+    {"float, contact", [](const Cases& c, std::size_t i) { return contact(c.as_float[i]); }},
+    {"float, contact with a cache",
+     [](const Cases& c, std::size_t i) { return cached_contact(c.as_float[i]); }},
     {"double, walked arcs", [](const Cases& c, std::size_t i) { return walked(c.as_double[i]); }},
     {"double, every pair asked",
      [](const Cases& c, std::size_t i) { return asked(c.as_double[i]); }},
     {"double, every pair measured",
      [](const Cases& c, std::size_t i) { return all_pairs(c.as_double[i]); }},
+    {"double, contact", [](const Cases& c, std::size_t i) { return contact(c.as_double[i]); }},
+    {"double, contact with a cache",
+     [](const Cases& c, std::size_t i) { return cached_contact(c.as_double[i]); }},
 };
 
 struct Cell {
@@ -130,6 +170,8 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
     hulls.a = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b = ellipsoid_hull(engine, vertices, hulls.size);
     hulls.b_in_a.rotation = uniform_rotation(engine);
+    hulls.way = unit_vector(engine);
+    hulls.turn_axis = unit_vector(engine);
     const Vec3d direction = unit_vector(engine);
     const double overlap = hulls.size * uniform(engine, 0.01, 0.1);
     double reach_a = 0, reach_b = 0;

@@ -12,8 +12,10 @@ namespace contactscope {
 struct OverlappingHulls {
   Hull<double> a, b;
   Pose<double> b_in_a;
-  double size = 1;        // metres: the longest semi-axis of both
-  double separation = 0;  // metres, < 0: the oracle's (depth_oracle.h)
+  double size = 1;             // metres: the longest semi-axis of both
+  double separation = 0;       // metres, < 0: the oracle's (depth_oracle.h)
+  Vec3d way = Vec3d::UnitX();  // unit, A's frame: from where B came, for methods that look back
+  Vec3d turn_axis = Vec3d::UnitX();  // unit, A's frame: about which it turned
 };
 
 /// Two hulls of `vertices` points each on ellipsoids with semi-axes of 0.5 to 1 times a size of 1 mm
@@ -23,9 +25,12 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices);
 
 /// The depth that the separating axis test finds, in float and in double, for hulls of 8, 16, 32 and
 /// 64 vertices: walking the Gauss map as sat() does, asking every pair of edges whether it makes a
-/// Minkowski face, and measuring every pair by support points. The error is |separation - oracle|
-/// over the size of the hulls; for float it includes what rounding the input to float costs. A call
-/// has failed when it finds no overlap.
+/// Minkowski face, and measuring every pair by support points. Beside them whole contacts by
+/// collide_hull_hull(), anew and with the cache that the pair's motion up to its pose has left: their
+/// depth differs by the preference for coherent features, which has nothing to do with the cache.
+///
+/// The error is |separation - oracle| over the size of the hulls; for float it includes what
+/// rounding the input to float costs. A call has failed when it finds no overlap.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress);
 

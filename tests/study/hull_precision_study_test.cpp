@@ -59,7 +59,7 @@ TEST(OverlappingHulls, HaveTheirVerticesOverlapAndSize) {
 TEST(HullPrecisionStudy, DoubleIsFarCloserThanFloatAndNothingFails) {
   const std::vector<trace::Study> studies = study_hull_precision(small(), ignore_progress);
   ASSERT_EQ(studies.size(), 1u);
-  ASSERT_EQ(studies[0].series.size(), 6u);
+  ASSERT_EQ(studies[0].series.size(), 10u);
   for (const trace::StudySeries& series : studies[0].series) {
     std::vector<double> parameters;
     for (const trace::StudyPoint& point : series.points) {
@@ -68,6 +68,12 @@ TEST(HullPrecisionStudy, DoubleIsFarCloserThanFloatAndNothingFails) {
       EXPECT_EQ(point.of, 3) << series.method;
       ASSERT_TRUE(point.error_worst) << series.method;
       const bool is_float = series.method.starts_with("float");
+      if (series.method.find("contact") != std::string::npos) {
+        // The preference takes up to 5% of a depth of 11% of the size, or 0.2% of the radius.
+        EXPECT_LT(*point.error_worst, 0.0056) << series.method;
+        EXPECT_GT(point.nanoseconds.min, 0) << series.method;
+        continue;
+      }
       EXPECT_LT(*point.error_worst, is_float ? 1e-5 : 1e-13) << series.method;
       EXPECT_GT(*point.error_worst, is_float ? 1e-10 : -1) << series.method;
       EXPECT_GT(point.nanoseconds.min, 0) << series.method;
