@@ -40,7 +40,8 @@ std::string some_triangles(const std::vector<int>& triangles) {
 void warn(const std::string& name, const MeshReport& report, std::vector<std::string>& warnings) {
   if (!report.zero_area_triangles.empty())
     warnings.push_back("mesh '" + name + "': " + some_triangles(report.zero_area_triangles) +
-                       " no area (counted from 0) and was left out");
+                       " no area and " + (report.zero_area_triangles.size() == 1 ? "was" : "were") +
+                       " left out; triangles count from 0, in traces among those that are kept");
   if (!report.flipped_edges.empty())
     warnings.push_back("mesh '" + name + "': across " +
                        std::to_string(report.flipped_edges.size()) +
@@ -61,6 +62,7 @@ Mesh<double> read_listed(const Table& table, MeshReport& report) {
   const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
   const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
   const std::vector<Vec3d> points = read_points(vertices);
+  if (points.empty()) vertices.fail("'vertices' is empty; list at least three points");
   check_reach(points, vertices);
   std::vector<std::array<int, 3>> corners;
   for (const Value& triangle : triangles.array()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/feature_id.h"
 #include "manifold/dispatch.h"
@@ -144,13 +145,17 @@ trace::Header Runner::header() const {
 
 /// One pair in one frame, written into `record` where there is one; goes by what `memory` holds of
 /// the frame before, and leaves this frame's in it. Whichever shape a file names first as `a`, the
-/// earlier of its shapes is A for the pipeline: then trading a and b mirrors every result.
+/// pipeline gets them in the order of its table, and shapes of one type in that of the file: then
+/// trading a and b mirrors every result, and what a reducer remembers is what it has seen.
 template <class S>
 Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
                                   int frame, Memory& memory, trace::Pair* record) const {
-  const bool mirrored = pair.a > pair.b;
-  const auto a = static_cast<std::size_t>(std::min(pair.a, pair.b));
-  const auto b = static_cast<std::size_t>(std::max(pair.a, pair.b));
+  const auto place = [&](int shape) {
+    return std::pair(kind_of(shapes[static_cast<std::size_t>(shape)]), shape);
+  };
+  const bool mirrored = place(pair.a) > place(pair.b);
+  const auto a = static_cast<std::size_t>(mirrored ? pair.b : pair.a);
+  const auto b = static_cast<std::size_t>(mirrored ? pair.a : pair.b);
   const double time = frame * scenario_->dt;
   const Pose<S> pose_a = pose_at(scenario_->shapes[a], time).template cast<S>();
   const Pose<S> pose_b = pose_at(scenario_->shapes[b], time).template cast<S>();
@@ -166,13 +171,13 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
     const Recording recording{pair.pipeline.reducer.c_str(), stages_, mirrored};
     collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, recording, *record, cache);
   }
-  if (mirrored)
-    for (Manifold<S>& manifold : manifolds) mirror(manifold);
 
   memory.frame = frame;
   memory.kept.clear();
   for (const Manifold<S>& manifold : manifolds)
     for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+  if (mirrored)
+    for (Manifold<S>& manifold : manifolds) mirror(manifold);
   return manifolds;
 }
 

@@ -41,7 +41,7 @@ class Runner {
   /// What a pair keeps from one frame for the next.
   struct Memory {
     int frame = -1;
-    std::vector<FeatureId> kept;  // by the reducer
+    std::vector<FeatureId> kept;  // by the reducer, as it saw them
     std::variant<PairCache<float>, PairCache<double>> cache;
     PipelineSettings settings;  // that it was kept with
   };

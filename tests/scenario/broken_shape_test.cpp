@@ -124,6 +124,9 @@ INSTANTIATE_TEST_SUITE_P(
                one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[2,0,0]]\n"
                          "triangles = [[0,1,2]]"),
                "5:13", "'triangles' makes no mesh"},
+        Broken{"MeshOfNoVertices",
+               one_shape("type = \"mesh\"\nvertices = []\ntriangles = [[0,1,2]]"), "4:12",
+               "'vertices' is empty"},
         Broken{"MeshPointTooFar",
                one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[0,2e9,0]]\n"
                          "triangles = [[0,1,2]]"),
