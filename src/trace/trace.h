@@ -30,8 +30,10 @@ struct Shape {
   std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "mesh", "plane"
   /// Of a sphere its centre, of a capsule the ends of its segment, of a plane none.
   std::vector<Vec3d> vertices;
-  std::vector<std::vector<int>> faces;    // vertex indices, counter-clockwise seen from outside
-  std::vector<std::array<int, 2>> edges;  // vertex indices; ids such as "a:e3" count in this list
+  std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
+  // Vertex indices. Ids such as "a:e3" count in this list; those of a mesh count within the
+  // manifold's triangle: edge k from its corner k to the next.
+  std::vector<std::array<int, 2>> edges;
   Vec3d center_of_mass = Vec3d::Zero();
   double radius = 0;  // metres; of a sphere or capsule: everything so near to its vertices and edge
   std::optional<HalfSpace> half_space{};
