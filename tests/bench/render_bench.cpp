@@ -24,12 +24,15 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 
 struct Prepared {
-  Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/hull/face_contact.toml");
+  Scenario scenario;
   trace::Header header = trace_header(scenario);
   std::vector<trace::Frame> frames;
   draw::Staging staging;
 
-  Prepared() : frames(run_all(scenario)), staging(staged(header, frames, scenario)) {}
+  explicit Prepared(const char* name)
+      : scenario(load_scenario(std::string(CONTACTSCOPE_SOURCE_DIR "/scenarios/") + name)),
+        frames(run_all(scenario)),
+        staging(staged(header, frames, scenario)) {}
 
  private:
   static std::vector<trace::Frame> run_all(const Scenario& scenario) {
@@ -45,7 +48,13 @@ struct Prepared {
 };
 
 const Prepared& prepared() {
-  static const Prepared instance;
+  static const Prepared instance("hull/face_contact.toml");
+  return instance;
+}
+
+// Ten thousand triangles, most of which hide others.
+const Prepared& prepared_terrain() {
+  static const Prepared instance("mesh/hull_on_terrain.toml");
   return instance;
 }
 
@@ -59,14 +68,16 @@ void pipeline(benchmark::State& state) {
 }
 BENCHMARK(pipeline)->Unit(benchmark::kMillisecond);
 
-void illustrate(benchmark::State& state) {
+void illustrate(benchmark::State& state, const Prepared& (*scene)()) {
   std::size_t frame = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(draw::illustrate(prepared().staging, prepared().frames[frame]));
-    frame = (frame + 1) % prepared().frames.size();
+    benchmark::DoNotOptimize(draw::illustrate(scene().staging, scene().frames[frame]));
+    frame = (frame + 1) % scene().frames.size();
   }
 }
-BENCHMARK(illustrate)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(illustrate, two_boxes, prepared)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(illustrate, ten_thousand_triangles, prepared_terrain)
+    ->Unit(benchmark::kMillisecond);
 
 void paint_and_read_back(benchmark::State& state) {
   const auto context = gl::open_context(gl::Backend::Auto);

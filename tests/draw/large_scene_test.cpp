@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -157,15 +156,10 @@ TEST(CameraFit, ASphereIsSeenWhole) {
   }
 }
 
-TEST(LargeMesh, TenThousandTrianglesAreDrawnWellWithinASecond) {
+// How long it takes is a matter for tests/bench/render_bench.
+TEST(LargeMesh, TenThousandTrianglesAreDrawn) {
   const BallOn scene(terrain(71, 20), {{0, 0.6, 0}}, Vec3d::UnitY());
-  const Staging staging = scene.staged();
-  const auto begin = std::chrono::steady_clock::now();
-  const Drawing drawing = illustrate(staging, scene.frames[0]);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  EXPECT_GT(drawing.primitives.size(), 500u);
-  // 0.05 s alone on the machine it was written on; without the grid of occluders it takes 3 s.
-  EXPECT_LT(took.count(), 1.0);
+  EXPECT_GT(illustrate(scene.staged(), scene.frames[0]).primitives.size(), 500u);
 }
 
 TEST(LargeMesh, LinesFadeAsTrianglesBecomeSmall) {

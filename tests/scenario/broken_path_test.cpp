@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -84,19 +83,16 @@ TEST(BrokenPath, BinaryFile) {
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":1:1: this byte is not UTF-8"));
 }
 
-// A file is refused by its size alone. What it holds must not be read: the files are large holes,
-// and reading ten gigabytes of zeros would take longer than this test allows.
+// A file is refused by its size alone. What it holds is not read: the files are large holes, more
+// zeros than fit into memory.
 TEST(BrokenPath, HundredMegabytesAndMoreAreRefusedAtOnce) {
   const TemporaryFolder folder;
   const std::string path = folder.write("nonsense.toml", "x");
-  for (const std::uintmax_t size : {std::uintmax_t{100'000'000}, std::uintmax_t{10'000'000'000}}) {
+  for (const std::uintmax_t size : {std::uintmax_t{100'000'000}, std::uintmax_t{100'000'000'000}}) {
     fs::resize_file(path, size);
-    const auto start = std::chrono::steady_clock::now();
-    const std::string message = load_complaint(path);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    EXPECT_THAT(message, AllOf(StartsWith(path + ": the file has " + std::to_string(size)),
-                               HasSubstr("a scenario may have 16777216")));
-    EXPECT_LT(elapsed.count(), 0.5);
+    EXPECT_THAT(load_complaint(path),
+                AllOf(StartsWith(path + ": the file has " + std::to_string(size)),
+                      HasSubstr("a scenario may have 16777216")));
   }
 }
 
