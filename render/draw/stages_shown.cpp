@@ -15,7 +15,7 @@ bool names_any(const std::vector<std::string>& names, std::initializer_list<cons
 }  // namespace
 
 trace::Stages stages_shown(const std::vector<View>& views) {
-  trace::Stages stages{false, false, false, false, false};
+  trace::Stages stages = trace::Stages::none();
   for (const View& view : views) {
     stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis"}) ||
                  names_any(view.panels, {"summary", "axis_history"});

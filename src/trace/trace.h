@@ -39,11 +39,21 @@ struct Shape {
   std::optional<HalfSpace> half_space{};
 };
 
+/// What the solver gave one contact point over a whole step, on b; a has the opposite.
+struct Impulse {
+  double normal = 0;               // newton seconds along the normal, never negative
+  Vec3d friction = Vec3d::Zero();  // newton seconds, world, across the normal
+  double warm_start = 0;           // newton seconds along the normal, kept of the step before
+
+  friend bool operator==(const Impulse&, const Impulse&) = default;
+};
+
 /// A contact point: separation in metres along the normal, negative = overlap.
 struct Point {
   Vec3d position = Vec3d::Zero();
   double separation = 0;
   std::string id;  // "a:e3 b:e7"
+  std::optional<Impulse> impulse{};
 };
 
 struct Manifold {
@@ -72,12 +82,24 @@ struct EdgeAxis {
   Vec3d point_b = Vec3d::Zero();
 };
 
+/// Two edges whose arcs on the Gauss map cross: together they make a face of the Minkowski
+/// difference.
+struct EdgePair {
+  int a = -1;  // edge of a
+  int b = -1;  // edge of b
+  double separation = 0;
+  Vec3d normal = Vec3d::Zero();  // unit, from a to b
+
+  friend bool operator==(const EdgePair&, const EdgePair&) = default;
+};
+
 struct Sat {
   std::optional<FaceAxis> face_a;
   std::optional<FaceAxis> face_b;
   std::optional<EdgeAxis> edge;
   std::string chosen;  // "face_a", "face_b", "edge_edge"; what separates, or what makes the contact
-  std::string preference;  // "relative" or "none"
+  std::string preference;              // "relative" or "none"
+  std::vector<EdgePair> edge_pairs{};  // all that the edge query measured; of stage gauss_map
 };
 
 struct ClipFace {
@@ -151,6 +173,79 @@ struct Gjk {
   std::vector<Simplex> steps;  // the simplex after each iteration
 };
 
+/// The polytope of EPA in the Minkowski difference b - a before one expansion.
+struct Polytope {
+  std::vector<SimplexVertex> vertices;
+  std::vector<std::array<int, 3>> faces;  // vertices, counter-clockwise seen from outside
+  int nearest = -1;                       // face nearest to the origin: the one to expand
+  double distance = 0;                    // metres, of its plane from the origin
+
+  friend bool operator==(const Polytope&, const Polytope&) = default;
+};
+
+/// A direction that sampling tried.
+struct SampledDirection {
+  Vec3d normal = Vec3d::Zero();  // unit, from a to b
+  double separation = 0;         // metres along it, negative = overlap
+
+  friend bool operator==(const SampledDirection&, const SampledDirection&) = default;
+};
+
+/// How deep two convex cores are in each other, by an algorithm other than the separating axis
+/// test.
+struct Penetration {
+  std::string method;    // "epa", "mpr", "sampling"
+  std::string status;    // "converged", ...: how the method ended
+  std::string fallback;  // the method that gave the result instead; empty when this one did
+  int iterations = 0;
+  double depth = 0;               // metres, of the cores along the normal
+  Vec3d normal = Vec3d::Zero();   // unit, from a to b
+  Vec3d point_a = Vec3d::Zero();  // deepest points
+  Vec3d point_b = Vec3d::Zero();
+  std::vector<Polytope> polytopes;           // of "epa", one an iteration
+  std::vector<Simplex> portals;              // of "mpr", one an iteration: inner point, then portal
+  std::vector<SampledDirection> directions;  // of "sampling", in order
+};
+
+/// The Minkowski difference b - a of two convex cores, in the world's axes: the cores overlap where
+/// it holds the origin.
+struct Minkowski {
+  std::vector<Vec3d> vertices;
+  std::vector<std::vector<int>> faces;  // counter-clockwise seen from outside
+
+  friend bool operator==(const Minkowski&, const Minkowski&) = default;
+};
+
+/// A point of an incremental manifold, and what became of it in this frame.
+struct PersistentPoint {
+  Point point;
+  Vec3d on_a = Vec3d::Zero();  // the places of both shapes that met when it was found
+  Vec3d on_b = Vec3d::Zero();
+  std::string state;   // "new", "persisted", "broken"
+  std::string reason;  // of "broken": "apart", "slid", "other features", "replaced", "reduced"
+  int age = 0;         // frames since it was found
+};
+
+struct Incremental {
+  std::string confirm;  // "distance", "ids": how old points are confirmed
+  std::string query;    // "gjk": the cores were apart; else the method that measured their overlap
+  double margin_a = 0;  // metres about the core of a
+  double margin_b = 0;
+  std::vector<PersistentPoint> points;  // those of the manifold, then the broken ones
+};
+
+/// Whether a body can rest on a manifold: whether its centre of mass, moved along the normal,
+/// is within the contact points (Gregorius 2015, "Incremental Manifold Stability").
+struct Stability {
+  std::string shape;  // whose centre of mass
+  Vec3d center_of_mass = Vec3d::Zero();
+  Vec3d projection = Vec3d::Zero();  // into the contact plane
+  Polygon support;                   // corners of the convex hull of the points in that plane
+  double margin = 0;    // metres from the projection to the border of the support, negative outside
+  std::string verdict;  // "stable", "turns about a point", "turns about a line", "no contact"
+  std::optional<std::array<Vec3d, 2>> axis;  // of "turns about a line": two points on it
+};
+
 /// Axis-aligned box in the frame of a shape, metres.
 struct Box {
   Vec3d lower = Vec3d::Zero();
@@ -203,6 +298,14 @@ struct Stages {
   bool reduction = true;
   bool tree = true;
   bool gjk = true;
+  bool gauss_map = true;
+  bool penetration = true;
+  bool minkowski = true;
+  bool stability = true;
+
+  static constexpr Stages none() {
+    return {false, false, false, false, false, false, false, false, false};
+  }
 };
 
 struct Pair {
@@ -220,6 +323,34 @@ struct Pair {
   std::optional<Tree> tree{};
   std::optional<Gjk> gjk{};
   std::optional<Cache> cache{};  // empty too where there was nothing to try
+  std::optional<Penetration> penetration{};
+  std::optional<Minkowski> minkowski{};
+  std::optional<Incremental> incremental{};
+  std::optional<Stability> stability{};
+};
+
+/// A body moved by the solver, before the step that starts in this frame.
+struct Body {
+  std::string name;
+  double mass = 0;                         // kilograms
+  Vec3d center_of_mass = Vec3d::Zero();    // world
+  Vec3d velocity = Vec3d::Zero();          // metres a second, of the centre of mass
+  Vec3d angular_velocity = Vec3d::Zero();  // radians a second
+  double kinetic_energy = 0;               // joules
+  double potential_energy = 0;             // joules, against gravity; 0 at the origin
+
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// The step of the solver that starts in this frame; impulses stand with the contact points.
+struct Solver {
+  std::string position_correction;  // "baumgarte", "projection", "soft"
+  int iterations = 0;
+  int substeps = 0;
+  bool warm_start = false;
+  std::vector<Body> bodies;
+
+  friend bool operator==(const Solver&, const Solver&) = default;
 };
 
 struct Frame {
@@ -227,6 +358,7 @@ struct Frame {
   double time = 0;                                          // seconds
   std::vector<std::pair<std::string, Pose<double>>> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
+  std::optional<Solver> solver{};
 };
 
 struct Header {
