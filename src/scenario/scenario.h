@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "core/penetration_method.h"
 #include "core/pose.h"
 #include "core/preference.h"
 #include "core/view.h"
+#include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
+#include "manifold/incremental_settings.h"
 
 /// The scenario format of FORMATS.md, and what it has grown since:
 ///
@@ -69,18 +72,32 @@ struct Motion {
   Vec3d angular_velocity = Vec3d::Zero();
 };
 
+/// Of a shape that the solver moves. Its mass is spread evenly through its volume.
+struct ScenarioBody {
+  double mass = 1;                         // kilograms
+  Vec3d velocity = Vec3d::Zero();          // metres a second, of the centre of mass, at the start
+  Vec3d angular_velocity = Vec3d::Zero();  // radians a second, world, at the start
+};
+
 struct ScenarioShape {
   std::string name;
   std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "plane", "mesh"
   std::shared_ptr<const Shape<double>> geometry;
   Pose<double> pose;
   Motion motion;
+  std::optional<ScenarioBody> body{};  // empty: it moves as `motion` says
+  // Of a contact the friction is the geometric mean of both shapes', the restitution the larger.
+  std::optional<double> friction{};     // default: the world's
+  std::optional<double> restitution{};  // default: the world's
 
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
 };
 
 enum class Scalar { Float, Double };
+
+/// Gregorius 2015, "Incremental vs One-Shot Manifold".
+enum class ManifoldKind { OneShot, Incremental };
 
 struct PipelineSettings {
   Scalar scalar = Scalar::Float;
@@ -91,6 +108,9 @@ struct PipelineSettings {
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
   bool internal_edges = true;
+  PenetrationMethod penetration = PenetrationMethod::Sat;
+  ManifoldKind manifold = ManifoldKind::OneShot;
+  IncrementalSettings incremental;
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
@@ -142,6 +162,8 @@ struct Scenario {
   std::vector<ScenarioShape> shapes;
   Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
   std::vector<ScenarioPair> pairs;
+  WorldSettings world;
+  SolverSettings solver;
   std::vector<View> views;  // at least one
   std::vector<Expectation> expectations;
   SnapshotSettings snapshots;
