@@ -291,16 +291,18 @@ struct Cache {
   std::optional<double> moved;
 };
 
-/// Which optional stages to record: what no picture shows need not be written down.
+/// Which optional stages to record: what no picture shows need not be written down. The arcs of the
+/// Gauss map and the Minkowski difference are large and say nothing that the shapes do not: they are
+/// only recorded where a view asks for them.
 struct Stages {
   bool sat = true;
   bool clip = true;
   bool reduction = true;
   bool tree = true;
   bool gjk = true;
-  bool gauss_map = true;
+  bool gauss_map = false;
   bool penetration = true;
-  bool minkowski = true;
+  bool minkowski = false;
   bool stability = true;
 
   static constexpr Stages none() {
