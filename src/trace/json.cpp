@@ -1,6 +1,8 @@
 #include "trace/json.h"
 
+#include "trace/dynamics_json.h"
 #include "trace/json_values.h"
+#include "trace/penetration_json.h"
 
 namespace contactscope::trace {
 namespace {
@@ -49,6 +51,14 @@ Json sat(const Sat& s) {
   if (s.edge) json["edge"] = edge_axis(*s.edge);
   json["chosen"] = s.chosen;
   json["preference"] = s.preference;
+  if (!s.edge_pairs.empty()) {
+    Json& pairs = json["edge_pairs"] = Json::array();
+    for (const EdgePair& pair : s.edge_pairs)
+      pairs.push_back({{"a", pair.a},
+                       {"b", pair.b},
+                       {"separation", number(pair.separation, "separation")},
+                       {"normal", vector(pair.normal, "normal")}});
+  }
   return json;
 }
 
@@ -104,12 +114,7 @@ Json reduction(const Reduction& r) {
 
 Json gjk(const Gjk& g) {
   Json steps = Json::array();
-  for (const Simplex& simplex : g.steps) {
-    Json vertices = Json::array();
-    for (const SimplexVertex& vertex : simplex)
-      vertices.push_back({{"a", vector(vertex.a, "a")}, {"b", vector(vertex.b, "b")}});
-    steps.push_back(std::move(vertices));
-  }
+  for (const Simplex& step : g.steps) steps.push_back(simplex(step));
   return {{"status", g.status},
           {"iterations", g.iterations},
           {"distance", number(g.distance, "distance")},
@@ -158,6 +163,10 @@ Json pair(const Pair& p) {
   if (p.degenerate)
     json["degenerate"] = {{"geometry", p.degenerate->geometry}, {"answer", p.degenerate->answer}};
   if (p.cache) json["cache"] = cache(*p.cache);
+  if (p.penetration) json["penetration"] = penetration(*p.penetration);
+  if (p.minkowski) json["minkowski"] = minkowski(*p.minkowski);
+  if (p.incremental) json["incremental"] = incremental(*p.incremental);
+  if (p.stability) json["stability"] = stability(*p.stability);
   return json;
 }
 
@@ -185,10 +194,11 @@ std::string to_json_line(const Frame& frame) {
   for (const auto& [name, p] : frame.poses) poses[name] = pose(p);
   Json pairs = Json::array();
   for (const Pair& p : frame.pairs) pairs.push_back(pair(p));
-  const Json json = {{"frame", frame.frame},
-                     {"time", number(frame.time, "time")},
-                     {"poses", std::move(poses)},
-                     {"pairs", std::move(pairs)}};
+  Json json = {{"frame", frame.frame},
+               {"time", number(frame.time, "time")},
+               {"poses", std::move(poses)},
+               {"pairs", std::move(pairs)}};
+  if (frame.solver) json["solver"] = solver(*frame.solver);
   return json.dump();
 }
 

@@ -23,7 +23,11 @@ inline constexpr const char* kSchema = "contactscope.trace/1";
 /// other shape, edge axes the closest points "point_a" and "point_b"; "sat" has "preference".
 /// "reduction" has "best", the points that span the best area, and where the method chooses step by
 /// step "choices", one a kept point: the "rule", the "direction" of a support point, and what each
-/// candidate was worth ("measures": "point", the "edge" it was held against, "value").
+/// candidate was worth ("measures": "point", the "edge" it was held against, "value"). Contact
+/// points have an "impulse" where the solver gave one; "sat" has "edge_pairs" where all crossing
+/// pairs were recorded; "penetration", "minkowski", "incremental" and "stability" of a pair and
+/// "solver" of a frame are laid out as trace.h declares them, in its order and by its names, with
+/// the bodies of a solver by name and a persistent point's own keys among those of its point.
 std::string to_json_line(const Header& header);
 std::string to_json_line(const Frame& frame);
 

@@ -32,10 +32,18 @@ inline Json vectors(const std::vector<Vec3d>& items, const char* key) {
   return list;
 }
 
+inline Json impulse(const Impulse& i) {
+  return {{"normal", number(i.normal, "normal")},
+          {"friction", vector(i.friction, "friction")},
+          {"warm_start", number(i.warm_start, "warm_start")}};
+}
+
 inline Json point(const Point& p) {
-  return {{"position", vector(p.position, "position")},
-          {"separation", number(p.separation, "separation")},
-          {"id", p.id}};
+  Json json = {{"position", vector(p.position, "position")},
+               {"separation", number(p.separation, "separation")},
+               {"id", p.id}};
+  if (p.impulse) json["impulse"] = impulse(*p.impulse);
+  return json;
 }
 
 inline Json points(const std::vector<Point>& items) {

@@ -1,118 +1,16 @@
-#include <cmath>
+#include <algorithm>
 #include <istream>
-#include <limits>
 #include <map>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "core/input_error.h"
+#include "trace/dynamics_json.h"
 #include "trace/json.h"
+#include "trace/penetration_json.h"
+#include "trace/read_node.h"
 
 namespace contactscope::trace {
 namespace {
-
-using Json = nlohmann::ordered_json;  // keeps the order of shapes and poses
-
-/// What is wrong inside of a line that is JSON; read_trace adds file and line.
-struct Complaint {
-  std::string message;
-};
-
-/// A JSON value and the place in its line, "pairs[0].sat.face_a", which complaints name.
-class Node {
- public:
-  Node(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Complaint{"'" + place_ + "' " + message};
-  }
-
-  Node at(const char* key) const {
-    if (auto found = find(key)) return *found;
-    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
-    throw Complaint{where + " has no key '" + key + "'; a trace needs it"};
-  }
-  /// Nothing when the key is missing or null: null is how some writers say "not there".
-  std::optional<Node> find(const char* key) const {
-    if (!json_->is_object()) wrong_type("an object");
-    const auto found = json_->find(key);
-    if (found == json_->end() || found->is_null()) return std::nullopt;
-    return Node(*found, place_.empty() ? key : place_ + "." + key);
-  }
-  std::vector<Node> items() const {
-    if (!json_->is_array()) wrong_type("an array");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_->size(); ++i)
-      nodes.emplace_back((*json_)[i], place_ + "[" + std::to_string(i) + "]");
-    return nodes;
-  }
-  std::vector<std::pair<std::string, Node>> members() const {
-    if (!json_->is_object()) wrong_type("an object");
-    std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : json_->items())
-      nodes.emplace_back(key, Node(value, place_ + "." + key));
-    return nodes;
-  }
-
-  std::string string() const {
-    if (!json_->is_string()) wrong_type("a string");
-    return json_->get<std::string>();
-  }
-  bool boolean() const {
-    if (!json_->is_boolean()) wrong_type("true or false");
-    return json_->get<bool>();
-  }
-  double number() const {
-    if (!json_->is_number()) wrong_type("a number");
-    return json_->get<double>();
-  }
-  int integer() const {
-    if (!json_->is_number_integer()) wrong_type("an integer");
-    constexpr auto kMax = std::numeric_limits<int>::max();
-    // Unsigned first: the signed reading of a number beyond 2^63 would wrap.
-    const bool huge = json_->is_number_unsigned() &&
-                      json_->get<std::uint64_t>() > static_cast<std::uint64_t>(kMax);
-    if (huge || json_->get<std::int64_t>() < -1) fail("is out of range");
-    return json_->get<int>();
-  }
-  /// An index into `count` things.
-  int index(std::size_t count, const char* things) const {
-    const int value = integer();
-    if (value < 0 || static_cast<std::size_t>(value) >= count)
-      fail("is " + std::to_string(value) + ", but there are " + std::to_string(count) + " " +
-           things);
-    return value;
-  }
-  Vec3d vector() const {
-    const std::vector<Node> parts = items();
-    if (parts.size() != 3) fail("must have three numbers");
-    return {parts[0].number(), parts[1].number(), parts[2].number()};
-  }
-  std::vector<Vec3d> vectors() const {
-    std::vector<Vec3d> list;
-    for (const Node& item : items()) list.push_back(item.vector());
-    return list;
-  }
-
-  std::string string_or_empty(const char* key) const {
-    const auto found = find(key);
-    return found ? found->string() : std::string();
-  }
-  Vec3d vector_or_zero(const char* key) const {
-    const auto found = find(key);
-    return found ? found->vector() : Vec3d(Vec3d::Zero());
-  }
-
- private:
-  [[noreturn]] void wrong_type(const char* wanted) const {
-    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
-    throw Complaint{where + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
-  }
-
-  const Json* json_;
-  std::string place_;
-};
 
 /// Undirected edges in the order in which the faces first run along them.
 std::vector<std::array<int, 2>> edges_of(const std::vector<std::vector<int>>& faces) {
@@ -133,19 +31,10 @@ Shape read_shape(const std::string& name, const Node& node) {
   shape.name = name;
   shape.type = node.string_or_empty("type");
   shape.vertices = node.at("vertices").vectors();
-  for (const Node& face : node.at("faces").items()) {
-    std::vector<int> loop;
-    for (const Node& index : face.items())
-      loop.push_back(index.index(shape.vertices.size(), "vertices"));
-    shape.faces.push_back(std::move(loop));
-  }
+  shape.faces = node.at("faces").faces(shape.vertices.size());
   if (const auto edges = node.find("edges")) {
-    for (const Node& edge : edges->items()) {
-      const std::vector<Node> ends = edge.items();
-      if (ends.size() != 2) edge.fail("must have two vertex indices");
-      shape.edges.push_back({ends[0].index(shape.vertices.size(), "vertices"),
-                             ends[1].index(shape.vertices.size(), "vertices")});
-    }
+    for (const Node& edge : edges->items())
+      shape.edges.push_back(edge.indices<2>(shape.vertices.size(), "vertices"));
   } else {
     shape.edges = edges_of(shape.faces);
   }
@@ -173,14 +62,6 @@ Header read_header(const Node& node) {
   return header;
 }
 
-std::vector<Point> read_points(const Node& node) {
-  std::vector<Point> points;
-  for (const Node& item : node.items())
-    points.push_back(
-        {item.at("position").vector(), item.at("separation").number(), item.string_or_empty("id")});
-  return points;
-}
-
 FaceAxis read_face_axis(const Node& node) {
   return {node.at("face").integer(), node.at("separation").number(), node.vector_or_zero("normal"),
           node.vector_or_zero("support")};
@@ -196,6 +77,11 @@ Sat read_sat(const Node& node) {
                         axis->vector_or_zero("point_a"), axis->vector_or_zero("point_b")};
   sat.chosen = node.at("chosen").string();
   sat.preference = node.string_or_empty("preference");
+  if (const auto pairs = node.find("edge_pairs")) {
+    for (const Node& pair : pairs->items())
+      sat.edge_pairs.push_back({pair.at("a").integer(), pair.at("b").integer(),
+                                pair.at("separation").number(), pair.at("normal").vector()});
+  }
   return sat;
 }
 
@@ -228,11 +114,9 @@ Choice read_choice(const Node& node, std::size_t points) {
     const bool against_edge =
         choice.rule == "triangle" || choice.rule == "outside" || choice.rule == "distance";
     if (against_edge) {
-      const Node edge = item.at("edge");
-      const std::vector<Node> ends = edge.items();
-      if (ends.size() != 2) edge.fail("must have two indices");
-      measure.a = ends[0].index(points, "points");
-      measure.b = ends[1].index(points, "points");
+      const std::array<int, 2> edge = item.at("edge").indices<2>(points, "points");
+      measure.a = edge[0];
+      measure.b = edge[1];
     }
     measure.value = item.at("value").number();
     choice.measures.push_back(measure);
@@ -266,11 +150,7 @@ Gjk read_gjk(const Node& node) {
   gjk.distance = node.at("distance").number();
   gjk.point_a = node.at("point_a").vector();
   gjk.point_b = node.at("point_b").vector();
-  for (const Node& step : node.at("steps").items()) {
-    Simplex& simplex = gjk.steps.emplace_back();
-    for (const Node& vertex : step.items())
-      simplex.push_back({vertex.at("a").vector(), vertex.at("b").vector()});
-  }
+  for (const Node& step : node.at("steps").items()) gjk.steps.push_back(read_simplex(step));
   return gjk;
 }
 
@@ -326,6 +206,10 @@ Pair read_pair(const Node& node) {
   if (const auto degenerate = node.find("degenerate"))
     pair.degenerate =
         Degenerate{degenerate->at("geometry").string(), degenerate->at("answer").string()};
+  if (const auto facts = node.find("penetration")) pair.penetration = read_penetration(*facts);
+  if (const auto facts = node.find("minkowski")) pair.minkowski = read_minkowski(*facts);
+  if (const auto facts = node.find("incremental")) pair.incremental = read_incremental(*facts);
+  if (const auto facts = node.find("stability")) pair.stability = read_stability(*facts);
   return pair;
 }
 
@@ -341,6 +225,7 @@ Frame read_frame(const Node& node) {
                            pose.at("position").vector()});
   }
   for (const Node& pair : node.at("pairs").items()) frame.pairs.push_back(read_pair(pair));
+  if (const auto solver = node.find("solver")) frame.solver = read_solver(*solver);
   return frame;
 }
 

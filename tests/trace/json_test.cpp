@@ -48,13 +48,14 @@ TEST(TraceJson, HeaderHasTheKeysOfTheFormatInItsOrder) {
 
 TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
   const auto line = nlohmann::ordered_json::parse(to_json_line(sample_frame()));
-  EXPECT_THAT(keys_of(line), ElementsAre("frame", "time", "poses", "pairs"));
+  EXPECT_THAT(keys_of(line), ElementsAre("frame", "time", "poses", "pairs", "solver"));
   EXPECT_THAT(keys_of(line["poses"]["zebra"]), ElementsAre("position", "quat_wxyz"));
   EXPECT_EQ(line["poses"]["zebra"]["quat_wxyz"], json({0.5, -0.5, 0.5, -0.5}));
   const auto& pair = line["pairs"][0];
   EXPECT_THAT(keys_of(pair),
               ElementsAre("a", "b", "label", "kind", "state", "separation", "manifolds", "sat",
-                          "clip", "reduction", "gjk", "tree", "degenerate", "cache"));
+                          "clip", "reduction", "gjk", "tree", "degenerate", "cache", "penetration",
+                          "minkowski", "incremental", "stability"));
   EXPECT_THAT(keys_of(pair["cache"]), ElementsAre("hit", "kind", "axis", "normal", "moved"));
   EXPECT_EQ(pair["cache"]["hit"], true);
   EXPECT_THAT(keys_of(pair["manifolds"][0]),
@@ -62,7 +63,7 @@ TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
   EXPECT_THAT(keys_of(pair["manifolds"][0]["points"][0]),
               ElementsAre("position", "separation", "id"));
   EXPECT_THAT(keys_of(pair["sat"]),
-              ElementsAre("face_a", "face_b", "edge", "chosen", "preference"));
+              ElementsAre("face_a", "face_b", "edge", "chosen", "preference", "edge_pairs"));
   EXPECT_THAT(keys_of(pair["sat"]["face_a"]),
               ElementsAre("face", "separation", "normal", "support"));
   EXPECT_THAT(keys_of(pair["sat"]["edge"]),

@@ -110,7 +110,7 @@ TEST(ReadTrace, AnIndexOfTheBestPolygonOrOfAChoiceIsCheckedToo) {
   EXPECT_THAT(complaint(frame_with((measure + "/edge/0").c_str(), 7)),
               HasSubstr(place + "edge[0]' is 7, but there are 2 points"));
   EXPECT_THAT(complaint(frame_with((measure + "/edge").c_str(), {1, 0, 1})),
-              HasSubstr(place + "edge' must have two indices"));
+              HasSubstr(place + "edge' must have 2 indices"));
   EXPECT_THAT(complaint(frame_with((measure + "/value").c_str(), "much")),
               HasSubstr(place + "value' is of type string; a number"));
   EXPECT_THAT(complaint(frame_without("/pairs/0/reduction/choices/0", "rule")),

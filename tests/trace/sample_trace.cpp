@@ -85,7 +85,37 @@ Frame sample_frame() {
   pair.tree->visits = {{{{-8, -8, -8}, {8, 8, 8}}, 0, false, true},
                        {{{0, 0, 0}, {1, 1, 1e-300}}, 1, true, false}};
   pair.cache = Cache{true, "features", "face_b", Vec3d(0, -1, -0.0), double(0.0125f)};
+  pair.sat->edge_pairs = {{3, 4, -0.125, {0, 0, 1}}, {5, 0, -0.5, {0.6, -0.0, 0.8}}};
+  pair.manifolds[0].points[1].impulse = Impulse{0.75, {0.125, -0.0, 1e-300}, 0.5};
+  pair.penetration = Penetration{
+      "epa", "converged", "", 2, double(0.005f), {0, -1, -0.0}, {1, 2, 3}, {4, 5, 6}, {}, {}, {}};
+  const Simplex corners = {{{0, 0, 0}, {1, 0, 0}},
+                           {{0, 1, 0}, {0, 0, 0}},
+                           {{0, 0, 1}, {0, 0, -0.0}},
+                           {{1e-300, 0, 0}, {0.1, 0.2, 0.3}}};
+  pair.penetration->polytopes = {{corners, {{0, 2, 1}, {0, 1, 3}}, 1, 0.00375},
+                                 {corners, {}, -1, 0}};
+  pair.minkowski = Minkowski{{{0, 0, 0}, {1, 0, 0}, {0, -0.0, 1.0 / 3.0}}, {{0, 1, 2}, {2, 1, 0}}};
+  pair.incremental = Incremental{"distance", "gjk", 0.01, 0.02, {}};
+  pair.incremental->points = {
+      {{{1, 2, 3}, -0.005, "a:v1 b:f2", Impulse{0.25, {0, 0, 0}, 0}},
+       {7, 8, 9},
+       {4, 5, 6},
+       "new",
+       "",
+       0},
+      {{{3, 2, 1}, 0.125, "", {}}, {9, 8, 7}, {6, 5, 4}, "broken", "slid", 17}};
+  pair.stability = Stability{"zebra",
+                             {0, 1, 0},
+                             {0, 0.5, -0.0},
+                             {{0, 0, 0}, {1, 0, 0}},
+                             -0.25,
+                             "turns about a line",
+                             std::array<Vec3d, 2>{Vec3d(0, 0, 0), Vec3d(1, 0, 0)}};
   frame.pairs.push_back(pair);
+  frame.solver = Solver{"soft", 8, 4, true, {}};
+  frame.solver->bodies = {{"zebra", 2.5, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 0.5, -9.81},
+                          {"apple", 1e-300, {0, 0, 0}, {0, 0, -0.0}, {0, 0, 0}, 0, 0}};
 
   frame.pairs.push_back({"apple", "zebra", "", "hull-hull", "separated", 0.25, {}, {}, {}, {}});
   return frame;
