@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "core/vec3.h"
+#include "geometry/shape.h"
+
+namespace contactscope {
+
+/// Of a body that is filled evenly. Held in double, whatever the pipeline computes in.
+struct MassProperties {
+  double volume = 0;                            // cubic metres
+  double mass = 0;                              // kilograms
+  Vec3d center = Vec3d::Zero();                 // centre of mass, the shape's frame, metres
+  Mat3<double> inertia = Mat3<double>::Zero();  // about the centre, the shape's axes, kg m^2
+};
+
+/// Of a shape with an even `density` (kilograms a cubic metre, > 0). Nothing for planes and meshes:
+/// a plane has no end, and a mesh is a surface that need not be closed; neither can be dynamic.
+template <class S>
+std::optional<MassProperties> mass_properties(const Shape<S>& shape, double density = 1);
+
+/// The same body of another mass (kilograms, > 0): the density differs, the form does not.
+MassProperties with_mass(const MassProperties& properties, double mass);
+
+}  // namespace contactscope

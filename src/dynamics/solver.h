@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dynamics/prepare.h"
+
+namespace contactscope {
+
+/// Moves `bodies` by `dt` seconds (> 0), so that the contacts hold. `pairs` are what the pipeline
+/// found where the bodies are now; `impulses` (one a pair) holds what the points got in the step
+/// before and after the call what they got in this one, in the order of manifolds and points.
+/// Gravity in metres a second, a second.
+///
+/// Contacts are found once, at the beginning; between sub-steps their anchors move with the bodies,
+/// and the normal stays. Nothing is random and nothing depends on addresses: the same input gives the
+/// same bits.
+template <class S>
+void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
+                std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
+                const SolverSettings& settings, S dt);
+
+}  // namespace contactscope

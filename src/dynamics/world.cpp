@@ -1,0 +1,68 @@
+#include "dynamics/world.h"
+
+#include <algorithm>
+
+namespace contactscope {
+
+template <class S>
+void pair_all(World<S>& world, const CollideOptions<S>& options, S friction, S restitution) {
+  world.pairs.clear();
+  world.impulses.clear();
+  const int count = static_cast<int>(world.bodies.size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      if (!world.bodies[static_cast<std::size_t>(a)].dynamic() &&
+          !world.bodies[static_cast<std::size_t>(b)].dynamic())
+        continue;
+      WorldPair<S>& pair = world.pairs.emplace_back();
+      pair.a = a;
+      pair.b = b;
+      pair.options = options;
+      pair.friction = friction;
+      pair.restitution = restitution;
+    }
+  }
+}
+
+template <class S>
+void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
+                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
+  contacts.resize(world.pairs.size());
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    WorldPair<S>& pair = world.pairs[i];
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    CollideOptions<S> options = pair.options;
+    options.margin = std::max(options.margin, static_cast<S>(settings.speculative_margin));
+    options.reduction.previous = pair.kept;
+    collide(shapes[a], world.bodies[a].pose(), shapes[b], world.bodies[b].pose(), options,
+            contacts[i], pair.cached ? &pair.cache : nullptr);
+    pair.kept.clear();
+    for (const Manifold<S>& manifold : contacts[i])
+      for (const ContactPoint<S>& point : manifold.points) pair.kept.push_back(point.id);
+  }
+}
+
+template <class S>
+void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
+          S dt) {
+  std::vector<Manifolds<S>> contacts;
+  find_contacts(world, shapes, settings, contacts);
+  std::vector<PairContacts<S>> pairs;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const WorldPair<S>& pair = world.pairs[i];
+    pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution});
+  }
+  solve_step<S>(world.bodies, pairs, world.impulses, world.gravity, settings, dt);
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                           \
+  template void pair_all(World<S>&, const CollideOptions<S>&, S, S);                          \
+  template void find_contacts(World<S>&, const std::vector<Shape<S>>&, const SolverSettings&, \
+                              std::vector<Manifolds<S>>&);                                    \
+  template void step(World<S>&, const std::vector<Shape<S>>&, const SolverSettings&, S);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/solver.h"
+#include "manifold/pair_cache.h"
+
+namespace contactscope {
+
+/// Two bodies that may touch, and what is kept of them from step to step.
+template <class S>
+struct WorldPair {
+  int a = 0, b = 0;
+  CollideOptions<S> options;  // `reduction.previous` is set from `kept`
+  S friction = S(0.6);
+  S restitution = 0;
+  bool cached = true;             // temporal coherence, see pair_cache.h
+  PairCache<S> cache{};           // from here on what is kept
+  std::vector<FeatureId> kept{};  // ids, for reducers that remember
+};
+
+/// Everything that moves. A value: a copy is a snapshot, and goes on as the original would have.
+template <class S>
+struct World {
+  Vec3<S> gravity = Vec3<S>(S(0), S(-9.81), S(0));  // metres a second, a second
+  std::vector<Body<S>> bodies;
+  std::vector<WorldPair<S>> pairs;
+  std::vector<PairImpulses<S>> impulses;  // of the last step, one a pair
+};
+
+/// Every two bodies of which one is dynamic, in order, with the same settings. Replaces `pairs`.
+template <class S>
+void pair_all(World<S>& world, const CollideOptions<S>& options, S friction, S restitution);
+
+/// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
+/// larger of the pair's margin and the speculative margin are kept.
+template <class S>
+void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
+                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts);
+
+/// find_contacts, then solve_step: `dt` seconds.
+template <class S>
+void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
+          S dt);
+
+}  // namespace contactscope
