@@ -90,7 +90,7 @@ TEST(BuildHullRefuses, PointsInOnePlaceUpToRounding) {
 }
 
 TEST(BuildHullRefuses, PointsOnALine) {
-  Random random(1);
+  Generator random(1);
   for (int i = 0; i < 50; ++i) {
     Points points;
     for (int k = 0; k < 12; ++k) points.emplace_back(0, 0, k);
@@ -105,7 +105,7 @@ TEST(BuildHullRefuses, PointsOnALine) {
 }
 
 TEST(BuildHullRefuses, PointsInAPlane) {
-  Random random(2);
+  Generator random(2);
   for (int i = 0; i < 50; ++i) {
     Points points = in_box(random, 12, Vec3d(1, 0, 1));
     if (i > 0) {

@@ -14,7 +14,7 @@
 namespace contactscope::test {
 namespace {
 
-Points posed(Random& random, const Points& points) {
+Points posed(Generator& random, const Points& points) {
   return rounded_to_float(transformed(points, random_rotation(random), 1, Vec3d(0.3, -0.2, 0.1)));
 }
 
@@ -27,7 +27,7 @@ TEST(BuildHull, PointsOnFacesAndEdgesOfACubeAreLeftOut) {
 }
 
 TEST(BuildHull, ATurnedGridInFloatIsACube) {
-  Random random(1);
+  Generator random(1);
   for (int i = 0; i < 100; ++i) {
     const Hull<double> hull = build_hull(posed(random, box_grid(1 + i % 5)));
     EXPECT_TRUE(is_sound(hull));
@@ -36,7 +36,7 @@ TEST(BuildHull, ATurnedGridInFloatIsACube) {
 }
 
 TEST(BuildHull, ATurnedThinGridInFloatIsABox) {
-  Random random(2);
+  Generator random(2);
   for (int i = 0; i < 100; ++i) {
     Points points = box_grid(3);
     for (Vec3d& point : points) point.y() *= 1e-3;
@@ -47,7 +47,7 @@ TEST(BuildHull, ATurnedThinGridInFloatIsABox) {
 }
 
 TEST(BuildHull, ATurnedCylinderInFloatHasTwoCaps) {
-  Random random(3);
+  Generator random(3);
   for (const int segments : {3, 4, 5, 16, 63, 64, 128}) {
     const Points points = prism(segments);
     for (int i = 0; i < 10; ++i) {
@@ -62,7 +62,7 @@ TEST(BuildHull, ATurnedCylinderInFloatHasTwoCaps) {
 }
 
 TEST(BuildHull, ATurnedGlobeInFloatHasItsQuads) {
-  Random random(4);
+  Generator random(4);
   const int rings = 10;
   const int segments = 20;
   std::vector<int> expected(2 * segments, 3);
@@ -106,7 +106,7 @@ TEST(BuildHull, VerticesKeepTheOrderOfThePoints) {
 }
 
 TEST(BuildHull, CentroidOfATetrahedronIsTheMeanOfItsCorners) {
-  Random random(5);
+  Generator random(5);
   for (int i = 0; i < 20; ++i) {
     const Points points = in_ball(random, 4);
     const Vec3d mean = 0.25 * (points[0] + points[1] + points[2] + points[3]);
@@ -143,7 +143,7 @@ TEST(UnmergedHull, OfAGridIsACubeOfTwelveTriangles) {
 }
 
 TEST(UnmergedHull, IsTheSameSolidAsTheMergedOne) {
-  Random random(6);
+  Generator random(6);
   for (int i = 0; i < 40; ++i) {
     const Points sets[] = {box_grid(1 + i % 3), prism(3 + i), globe(4 + i % 5, 8)};
     for (const Points& points : sets) {
@@ -179,7 +179,7 @@ TEST(UnmergedHull, TrianglesOfOneFaceFollowEachOtherAndHaveItsPlane) {
 }
 
 TEST(UnmergedHull, WithNothingToMergeIsTheMergedHull) {
-  Random random(7);
+  Generator random(7);
   const Points points = on_sphere(random, 30);
   const Hull<double> merged = build_hull(points);
   const Hull<double> cut = unmerged(points);

@@ -18,7 +18,7 @@ constexpr double kSlack = 10;
 
 // The directions are spread over the sphere.
 Points directions() {
-  Random random(7);
+  Generator random(7);
   return on_sphere(random, 200);
 }
 
@@ -41,7 +41,7 @@ void expect_hull_as_qhull(const Points& points, double lateral) {
 
 struct PointSet {
   std::string name;
-  std::function<Points(Random&)> make;
+  std::function<Points(Generator&)> make;
   double lateral = 0;
 };
 
@@ -52,7 +52,7 @@ void PrintTo(const PointSet& set, std::ostream* out) {
 class HullOfRandomPoints : public ::testing::TestWithParam<PointSet> {};
 
 TEST_P(HullOfRandomPoints, AgreesWithQhull) {
-  Random random(1);
+  Generator random(1);
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE("set " + std::to_string(i));
     expect_hull_as_qhull(without_repeats(GetParam().make(random)), GetParam().lateral);
@@ -60,22 +60,22 @@ TEST_P(HullOfRandomPoints, AgreesWithQhull) {
   }
 }
 
-int a_few_to(Random& random, int most) {
+int a_few_to(Generator& random, int most) {
   return 4 + static_cast<int>(random() % static_cast<unsigned>(most - 3));
 }
 
-Points turned(Random& random, const Points& points) {
+Points turned(Generator& random, const Points& points) {
   return transformed(points, random_rotation(random), 1, Vec3d::Zero());
 }
 
-Points with_noise(Random& random, const Points& points, double size) {
+Points with_noise(Generator& random, const Points& points, double size) {
   const Points noise = in_box(random, static_cast<int>(points.size()), Vec3d::Constant(size));
   Points noisy = points;
   for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i] += noise[i];
   return noisy;
 }
 
-Points grid(Random& random) {
+Points grid(Generator& random) {
   return box_grid(1 + static_cast<int>(random() % 6));
 }
 
@@ -87,56 +87,56 @@ Points flattened(Points points, double height) {
 INSTANTIATE_TEST_SUITE_P(
     PointSets, HullOfRandomPoints,
     ::testing::Values(
-        PointSet{"four_to_ten_in_a_ball", [](Random& r) { return in_ball(r, a_few_to(r, 10)); }},
-        PointSet{"in_a_ball", [](Random& r) { return in_ball(r, a_few_to(r, 400)); }},
-        PointSet{"on_a_sphere", [](Random& r) { return on_sphere(r, a_few_to(r, 300)); }},
-        PointSet{"gaussian", [](Random& r) { return gaussian(r, a_few_to(r, 600)); }},
+        PointSet{"four_to_ten_in_a_ball", [](Generator& r) { return in_ball(r, a_few_to(r, 10)); }},
+        PointSet{"in_a_ball", [](Generator& r) { return in_ball(r, a_few_to(r, 400)); }},
+        PointSet{"on_a_sphere", [](Generator& r) { return on_sphere(r, a_few_to(r, 300)); }},
+        PointSet{"gaussian", [](Generator& r) { return gaussian(r, a_few_to(r, 600)); }},
         PointSet{"in_a_box",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return in_box(r, a_few_to(r, 500), {1, 0.1, 0.5});
                  }},
-        PointSet{"grid", [](Random& r) { return grid(r); }},
-        PointSet{"grid_turned", [](Random& r) { return turned(r, grid(r)); }},
+        PointSet{"grid", [](Generator& r) { return grid(r); }},
+        PointSet{"grid_turned", [](Generator& r) { return turned(r, grid(r)); }},
         PointSet{"grid_turned_in_float",
-                 [](Random& r) { return rounded_to_float(turned(r, grid(r))); }},
+                 [](Generator& r) { return rounded_to_float(turned(r, grid(r))); }},
         PointSet{"grid_turned_in_two_decimals",
-                 [](Random& r) { return rounded_to_decimals(turned(r, grid(r)), 2); }},
+                 [](Generator& r) { return rounded_to_decimals(turned(r, grid(r)), 2); }},
         PointSet{"grid_turned_in_five_decimals",
-                 [](Random& r) { return rounded_to_decimals(turned(r, grid(r)), 5); }},
+                 [](Generator& r) { return rounded_to_decimals(turned(r, grid(r)), 5); }},
         PointSet{"grid_with_noise_of_the_tolerance",
-                 [](Random& r) { return with_noise(r, grid(r), 1e-6); }},
+                 [](Generator& r) { return with_noise(r, grid(r), 1e-6); }},
         PointSet{"grid_with_noise_above_the_tolerance",
-                 [](Random& r) { return with_noise(r, grid(r), 5e-6); }},
+                 [](Generator& r) { return with_noise(r, grid(r), 5e-6); }},
         PointSet{"grid_far_away_in_float",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return rounded_to_float(
                        transformed(grid(r), random_rotation(r), 1, Vec3d(100, -50, 30)));
                  }},
         PointSet{"ball_very_far_away",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return transformed(in_ball(r, 100), random_rotation(r), 1,
                                       Vec3d(1e6, -2e6, 3e6));
                  }},
         PointSet{"slab_of_aspect_1e4",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return turned(r, in_box(r, a_few_to(r, 400), {1, 1e-4, 1}));
                  }},
         PointSet{"needle_of_aspect_1e4",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return turned(r, in_box(r, a_few_to(r, 400), {1, 1e-4, 1e-4}));
                  }},
         PointSet{"lens_of_aspect_1e5",
-                 [](Random& r) { return turned(r, flattened(on_sphere(r, 300), 1e-5)); }, 0.003},
+                 [](Generator& r) { return turned(r, flattened(on_sphere(r, 300), 1e-5)); }, 0.003},
         PointSet{"prism_turned_in_float",
-                 [](Random& r) {
+                 [](Generator& r) {
                    return rounded_to_float(turned(r, prism(3 + static_cast<int>(r() % 100))));
                  }},
         PointSet{"globe_turned_in_four_decimals",
-                 [](Random& r) { return rounded_to_decimals(turned(r, globe(12, 24)), 4); }}),
+                 [](Generator& r) { return rounded_to_decimals(turned(r, globe(12, 24)), 4); }}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(BuildHull, PointsInGeneralPositionHaveTheVerticesOfQhull) {
-  Random random(2);
+  Generator random(2);
   for (int i = 0; i < 60; ++i) {
     const Points points = i % 3 == 0   ? in_ball(random, 200)
                           : i % 3 == 1 ? gaussian(random, 200)
@@ -150,7 +150,7 @@ TEST(BuildHull, PointsInGeneralPositionHaveTheVerticesOfQhull) {
 }
 
 TEST(BuildHull, ScaleDoesNotChangeTheTopology) {
-  Random random(3);
+  Generator random(3);
   const Points points = in_ball(random, 80);
   const std::vector<int> sizes = face_sizes(build_hull(points));
   for (const double scale : {1e-30, 1e-4, 1e-2, 1e2, 1e4, 1e30}) {
@@ -163,7 +163,7 @@ TEST(BuildHull, ScaleDoesNotChangeTheTopology) {
 }
 
 TEST(BuildHull, APowerOfTwoInScaleIsExact) {
-  Random random(4);
+  Generator random(4);
   const Points points = rounded_to_float(turned(random, globe(8, 12)));
   const double scale = 0x1p-13;
   const Hull<double> one = build_hull(points);
@@ -178,7 +178,7 @@ TEST(BuildHull, APowerOfTwoInScaleIsExact) {
 }
 
 TEST(BuildHull, TheOrderOfThePointsDoesNotMatterInGeneralPosition) {
-  Random random(5);
+  Generator random(5);
   const Points points = in_ball(random, 100);
   Points reversed(points.rbegin(), points.rend());
   EXPECT_EQ(face_sizes(build_hull(points)), face_sizes(build_hull(reversed)));
@@ -186,7 +186,7 @@ TEST(BuildHull, TheOrderOfThePointsDoesNotMatterInGeneralPosition) {
 }
 
 TEST(BuildHull, AHundredThousandPointsOnASphereAreConvex) {
-  Random random(6);
+  Generator random(6);
   const Points points = on_sphere(random, 100000);
   const Hull<double> hull = build_hull(points);
   EXPECT_TRUE(is_sound(hull));

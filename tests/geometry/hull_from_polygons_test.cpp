@@ -76,7 +76,7 @@ TEST(HullFromPolygons, RefusesAFaceOf129Vertices) {
 }
 
 TEST(NewellPlane, OfATurnedSquareFarAwayHasTheTurnedNormal) {
-  Random random(1);
+  Generator random(1);
   const Points square = {Vec3d(-1, 0, 1), Vec3d(1, 0, 1), Vec3d(1, 0, -1), Vec3d(-1, 0, -1)};
   for (int i = 0; i < 20; ++i) {
     const Mat3<double> rotation = random_rotation(random);

@@ -10,7 +10,7 @@ namespace contactscope::test {
 namespace {
 
 TEST(HullCast, RoundsEachNumberOnceAndKeepsTheTopology) {
-  Random random(1);
+  Generator random(1);
   const Hull<double> hull = build_hull(in_ball(random, 50));
   const Hull<float> cast = hull_cast<float>(hull);
   ASSERT_EQ(cast.vertex_count(), hull.vertex_count());
@@ -31,7 +31,7 @@ TEST(HullCast, RoundsEachNumberOnceAndKeepsTheTopology) {
 }
 
 TEST(HullCast, FloatToDoubleAndBackIsTheSame) {
-  Random random(2);
+  Generator random(2);
   const Hull<float> hull = hull_cast<float>(build_hull(in_ball(random, 30)));
   const Hull<float> back = hull_cast<float>(hull_cast<double>(hull));
   EXPECT_EQ(back.vertices, hull.vertices);
@@ -40,7 +40,7 @@ TEST(HullCast, FloatToDoubleAndBackIsTheSame) {
 
 TEST(SupportVertex, OfABoxIsTheCornerWithTheSignsOfTheDirection) {
   const Hull<double> box = make_box(Vec3d(1, 2, 3));
-  Random random(3);
+  Generator random(3);
   for (const Vec3d& direction : on_sphere(random, 100)) {
     const Vec3d corner = box.vertices[static_cast<std::size_t>(support_vertex(box, direction))];
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(direction[axis] > 0, corner[axis] > 0);

@@ -8,13 +8,13 @@
 namespace contactscope::test {
 namespace {
 
-double uniform(Random& random) {
+double uniform(Generator& random) {
   return std::uniform_real_distribution<double>(-1, 1)(random);
 }
 
 }  // namespace
 
-Points in_box(Random& random, int count, const Vec3d& half_extents) {
+Points in_box(Generator& random, int count, const Vec3d& half_extents) {
   Points points;
   for (int i = 0; i < count; ++i) {
     const double x = uniform(random);
@@ -25,7 +25,7 @@ Points in_box(Random& random, int count, const Vec3d& half_extents) {
   return points;
 }
 
-Points in_ball(Random& random, int count) {
+Points in_ball(Generator& random, int count) {
   Points points;
   while (static_cast<int>(points.size()) < count) {
     const Vec3d point = in_box(random, 1, Vec3d::Ones())[0];
@@ -34,7 +34,7 @@ Points in_ball(Random& random, int count) {
   return points;
 }
 
-Points gaussian(Random& random, int count) {
+Points gaussian(Generator& random, int count) {
   std::normal_distribution<double> normal(0, 0.3);
   Points points;
   for (int i = 0; i < count; ++i) {
@@ -46,7 +46,7 @@ Points gaussian(Random& random, int count) {
   return points;
 }
 
-Points on_sphere(Random& random, int count) {
+Points on_sphere(Generator& random, int count) {
   Points points = gaussian(random, count);
   for (Vec3d& point : points) point.normalize();
   return points;
@@ -86,7 +86,7 @@ Points globe(int rings, int segments) {
   return points;
 }
 
-Mat3<double> random_rotation(Random& random) {
+Mat3<double> random_rotation(Generator& random) {
   const Points columns = on_sphere(random, 2);
   Quat<double> rotation = Quat<double>::FromTwoVectors(columns[0], columns[1]);
   rotation = rotation * Eigen::AngleAxisd(std::numbers::pi * uniform(random), columns[0]);

@@ -9,13 +9,13 @@
 namespace contactscope::test {
 
 using Points = std::vector<Vec3d>;
-using Random = std::mt19937_64;
+using Generator = std::mt19937_64;
 
-Points in_ball(Random& random, int count);
-Points on_sphere(Random& random, int count);
-Points gaussian(Random& random, int count);
+Points in_ball(Generator& random, int count);
+Points on_sphere(Generator& random, int count);
+Points gaussian(Generator& random, int count);
 /// Equally likely in a box of these half extents.
-Points in_box(Random& random, int count, const Vec3d& half_extents);
+Points in_box(Generator& random, int count, const Vec3d& half_extents);
 /// The nodes of a cubic lattice with `cells` cells a side: coplanar and collinear throughout.
 Points box_grid(int cells);
 /// Corners of a prism over a regular polygon, radius 0.5, half height 0.5.
@@ -23,7 +23,7 @@ Points prism(int segments);
 /// A latitude-longitude sphere, as modelling programs make them: poles, rings, planar quads.
 Points globe(int rings, int segments);
 
-Mat3<double> random_rotation(Random& random);
+Mat3<double> random_rotation(Generator& random);
 /// Rotates, scales, then moves each point.
 Points transformed(const Points& points, const Mat3<double>& rotation, double scale,
                    const Vec3d& offset);
