@@ -13,7 +13,7 @@ namespace contactscope::snapshot {
 /// How far two numbers of one trace may lie apart and still count as equal.
 struct Tolerance {
   double length = 0;     // metres
-  double direction = 0;  // for each component of a unit vector or quaternion
+  double direction = 0;  // for each component of a unit vector or quaternion; relative
   double area = 0;       // square metres
 };
 
@@ -49,6 +49,16 @@ class Changes {
   }
   void position(const std::string& name, const Vec3d& expected, const Vec3d& actual) {
     if (!same(expected, actual, tolerance_.length)) add(name + spell_move(expected, actual));
+  }
+  /// Quantities of other kinds, such as impulses: the tolerance is the relative one of directions,
+  /// of `scale`, the largest such quantity about.
+  void relative(const std::string& name, double expected, double actual, double scale) {
+    if (!same(expected, actual, tolerance_.direction * scale))
+      add(name + spell_change(expected, actual));
+  }
+  void relative(const std::string& name, const Vec3d& expected, const Vec3d& actual, double scale) {
+    if (!same(expected, actual, tolerance_.direction * scale))
+      add(name + spell_vector(expected) + " -> " + spell_vector(actual));
   }
   /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more vertices moved".
   void vertices(const std::vector<Vec3d>& expected, const std::vector<Vec3d>& actual);

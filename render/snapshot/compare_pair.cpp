@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "snapshot/compare_stages.h"
 #include "snapshot/match.h"
 
 namespace contactscope::snapshot {
@@ -26,6 +27,17 @@ std::vector<std::string> ids(const std::vector<trace::Point>& points) {
   return keys;
 }
 
+void compare_impulses(const std::optional<trace::Impulse>& expected,
+                      const std::optional<trace::Impulse>& actual, double largest,
+                      Changes& changes) {
+  if (expected && !actual) changes.add("impulse gone");
+  if (!expected && actual) changes.add("impulse added");
+  if (!expected || !actual) return;
+  changes.relative("impulse ", expected->normal, actual->normal, largest);
+  changes.relative("friction impulse ", expected->friction, actual->friction, largest);
+  changes.relative("warm start ", expected->warm_start, actual->warm_start, largest);
+}
+
 /// `noun` is "point", or "reduction: point".
 void compare_points(const std::string& noun, const std::vector<trace::Point>& expected,
                     const std::vector<trace::Point>& actual, const Tolerance& tolerance,
@@ -40,11 +52,16 @@ void compare_points(const std::string& noun, const std::vector<trace::Point>& ex
   for (const std::size_t i : match.added) {
     parts.push_back(name(i, actual[i]) + " added at " + spell_vector(actual[i].position));
   }
+  double largest = 0;  // newton seconds
+  for (const trace::Point& point : expected) {
+    if (point.impulse) largest = std::max(largest, point.impulse->normal);
+  }
   for (const auto& [i, j] : match.both) {
     Changes changes(noun + " " + std::to_string(i) + " ", tolerance);
     changes.position("", expected[i].position, actual[j].position);
     changes.length("separation ", expected[i].separation, actual[j].separation);
     changes.exact("id ", expected[i].id, actual[j].id);
+    compare_impulses(expected[i].impulse, actual[j].impulse, largest, changes);
     changes.tell(parts);
   }
 }
@@ -104,6 +121,7 @@ void compare_sat(const trace::Sat& expected, const trace::Sat& actual, const Tol
   choice.tell(parts);
   compare_face_axis("sat face_a", expected.face_a, actual.face_a, tolerance, parts);
   compare_face_axis("sat face_b", expected.face_b, actual.face_b, tolerance, parts);
+  compare_edge_pairs(expected.edge_pairs, actual.edge_pairs, tolerance, parts);
   if (!both_there("sat edge", expected.edge, actual.edge, parts)) return;
   Changes edge("sat edge: ", tolerance);
   edge.exact("edge of a ", expected.edge->a, actual.edge->a);
@@ -242,6 +260,18 @@ std::vector<std::string> compare_pair(const trace::Pair& expected, const trace::
   }
   if (both_there("reduction", expected.reduction, actual.reduction, parts)) {
     compare_reduction(*expected.reduction, *actual.reduction, tolerance, parts);
+  }
+  if (both_there("penetration", expected.penetration, actual.penetration, parts)) {
+    compare_penetration(*expected.penetration, *actual.penetration, tolerance, parts);
+  }
+  if (both_there("minkowski", expected.minkowski, actual.minkowski, parts)) {
+    compare_minkowski(*expected.minkowski, *actual.minkowski, tolerance, parts);
+  }
+  if (both_there("incremental", expected.incremental, actual.incremental, parts)) {
+    compare_incremental(*expected.incremental, *actual.incremental, tolerance, parts);
+  }
+  if (both_there("stability", expected.stability, actual.stability, parts)) {
+    compare_stability(*expected.stability, *actual.stability, tolerance, parts);
   }
   return parts;
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "snapshot/compare_pair.h"
+#include "snapshot/compare_stages.h"
 #include "snapshot/match.h"
 
 namespace contactscope::snapshot {
@@ -191,6 +192,26 @@ std::string pair_name(const trace::Pair& pair) {
   return pair.a + "-" + pair.b + (pair.label.empty() ? "" : " (" + pair.label + ")");
 }
 
+void compare_solvers(const trace::Frame& expected, const trace::Frame& actual, const Scale& scale,
+                     Sentences& sentences) {
+  if (expected.solver && !actual.solver) sentences.add("", "solver gone");
+  if (!expected.solver && actual.solver) sentences.add("", "solver added");
+  if (!expected.solver || !actual.solver) return;
+  Parts settings;
+  compare_solver(*expected.solver, *actual.solver, settings);
+  sentences.add("", settings);
+  const std::vector<trace::Body>& bodies = expected.solver->bodies;
+  const Match match = match_entries(
+      bodies, actual.solver->bodies, "bodies", [](const trace::Body& body) { return body.name; },
+      sentences);
+  const BodyScale most = largest(bodies);
+  for (const auto& [i, j] : match.both) {
+    const std::string& name = bodies[i].name;
+    sentences.add(name, compare_body(bodies[i], actual.solver->bodies[j], most,
+                                     scale.tolerance(expected, name, name)));
+  }
+}
+
 void compare_frames(const trace::Frame& expected, const trace::Frame& actual, const Scale& scale,
                     Sentences& sentences) {
   // The time is a product of two numbers of the file, which every processor rounds alike.
@@ -211,6 +232,7 @@ void compare_frames(const trace::Frame& expected, const trace::Frame& actual, co
     sentences.add(pair_name(pair),
                   compare_pair(pair, actual.pairs[j], scale.tolerance(expected, pair.a, pair.b)));
   }
+  compare_solvers(expected, actual, scale, sentences);
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST_F(Check, AChangedDigitInAStoredTraceFails) {
   EXPECT_EQ(checked.verdict, Verdict::Different);
   EXPECT_TRUE(checked.fails);
   EXPECT_THAT(checked.sentences,
-              ElementsAre(HasSubstr("hull/face_contact frame 12, crate-floor: reduction point 3 "
+              ElementsAre(HasSubstr("hull/face_contact frame 12, crate-floor: persistent point 3 "
                                     "separation")));
 }
 

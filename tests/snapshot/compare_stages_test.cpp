@@ -10,6 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 constexpr Tolerance kTolerance{1e-6, 1e-6, 1e-6};
 
@@ -127,6 +128,113 @@ TEST(CompareStages, Cache) {
   EXPECT_THAT(after([](trace::Pair& pair) { pair.cache.reset(); }), ElementsAre("cache gone"));
 }
 
+TEST(CompareStages, EdgePairsBelongTogetherByTheirEdges) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.sat->edge_pairs[0].a = 4;
+                pair.sat->edge_pairs[1].separation = -0.5;
+              }),
+              ElementsAre("sat edge pair 2-9 gone", "sat edge pair 4-9 added",
+                          "sat edge pair 3-9: separation -0.25 -> -0.50"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.sat->edge_pairs[1].normal *= -1; }),
+              ElementsAre("sat edge pair 3-9: normal flipped"));
+  EXPECT_THAT(
+      after([](trace::Pair& pair) { std::swap(pair.sat->edge_pairs[0], pair.sat->edge_pairs[1]); }),
+      ElementsAre("sat edge pairs in another order"));
+}
+
+TEST(CompareStages, Impulses) {
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[1].impulse->normal = 0.75; }),
+              ElementsAre("point 1 impulse 0.50 -> 0.75"));
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.manifolds[0].points[1].impulse->friction.z() = 0.5;
+                pair.manifolds[0].points[1].impulse->warm_start = 0;
+              }),
+              ElementsAre("point 1 friction impulse (0.125, 0, 0) -> (0.125, 0, 0.5), warm start "
+                          "0.25 -> 0.00"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[2].impulse.reset(); }),
+              ElementsAre("point 2 impulse gone"));
+  // As far off as rounding may be, a millionth of the largest.
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[1].impulse->normal += 4e-7; }),
+              IsEmpty());
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.manifolds[0].points[1].impulse->normal += 6e-7; }),
+              SizeIs(1));
+}
+
+TEST(CompareStages, Penetration) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.penetration->status = "out of faces";
+                pair.penetration->fallback = "sat";
+                pair.penetration->depth = 0.0075;
+              }),
+              ElementsAre("penetration: status converged -> out of faces, fallback (none) -> sat, "
+                          "depth 0.0050 -> 0.0075"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.penetration->method = "mpr"; }),
+              ElementsAre("penetration: method epa -> mpr"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.penetration->point_a.y() += 0.5; }),
+              ElementsAre("penetration: point on a moved 500 mm along y"));
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.penetration->polytopes[0].nearest = 0;
+                pair.penetration->polytopes[0].faces[1] = {2, 1, 0};
+                pair.penetration->polytopes[0].vertices[2].b.z() += 0.25;
+              }),
+              ElementsAre("polytope 0: vertex 5 moved 250 mm along z, face 1 (0 2 1) -> (2 1 0), "
+                          "nearest face 1 -> 0"));
+  EXPECT_THAT(
+      after([](trace::Pair& pair) {
+        pair.penetration->polytopes.clear();
+        pair.penetration->portals[0][0].a.x() += 1;
+        pair.penetration->directions[0].separation = 0.25;
+      }),
+      ElementsAre("penetration: number of polytopes 1 -> 0", "portal 0: vertex 0 moved 1 m along x",
+                  "direction 0: separation 0.50 -> 0.25"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.penetration.reset(); }),
+              ElementsAre("penetration gone"));
+}
+
+TEST(CompareStages, Minkowski) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.minkowski->vertices[3].x() += 0.5;
+                pair.minkowski->faces.pop_back();
+              }),
+              ElementsAre("minkowski: vertex 3 moved 500 mm along x, 2 -> 1 faces"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.minkowski.reset(); }),
+              ElementsAre("minkowski gone"));
+}
+
+TEST(CompareStages, PersistentPoints) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.incremental->query = "epa";
+                pair.incremental->points[1].state = "broken";
+                pair.incremental->points[1].reason = "slid";
+                pair.incremental->points[3].on_b.y() -= 0.5;
+              }),
+              ElementsAre("incremental: query gjk -> epa",
+                          "persistent point 1 state persisted -> broken, reason (none) -> slid",
+                          "persistent point 3 place on b moved 500 mm along -y"));
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.incremental->points.erase(pair.incremental->points.begin());
+                pair.incremental->points[0].age = 8;
+              }),
+              ElementsAre("persistent point 0 (a:e0 a:e4) gone", "persistent point 1 age 7 -> 8"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.incremental.reset(); }),
+              ElementsAre("incremental gone"));
+}
+
+TEST(CompareStages, Stability) {
+  EXPECT_THAT(after([](trace::Pair& pair) {
+                pair.stability->verdict = "stable";
+                pair.stability->margin = -0.25;
+                pair.stability->support.pop_back();
+                pair.stability->axis.reset();
+              }),
+              ElementsAre("stability: verdict turns about a line -> stable, margin 0.25 -> -0.25, "
+                          "support 4 -> 3 vertices, axis gone"));
+  EXPECT_THAT(after([](trace::Pair& pair) { (*pair.stability->axis)[1].x() += 0.5; }),
+              ElementsAre("stability: second point of the axis moved 500 mm along x"));
+  EXPECT_THAT(after([](trace::Pair& pair) { pair.stability.reset(); }),
+              ElementsAre("stability gone"));
+}
+
 TEST(CompareStages, MeshManifoldsBelongTogetherByTriangle) {
   trace::Trace trace = sample_trace();
   trace::Pair& expected = sample_pair(trace);
@@ -146,6 +254,14 @@ TEST(CompareStages, AStageThatWasNotRecordedBeforeIsSeen) {
   sample_pair(without).clip.reset();
   EXPECT_THAT(compare_pair(sample_pair(without), sample_pair(with), kTolerance),
               ElementsAre("clip added"));
+  sample_pair(without) = sample_pair(with);
+  sample_pair(without).penetration.reset();
+  sample_pair(without).minkowski.reset();
+  sample_pair(without).incremental.reset();
+  sample_pair(without).stability.reset();
+  EXPECT_THAT(
+      compare_pair(sample_pair(without), sample_pair(with), kTolerance),
+      ElementsAre("penetration added", "minkowski added", "incremental added", "stability added"));
 }
 
 }  // namespace

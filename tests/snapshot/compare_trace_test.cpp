@@ -176,7 +176,49 @@ TEST(CompareTraces, ManyFramesAreMatchedInNoTime) {
   trace::Trace other = many;
   other.frames.back() = frame;
   other.frames.back().frame = 4999;
-  EXPECT_THAT(compare_traces(many, other), SizeIs(4));
+  EXPECT_THAT(compare_traces(many, other), SizeIs(5));
+}
+
+/// Those of penetration, of manifolds that last, and of the solver.
+void later_numbers(trace::Trace& trace, std::vector<double*>& numbers) {
+  const auto vector = [&](Vec3d& v) {
+    for (int i = 0; i < 3; ++i) numbers.push_back(&v[i]);
+  };
+  trace::Pair& pair = sample_pair(trace);
+  for (trace::Point& point : pair.manifolds[0].points) {
+    numbers.insert(numbers.end(), {&point.impulse->normal, &point.impulse->warm_start});
+    vector(point.impulse->friction);
+  }
+  for (trace::EdgePair& edges : pair.sat->edge_pairs) {
+    numbers.push_back(&edges.separation);
+    vector(edges.normal);
+  }
+  trace::Penetration& penetration = *pair.penetration;
+  numbers.push_back(&penetration.depth);
+  for (Vec3d* v : {&penetration.normal, &penetration.point_a, &penetration.point_b}) vector(*v);
+  numbers.push_back(&penetration.polytopes[0].distance);
+  for (trace::Simplex* simplex : {&penetration.polytopes[0].vertices, &penetration.portals[0]}) {
+    for (trace::SimplexVertex& vertex : *simplex) {
+      vector(vertex.a);
+      vector(vertex.b);
+    }
+  }
+  vector(penetration.directions[0].normal);
+  numbers.push_back(&penetration.directions[0].separation);
+  for (Vec3d& vertex : pair.minkowski->vertices) vector(vertex);
+  numbers.insert(numbers.end(), {&pair.incremental->margin_a, &pair.incremental->margin_b});
+  for (trace::PersistentPoint& point : pair.incremental->points) {
+    for (Vec3d* v : {&point.point.position, &point.on_a, &point.on_b}) vector(*v);
+    numbers.push_back(&point.point.separation);
+  }
+  trace::Stability& stability = *pair.stability;
+  for (Vec3d* v : {&stability.center_of_mass, &stability.projection, &(*stability.axis)[0]})
+    vector(*v);
+  for (Vec3d& corner : stability.support) vector(corner);
+  numbers.push_back(&stability.margin);
+  trace::Body& body = trace.frames[1].solver->bodies[0];
+  numbers.insert(numbers.end(), {&body.mass, &body.kinetic_energy, &body.potential_energy});
+  for (Vec3d* v : {&body.center_of_mass, &body.velocity, &body.angular_velocity}) vector(*v);
 }
 
 /// Every number of a frame, so that each is tried.
@@ -230,6 +272,7 @@ std::vector<double*> numbers_of(trace::Trace& trace) {
   points(pair.reduction->points);
   numbers.push_back(&pair.reduction->area);
   numbers.push_back(&pair.reduction->best_area);
+  later_numbers(trace, numbers);
   return numbers;
 }
 
@@ -250,7 +293,7 @@ std::size_t number_count() {
 }
 
 TEST(CompareTraces, AChangedFourthDigitOfAnyNumberIsSeen) {
-  ASSERT_GT(number_count(), 150u);
+  ASSERT_GT(number_count(), 350u);
   for (std::size_t i = 0; i < number_count(); ++i) {
     EXPECT_THAT(after_number(i, "float", [](double x) { return x + 1e-4; }), SizeIs(1)) << i;
   }
@@ -316,6 +359,26 @@ TEST(CompareTraces, AWildPoseDoesNotExcuseItself) {
                 sample_manifold(trace).points[0].position.y() += 0.01;
               }),
               SizeIs(2));
+}
+
+TEST(CompareTraces, BodiesAndSettingsOfTheSolver) {
+  const std::string frame = "hull/face_contact frame 12";
+  EXPECT_THAT(after([](trace::Trace& trace) {
+                trace.frames[1].solver->warm_start = false;
+                trace.frames[1].solver->iterations = 9;
+              }),
+              ElementsAre(frame + ": solver: iterations 8 -> 9, warm start on -> off"));
+  EXPECT_THAT(after([](trace::Trace& trace) {
+                trace::Body& crate = trace.frames[1].solver->bodies[0];
+                crate.velocity.y() = -0.75;
+                crate.kinetic_energy = 2.5;
+              }),
+              ElementsAre(frame + ", crate: body: velocity (0, -0.5, 0) -> (0, -0.75, 0), "
+                                  "kinetic energy 1.0 -> 2.5"));
+  EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].solver->bodies.clear(); }),
+              ElementsAre(frame + ", crate: gone"));
+  EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].solver.reset(); }),
+              ElementsAre(frame + ": solver gone"));
 }
 
 }  // namespace

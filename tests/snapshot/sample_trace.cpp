@@ -42,6 +42,7 @@ trace::Pair contact() {
     point.position = rounded(i == 1 || i == 2 ? 0.3 : -0.3, 0.5, i >= 2 ? 0.3 : -0.3);
     point.separation = pair.separation;
     point.id = "a:e" + std::to_string(i) + " a:e" + std::to_string(i + 4);
+    point.impulse = trace::Impulse{0.5, Vec3d(0.125, 0, 0), 0.25};
     manifold.points.push_back(point);
     patch.push_back(point.position);
   }
@@ -60,6 +61,26 @@ trace::Pair contact() {
   clip.steps.push_back({Vec3d(1, 0, 0), 0.5, patch});
   clip.steps.push_back({Vec3d(0, 0, 1), 0.5, patch});
   clip.dropped.push_back({rounded(0.2, 0.6, 0.1), "above the reference face"});
+
+  sat.edge_pairs = {{2, 9, sat.edge->separation, Vec3d(0, -1, 0)}, {3, 9, -0.25, Vec3d(0, 0, 1)}};
+  trace::Penetration& penetration = pair.penetration.emplace();
+  penetration = {"epa", "converged", "", 2, 0.005, Vec3d(0, -1, 0), patch[0], patch[1], {}, {}, {}};
+  const trace::Simplex corners = {{patch[0], patch[1]}, {patch[1], patch[2]}, {patch[2], patch[3]}};
+  penetration.polytopes = {{corners, {{0, 1, 2}, {0, 2, 1}}, 1, 0.25}};
+  penetration.portals = {corners};
+  penetration.directions = {{Vec3d(0, 1, 0), 0.5}};
+  pair.minkowski = trace::Minkowski{patch, {{0, 1, 2}, {0, 2, 3}}};
+  trace::Incremental& incremental = pair.incremental.emplace();
+  incremental = {"distance", "gjk", 0.01, 0.01, {}};
+  for (const trace::Point& point : manifold.points)
+    incremental.points.push_back({point, point.position, point.position, "persisted", "", 7});
+  pair.stability = trace::Stability{"crate",
+                                    Vec3d(0, 1, 0),
+                                    Vec3d(0, 0.5, 0),
+                                    patch,
+                                    0.25,
+                                    "turns about a line",
+                                    std::array<Vec3d, 2>{patch[0], patch[1]}};
 
   pair.cache = trace::Cache{true, "features", "face_a", manifold.normal, 0.0125};
   pair.degenerate = trace::Degenerate{"crossing axes", "fallback"};
@@ -94,6 +115,8 @@ trace::Trace sample_trace() {
     pose.rotation = Quatd(0.8, 0, 0.6, 0);
     frame.poses = {{"crate", pose}, {"floor", Pose<double>{}}};
     frame.pairs.push_back(contact());
+    frame.solver = trace::Solver{"soft", 8, 4, true, {}};
+    frame.solver->bodies = {{"crate", 2, Vec3d(0, 1, 0), Vec3d(0, -0.5, 0), Vec3d(0, 2, 0), 1, 8}};
     trace.frames.push_back(frame);
   }
   return trace;
