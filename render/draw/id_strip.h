@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "draw/camera.h"
+#include "draw/drawing.h"
+
+namespace contactscope::draw {
+
+/// What became of a contact id in one frame.
+enum class IdState { Absent, Dropped, Kept };
+
+/// Ids over time: one row an id, each with a state for every frame; grey while the point is there,
+/// vermilion while it is kept. A line marks frame `moment`. `pixel`: of a pixel at 720 lines.
+void draw_id_strip(const std::vector<std::vector<IdState>>& rows, std::size_t frames,
+                   std::size_t moment, const Rect& strip, float pixel, Drawing& drawing);
+
+/// The line alone.
+void draw_moment(const Rect& strip, std::size_t frames, std::size_t moment, float pixel,
+                 Drawing& drawing);
+
+}  // namespace contactscope::draw

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "draw/quantity.h"
+#include "draw/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kLeastImpulse = 3;         // pixels
+constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
+
+// Impulses are drawn on the body that they move: b, unless only a is moved.
+double side_of(const Scene& scene, const trace::Pair& pair) {
+  if (!scene.frame.solver) return 1;
+  const auto moved = [&](const std::string& name) {
+    return std::ranges::any_of(scene.frame.solver->bodies,
+                               [&](const trace::Body& body) { return body.name == name; });
+  };
+  return moved(pair.a) && !moved(pair.b) ? -1 : 1;
+}
+
+Arrow impulse_arrow(const Vec3d& from, const Vec3d& way, float width, float head,
+                    const Color& color) {
+  Arrow arrow;
+  arrow.from = from;
+  arrow.to = from + way;
+  arrow.width = width;
+  arrow.head = head;
+  arrow.color = color;
+  arrow.may_leave = true;
+  return arrow;
+}
+
+// Two strokes across an arrow that goes on.
+void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, Sketch& sketch) {
+  const Vec3d across = along.cross(scene.camera.to_eye(at));
+  if (!(across.norm() > 0)) return;
+  const double pixel = 1 / scene.camera.pixels_per_metre(at);
+  const Vec3d slanted = pixel * (6 * across.normalized() + 3 * along);
+  for (const double shift : {-2.5, 2.5}) {
+    const Vec3d middle = at + shift * pixel * along;
+    sketch.lines.push_back({middle - slanted, middle + slanted, {5.0f, kWhite}, false});
+    sketch.lines.push_back({middle - slanted, middle + slanted, {2.0f, kContact}, false});
+  }
+}
+
+void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Vec3d& out,
+                         Sketch& sketch) {
+  const SequenceScales& scales = scene.scales;
+  const double length = scales.impulse * point.impulse->normal;
+  const double drawn = std::min(length, scales.longest_impulse);
+  const double pixels = scene.camera.pixels_per_metre(point.position);
+  const double warm = std::min(scales.impulse * point.impulse->warm_start, scales.longest_impulse);
+  if (warm * pixels >= kLeastImpulse) {
+    const Vec3d end = point.position + warm * out;
+    sketch.lines.push_back({point.position, end, {9.0f, kContact}, false});
+    sketch.lines.push_back({point.position, end, {6.0f, kWhite}, true});
+    sketch.explain(LegendKind::WarmStart, "kept of the step before");
+  }
+  if (drawn * pixels < kLeastImpulse) return;
+  sketch.arrows.push_back(impulse_arrow(point.position, drawn * out, 3, 12, kContact));
+  sketch.arrows.back().halo = false;
+  if (length > drawn) draw_break(scene, point.position + 0.6 * drawn * out, out, sketch);
+  sketch.explain(LegendKind::NormalImpulse,
+                 "normal impulse, " + spell_impulse_scale(scales.impulse));
+}
+
+}  // namespace
+
+// Gregorius 2015, "Recap: Solving Contact": what the solver gave each point in the step from here.
+void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (scene.scales.impulse == 0) return;
+  const double side = side_of(scene, pair);
+  std::size_t points = 0;
+  for (const trace::Pair& other : scene.frame.pairs) {
+    for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
+  }
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    const Vec3d out = side * manifold.normal;
+    for (const trace::Point& point : manifold.points) {
+      if (!point.impulse) continue;
+      draw_normal_impulse(scene, point, out, sketch);
+      const Vec3d friction = side * scene.scales.impulse * point.impulse->friction;
+      const double pixels = scene.camera.pixels_per_metre(point.position);
+      if (friction.norm() * pixels >= kLeastImpulse) {
+        Arrow arrow = impulse_arrow(point.position, friction, 2.5f, 10, kIncidentFace);
+        arrow.open = true;
+        sketch.arrows.push_back(arrow);
+        sketch.explain(LegendKind::FrictionImpulse, "friction, same scale");
+      }
+      const double length = scene.scales.impulse * point.impulse->normal;
+      if (points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
+      const Vec3d tip = point.position + std::min(length, scene.scales.longest_impulse) * out;
+      sketch.labels.push_back({.at = tip,
+                               .text = spell_quantity(point.impulse->normal, "N s"),
+                               .color = kContact,
+                               .size = 15,
+                               .bold = true,
+                               .clearance = 8,
+                               .direction = out});
+    }
+  }
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,59 @@
+#include "draw/palette.h"
+#include "draw/quantity.h"
+#include "draw/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Where the two places that met when the point was found are now.
+void draw_anchors(const Scene& scene, const trace::PersistentPoint& point, Sketch& sketch) {
+  const double factor = scene.scales.drift;
+  const Vec3d middle = 0.5 * (point.on_a + point.on_b);
+  const Vec3d from = middle + factor * (point.on_a - middle);
+  const Vec3d to = middle + factor * (point.on_b - middle);
+  sketch.lines.push_back({from, to, {3.5f, with_alpha(kWhite, 0.85f)}, false});
+  sketch.lines.push_back({from, to, {1.5f, kContact}, true});
+  for (const Vec3d& end : {from, to}) sketch.marks.push_back({MarkKind::Core, end, kContact});
+  sketch.explain(LegendKind::Anchors,
+                 factor == 1 ? "places that met, and how far they are apart now"
+                             : "places that met, now apart (× " + spell_number(factor) + ")");
+}
+
+std::string state_of(const trace::PersistentPoint& point) {
+  if (point.state == "broken") return point.reason;
+  if (point.state == "new") return "new";
+  return std::to_string(point.age);
+}
+
+}  // namespace
+
+// Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame.
+void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.incremental) return;
+  for (const trace::PersistentPoint& point : pair.incremental->points) {
+    const bool broken = point.state == "broken";
+    const bool is_new = point.state == "new";
+    draw_anchors(scene, point, sketch);
+    sketch.marks.push_back({broken   ? MarkKind::Hollow
+                            : is_new ? MarkKind::Dot
+                                     : MarkKind::Half,
+                            point.point.position, kContact});
+    if (broken) {
+      sketch.explain(LegendKind::BrokenPoint, "taken out, and why");
+    } else if (is_new) {
+      sketch.explain(LegendKind::NewPoint, "new point");
+    } else {
+      sketch.explain(LegendKind::PersistedPoint, "kept point, its age in frames");
+    }
+    if (scene.shows("ids") && !broken) continue;  // its id stands there
+    sketch.labels.push_back({.at = point.point.position,
+                             .text = state_of(point),
+                             .color = broken ? kDropped : kContact,
+                             .size = broken ? 16.0f : 18.0f,
+                             .bold = !broken,
+                             .clearance = 12,
+                             .direction = std::nullopt});
+  }
+}
+
+}  // namespace contactscope::draw

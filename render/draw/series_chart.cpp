@@ -1,0 +1,200 @@
+#include "draw/series_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "draw/id_strip.h"
+#include "draw/palette.h"
+#include "draw/plot_canvas.h"
+#include "draw/quantity.h"
+#include "draw/sequence_scales.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kChartHeading = 19;  // pixels at 720 lines, above the curves
+constexpr double kChartHeadroom = 1.08;
+
+struct ValueSpan {
+  double low = 0, high = 0;
+};
+
+ValueSpan span_of(const SeriesChart& chart) {
+  ValueSpan span;
+  for (const std::vector<double>& curve : chart.curves) {
+    for (const double value : curve) {
+      if (std::isnan(value)) continue;
+      span.low = std::min(span.low, value);
+      span.high = std::max(span.high, value);
+    }
+  }
+  if (span.high == span.low) span.high = 1;  // nothing but zeros
+  return span;
+}
+
+std::string plain_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", std::abs(value));
+  return (value < 0 ? "−" : "") + std::string(text.data());
+}
+
+std::string newest_value(const SeriesChart& chart, const std::vector<double>& curve,
+                         std::size_t moment) {
+  if (std::isnan(curve[moment])) return "none";
+  if (chart.unit.empty()) return plain_number(curve[moment]);
+  return curve[moment] == 0 ? "0 " + chart.unit : spell_quantity(curve[moment], chart.unit);
+}
+
+class ChartPainter {
+ public:
+  ChartPainter(const SeriesChart& chart, std::size_t moment, const Rect& rect, float pixel,
+               Drawing& drawing)
+      : chart_(chart), moment_(moment), rect_(rect), pixel_(pixel), out_(drawing) {
+    span_ = span_of(chart);
+    const double gutter = pixel * kChartGutter, heading = pixel * kChartHeading;
+    area_ = {rect.x + gutter, rect.y + heading, rect.width - gutter,
+             rect.height - heading - 4 * pixel};
+    frames_ = chart.curves.empty() ? 0 : chart.curves.front().size();
+  }
+
+  void run() {
+    if (frames_ == 0) return;
+    const Prefix prefix =
+        chart_.unit.empty() ? Prefix{} : prefix_for(std::max(span_.high, -span_.low));
+    head(prefix);
+    fill_ground();
+    tick(0, "0");
+    const double top = round_down(span_.high > 0 ? span_.high : -span_.low);
+    const double at = span_.high > 0 ? top : -top;
+    tick(at, plain_number(at / prefix.size));
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      curve(chart_.curves[i], curve_style(i));
+    }
+    draw_moment(area_, frames_, moment_, pixel_, out_);
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      if (std::isnan(chart_.curves[i][moment_])) continue;
+      out_.primitives.push_back(
+          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, curve_style(i).color});
+    }
+  }
+
+ private:
+  Point2 place(std::size_t frame, double value) const {
+    const double x =
+        area_.x + area_.width * (static_cast<double>(frame) + 0.5) / static_cast<double>(frames_);
+    return {static_cast<float>(x), y_of(value)};
+  }
+
+  float y_of(double value) const {
+    const double high = kChartHeadroom * span_.high, low = kChartHeadroom * span_.low;
+    return static_cast<float>(area_.y + area_.height * (high - value) / (high - low));
+  }
+
+  void line(const Point2& from, const Point2& to, double width, const Color& color, float dash,
+            float phase) {
+    Stroke stroke{from, to, pixel_ * static_cast<float>(width), color};
+    stroke.cap = dash > 0 ? Cap::Butt : Cap::Round;
+    stroke.dash = pixel_ * dash;
+    stroke.gap = 0.6f * stroke.dash;
+    stroke.phase = phase;
+    out_.primitives.push_back(stroke);
+  }
+
+  void head(const Prefix& prefix) {
+    const auto baseline = static_cast<float>(rect_.y + pixel_ * (kChartHeading - 6));
+    std::string name = chart_.name;
+    if (!chart_.unit.empty()) name += ", " + (prefix.name + chart_.unit);
+    // The newest_value values stand above the newest_value end of the axis, each in its curve's colour.
+    double right = area_.x + area_.width;
+    for (std::size_t i = chart_.curves.size(); i-- > 0;) {
+      const std::string text = newest_value(chart_, chart_.curves[i], moment_);
+      const float size = pixel_ * static_cast<float>(kChartText);
+      const double width = text_width(text, size, FontWeight::Bold);
+      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, curve_style(i).color,
+                 pixel_, out_, Weight::Bold);
+      right -= width + 10 * pixel_;
+    }
+    chart_text(name, {static_cast<float>(rect_.x), baseline}, Align::Left, kText, pixel_, out_);
+  }
+
+  void fill_ground() {
+    const auto x0 = static_cast<float>(area_.x), x1 = static_cast<float>(area_.x + area_.width);
+    const auto y0 = static_cast<float>(area_.y), y1 = static_cast<float>(area_.y + area_.height);
+    out_.primitives.push_back(
+        Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, with_alpha(kQuietText, 0.07f)});
+  }
+
+  void tick(double value, const std::string& text) {
+    const float y = y_of(value);
+    const auto left = static_cast<float>(area_.x),
+               right = static_cast<float>(area_.x + area_.width);
+    const bool strong = value == 0 && chart_.baseline;
+    line({left, y}, {right, y}, strong ? 1.6 : 1.0, strong ? kText : kPlotBorder, 0, 0);
+    const float size = pixel_ * static_cast<float>(kChartText - 1);
+    chart_text(text, {left - 6 * pixel_, y + 0.34f * size}, Align::Right, kQuietText, pixel_, out_);
+  }
+
+  void curve(const std::vector<double>& values, const CurveStyle& style) {
+    std::vector<Point2> points;
+    const auto finish = [&] {
+      float run = 0;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        line(points[i], points[i + 1], 2.2, style.color, style.dash, run);
+        run += std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y);
+      }
+      points.clear();
+    };
+    for (std::size_t f = 0; f <= moment_ && f < values.size(); ++f) {
+      if (std::isnan(values[f])) {
+        finish();
+        continue;
+      }
+      const Point2 at = place(f, values[f]);
+      if (chart_.steps && !points.empty()) {
+        const float middle = 0.5f * (points.back().x + at.x);
+        points.push_back({middle, points.back().y});
+        points.push_back({middle, at.y});
+      }
+      points.push_back(at);
+    }
+    finish();
+  }
+
+  const SeriesChart& chart_;
+  std::size_t moment_;
+  Rect rect_, area_;
+  float pixel_;
+  Drawing& out_;
+  ValueSpan span_;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace
+
+CurveStyle curve_style(std::size_t index) {
+  constexpr std::array<CurveStyle, 4> kStyles{
+      {{kContact, 0}, {kReferenceFace, 8}, {kText, 2.5f}, {kClipPolygon, 14}}};
+  return kStyles[index % kStyles.size()];
+}
+
+void chart_text(const std::string& text, const Point2& at, Align align, const Color& color,
+                float pixel, Drawing& drawing, Weight weight) {
+  Text result;
+  result.text = text;
+  result.at = at;
+  result.size = pixel * static_cast<float>(kChartText);
+  result.weight = weight;
+  result.align = align;
+  result.color = color;
+  drawing.primitives.push_back(result);
+}
+
+void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect, float pixel,
+                       Drawing& drawing) {
+  ChartPainter(chart, moment, rect, pixel, drawing).run();
+}
+
+}  // namespace contactscope::draw
