@@ -1,13 +1,11 @@
 #include "query/gjk.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
+#include "query/minkowski_difference.h"
 #include "query/simplex.h"
 #include "query/tolerance.h"
 
@@ -17,75 +15,6 @@ namespace {
 /// Steps that bring the simplex no nearer and yet are taken, because the support point says by its
 /// first-order measure that it will; more of them are rounding going in circles.
 constexpr int kMaxGjkStalls = 3;
-
-/// For a finite, normal number > 0; so quick because it only clears the mantissa.
-template <class S>
-S power_of_two_up_to(S value) {
-  using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
-  constexpr Bits kMantissa = (Bits(1) << (std::numeric_limits<S>::digits - 1)) - 1;
-  return std::bit_cast<S>(std::bit_cast<Bits>(value) & ~kMantissa);
-}
-
-/// A point of the Minkowski difference.
-struct IndexPair {
-  int a, b;
-
-  friend bool operator==(const IndexPair&, const IndexPair&) = default;
-};
-
-/// The Minkowski difference B - A, in A's frame, shrunk by a power of two so that its points are of
-/// the order of 1 and no power of a length leaves the range of S.
-template <class S>
-class Difference {
- public:
-  Difference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
-      : a_(a), b_(b), rotation_(b_in_a.rotation.toRotationMatrix()), position_(b_in_a.position) {
-    const S length = reach_of(a) + reach_of(b) + position_.norm();
-    if (length >= std::numeric_limits<S>::min()) {
-      unit_ = power_of_two_up_to(length);
-      per_unit_ = S(1) / unit_;
-      scale_ = length * per_unit_;
-    }
-  }
-
-  /// From 1 to 2, in units.
-  S scale() const { return scale_; }
-  /// Metres.
-  S unit() const { return unit_; }
-
-  GjkVertex<S> vertex(const IndexPair& pair) const {
-    return {pair.a, pair.b, a_.points[pair.a], b_in_frame_of_a(pair)};
-  }
-  /// In units.
-  Vec3<S> point(const IndexPair& pair) const {
-    return per_unit_ * (b_in_frame_of_a(pair) - a_.points[pair.a]);
-  }
-  /// The vertex of the difference that lies farthest against `direction`.
-  IndexPair support_against(const Vec3<S>& direction) const {
-    const Vec3<S> in_b = -(rotation_.transpose() * direction);
-    return {support_index(a_, direction), support_index(b_, in_b)};
-  }
-
-  Vec3<S> between_middles() const {
-    const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
-    return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
-  }
-  bool has(const GjkVertex<S>& vertex) const {
-    return vertex.index_a >= 0 && vertex.index_a < a_.count && vertex.index_b >= 0 &&
-           vertex.index_b < b_.count;
-  }
-
- private:
-  Vec3<S> b_in_frame_of_a(const IndexPair& pair) const {
-    return rotation_ * b_.points[pair.b] + position_;
-  }
-
-  const SupportSet<S>& a_;
-  const SupportSet<S>& b_;
-  Mat3<S> rotation_;
-  Vec3<S> position_;
-  S scale_ = 1, unit_ = 1, per_unit_ = 1;
-};
 
 /// The current simplex: only points that carry its point nearest to the origin.
 template <class S>
@@ -111,7 +40,7 @@ struct Simplex {
 };
 
 template <class S>
-Simplex<S> first_simplex(const IndexPair& pair, const Difference<S>& difference) {
+Simplex<S> first_simplex(const IndexPair& pair, const MinkowskiDifference<S>& difference) {
   Simplex<S> simplex;
   simplex.pairs[0] = pair;
   simplex.points[0] = difference.point(pair);
@@ -137,7 +66,7 @@ void grow(Simplex<S>& simplex, const IndexPair& pair, const Vec3<S>& point, S sc
 
 /// From the simplex of an earlier call, with the points where they are now.
 template <class S>
-Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const Difference<S>& difference) {
+Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const MinkowskiDifference<S>& difference) {
   Simplex<S> simplex = first_simplex(
       IndexPair{earlier.vertices[0].index_a, earlier.vertices[0].index_b}, difference);
   for (std::size_t i = 1; i < earlier.vertices.size() && simplex.nearest.count < 4; ++i) {
@@ -150,7 +79,7 @@ Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const Difference<S>& diffe
 }
 
 template <class S>
-bool is_usable(const GjkSimplex<S>* warm_start, const Difference<S>& difference) {
+bool is_usable(const GjkSimplex<S>* warm_start, const MinkowskiDifference<S>& difference) {
   if (warm_start == nullptr || warm_start->vertices.empty()) return false;
   for (const GjkVertex<S>& vertex : warm_start->vertices) {
     if (!difference.has(vertex)) return false;
@@ -159,7 +88,7 @@ bool is_usable(const GjkSimplex<S>* warm_start, const Difference<S>& difference)
 }
 
 template <class S>
-GjkSimplex<S> to_result(const Simplex<S>& simplex, const Difference<S>& difference) {
+GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference) {
   GjkSimplex<S> result;
   result.weights = {};
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.nearest.count); ++i) {
@@ -187,7 +116,7 @@ Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
 
 template <class S>
 GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
-                    const Difference<S>& difference) {
+                    const MinkowskiDifference<S>& difference) {
   GjkResult<S> result;
   result.status = status;
   result.iterations = iterations;
@@ -244,7 +173,7 @@ int GjkSimplex<S>::distinct_b() const {
 template <class S, class StepRecorder>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                  const GjkSimplex<S>* warm_start, StepRecorder& steps) {
-  const Difference<S> difference(a, b, b_in_a);
+  const MinkowskiDifference<S> difference(a, b, b_in_a);
   const S rounding = tie_tolerance(difference.scale());
 
   Simplex<S> buffers[2];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "query/edge_pairs.h"
 #include "query/gauss_map.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
@@ -122,6 +123,36 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
   return best;
 }
 
+template <class S>
+std::vector<EdgeQuery<S>> crossing_edge_pairs(const HullPair<S>& pair,
+                                              const FaceSeparations<S>& faces_a) {
+  const PlacedHull<S>& a = pair.a;
+  const PlacedHull<S>& b = pair.b;
+  const Mat3<S> a_to_b = b.rotation.transpose();
+  std::vector<EdgeQuery<S>> pairs;
+  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
+    const int first = a.half_edge(edge).face;
+    const int second = a.half_edge(edge + 1).face;
+    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
+    const Vec3<S> first_in_b = a_to_b * arc.first;
+    const Vec3<S> second_in_b = a_to_b * arc.second;
+    walk_arc(b.hull, first_in_b, second_in_b, faces_a.support(first), faces_a.support(second),
+             [&](int edge_b) {
+               const Vec3<S> cross = a.direction(edge).cross(b.direction(edge_b));
+               const S sine = cross.norm();
+               if (sine < kParallelSine<S>) return;
+               const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
+               const Vec3<S> between = b.origin(edge_b) - arc.on_edge;
+               pairs.push_back({edge, edge_b, normal.dot(between), normal});
+             });
+  }
+  return pairs;
+}
+
+template std::vector<EdgeQuery<float>> crossing_edge_pairs(const HullPair<float>&,
+                                                           const FaceSeparations<float>&);
+template std::vector<EdgeQuery<double>> crossing_edge_pairs(const HullPair<double>&,
+                                                            const FaceSeparations<double>&);
 template EdgeQuery<float> query_edges(const HullPair<float>&, const FaceSeparations<float>&, float,
                                       float);
 template EdgeQuery<double> query_edges(const HullPair<double>&, const FaceSeparations<double>&,

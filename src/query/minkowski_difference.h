@@ -1,0 +1,85 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "core/pose.h"
+#include "query/gjk.h"
+#include "query/support_set.h"
+
+namespace contactscope {
+
+/// For a finite, normal number > 0; so quick because it only clears the mantissa.
+template <class S>
+S power_of_two_up_to(S value) {
+  using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
+  constexpr Bits kMantissa = (Bits(1) << (std::numeric_limits<S>::digits - 1)) - 1;
+  return std::bit_cast<S>(std::bit_cast<Bits>(value) & ~kMantissa);
+}
+
+/// A point of the Minkowski difference, by the points of both sets that it is the difference of.
+struct IndexPair {
+  int a, b;
+
+  friend bool operator==(const IndexPair&, const IndexPair&) = default;
+};
+
+/// The Minkowski difference B - A, in A's frame, shrunk by a power of two so that its points are of
+/// the order of 1 and no power of a length leaves the range of S. The sets overlap where it holds
+/// the origin. Refers to both sets.
+template <class S>
+class MinkowskiDifference {
+ public:
+  MinkowskiDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
+      : a_(a), b_(b), rotation_(b_in_a.rotation.toRotationMatrix()), position_(b_in_a.position) {
+    const S length = reach_of(a) + reach_of(b) + position_.norm();
+    if (length >= std::numeric_limits<S>::min()) {
+      unit_ = power_of_two_up_to(length);
+      per_unit_ = S(1) / unit_;
+      scale_ = length * per_unit_;
+    }
+  }
+
+  /// From 1 to 2, in units.
+  S scale() const { return scale_; }
+  /// Metres.
+  S unit() const { return unit_; }
+
+  GjkVertex<S> vertex(const IndexPair& pair) const {
+    return {pair.a, pair.b, a_.points[pair.a], b_in_frame_of_a(pair)};
+  }
+  /// In units.
+  Vec3<S> point(const IndexPair& pair) const {
+    return per_unit_ * (b_in_frame_of_a(pair) - a_.points[pair.a]);
+  }
+  /// The vertex of the difference that lies farthest against `direction`.
+  IndexPair support_against(const Vec3<S>& direction) const {
+    const Vec3<S> in_b = -(rotation_.transpose() * direction);
+    return {support_index(a_, direction), support_index(b_, in_b)};
+  }
+
+  /// From the middle of A to that of B, any length > 0.
+  Vec3<S> between_middles() const {
+    const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
+    return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
+  }
+  bool has(const GjkVertex<S>& vertex) const {
+    return vertex.index_a >= 0 && vertex.index_a < a_.count && vertex.index_b >= 0 &&
+           vertex.index_b < b_.count;
+  }
+
+ private:
+  Vec3<S> b_in_frame_of_a(const IndexPair& pair) const {
+    return rotation_ * b_.points[pair.b] + position_;
+  }
+
+  const SupportSet<S>& a_;
+  const SupportSet<S>& b_;
+  Mat3<S> rotation_;
+  Vec3<S> position_;
+  S scale_ = 1, unit_ = 1, per_unit_ = 1;
+};
+
+}  // namespace contactscope

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "query/minkowski_difference.h"
+#include "query/penetration.h"
+#include "query/tolerance.h"
+
+/// What the penetration methods that work by support points have in common.
+namespace contactscope {
+
+/// A vertex of the difference, in units.
+template <class S>
+struct DifferencePoint {
+  Vec3<S> point;
+  IndexPair pair;
+};
+
+/// Points of the difference and what weights give the deepest point; up to four.
+template <class S>
+struct WeightedPairs {
+  int count = 0;
+  std::array<IndexPair, 4> pairs;
+  std::array<S, 4> weights;
+
+  void add(const IndexPair& pair, S weight) {
+    pairs[static_cast<std::size_t>(count)] = pair;
+    weights[static_cast<std::size_t>(count)] = weight;
+    ++count;
+  }
+};
+
+/// The difference with what every step needs: support points, and the best direction so far.
+/// Directions `outward` are unit and point from the origin out of the difference, which is from B
+/// to A: the contact normal is their opposite.
+template <class S>
+class BoundedDifference {
+ public:
+  BoundedDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
+      : difference_(a, b, b_in_a),
+        is_finite_(std::isfinite(reach_of(a) + reach_of(b)) &&
+                   b_in_a.rotation.coeffs().allFinite() && b_in_a.position.allFinite()) {}
+
+  const MinkowskiDifference<S>& difference() const { return difference_; }
+  /// False once a coordinate was met that is not finite.
+  bool is_finite() const { return is_finite_; }
+  /// Of a point of the difference, in units.
+  S rounding() const { return tie_tolerance(difference_.scale()); }
+  S upper() const { return upper_; }
+  const Vec3<S>& outward() const { return outward_; }
+  bool is_separated() const { return upper_ < -rounding(); }
+
+  DifferencePoint<S> at(const IndexPair& pair) const { return {difference_.point(pair), pair}; }
+  DifferencePoint<S> support(const Vec3<S>& outward) {
+    const DifferencePoint<S> found = at(difference_.support_against(-outward));
+    is_finite_ = is_finite_ && found.point.allFinite();
+    return found;
+  }
+  /// The support point along a unit direction, whose distance bounds the depth. True when that is
+  /// the least so far: then `weights()` is to be set.
+  bool bound(const Vec3<S>& outward, DifferencePoint<S>& found) {
+    found = support(outward);
+    const S along = outward.dot(found.point);
+    if (!(along < upper_)) return false;
+    upper_ = along;
+    outward_ = outward;
+    weights_.count = 0;
+    weights_.add(found.pair, S(1));
+    return true;
+  }
+  /// The same, and makes it the best whether it is or not.
+  void measure(const Vec3<S>& outward, DifferencePoint<S>& found) {
+    upper_ = std::numeric_limits<S>::infinity();
+    bound(outward, found);
+  }
+  WeightedPairs<S>& weights() { return weights_; }
+
+  /// In metres, of the best direction; `lower` is in units.
+  PenetrationResult<S> result(PenetrationStatus status, S lower, int iterations) const {
+    PenetrationResult<S> result;
+    result.status = is_finite_ ? status : PenetrationStatus::NotFinite;
+    result.iterations = iterations;
+    if (!is_finite_) return result;
+    result.depth = difference_.unit() * std::max(upper_, S(0));
+    result.least_depth = std::min(result.depth, difference_.unit() * std::max(lower, S(0)));
+    result.normal = -outward_;
+    deepest_points(result);
+    return result;
+  }
+
+ private:
+  /// From the heaviest vertex, so that rounding of the weights meets only differences.
+  void deepest_points(PenetrationResult<S>& result) const {
+    std::size_t heaviest = 0;
+    const auto count = static_cast<std::size_t>(weights_.count);
+    for (std::size_t i = 1; i < count; ++i) {
+      if (weights_.weights[i] > weights_.weights[heaviest]) heaviest = i;
+    }
+    const GjkVertex<S> base = difference_.vertex(weights_.pairs[heaviest]);
+    Vec3<S> aside_a = Vec3<S>::Zero(), aside_b = Vec3<S>::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i == heaviest) continue;
+      const GjkVertex<S> vertex = difference_.vertex(weights_.pairs[i]);
+      aside_a += weights_.weights[i] * (vertex.a - base.a);
+      aside_b += weights_.weights[i] * (vertex.b - base.b);
+    }
+    result.on_a = base.a + aside_a;
+    result.on_b = base.b + aside_b;
+  }
+
+  MinkowskiDifference<S> difference_;
+  bool is_finite_;
+  S upper_ = std::numeric_limits<S>::infinity();
+  Vec3<S> outward_ = Vec3<S>::UnitX();
+  WeightedPairs<S> weights_;
+};
+
+/// The tolerance of the options in units, never less than rounding.
+template <class S>
+S tolerance_in_units(const PenetrationOptions<S>& options, const MinkowskiDifference<S>& of) {
+  return std::max(clip_thickness(of.scale()), options.tolerance * of.scale());
+}
+
+/// How many steps a method whose own cap is `cap` may take.
+template <class S>
+int allowed_iterations(const PenetrationOptions<S>& options, int cap) {
+  return options.max_iterations > 0 ? std::min(options.max_iterations, cap) : cap;
+}
+
+/// Normal of a triangle, counter-clockwise, twice its area long; `longest` becomes the length of its
+/// longest side. From where the two shorter sides meet: there the cross product of a needle's sides
+/// is relatively exact, and its plane has all three corners within rounding.
+template <class S>
+Vec3<S> triangle_normal(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, S& longest) {
+  const Vec3<S> pq = q - p, qr = r - q, rp = p - r;
+  const S at_r = pq.squaredNorm(), at_p = qr.squaredNorm(), at_q = rp.squaredNorm();
+  longest = std::sqrt(std::max({at_p, at_q, at_r}));
+  if (at_r >= at_p && at_r >= at_q) return qr.cross(rp);
+  return at_p >= at_q ? rp.cross(pq) : pq.cross(qr);
+}
+
+/// Unit and at right angles to a vector of any length > 0.
+template <class S>
+Vec3<S> perpendicular_to(const Vec3<S>& v) {
+  int least = 0;
+  v.cwiseAbs().minCoeff(&least);
+  const Vec3<S> across = v.cross(Vec3<S>::Unit(least));
+  return across / across.norm();
+}
+
+}  // namespace contactscope

@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "geometry/hull_builder.h"
+#include "query/penetration.h"
+#include "query/sampling.h"
+#include "support/brute_force_sat.h"
+#include "support/builders.h"
+
+/// Depth and normal of every method against all axes by brute force, over ten thousand pairs of all
+/// kinds that are hard on one or another.
+namespace contactscope {
+namespace {
+
+using test::PairCase;
+using test::Random;
+
+/// B in the middle of A.
+PairCase<double> concentric(PairCase<double> pair) {
+  pair.pose_b.position =
+      pair.pose_a.transform(pair.a.centroid) - pair.pose_b.rotate(pair.b.centroid);
+  return pair;
+}
+
+/// Boxes in one grid: faces, edges and vertices coincide, and many just touch.
+PairCase<double> boxes_in_a_grid(Random& random) {
+  const auto step = [&](int count) { return 0.25 * random.index(count); };
+  return {test::cube(0.5), Pose<double>(), make_box(Vec3d(0.25 + step(4), 0.25 + step(2), 0.5)),
+          test::at(step(5), step(5), step(5))};
+}
+
+/// One tetrahedron and a copy, moved along its edges by quarters: faces in one plane, edges in one
+/// line, vertices on each other.
+PairCase<double> coplanar_simplices(Random& random) {
+  const Vec3d points[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Hull<double> simplex = build_hull(points);
+  const auto step = [&] { return 0.25 * (random.index(9) - 4); };
+  PairCase<double> pair{simplex, Pose<double>(), simplex, test::at(step(), step(), step())};
+  if (random.chance(0.5)) pair.pose_b.rotation = test::about(Vec3d(1, 1, 1), 120 * test::kDegree);
+  return pair;
+}
+
+/// A thousand times as long as thin, through or on a plate as thin, turned at random or level.
+PairCase<double> needle_and_plate(Random& random) {
+  const double thin = random.decade(-4, -2);
+  PairCase<double> pair{make_box(Vec3d(1, 1, thin)), Pose<double>(), make_box(Vec3d(1, thin, thin)),
+                        Pose<double>()};
+  if (random.chance(0.7)) pair.pose_b.rotation = random.rotation();
+  pair.pose_b.position = random.uniform(0, 0.9) * random.unit_vector();
+  if (random.chance(0.5)) pair.pose_b.position.z() = thin * random.uniform(-2, 2);
+  return test::moved(pair, random.pose(2));
+}
+
+PairCase<double> hard_pair(Random& random, int index) {
+  switch (index % 10) {
+    case 0:
+      return test::random_pair(random);
+    case 1:
+      return test::everyday_pair(random);
+    case 2:
+      return concentric(test::everyday_pair(random));
+    case 3:
+    case 4:
+      return coplanar_simplices(random);
+    case 5:
+    case 6:
+      return needle_and_plate(random);
+    default:
+      return boxes_in_a_grid(random);
+  }
+}
+
+struct Tally {
+  std::map<std::string, int> statuses;
+  double most_over = 0;   // ulps of the scale by which a depth is larger than the true one
+  double most_under = 0;  // or smaller
+
+  void print(const char* method, const char* scalar) const {
+    std::printf("%-8s %-6s", method, scalar);
+    for (const auto& [status, count] : statuses) {
+      std::printf(" %s=%d", status.c_str(), count);
+      testing::Test::RecordProperty(std::string(method) + "_" + status, count);
+    }
+    std::printf("; depth up to %.3g ulps more and %.3g less than the true one\n", most_over,
+                most_under);
+  }
+};
+
+template <class S>
+class PenetrationPairs : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(PenetrationPairs, Scalars);
+
+TYPED_TEST(PenetrationPairs, TenThousandDepthsAgreeWithExhaustion) {
+  using S = TypeParam;
+  constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
+                                            PenetrationMethod::Mpr, PenetrationMethod::Sampling};
+  Random random(4096);
+  Tally tallies[4];
+  int overlapping = 0, touching = 0, concluded = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const PairCase<S> pair = hard_pair(random, i).template cast<S>();
+    const Pose<S> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
+    const SupportSet<S> a = support_set(pair.a), b = support_set(pair.b);
+    const PairCase<double> exact = pair.template cast<double>();
+    const Pose<double> exact_b_in_a = b_in_a.template cast<double>();
+    const double truth =
+        test::brute_force_sat(exact.a, Pose<double>(), exact.b, exact_b_in_a).separation;
+    const auto scale = static_cast<double>(reach_of(a) + reach_of(b) + b_in_a.position.norm());
+    const double ulp = scale * static_cast<double>(std::numeric_limits<S>::epsilon());
+    const bool is_deep = truth<-32 * ulp, is_apart = truth> 64 * ulp;
+    overlapping += is_deep ? 1 : 0;
+    touching += !is_deep && !is_apart ? 1 : 0;
+
+    for (const PenetrationMethod method : kMethods) {
+      SCOPED_TRACE(std::string(to_string(method)) + " of pair " + std::to_string(i));
+      Tally& tally = tallies[static_cast<int>(method)];
+      PenetrationOptions<S> options;
+      options.samples = 64;
+      const PenetrationResult<S> found = penetration(method, a, b, b_in_a, options);
+      const std::string status = to_string(found.status);
+      ++tally.statuses[is_deep ? status : is_apart ? status + "_apart" : status + "_touching"];
+      ASSERT_NE(found.status, PenetrationStatus::NotFinite);
+      ASSERT_TRUE(!is_deep || has_depth(found.status)) << truth / ulp << " ulps";
+      if (is_apart && method != PenetrationMethod::Sampling && method != PenetrationMethod::Mpr) {
+        ASSERT_EQ(found.status, PenetrationStatus::Separated) << truth / ulp << " ulps";
+      }
+      if (is_apart && found.status == PenetrationStatus::Separated) ++concluded;
+      if (!has_depth(found.status) || is_apart) continue;
+
+      const auto depth = static_cast<double>(found.depth);
+      const double over = (depth + std::min(truth, 0.0)) / ulp;
+      tally.most_over = std::max(tally.most_over, over);
+      tally.most_under = std::max(tally.most_under, -over);
+      // Whatever the method, the depth is a way out, and never less than the least one.
+      ASSERT_NEAR(found.normal.norm(), 1, 8 * std::numeric_limits<S>::epsilon());
+      ASSERT_GE(over, -8);
+      const double along = test::separation_along(found.normal.template cast<double>(), exact.a,
+                                                  Pose<double>(), exact.b, exact_b_in_a);
+      ASSERT_NEAR(along, -depth, (is_deep ? 16 : 64) * ulp);
+      ASSERT_LE(static_cast<double>(found.least_depth), std::max(-truth, 0.0) + 16 * ulp);
+      const Vec3<S> between = found.on_a - found.on_b;
+      if (found.status == PenetrationStatus::Converged) {
+        ASSERT_NEAR(static_cast<double>(between.dot(found.normal)), depth, 64 * ulp);
+      }
+
+      const bool is_exact =
+          method == PenetrationMethod::Sat ||
+          (method == PenetrationMethod::Epa && found.status == PenetrationStatus::Converged);
+      ASSERT_TRUE(!is_exact || over <= 16) << over << " ulps, " << status;
+      if (method == PenetrationMethod::Sampling) {
+        const double spacing = scale * sampling_angle<double>(64);
+        ASSERT_LE(over * ulp, spacing);
+        ASSERT_GE(static_cast<double>(found.least_depth), -truth - 2 * spacing);
+      }
+    }
+  }
+  const char* scalar = sizeof(S) == 4 ? "float" : "double";
+  for (const PenetrationMethod method : kMethods) {
+    tallies[static_cast<int>(method)].print(to_string(method), scalar);
+  }
+  EXPECT_GT(overlapping, 4000);
+  EXPECT_GT(touching, 400);
+  EXPECT_GT(concluded, 4000);
+  // Of those that overlap EPA may stall in one of a thousand.
+  const Tally& epa = tallies[static_cast<int>(PenetrationMethod::Epa)];
+  EXPECT_GT(epa.statuses.at("converged"), overlapping * 999 / 1000);
+}
+
+}  // namespace
+}  // namespace contactscope
