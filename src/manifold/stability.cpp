@@ -1,0 +1,157 @@
+#include "manifold/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/convex_polygon.h"
+
+namespace contactscope {
+namespace {
+
+/// Places on the contact plane, and the way back.
+class ContactPlane {
+ public:
+  ContactPlane(std::span<const Vec3d> points, const Vec3d& normal)
+      : origin_(Vec3d::Zero()) {
+    for (const Vec3d& point : points) origin_ += (point - points[0]) / double(points.size());
+    origin_ += points[0];
+    u_ = any_perpendicular(normal);
+    v_ = normal.cross(u_);
+  }
+  Vec2d seen(const Vec3d& point) const {
+    const Vec3d offset = point - origin_;
+    return {u_.dot(offset), v_.dot(offset)};
+  }
+  Vec3d place(const Vec2d& seen) const { return origin_ + seen.x() * u_ + seen.y() * v_; }
+
+ private:
+  Vec3d origin_, u_, v_;
+};
+
+struct BorderPoint {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t edge = 0;  // from corner `edge` to the next
+  bool corner = false;   // an end of it is nearest
+};
+
+BorderPoint nearest_on_border(const std::vector<Vec2d>& corners, const Vec2d& point,
+                              double rounding) {
+  BorderPoint nearest;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2d along = corners[(i + 1) % corners.size()] - corners[i];
+    const Vec2d offset = point - corners[i];
+    const double length = along.norm();
+    const double at = offset.dot(along) / length;
+    const Vec2d foot = corners[i] + std::clamp(at, 0.0, length) / length * along;
+    const double distance = Vec2d(point - foot).norm();
+    if (distance >= nearest.distance) continue;
+    nearest = {distance, i, at < -rounding || at > length + rounding};
+  }
+  return nearest;
+}
+
+bool is_inside(const std::vector<Vec2d>& corners, const Vec2d& point) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2d along = corners[(i + 1) % corners.size()] - corners[i];
+    if (cross(along, Vec2d(point - corners[i])) < 0) return false;
+  }
+  return true;
+}
+
+/// The two corners that are farthest from each other.
+std::array<Vec2d, 2> ends_of(const std::vector<Vec2d>& corners) {
+  std::array<Vec2d, 2> ends{corners[0], corners[0]};
+  for (const Vec2d& one : corners)
+    for (const Vec2d& other : corners)
+      if ((other - one).squaredNorm() > (ends[1] - ends[0]).squaredNorm()) ends = {one, other};
+  return ends;
+}
+
+/// How far the corners are from a line at most.
+double width_of(const std::vector<Vec2d>& corners, const std::array<Vec2d, 2>& ends) {
+  const Vec2d along = ends[1] - ends[0];
+  double width = 0;
+  for (const Vec2d& corner : corners)
+    width = std::max(width, std::abs(cross(along, Vec2d(corner - ends[0]))) / along.norm());
+  return width;
+}
+
+}  // namespace
+
+double rounding_of(std::span<const Vec3d> points, const Vec3d& center_of_mass, double epsilon) {
+  double largest = center_of_mass.cwiseAbs().maxCoeff();
+  for (const Vec3d& point : points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  return 64 * epsilon * largest;
+}
+
+ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& normal,
+                               const Vec3d& center_of_mass, double rounding) {
+  ManifoldStability result;
+  if (points.empty()) {
+    result.projection = center_of_mass;
+    return result;
+  }
+  const ContactPlane plane(points, normal);
+  const Vec2d projection = plane.seen(center_of_mass);
+  result.projection = plane.place(projection);
+  std::vector<Vec2d> seen;
+  for (const Vec3d& point : points) seen.push_back(plane.seen(point));
+  const std::vector<Vec2d> corners = convex_polygon(std::move(seen));
+  for (const Vec2d& corner : corners) result.support.push_back(plane.place(corner));
+
+  const std::array<Vec2d, 2> ends = ends_of(corners);
+  if ((ends[1] - ends[0]).norm() <= rounding) {
+    result.verdict = Verdict::TurnsAboutAPoint;
+    result.margin = -Vec2d(projection - corners[0]).norm();
+    return result;
+  }
+  const BorderPoint border = nearest_on_border(corners, projection, rounding);
+  if (width_of(corners, ends) <= rounding) {
+    result.verdict = Verdict::TurnsAboutALine;
+    result.margin = -border.distance;
+    result.axis = {plane.place(ends[0]), plane.place(ends[1])};
+    return result;
+  }
+  const bool inside = is_inside(corners, projection);
+  result.margin = inside ? border.distance : -border.distance;
+  if (result.margin > rounding) {
+    result.verdict = Verdict::Stable;
+  } else if (border.corner && result.margin < -rounding) {
+    result.verdict = Verdict::TurnsAboutAPoint;
+  } else {
+    result.verdict = Verdict::TurnsAboutALine;
+    result.axis = {plane.place(corners[border.edge]),
+                   plane.place(corners[(border.edge + 1) % corners.size()])};
+  }
+  return result;
+}
+
+trace::Stability stability_of(const trace::Pair& pair, const std::string& shape,
+                              const Vec3d& center_of_mass, double epsilon) {
+  std::vector<Vec3d> points;
+  Vec3d normal = Vec3d::Zero();
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points) points.push_back(point.position);
+    normal += static_cast<double>(manifold.points.size()) * manifold.normal;
+  }
+  // Opposite normals cancel; then any of them serves.
+  if (normal.norm() > 0.5)
+    normal.normalize();
+  else if (!pair.manifolds.empty())
+    normal = pair.manifolds.front().normal;
+  const ManifoldStability found =
+      stability_of(points, normal, center_of_mass, rounding_of(points, center_of_mass, epsilon));
+  trace::Stability told;
+  told.shape = shape;
+  told.center_of_mass = center_of_mass;
+  told.projection = found.projection;
+  told.support = found.support;
+  told.margin = found.margin;
+  told.verdict = to_string(found.verdict);
+  told.axis = found.axis;
+  return told;
+}
+
+}  // namespace contactscope
