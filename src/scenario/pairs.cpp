@@ -24,11 +24,44 @@ std::vector<std::string> reducer_names() {
   return names;
 }
 
+double length_of(const Value& value, const char* key) {
+  const double length = value.positive("metres");
+  if (length > kLargestLength)
+    value.fail("'" + std::string(key) + "' is larger than 1e9 metres; lower it");
+  return length;
+}
+
+/// What incremental manifolds go by; the keys are checked also where they have no effect.
+void read_manifold(const Table& table, PipelineSettings& settings) {
+  if (const auto manifold = table.find("manifold"))
+    settings.manifold = manifold->one_of({"one-shot", "incremental"}, "manifold") == "incremental"
+                            ? ManifoldKind::Incremental
+                            : ManifoldKind::OneShot;
+  if (const auto core_margin = table.find("core_margin"))
+    settings.incremental.core_margin = length_of(*core_margin, "core_margin");
+  if (const auto breaking = table.find("breaking_distance"))
+    settings.incremental.breaking_distance = length_of(*breaking, "breaking_distance");
+  if (const auto confirm = table.find("confirm"))
+    settings.incremental.confirm = confirm->one_of({"distance", "ids"}, "confirmation") == "ids"
+                                       ? Confirm::Ids
+                                       : Confirm::Distance;
+}
+
+/// Refuses a pair whose points cannot be kept; `at` is what made it incremental.
+void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
+                       const Value& at) {
+  if (pair.pipeline.manifold != ManifoldKind::Incremental) return;
+  for (const int index : {pair.a, pair.b}) {
+    const ScenarioShape& shape = shapes[static_cast<std::size_t>(index)];
+    if (kind_of(*shape.geometry) == ShapeKind::Mesh)
+      at.fail("incremental manifolds are made of spheres, capsules, hulls and planes, and '" +
+              shape.name + "' is a mesh; give its pairs manifold = \"one-shot\" in [[pairs]]");
+  }
+}
+
 /// The settings that [pipeline] and a [[pairs]] entry share.
 PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
-  if (const auto manifold = table.find("manifold");
-      manifold && manifold->one_of({"one-shot", "incremental"}, "manifold") == "incremental")
-    manifold->fail("incremental manifolds are parsed but cannot be built yet; use \"one-shot\"");
+  read_manifold(table, settings);
   if (const auto reducer = table.find("reducer"))
     settings.reducer = reducer->one_of(reducer_names(), "reducer");
   if (const auto max_points = table.find("max_points"))
@@ -55,8 +88,9 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Table table = value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                                   "preference", "degenerate", "internal_edges"});
+  const Table table =
+      value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference",
+                   "degenerate", "internal_edges", "core_margin", "breaking_distance", "confirm"});
   PipelineSettings settings;
   if (const auto scalar = table.find("scalar"))
     settings.scalar =
@@ -88,8 +122,10 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     value.fail("there are " + std::to_string(items.size()) + " pairs; at most " +
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
-    const Table table = item.table({"a", "b", "label", "scalar", "manifold", "reducer",
-                                    "max_points", "margin", "cache", "preference", "degenerate", "internal_edges"});
+    const Table table =
+        item.table({"a", "b", "label", "scalar", "manifold", "reducer", "max_points", "margin",
+                    "cache", "preference", "degenerate", "internal_edges", "core_margin",
+                    "breaking_distance", "confirm"});
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");
@@ -99,6 +135,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     if (const auto scalar = table.find("scalar"))
       scalar->fail("one scalar serves the whole file; set 'scalar' in [pipeline]");
     pair.pipeline = read_settings(table, settings);
+    check_incremental(pair, shapes, item);
     if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
       item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
     pairs.push_back(std::move(pair));
@@ -115,7 +152,10 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
   std::vector<ScenarioPair> pairs;
   const int shape_count = static_cast<int>(shapes.size());
   for (int a = 0; a < shape_count; ++a)
-    for (int b = a + 1; b < shape_count; ++b) pairs.push_back({a, b, "", settings});
+    for (int b = a + 1; b < shape_count; ++b) {
+      pairs.push_back({a, b, "", settings});
+      check_incremental(pairs.back(), shapes, at);
+    }
   return pairs;
 }
 

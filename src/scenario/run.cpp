@@ -6,6 +6,7 @@
 
 #include "core/feature_id.h"
 #include "manifold/dispatch.h"
+#include "manifold/stability.h"
 
 namespace contactscope {
 namespace {
@@ -54,6 +55,16 @@ void keep_manifolds(const Manifolds<S>& manifolds, trace::Pair& pair) {
 bool remembers(const std::string& reducer) {
   const auto found = std::ranges::find(reducers(), reducer, &ReducerInfo::name);
   return found != reducers().end() && found->remembers;
+}
+
+bool shows_stability(const std::vector<View>& views) {
+  const auto names = [](const std::vector<std::string>& list, const char* name) {
+    return std::ranges::find(list, name) != list.end();
+  };
+  return std::ranges::any_of(views, [&](const View& view) {
+    return names(view.layers, "center_of_mass") || names(view.layers, "support") ||
+           names(view.panels, "stability");
+  });
 }
 
 template <class S>
@@ -119,7 +130,10 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
 }  // namespace
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
-    : scenario_(&scenario), stages_(stages), memories_(scenario.pairs.size()) {
+    : scenario_(&scenario),
+      stages_(stages),
+      shows_stability_(shows_stability(scenario.views)),
+      memories_(scenario.pairs.size()) {
   if (scenario.scalar == Scalar::Double)
     shapes_ = rounded_shapes<double>(scenario);
   else
@@ -165,10 +179,19 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
       pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;
 
   Manifolds<S> manifolds;
-  if (record == nullptr) {
+  const Recording recording{pair.pipeline.reducer.c_str(), stages_, mirrored};
+  if (pair.pipeline.manifold == ManifoldKind::Incremental) {
+    const IncrementalOptions incremental{pair.pipeline.incremental, pair.pipeline.penetration};
+    auto& persistent = std::get<PersistentManifold<S>>(memory.persistent);
+    if (record == nullptr)
+      collide_incremental(shapes[a], pose_a, shapes[b], pose_b, options, incremental, persistent,
+                          manifolds);
+    else
+      collide_incremental(shapes[a], pose_a, shapes[b], pose_b, options, incremental, persistent,
+                          manifolds, recording, *record);
+  } else if (record == nullptr) {
     collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, cache);
   } else {
-    const Recording recording{pair.pipeline.reducer.c_str(), stages_, mirrored};
     collide(shapes[a], pose_a, shapes[b], pose_b, options, manifolds, recording, *record, cache);
   }
 
@@ -189,10 +212,12 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
   const bool caches =
       facts.pipeline.cache && can_cache(kind_of(shapes[static_cast<std::size_t>(facts.a)]),
                                         kind_of(shapes[static_cast<std::size_t>(facts.b)]));
+  const bool persists = facts.pipeline.manifold == ManifoldKind::Incremental;
   Memory memory;
   memory.cache = PairCache<S>();
+  memory.persistent = PersistentManifold<S>();
   memory.settings = facts.pipeline;
-  if (frame == 0 || !(caches || remembers(facts.pipeline.reducer))) return memory;
+  if (frame == 0 || !(caches || persists || remembers(facts.pipeline.reducer))) return memory;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Memory& last = memories_[pair];
@@ -202,6 +227,39 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
     collide_pair(shapes, facts, memory.frame + 1, memory, nullptr);
   }
   return memory;
+}
+
+void Runner::record_stability(const ScenarioPair& pair, const trace::Frame& frame,
+                              trace::Pair& record) const {
+  if (!stages_.stability) return;
+  if (!shows_stability_ && pair.pipeline.manifold != ManifoldKind::Incremental) return;
+  const Vec3d up = scenario_->up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  const auto center = [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    return std::visit(
+        [&](const auto& shapes) {
+          return frame.poses[i].second.transform(
+              traced_shape(scenario_->shapes[i], shapes[i]).center_of_mass);
+        },
+        shapes_);
+  };
+  const auto rests = [&](int index) {  // false of what cannot fall
+    const ShapeKind kind = kind_of(*scenario_->shapes[static_cast<std::size_t>(index)].geometry);
+    return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
+  };
+  const auto dynamic = [&](int index) {
+    return scenario_->shapes[static_cast<std::size_t>(index)].body.has_value();
+  };
+  const auto rank = [&](int index) { return std::pair(rests(index), dynamic(index)); };
+  const bool higher_a = center(pair.a).dot(up) > center(pair.b).dot(up);
+  const int body =
+      rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a) ? pair.a : pair.b;
+  if (!rests(body)) return;
+  const double epsilon = scenario_->scalar == Scalar::Double
+                             ? std::numeric_limits<double>::epsilon()
+                             : static_cast<double>(std::numeric_limits<float>::epsilon());
+  record.stability = stability_of(record, scenario_->shapes[static_cast<std::size_t>(body)].name,
+                                  center(body), epsilon);
 }
 
 template <class S>
@@ -222,7 +280,9 @@ trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool re
     record.label = pair.label;
     const Manifolds<S> manifolds =
         collide_pair(shapes, pair, frame, memory, recorded ? &record : nullptr);
-    if (!recorded) {
+    if (recorded) {
+      record_stability(pair, result, record);
+    } else {
       record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
                               shapes[static_cast<std::size_t>(pair.b)]);
       keep_manifolds(manifolds, record);

@@ -6,6 +6,7 @@
 
 #include "core/feature_id.h"
 #include "manifold/dispatch.h"
+#include "manifold/incremental.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
@@ -14,8 +15,8 @@ namespace contactscope {
 /// Runs the frames of one scenario. Shapes are rounded to the scenario's scalar once, here. Holds on
 /// to the scenario, which must outlive it and keep its shapes; settings of pairs may change between
 /// frames. Any frame can be asked for, in any order and on several threads at once, and is the same
-/// each time: where a pair goes by what was kept before, as temporal coherence and some reducers do,
-/// the frames from 0 on are run for it.
+/// each time: where a pair goes by what was kept before, as temporal coherence, some reducers and
+/// incremental manifolds do, the frames from 0 on are run for it.
 class Runner {
  public:
   /// `stages`: the optional stages that recorded frames hold.
@@ -43,6 +44,7 @@ class Runner {
     int frame = -1;
     std::vector<FeatureId> kept;  // by the reducer, as it saw them
     std::variant<PairCache<float>, PairCache<double>> cache;
+    std::variant<PersistentManifold<float>, PersistentManifold<double>> persistent;
     PipelineSettings settings;  // that it was kept with
   };
 
@@ -51,11 +53,16 @@ class Runner {
   template <class S>
   Manifolds<S> collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
                             int frame, Memory& memory, trace::Pair* record) const;
+  /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows
+  /// it: the one that the solver moves, else the higher one along `up`.
+  void record_stability(const ScenarioPair& pair, const trace::Frame& frame,
+                        trace::Pair& record) const;
   template <class S>
   Memory memory_before(const std::vector<Shape<S>>& shapes, std::size_t pair, int frame) const;
 
   const Scenario* scenario_;
   trace::Stages stages_;
+  bool shows_stability_;                                                        // some view
   std::variant<std::vector<Shape<float>>, std::vector<Shape<double>>> shapes_;  // one a shape
   mutable std::mutex mutex_;
   /// One a pair, guarded by mutex_: of the frame that ran last, so that the next one need not run
