@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "study/hull_precision_study.h"
+#include "study/manifold_stability_study.h"
 #include "study/reducer_study.h"
 #include "study/stability_study.h"
 
@@ -59,6 +60,9 @@ const std::vector<StudyInfo>& studies() {
        &study_hull_precision},
       {"stability", "where float and double run out: tilt, scale, distance, aspect, angle, overlap",
        &study_stability},
+      {"manifold_stability",
+       "one-shot against incremental manifolds: boxes that drop, tilt and slide",
+       &study_manifold_stability},
   };
   return list;
 }

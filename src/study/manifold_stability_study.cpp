@@ -1,0 +1,268 @@
+#include "study/manifold_stability_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "dynamics/solver.h"
+#include "geometry/primitives.h"
+#include "manifold/incremental.h"
+#include "manifold/stability.h"
+#include "study/errors.h"
+#include "study/pass_times.h"
+#include "study/uniform.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kLandingFrames = 150;
+constexpr int kLandingCases = 20;
+constexpr int kLandingRepetitions = 5;
+constexpr float kFrame = 1.0F / 60;
+constexpr double kDegrees = 180 / std::numbers::pi;
+// A rotation that single precision cannot hold over as many frames.
+constexpr double kRotationResolution = 1e-3;
+constexpr double kWanderResolution = 1e-4;
+
+/// One pair, with what its method keeps.
+class LandingPair {
+ public:
+  explicit LandingPair(LandingMethod method) : method_(method) {
+    options_.reducer = find_reducer<float>("area");
+    incremental_.settings.confirm =
+        method == LandingMethod::ByIds ? Confirm::Ids : Confirm::Distance;
+  }
+  void collide_with(const Shape<float>& floor, const Pose<float>& floor_pose,
+                    const Shape<float>& box, const Pose<float>& box_pose) {
+    if (method_ == LandingMethod::OneShot)
+      collide(floor, floor_pose, box, box_pose, options_, manifolds_, &cache_);
+    else
+      collide_incremental(floor, floor_pose, box, box_pose, options_, incremental_, persistent_,
+                          manifolds_);
+  }
+  const Manifolds<float>& manifolds() const { return manifolds_; }
+
+ private:
+  LandingMethod method_;
+  CollideOptions<float> options_;
+  IncrementalOptions incremental_;
+  PairCache<float> cache_;
+  PersistentManifold<float> persistent_;
+  Manifolds<float> manifolds_;
+};
+
+Shape<float> landing_floor() {
+  return shape_cast<float>(make_box(Vec3d(20, 0.5, 20)));
+}
+
+Pose<float> floor_pose() {
+  return {Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
+}
+
+Pose<double> start_of(const LandingCase& c) {
+  constexpr double kGap = 1e-3;
+  Pose<double> pose;
+  pose.rotation = Quatd(Eigen::AngleAxisd(c.yaw, Vec3d::UnitY()));
+  double height = kGap;
+  if (c.landing == Landing::Drop) height = c.parameter;
+  double lowest = -c.half_extents.y();
+  if (c.landing == Landing::Tilt) {
+    pose.rotation = pose.rotation * Quatd(Eigen::AngleAxisd(c.parameter, Vec3d::UnitX()));
+    lowest =
+        -c.half_extents.y() * std::cos(c.parameter) - c.half_extents.z() * std::sin(c.parameter);
+  }
+  pose.position = Vec3d(0, height - lowest, 0);
+  return pose;
+}
+
+/// Degrees that the case cannot have by symmetry: the whole turn of a drop; of a tilt what the
+/// axis along its edge has turned; of a slide, which may pitch about the axis across its way, what
+/// that axis has turned.
+double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd& to) {
+  if (c.landing == Landing::Drop) return from.angularDistance(to) * kDegrees;
+  const Vec3d kept = c.landing == Landing::Tilt ? Vec3d::UnitX() : Vec3d::UnitZ();
+  const Vec3d before = from * kept;
+  const Vec3d after = to * kept;
+  return std::atan2(before.cross(after).norm(), before.dot(after)) * kDegrees;
+}
+
+Shape<float> landing_box(const LandingCase& c) {
+  return shape_cast<float>(make_box(c.half_extents));
+}
+
+/// Follows the manifold from frame to frame.
+class LandingWatch {
+ public:
+  LandingWatch(const LandingCase& c, LandingOutcome& outcome)
+      : size_(std::max(c.half_extents.x(), c.half_extents.z())), outcome_(outcome) {}
+
+  void look(const Manifolds<float>& manifolds, const Body<float>& body) {
+    if (manifolds.empty() && !before_) return;
+    ++frames_;
+    if (manifolds.empty()) return;
+    std::vector<Vec3d> points;
+    Vec3d middle = Vec3d::Zero();
+    for (const ContactPoint<float>& point : manifolds[0].points) {
+      points.push_back(point.position.cast<double>());
+      middle += points.back() / static_cast<double>(manifolds[0].points.size());
+    }
+    const Vec3d center = body.center.cast<double>();
+    const double rounding =
+        rounding_of(points, center, static_cast<double>(std::numeric_limits<float>::epsilon()));
+    const ManifoldStability stability =
+        stability_of(points, manifolds[0].normal.cast<double>(), center, rounding);
+    if (outcome_.frames_to_stable == 0 && stability.verdict == Verdict::Stable)
+      outcome_.frames_to_stable = frames_;
+    const Vec3d in_box = body.pose().cast<double>().inverse_transform(middle);
+    if (before_) outcome_.wander += Vec3d(in_box - *before_).norm() / size_;
+    before_ = in_box;
+  }
+
+ private:
+  double size_;
+  LandingOutcome& outcome_;
+  int frames_ = 0;
+  std::optional<Vec3d> before_;
+};
+
+struct LandingPanel {
+  Landing landing;
+  const char* parameter;
+  double values[7];
+};
+
+constexpr LandingPanel kLandingPanels[] = {
+    {Landing::Drop, "drop: height (m)", {1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1}},
+    {Landing::Tilt, "tilt: angle (rad)", {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1}},
+    {Landing::Slide, "slide: speed (m/s)", {0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4}},
+};
+
+constexpr const char* kLandingMethods[] = {"one-shot", "incremental by distance",
+                                           "incremental by ids"};
+
+LandingCase random_landing(const LandingPanel& panel, double parameter, std::mt19937_64& engine) {
+  LandingCase c;
+  c.landing = panel.landing;
+  c.parameter = parameter;
+  for (int i = 0; i < 3; ++i) c.half_extents[i] = uniform(engine, 0.2, 0.5);
+  // Low enough not to topple over while friction stops it.
+  c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
+  c.yaw = uniform(engine, 0, std::numbers::pi / 2);
+  return c;
+}
+
+/// Of one method at one parameter.
+struct LandingCell {
+  Errors frames, rotation, wander;
+  int failed = 0;
+  PassTimes times;
+};
+
+void time_landing(const LandingCase& c, LandingMethod method, const LandingOutcome& outcome,
+                  int repetitions, PassTimes& times) {
+  const Shape<float> floor = landing_floor(), box = landing_box(c);
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    LandingPair pair(method);
+    times.measure(static_cast<int>(outcome.poses.size()), [&](int i) {
+      pair.collide_with(floor, floor_pose(), box, outcome.poses[static_cast<std::size_t>(i)]);
+      return static_cast<double>(pair.manifolds().size());
+    });
+  }
+}
+
+trace::Study described_landing(const char* measure, const char* title, const char* error,
+                               double resolution, int cases, const StudyOptions& options) {
+  trace::Study study;
+  study.study = "manifold_stability";
+  study.measure = measure;
+  study.title = title;
+  study.context = study_context("float");
+  study.reference = "symmetry; " + std::to_string(cases) + " boxes a point, " +
+                    std::to_string(kLandingFrames) + " frames, seed " +
+                    std::to_string(options.seed);
+  study.error = error;
+  study.resolution = resolution;
+  study.parameter = "parameter of the landing";
+  study.form = trace::StudyForm::Curves;
+  return study;
+}
+
+}  // namespace
+
+LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
+  const Shape<float> floor = landing_floor(), box = landing_box(c);
+  const Pose<double> start = start_of(c);
+  std::vector<Body<float>> bodies{
+      static_body<float>(floor_pose()),
+      dynamic_body<float>(start.cast<float>(), *mass_properties(box, 1000))};
+  Body<float>& body = bodies[1];
+  if (c.landing == Landing::Slide) {
+    const Vec3d velocity = start.rotate(Vec3d(c.parameter, 0, 0));
+    body.velocity = velocity.cast<float>();
+  }
+  LandingPair pair(method);
+  LandingOutcome outcome;
+  LandingWatch watch(c, outcome);
+  std::vector<PairImpulses<float>> impulses;
+  const Vec3<float> gravity(0, -9.81F, 0);
+  for (int frame = 0; frame < frames; ++frame) {
+    outcome.poses.push_back(body.pose());
+    pair.collide_with(floor, floor_pose(), box, body.pose());
+    watch.look(pair.manifolds(), body);
+    const PairContacts<float> contacts{0, 1, &pair.manifolds(), 0.6F, 0};
+    solve_step<float>(bodies, {&contacts, 1}, impulses, gravity, SolverSettings(), kFrame);
+    outcome.rotation = std::max(
+        outcome.rotation, impossible_rotation(c, start.rotation, body.rotation.cast<double>()));
+  }
+  return outcome;
+}
+
+std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
+                                                   const StudyProgress& progress) {
+  const int cases = options.cases.value_or(kLandingCases);
+  const int repetitions = options.repetitions.value_or(kLandingRepetitions);
+  trace::Study frames = described_landing("frames", "Frames until the manifold is stable",
+                                          "frames to a stable manifold", 0, cases, options);
+  trace::Study rotation =
+      described_landing("rotation", "Rotation that the motion cannot have by symmetry",
+                        "artificial rotation (degrees)", kRotationResolution, cases, options);
+  trace::Study wander = described_landing("wander", "How the middle of the contact patch wanders",
+                                          "way of the patch / half length of the box",
+                                          kWanderResolution, cases, options);
+  const int total = static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods));
+  int done = 0;
+  for (const LandingPanel& panel : kLandingPanels) {
+    for (int m = 0; m < 3; ++m) {
+      for (trace::Study* study : {&frames, &rotation, &wander})
+        study->series.push_back({kLandingMethods[m], {}, panel.parameter, panel.parameter, {}});
+      for (const double value : panel.values) {
+        std::mt19937_64 engine(options.seed);
+        LandingCell cell;
+        for (int i = 0; i < cases; ++i) {
+          const LandingCase c = random_landing(panel, value, engine);
+          const auto method = static_cast<LandingMethod>(m);
+          const LandingOutcome outcome = land(c, method, kLandingFrames);
+          cell.rotation.add(std::max(outcome.rotation, kRotationResolution));
+          cell.wander.add(std::max(outcome.wander, kWanderResolution));
+          if (outcome.frames_to_stable > 0)
+            cell.frames.add(outcome.frames_to_stable);
+          else
+            ++cell.failed;
+          if (i == 0) time_landing(c, method, outcome, repetitions, cell.times);
+        }
+        const auto add = [&](trace::Study& study, const Errors& errors) {
+          study.series.back().points.push_back(
+              study_point(value, errors, cell.times, cell.failed, cases));
+        };
+        add(frames, cell.frames);
+        add(rotation, cell.rotation);
+        add(wander, cell.wander);
+      }
+      progress(++done, total, std::string(panel.parameter) + ", " + kLandingMethods[m]);
+    }
+  }
+  return {std::move(frames), std::move(rotation), std::move(wander)};
+}
+
+}  // namespace contactscope
