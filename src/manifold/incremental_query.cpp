@@ -16,7 +16,7 @@ template <class S>
 constexpr S kLargestSnap = S(0.01);
 
 template <class S>
-S scale_of(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
+S scale_of_cores(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
   return a.reach() + b.reach() + b_in_a.position.norm();
 }
 
@@ -38,7 +38,7 @@ CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simpl
 
 /// The face of a hull whose outward normal is within `sine` of `direction` (unit, own frame).
 template <class S>
-int face_along(const Hull<S>& hull, const Vec3<S>& direction, S sine) {
+int core_face_along(const Hull<S>& hull, const Vec3<S>& direction, S sine) {
   int best = -1;
   S least = sine;
   for (int face = 0; face < hull.face_count(); ++face) {
@@ -60,14 +60,14 @@ void snap_to_face(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b
   const S sine = std::min(kLargestSnap<S>, rounding / std::max(std::abs(query.distance), rounding) +
                                                S(4) * tie_tolerance(S(1)));
   int face = -1;
-  if (a.kind == ShapeKind::Hull) face = face_along(a.hull, query.normal, sine);
+  if (a.kind == ShapeKind::Hull) face = core_face_along(a.hull, query.normal, sine);
   if (face >= 0) {
     query.normal = a.hull.planes[static_cast<std::size_t>(face)].normal;
     if (query.overlap) query.axis = AxisKind::FaceA;
     return;
   }
   if (b.kind == ShapeKind::Hull)
-    face = face_along(b.hull, Vec3<S>(-b_in_a.inverse_rotate(query.normal)), sine);
+    face = core_face_along(b.hull, Vec3<S>(-b_in_a.inverse_rotate(query.normal)), sine);
   if (face < 0) return;
   query.normal = -b_in_a.rotate(b.hull.planes[static_cast<std::size_t>(face)].normal);
   if (query.overlap) query.axis = AxisKind::FaceB;
@@ -76,7 +76,7 @@ void snap_to_face(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b
 template <class S>
 CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
   CoreQuery<S> query;
-  query.scale = scale_of(a, b, b_in_a);
+  query.scale = scale_of_cores(a, b, b_in_a);
   query.normal = -b_in_a.rotate(b.plane.normal);
   query.axis = AxisKind::FaceB;
   const int lowest = support_index(a.support(), query.normal);
@@ -104,7 +104,7 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
   const GjkResult<S> result = gjk(set_a, set_b, b_in_a, no_warm_start, run);
 
   CoreQuery<S> query;
-  query.scale = scale_of(a, b, b_in_a);
+  query.scale = scale_of_cores(a, b, b_in_a);
   query.normal = result.normal;
   query.distance = result.distance;
   query.closest = {result.on_a, result.on_b, simplex_feature(a, result.simplex, false),

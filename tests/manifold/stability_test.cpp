@@ -7,7 +7,7 @@
 namespace contactscope::test {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kStabilityRounding = 1e-9;
 
 /// Corners of a square of side 2 about the origin at height `y`, in order.
 std::vector<Vec3d> square_corners(double y = 0) {
@@ -15,7 +15,7 @@ std::vector<Vec3d> square_corners(double y = 0) {
 }
 
 ManifoldStability of(const std::vector<Vec3d>& points, const Vec3d& center) {
-  return stability_of(points, Vec3d::UnitY(), center, kRounding);
+  return stability_of(points, Vec3d::UnitY(), center, kStabilityRounding);
 }
 
 TEST(ManifoldStability, OfNoPointsIsNoContact) {
@@ -65,8 +65,8 @@ TEST(ManifoldStability, TheMarginIsTheDistanceToTheBorder) {
 }
 
 TEST(ManifoldStability, OnTheBorderWithinRoundingIsNotStable) {
-  EXPECT_EQ(of(square_corners(), Vec3d(1 - 2 * kRounding, 1, 0)).verdict, Verdict::Stable);
-  for (const double x : {1 - 0.5 * kRounding, 1.0, 1 + 0.5 * kRounding}) {
+  EXPECT_EQ(of(square_corners(), Vec3d(1 - 2 * kStabilityRounding, 1, 0)).verdict, Verdict::Stable);
+  for (const double x : {1 - 0.5 * kStabilityRounding, 1.0, 1 + 0.5 * kStabilityRounding}) {
     const ManifoldStability border = of(square_corners(), Vec3d(x, 1, 0));
     EXPECT_EQ(border.verdict, Verdict::TurnsAboutALine) << x;
     ASSERT_TRUE(border.axis);
