@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+
+#include "scenario/run.h"
+#include "trace/json.h"
+
+namespace contactscope {
+namespace {
+
+/// A level crate that sinks by 2 mm a frame from 1 mm above the floor, with both kinds of manifold.
+constexpr const char* kIncrementalCrate = R"(title = "Sinking crate"
+[time]
+frames = 8
+dt = 0.1
+[shapes.crate]
+type = "box"
+half_extents = [0.5, 0.5, 0.5]
+position = [0.0, 1.001, 0.0]
+motion = { velocity = [0.0, -0.02, 0.0] }
+[shapes.floor]
+type = "box"
+half_extents = [2, 0.5, 2]
+[[pairs]]
+a = "crate"
+b = "floor"
+label = "incremental"
+manifold = "incremental"
+core_margin = 0.03
+breaking_distance = 0.04
+confirm = "ids"
+[[pairs]]
+a = "crate"
+b = "floor"
+label = "one-shot"
+)";
+
+TEST(IncrementalRun, KeysOfAPairAreItsOwn) {
+  const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
+  const PipelineSettings& incremental = scenario.pairs.at(0).pipeline;
+  EXPECT_EQ(incremental.manifold, ManifoldKind::Incremental);
+  EXPECT_EQ(incremental.incremental, (IncrementalSettings{Confirm::Ids, 0.03, 0.04}));
+  EXPECT_EQ(scenario.pairs.at(1).pipeline, PipelineSettings());
+}
+
+TEST(IncrementalRun, FourPointsAndAStableManifoldTakeFourFramesBesideOne) {
+  const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
+  const Runner runner(scenario);
+  const char* const verdicts[] = {
+      "no contact", "turns about a point", "turns about a line", "turns about a line", "stable",
+      "stable"};
+  for (int frame = 0; frame < 6; ++frame) {
+    const trace::Frame facts = runner.frame(frame);
+    const trace::Pair& incremental = facts.pairs.at(0);
+    ASSERT_TRUE(incremental.incremental && incremental.stability) << frame;
+    EXPECT_EQ(incremental.incremental->points.size(), static_cast<std::size_t>(std::min(frame, 4)));
+    EXPECT_EQ(incremental.incremental->margin_b, static_cast<double>(0.03F));
+    EXPECT_EQ(incremental.stability->verdict, verdicts[frame]) << frame;
+    EXPECT_EQ(incremental.stability->shape, "crate");
+    // No view shows it, and nobody asked for the other kind.
+    EXPECT_FALSE(facts.pairs.at(1).stability || facts.pairs[1].incremental);
+    if (frame > 0) EXPECT_EQ(facts.pairs[1].manifolds.at(0).points.size(), 4U);
+  }
+}
+
+TEST(IncrementalRun, AViewThatShowsStabilityHasItOfEveryPair) {
+  const Scenario scenario = parse_scenario(
+      std::string(kIncrementalCrate) + "[[views]]\npanels = [\"stability\"]\n", "g/a.toml");
+  const trace::Frame facts = run_frame(scenario, 1);
+  ASSERT_TRUE(facts.pairs.at(1).stability);
+  EXPECT_EQ(facts.pairs[1].stability->verdict, "stable");
+  EXPECT_NEAR(facts.pairs[1].stability->margin, 0.5, 1e-6);
+}
+
+TEST(IncrementalRun, AnyFrameIsTheSameWhicheverWasAskedForBefore) {
+  const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
+  const Runner in_order(scenario);
+  std::vector<std::string> lines;
+  for (int frame = 0; frame < 8; ++frame)
+    lines.push_back(trace::to_json_line(in_order.frame(frame)));
+  const Runner other(scenario);
+  for (const int frame : {5, 2, 7, 7, 0, 3})
+    EXPECT_EQ(trace::to_json_line(other.frame(frame)), lines[static_cast<std::size_t>(frame)]);
+}
+
+TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
+  const Scenario scenario = parse_scenario(kIncrementalCrate, "g/a.toml");
+  std::string text = kIncrementalCrate;
+  text.replace(text.find("a = \"crate\"\nb = \"floor\""), 23, "a = \"floor\"\nb = \"crate\"");
+  const Scenario traded = parse_scenario(text, "g/a.toml");
+  for (int frame = 1; frame < 8; ++frame) {
+    const trace::Manifold recorded = run_frame(scenario, frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold bare = run_frame_unrecorded(scenario, frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold other = run_frame(traded, frame).pairs.at(0).manifolds.at(0);
+    EXPECT_EQ(recorded.normal, bare.normal);
+    EXPECT_EQ(recorded.normal, Vec3d(-other.normal));
+    ASSERT_EQ(recorded.points.size(), bare.points.size());
+    ASSERT_EQ(recorded.points.size(), other.points.size());
+    for (std::size_t i = 0; i < bare.points.size(); ++i) {
+      EXPECT_EQ(recorded.points[i].position, bare.points[i].position);
+      EXPECT_EQ(recorded.points[i].id, bare.points[i].id);
+      EXPECT_EQ(recorded.points[i].position, other.points[i].position);
+      EXPECT_EQ(recorded.points[i].separation, other.points[i].separation);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
