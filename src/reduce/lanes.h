@@ -1,6 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include "core/manifold.h"
 
 namespace contactscope::lanes {
 
@@ -41,6 +48,12 @@ inline Pack<S> each(const Value& value) {
   }
 }
 
+/// One number in all lanes.
+template <class S>
+inline Pack<S> all(S value) {
+  return each<S>([value](int) { return value; });
+}
+
 template <class P>
 inline P larger(const P& a, const P& b) {
   return a > b ? a : b;
@@ -50,16 +63,64 @@ inline P smaller(const P& a, const P& b) {
   return a < b ? a : b;
 }
 
-/// Over all lanes; without a branch, which nothing could foresee.
+/// The lanes from `kFirst` on of two packs that follow each other. To load them instead would wait
+/// for the two to be written, where they just were.
+template <class S, int kFirst>
+inline Pack<S> straddle(const Pack<S>& a, const Pack<S>& b) {
+  if constexpr (kFirst == 0) {
+    return a;
+  } else if constexpr (kWidth<S> == 2) {
+    return __builtin_shufflevector(a, b, kFirst, kFirst + 1);
+  } else if constexpr (kFirst == 2) {
+    return __builtin_shufflevector(a, b, 2, 3, 4, 5);
+  } else {
+    // In two steps that SSE2 has. GCC takes nine for the whole.
+    const Pack<S> amid = __builtin_shufflevector(a, b, 3, 3, 4, 4);
+    if constexpr (kFirst == 1) return __builtin_shufflevector(a, amid, 1, 2, 4, 6);
+    return __builtin_shufflevector(amid, b, 0, 2, 5, 6);
+  }
+}
+
+/// Bit i is set where lane i of a comparison holds.
 template <class S>
-inline S largest(Pack<S> pack) {
+inline std::uint32_t bits(const Flags<S>& flags) {
+#ifdef __SSE2__
+  if constexpr (sizeof(S) == 4) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(flags)));
+  } else {
+    return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(flags)));
+  }
+#else
+  std::uint32_t set = 0;
+  for (int lane = 0; lane < kWidth<S>; ++lane) {
+    set |= static_cast<std::uint32_t>(flags[lane] & 1) << lane;
+  }
+  return set;
+#endif
+}
+
+/// The largest and the smallest of all lanes, in every lane; without a branch, which nothing could
+/// foresee.
+template <class S>
+inline Pack<S> largest(Pack<S> pack) {
   if constexpr (kWidth<S> == 4) pack = larger(pack, Pack<S>{pack[2], pack[3], pack[0], pack[1]});
-  pack = larger(pack, each<S>([&](int lane) { return pack[lane ^ 1]; }));
-  return pack[0];
+  return larger(pack, each<S>([&](int lane) { return pack[lane ^ 1]; }));
 }
 template <class S>
-inline S smallest(const Pack<S>& pack) {
-  return -largest<S>(-pack);
+inline Pack<S> smallest(Pack<S> pack) {
+  if constexpr (kWidth<S> == 4) pack = smaller(pack, Pack<S>{pack[2], pack[3], pack[0], pack[1]});
+  return smaller(pack, each<S>([&](int lane) { return pack[lane ^ 1]; }));
+}
+
+/// kWidth numbers of the four that begin a contact point, its position and separation, from number
+/// `first` on.
+template <class S>
+inline Pack<S> load(const ContactPoint<S>& point, int first) {
+  static_assert(sizeof(point.position) == 3 * sizeof(S));
+  static_assert(sizeof(ContactPoint<S>) >= 4 * sizeof(S));
+  Pack<S> pack;
+  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&point) + first * sizeof(S), sizeof pack);
+  return pack;
 }
 
 }  // namespace contactscope::lanes

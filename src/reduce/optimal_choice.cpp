@@ -1,17 +1,22 @@
 #include "reduce/optimal_choice.h"
 
+#include <bit>
+
 namespace contactscope {
 namespace {
+
+/// The point at a place of a ring.
+template <class S>
+int point_at(const Patch<S>& patch, const CornerRing<S>& ring, int place) {
+  return patch.point(ring.corners[static_cast<std::size_t>(place)]);
+}
 
 template <class S>
 void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
   const int size = static_cast<int>(ring.corners.size());
   const int step = patch.is_mirrored() ? size - 1 : 1;
-  int at = begin;
   for (int i = 0; i < size; ++i) {
-    kept.push_back(patch.point(ring.corners[static_cast<std::size_t>(at)]));
-    at += step;
-    at -= at >= size ? size : 0;
+    kept.push_back(point_at(patch, ring, (begin + i * step) % size));
   }
 }
 
@@ -20,17 +25,44 @@ template <class S>
 int deepest_of(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
                const CornerRing<S>& ring) {
   int best = 0;
-  int best_point = patch.point(ring.corners[0]);
   for (int i = 1; i < static_cast<int>(ring.corners.size()); ++i) {
-    const int point = patch.point(ring.corners[static_cast<std::size_t>(i)]);
+    const int point = point_at(patch, ring, i);
+    const int best_point = point_at(patch, ring, best);
     const S depth = points[static_cast<std::size_t>(point)].separation;
     const S most = points[static_cast<std::size_t>(best_point)].separation;
-    // Without a branch that nothing could foresee.
-    const bool is_better = (depth < most) | ((depth == most) & (point < best_point));
-    best = is_better ? i : best;
-    best_point = is_better ? point : best_point;
+    if (depth < most || (depth == most && point < best_point)) best = i;
   }
   return best;
+}
+
+/// The points of a ring of four, in order from the deepest, as by append() and deepest_of(), but
+/// without a branch that nothing could foresee.
+template <class S>
+KeptIndices kept_four(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
+                      const CornerRing<S>& ring) {
+  using lanes::Pack;
+  constexpr int kLanes = lanes::kWidth<S>;
+  const int at[4] = {point_at(patch, ring, 0), point_at(patch, ring, 1), point_at(patch, ring, 2),
+                     point_at(patch, ring, 3)};
+  Pack<S> depths[4 / kLanes];
+  for (int i = 0; i < 4; i += kLanes) {
+    depths[i / kLanes] = lanes::each<S>(
+        [&](int lane) { return points[static_cast<std::size_t>(at[i + lane])].separation; });
+  }
+  Pack<S> deepest = depths[0];
+  for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
+  deepest = lanes::smallest<S>(deepest);
+  std::uint32_t equal = 0;
+  for (int i = 0; i < 4; i += kLanes) {
+    equal |= lanes::bits<S>(depths[i / kLanes] == deepest) << i;
+  }
+  int begin = std::countr_zero(equal);
+  if ((equal & (equal - 1)) != 0) begin = deepest_of(points, patch, ring);
+
+  const int step = 1 - 2 * static_cast<int>(patch.is_mirrored());
+  KeptIndices kept;
+  for (int i = 0; i < 4; ++i) kept.push_back(at[(begin + i * step) & 3]);
+  return kept;
 }
 
 template <class S>
@@ -69,6 +101,7 @@ CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
 template <class S>
 KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
                         const CornerRing<S>& ring) {
+  if (ring.corners.size() == 4) return kept_four(points, patch, ring);
   KeptIndices kept;
   append(kept, patch, ring, deepest_of(points, patch, ring));
   return kept;

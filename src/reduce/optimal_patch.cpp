@@ -1,24 +1,58 @@
 #include "reduce/optimal_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace contactscope {
 namespace {
 
-using lanes::each;
+using lanes::all;
 using lanes::load;
 using lanes::Pack;
 using lanes::store;
 
-/// Whether points that are in convex order are clockwise seen against the normal: as any three.
+constexpr std::array<int, kMaxManifoldPoints> kNumbers = [] {
+  std::array<int, kMaxManifoldPoints> numbers = {};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i);
+  return numbers;
+}();
+
+/// Twice the area of a triangle of points in convex order; negative when they are clockwise seen
+/// against the normal.
 template <class S>
-bool is_clockwise(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
+S signed_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
   const std::size_t third = points.size() / 3;
   const Vec3<S> a = points[third].position - points[0].position;
   const Vec3<S> b = points[2 * third].position - points[0].position;
-  return a.cross(b).dot(normal) < S(0);
+  return a.cross(b).dot(normal);
+}
+
+template <class S>
+struct Positions {
+  Pack<S> x, y, z;
+};
+
+/// A pack of points. The separation behind a position is read along with it and left over, which
+/// takes fewer steps than to read each coordinate alone.
+template <class S>
+Positions<S> read(const ContactPoint<S>* const (&points)[lanes::kWidth<S>]) {
+  Pack<S> first[lanes::kWidth<S>];
+  for (int lane = 0; lane < lanes::kWidth<S>; ++lane) first[lane] = load(*points[lane], 0);
+  if constexpr (lanes::kWidth<S> == 4) {
+    const Pack<S> xy01 = __builtin_shufflevector(first[0], first[1], 0, 4, 1, 5);
+    const Pack<S> xy23 = __builtin_shufflevector(first[2], first[3], 0, 4, 1, 5);
+    const Pack<S> z01 = __builtin_shufflevector(first[0], first[1], 2, 6, 3, 7);
+    const Pack<S> z23 = __builtin_shufflevector(first[2], first[3], 2, 6, 3, 7);
+    return {__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
+            __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
+            __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
+  } else {
+    return {__builtin_shufflevector(first[0], first[1], 0, 2),
+            __builtin_shufflevector(first[0], first[1], 1, 3),
+            Pack<S>{points[0]->position.z(), points[1]->position.z()}};
+  }
 }
 
 }  // namespace
@@ -32,26 +66,52 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
   const S a = S(-1) / (sign + normal.z());
   const S b = normal.x() * normal.y() * a;
   u_ = {S(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
-  is_mirrored_ = is_clockwise(points, normal);
-  const S up = is_mirrored_ ? S(-1) : S(1);
+  const S area = signed_area(points, normal);
+  is_mirrored_ = std::signbit(area);
+  const S up = std::copysign(S(1), area);
   v_ = {up * b, up * (sign + normal.y() * normal.y() * a), -up * normal.y()};
-  const Vec3<S> origin = origin_;
-  for (int i = 0; i < count_; i += kLanes) {
-    const Vec3<S>* at[kLanes];
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const int index = i + lane < count_ ? i + lane : i;
-      at[lane] = &points[static_cast<std::size_t>(index)].position;
-      point_[i + lane] = i + lane;
-    }
-    const Pack<S> dx = each<S>([&](int lane) { return at[lane]->x(); }) - origin.x();
-    const Pack<S> dy = each<S>([&](int lane) { return at[lane]->y(); }) - origin.y();
-    const Pack<S> dz = each<S>([&](int lane) { return at[lane]->z(); }) - origin.z();
-    store<S>(u_.x() * dx + u_.y() * dy + u_.z() * dz, x_ + i);
-    store<S>(v_.x() * dx + v_.y() * dy + v_.z() * dz, y_ + i);
-  }
+  project_all(points);
   if (!measure()) {
     make_convex();
     measure();
+  }
+}
+
+template <class S>
+void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
+  // Beside this object: the compiler need not read them again for each store.
+  const Positions<S> from = {all(origin_.x()), all(origin_.y()), all(origin_.z())};
+  const Positions<S> u = {all(u_.x()), all(u_.y()), all(u_.z())};
+  const Positions<S> v = {all(v_.x()), all(v_.y()), all(v_.z())};
+  const int count = count_;
+  const auto lay = [&](const ContactPoint<S>* const(&at)[kLanes], int i) {
+    const Positions<S> position = read<S>(at);
+    const Pack<S> dx = position.x - from.x;
+    const Pack<S> dy = position.y - from.y;
+    const Pack<S> dz = position.z - from.z;
+    const Pack<S> x = u.x * dx + u.y * dy + u.z * dz;
+    const Pack<S> y = v.x * dx + v.y * dy + v.z * dz;
+    store<S>(x, x_ + i);
+    store<S>(y, y_ + i);
+    store<S>(x, x_ + count + i);
+    store<S>(y, y_ + count + i);
+    std::memcpy(point_ + i, kNumbers.data() + i, kLanes * sizeof(int));
+  };
+  const ContactPoint<S>* at[kLanes];
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) at[lane] = points.data() + i + lane;
+    lay(at, i);
+  }
+  if (i == count) return;
+  // The lanes after the last are the first again.
+  for (int lane = 0; lane < kLanes; ++lane) {
+    at[lane] = points.data() + std::min(i + lane - (i + lane < count ? 0 : count), count - 1);
+  }
+  lay(at, i);
+  if (count < kLanes) {
+    repeat(x_);
+    repeat(y_);
   }
 }
 
@@ -66,16 +126,7 @@ PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
 
 template <class S>
 void Patch<S>::repeat(S* values) const {
-  if (count_ < kLanes) {
-    for (int i = count_; i < 2 * count_ + kLanes; ++i) values[i] = values[i - count_];
-    return;
-  }
-  // Nothing that was just written is read: the processor would have to wait for it.
-  for (int i = 0; i < count_; i += kLanes) {
-    const int from = std::min(i, count_ - kLanes);
-    store<S>(load(values + from), values + count_ + from);
-  }
-  store<S>(load(values), values + 2 * count_);
+  for (int i = count_; i < 2 * count_ + 2 * kLanes; ++i) values[i] = values[i - count_];
 }
 
 /// Andrew's monotone chain (1979), counter-clockwise, without points on edges. Of coincident points
@@ -118,41 +169,43 @@ void Patch<S>::make_convex() {
   std::copy_n(x, size, x_);
   std::copy_n(y, size, y_);
   std::copy_n(chain, size, point_);
+  repeat(x_);
+  repeat(y_);
 }
 
 /// Corners are in convex order when all turns are to the left and they go round once: then exactly
 /// one corner is higher than the one before and no lower than the next.
 template <class S>
 bool Patch<S>::measure() {
-  repeat(x_);
-  repeat(y_);
   const Pack<S> zero = {};
   Pack<S> least_turn = zero + std::numeric_limits<S>::infinity();
-  Pack<S> far = zero;
+  Pack<S> high = zero;
+  Pack<S> low = zero;
   Pack<S> area = zero;
   lanes::Flags<S> tops = {};
   lanes::Flags<S> left = {};  // corners from here to the last, for an end amid a pack
   for (int lane = 0; lane < kLanes; ++lane) left[lane] = count_ - lane;
+  Pack<S> x = load(x_);
+  Pack<S> y = load(y_);
   for (int i = 0; i < count_; i += kLanes) {
-    const Pack<S> x = load(x_ + i);
-    const Pack<S> y = load(y_ + i);
-    const Pack<S> next_x = load(x_ + i + 1);
-    const Pack<S> next_y = load(y_ + i + 1);
+    const Pack<S> after_x = load(x_ + i + kLanes);
+    const Pack<S> after_y = load(y_ + i + kLanes);
+    const Pack<S> next_x = lanes::straddle<S, 1>(x, after_x);
+    const Pack<S> next_y = lanes::straddle<S, 1>(y, after_y);
     const Pack<S> dx = next_x - x;
     const Pack<S> dy = next_y - y;
-    const Pack<S> next_dx = load(x_ + i + 2) - next_x;
-    const Pack<S> next_dy = load(y_ + i + 2) - next_y;
-    store<S>(dx, edge_x_ + i);
-    store<S>(dy, edge_y_ + i);
+    const Pack<S> next_dx = lanes::straddle<S, 2>(x, after_x) - next_x;
+    const Pack<S> next_dy = lanes::straddle<S, 2>(y, after_y) - next_y;
     least_turn = lanes::smaller(least_turn, dx * next_dy - dy * next_dx);
-    far = lanes::larger(far, lanes::larger(lanes::larger(x, -x), lanes::larger(y, -y)));
+    high = lanes::larger(high, lanes::larger(x, y));
+    low = lanes::smaller(low, lanes::smaller(x, y));
     const lanes::Flags<S> is_corner = left > 0;
     tops -= (dy > zero) & (next_dy <= zero) & is_corner;
     area += is_corner ? x * next_y - y * next_x : zero;
     left -= kLanes;
+    x = after_x;
+    y = after_y;
   }
-  repeat(edge_x_);
-  repeat(edge_y_);
   doubled_area_ = S(0);
   int rounds = 0;
   for (int lane = 0; lane < kLanes; ++lane) {
@@ -162,12 +215,12 @@ bool Patch<S>::measure() {
 
   // A coordinate carries an error of half an ulp of its own size, so a difference of two of them
   // does too however small it is itself, and an area that error times the length of the patch.
-  const S length = S(2) * lanes::largest<S>(far);
+  const S length = S(2) * lanes::largest<S>(lanes::larger(high, -low))[0];
   const S coordinate =
       std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));
   rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (coordinate + length);
   is_flat_ = !(doubled_area_ > rounding_ * length);
-  return lanes::smallest<S>(least_turn) > S(0) && rounds == 1;
+  return lanes::smallest<S>(least_turn)[0] > S(0) && rounds == 1;
 }
 
 template class Patch<float>;

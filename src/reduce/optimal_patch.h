@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/manifold.h"
-#include "reduce/optimal_lanes.h"
+#include "reduce/lanes.h"
 
 namespace contactscope {
 
@@ -25,8 +25,8 @@ S squared_distance(const PlanePoint<S>& a, const PlanePoint<S>& b) {
 }
 
 /// Contact points seen along the normal: the corners of their convex hull, each coordinate in an
-/// array of its own. It goes round twice and a block of lanes more, so that nothing that goes round
-/// has to wrap: corner i + count is corner i again.
+/// array of its own. It goes round twice and more, so that nothing that goes round has to wrap:
+/// corner i + count is corner i again, also in the lanes after the last corner.
 template <class S>
 class Patch {
  public:
@@ -41,9 +41,6 @@ class Patch {
   PlanePoint<S> corner(int i) const { return {x_[i], y_[i]}; }
   const S* x() const { return x_; }
   const S* y() const { return y_; }
-  /// The edge from corner i to the next.
-  const S* edge_x() const { return edge_x_; }
-  const S* edge_y() const { return edge_y_; }
   /// The contact point at corner i < count().
   int point(int i) const { return point_[i]; }
   /// A contact point in the coordinates of the corners.
@@ -66,11 +63,12 @@ class Patch {
  private:
   static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * kLanes;
 
-  /// Lets the first count_ values go round twice and more.
+  /// Reads and projects the points.
+  void project_all(std::span<const ContactPoint<S>> points);
+  /// Lets the first count_ values go round again.
   void repeat(S* values) const;
   void make_convex();
-  /// Edges, area and lengths of the first count_ corners, and the further rounds. False when the
-  /// corners are not in convex order.
+  /// Area and lengths. False when the corners are not in convex order.
   bool measure();
 
   Vec3<S> origin_;
@@ -80,12 +78,10 @@ class Patch {
   bool is_flat_ = false;
   S doubled_area_;
   S rounding_;  // of a coordinate, metres
-  // Not initialised: only the first 2 count + kLanes are used.
+  // Not initialised: only two rounds and the lanes after them are used.
   int point_[kMaxManifoldPoints];
-  S x_[kRoom];
-  S y_[kRoom];
-  S edge_x_[kRoom];
-  S edge_y_[kRoom];
+  alignas(sizeof(lanes::Pack<S>)) S x_[kRoom];
+  alignas(sizeof(lanes::Pack<S>)) S y_[kRoom];
 };
 
 extern template class Patch<float>;

@@ -1,5 +1,7 @@
 #include <algorithm>
-#include <limits>
+#include <bit>
+#include <cstdint>
+#include <utility>
 
 #include "reduce/optimal_ring.h"
 
@@ -11,32 +13,60 @@ using lanes::load;
 using lanes::Pack;
 using lanes::store;
 
-/// The diagonal between two corners below 2 count and the farthest corners on both sides of it.
+/// The last of the first `count` stored numbers that equals one of them, which stands in all lanes.
 template <class S>
+int last_equal(const S* values, int count, const Pack<S>& wanted) {
+  int last = 0;
+  for (int base = 0; base < count; base += 32) {
+    std::uint32_t equal = 0;
+    const int end = std::min(count - base, 32);
+    for (int i = 0; i < end; i += Patch<S>::kLanes) {
+      equal |= lanes::bits<S>(load(values + base + i) == wanted) << i;
+    }
+    equal &= ~std::uint32_t{0} >> (32 - end);
+    if (equal != 0) last = base + 31 - std::countl_zero(equal);
+  }
+  return last;
+}
+
+constexpr int kSmall = 16;  // corners: ring_across() keeps what it found in as many bits
+
+/// The diagonal between two corners and the farthest corners on both sides of it. `kMost` corners
+/// at most.
+template <int kMost, class S>
 CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count();
-  from = from < count ? from : from - count;
-  to = to < count ? to : to - count;
+  const int end = kMost <= kSmall ? kMost : count;  // a patch goes round twice at least
   const S dx = patch.x()[to] - patch.x()[from];
   const S dy = patch.y()[to] - patch.y()[from];
-  S across[kMaxManifoldPoints + kLanes];
+  S across[kMost];
   Pack<S> most = dx * load(patch.y()) - dy * load(patch.x());
   Pack<S> least = most;
   store<S>(most, across);
-  for (int i = kLanes; i < count; i += kLanes) {
+  for (int i = kLanes; i < end; i += kLanes) {
     const Pack<S> here = dx * load(patch.y() + i) - dy * load(patch.x() + i);
     store<S>(here, across + i);
     most = lanes::larger(most, here);
     least = lanes::smaller(least, here);
   }
-  const S leftmost = lanes::largest<S>(most);
-  const S rightmost = lanes::smallest<S>(least);
-  int left = 0;
-  int right = 0;
-  for (int i = 0; i < count; ++i) {
-    left = across[i] == leftmost ? i : left;
-    right = across[i] == rightmost ? i : right;
+  most = lanes::largest<S>(most);
+  least = lanes::smallest<S>(least);
+  int left;
+  int right;
+  if constexpr (kMost <= kSmall) {
+    std::uint32_t is_left = 0;
+    std::uint32_t is_right = 0;
+    for (int i = 0; i < kMost; i += kLanes) {
+      is_left |= lanes::bits<S>(load(across + i) == most) << i;
+      is_right |= lanes::bits<S>(load(across + i) == least) << i;
+    }
+    const std::uint32_t corners = (1U << count) - 1;
+    left = 31 - std::countl_zero((is_left & corners) | 1);
+    right = 31 - std::countl_zero((is_right & corners) | 1);
+  } else {
+    left = last_equal(across, count, most);
+    right = last_equal(across, count, least);
   }
   CornerRing<S> ring;
   ring.doubled_area = doubled_area;
@@ -46,6 +76,110 @@ CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_are
   ring.corners.push_back(to);
   if (left != from && left != to) ring.corners.push_back(left);
   return ring;
+}
+
+constexpr int kEight = 8;
+
+/// Diagonals from every corner i of eight to i + kSteps, a lane each: the area of the farthest
+/// corners on both sides. Stores `kCount` of them.
+template <int kSteps, int kCount, class S>
+inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], S* areas,
+                           Pack<S>& most) {
+  for (int i = 0; i < kCount; i += Patch<S>::kLanes) {
+    const auto at = [i](int m) { return (i + m) % kEight; };
+    const Pack<S> dx = x[at(kSteps)] - x[i];
+    const Pack<S> dy = y[at(kSteps)] - y[i];
+    const auto across = [&](int m) -> Pack<S> { return dx * y[at(m)] - dy * x[at(m)]; };
+    Pack<S> right = across(1);
+    for (int m = 2; m < kSteps; ++m) right = lanes::smaller(right, across(m));
+    Pack<S> left = across(kSteps + 1);
+    for (int m = kSteps + 2; m < kEight; ++m) left = lanes::larger(left, across(m));
+    store<S>(left - right, areas + i);
+    most = lanes::larger(most, left - right);
+  }
+}
+
+/// Five to eight corners: every diagonal is tried, which needs no search for its other end. With
+/// fewer than eight the first corners come again after the last. So some diagonals are looked at
+/// with corners on the wrong side, and come out too small; but each is also there with all corners
+/// in place, because a way of two, three or four steps from one of its ends does not cross the seam
+/// or crosses it where it only stays at a corner.
+template <class S, int... kFirst>
+CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
+  constexpr int kLanes = Patch<S>::kLanes;
+  const auto starting = [](const S* values, auto first) {
+    constexpr int kPack = first / kLanes;
+    constexpr int kNext = (kPack + 1) * kLanes % kEight;
+    return lanes::straddle<S, first % kLanes>(load(values + kPack * kLanes), load(values + kNext));
+  };
+  const Pack<S> x[] = {starting(patch.x(), std::integral_constant<int, kFirst>{})...};
+  const Pack<S> y[] = {starting(patch.y(), std::integral_constant<int, kFirst>{})...};
+  S areas[kEight / 2 * 5];
+  Pack<S> most = {};
+  areas_of_eight<2, kEight>(x, y, areas, most);
+  areas_of_eight<3, kEight>(x, y, areas + kEight, most);
+  areas_of_eight<4, kEight / 2>(x, y, areas + 2 * kEight, most);
+  most = lanes::largest<S>(most);
+  std::uint32_t equal = 0;
+  for (int i = 0; i < kEight / 2 * 5; i += kLanes) {
+    equal |= lanes::bits<S>(load(areas + i) == most) << i;
+  }
+  const int best = 31 - std::countl_zero(equal | 1);  // the first where areas are too large for S
+  const auto corner = [&](int i) {
+    i %= kEight;
+    return i - (patch.count() & -static_cast<int>(i >= patch.count()));
+  };
+  return ring_across<kEight>(patch, corner(best), corner(best + 2 + best / kEight), most[0]);
+}
+
+/// Steps of best_quadrilateral() for `kPacks` packs of edges from edge i on. The corner of a
+/// comparison with all is read once for all packs.
+template <int kPacks, class S>
+inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, int* ends,
+                 S* areas, Pack<S>& most) {
+  constexpr int kLanes = Patch<S>::kLanes;
+  const int count = patch.count();
+  Pack<S> x[kPacks];
+  Pack<S> y[kPacks];
+  lanes::Flags<S> ahead[kPacks];
+  for (int p = 0; p < kPacks; ++p) {
+    x[p] = load(edge_x + i + p * kLanes);
+    y[p] = load(edge_y + i + p * kLanes);
+    ahead[p] = lanes::Flags<S>{};
+  }
+  for (int m = 0; m < count; ++m) {
+    const Pack<S> mx = lanes::all(edge_x[m]);
+    const Pack<S> my = lanes::all(edge_y[m]);
+    for (int p = 0; p < kPacks; ++p) ahead[p] -= x[p] * my >= y[p] * mx;
+  }
+  for (int p = 0; p < kPacks; ++p) {
+    const int first = i + p * kLanes;
+    int* const end = ends + first;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      end[lane] = first + lane + static_cast<int>(ahead[p][lane]);
+    }
+    x[p] = each<S>([&](int lane) { return patch.x()[end[lane]]; }) - load(patch.x() + first + 1);
+    y[p] = each<S>([&](int lane) { return patch.y()[end[lane]]; }) - load(patch.y() + first + 1);
+  }
+  Pack<S> left[kPacks];
+  Pack<S> right[kPacks];
+  for (int p = 0; p < kPacks; ++p) {
+    left[p] = x[p] * patch.y()[0] - y[p] * patch.x()[0];
+    right[p] = left[p];
+  }
+  for (int m = 1; m < count; ++m) {
+    const Pack<S> mx = lanes::all(patch.x()[m]);
+    const Pack<S> my = lanes::all(patch.y()[m]);
+    for (int p = 0; p < kPacks; ++p) {
+      const Pack<S> across = x[p] * my - y[p] * mx;
+      left[p] = lanes::larger(left[p], across);
+      right[p] = lanes::smaller(right[p], across);
+    }
+  }
+  for (int p = 0; p < kPacks; ++p) {
+    store<S>(left[p] - right[p], areas + i + p * kLanes);
+    most = lanes::larger(most, left[p] - right[p]);
+  }
 }
 
 }  // namespace
@@ -71,38 +205,34 @@ template <class S>
 CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
   constexpr int kLanes = Patch<S>::kLanes;
   const int count = patch.count();
-  int ends[kMaxManifoldPoints + kLanes];
-  S areas[kMaxManifoldPoints + kLanes];
-  Pack<S> most = {};
+  if (count <= kEight) return best_of_eight(patch, std::make_integer_sequence<int, kEight>{});
+  S edge_x[kMaxManifoldPoints];
+  S edge_y[kMaxManifoldPoints];
+  Pack<S> x = load(patch.x());
+  Pack<S> y = load(patch.y());
   for (int i = 0; i < count; i += kLanes) {
-    const S* edge_x = patch.edge_x() + i;
-    const S* edge_y = patch.edge_y() + i;
-    const Pack<S> ex = load(edge_x);
-    const Pack<S> ey = load(edge_y);
-    lanes::Flags<S> ahead = {};
-    for (int m = 1; m < count; ++m) ahead -= ex * load(edge_y + m) >= ey * load(edge_x + m);
-    int* const end = ends + i;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      end[lane] = i + lane + 1 + static_cast<int>(ahead[lane]);
-    }
-    const S* x = patch.x() + i + 1;
-    const S* y = patch.y() + i + 1;
-    const Pack<S> dx = each<S>([&](int lane) { return patch.x()[end[lane]]; }) - load(x);
-    const Pack<S> dy = each<S>([&](int lane) { return patch.y()[end[lane]]; }) - load(y);
-    Pack<S> left = dx * load(y) - dy * load(x);
-    Pack<S> right = left;
-    for (int m = 1; m < count; ++m) {
-      const Pack<S> across = dx * load(y + m) - dy * load(x + m);
-      left = lanes::larger(left, across);
-      right = lanes::smaller(right, across);
-    }
-    store<S>(left - right, areas + i);
-    most = lanes::larger(most, left - right);
+    const Pack<S> after_x = load(patch.x() + i + kLanes);
+    const Pack<S> after_y = load(patch.y() + i + kLanes);
+    store<S>(lanes::straddle<S, 1>(x, after_x) - x, edge_x + i);
+    store<S>(lanes::straddle<S, 1>(y, after_y) - y, edge_y + i);
+    x = after_x;
+    y = after_y;
   }
-  const S largest = lanes::largest<S>(most);
-  int best = 0;
-  for (int i = 0; i < count; ++i) best = areas[i] == largest ? i : best;
-  return ring_across(patch, best + 1, ends[best], largest);
+  int ends[kMaxManifoldPoints];
+  S areas[kMaxManifoldPoints];
+  Pack<S> most = {};
+  int i = 0;
+  for (; i + kLanes < count; i += 2 * kLanes) {
+    roll<2>(patch, edge_x, edge_y, i, ends, areas, most);
+  }
+  if (i < count) roll<1>(patch, edge_x, edge_y, i, ends, areas, most);
+  most = lanes::largest<S>(most);
+  const int best = last_equal(areas, count, most);
+  const auto corner = [&](int at) { return at < count ? at : at - count; };
+  const int from = corner(best + 1);
+  const int to = corner(ends[best]);
+  if (count <= kSmall) return ring_across<kSmall>(patch, from, to, most[0]);
+  return ring_across<kMaxManifoldPoints>(patch, from, to, most[0]);
 }
 
 /// Only the diagonals that begin at the one corner. Their two sides are not told apart: beyond the
@@ -110,13 +240,13 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   const int count = patch.count();
-  const S* x = patch.x() + through;
-  const S* y = patch.y() + through;
-  S row[kMaxManifoldPoints + Patch<S>::kLanes];
-  row[2] = S(0);  // written below, but the compiler does not know that there are four corners
-  for (int to = 2; to < count - 1; to += Patch<S>::kLanes) {
-    const Pack<S> dx = load(x + to) - x[0];
-    const Pack<S> dy = load(y + to) - y[0];
+  const S* x = patch.x();
+  const S* y = patch.y();
+  S areas[kMaxManifoldPoints];
+  Pack<S> most = {};
+  for (int to = 0; to < count; to += Patch<S>::kLanes) {
+    const Pack<S> dx = load(x + to) - x[through];
+    const Pack<S> dy = load(y + to) - y[through];
     Pack<S> left = dx * y[0] - dy * x[0];
     Pack<S> right = left;
     for (int m = 1; m < count; ++m) {
@@ -124,11 +254,11 @@ CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
       left = lanes::larger(left, across);
       right = lanes::smaller(right, across);
     }
-    store<S>(left - right, row + to);
+    store<S>(left - right, areas + to);
+    most = lanes::larger(most, left - right);
   }
-  int best = 2;
-  for (int to = 3; to < count - 1; ++to) best = row[to] > row[best] ? to : best;
-  return ring_across(patch, through, through + best, row[best]);
+  most = lanes::largest<S>(most);
+  return ring_across<kMaxManifoldPoints>(patch, through, last_equal(areas, count, most), most[0]);
 }
 
 template CornerRing<float> best_quadrilateral(const Patch<float>&);

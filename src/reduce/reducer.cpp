@@ -11,6 +11,7 @@
 #include "reduce/extremes.h"
 #include "reduce/first.h"
 #include "reduce/jolt.h"
+#include "reduce/lanes.h"
 #include "reduce/mjx.h"
 #include "reduce/newton.h"
 #include "reduce/ode.h"
@@ -62,15 +63,15 @@ constexpr Entry<S> kReducers[] = {
 
 template <class S>
 bool all_finite(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
-  // Zero times anything finite is zero, times anything else is not. Four sums, side by side.
-  S zeros[4] = {S(0) * normal.x(), S(0) * normal.y(), S(0) * normal.z(), S(0)};
+  // Zero times anything finite is zero, times anything else is not.
+  const S zero = S(0);
+  lanes::Pack<S> sum = {};
   for (const ContactPoint<S>& point : points) {
-    zeros[0] += S(0) * point.position.x();
-    zeros[1] += S(0) * point.position.y();
-    zeros[2] += S(0) * point.position.z();
-    zeros[3] += S(0) * point.separation;
+    for (int i = 0; i < 4; i += lanes::kWidth<S>) sum += zero * lanes::load(point, i);
   }
-  return zeros[0] + zeros[1] + zeros[2] + zeros[3] == S(0);
+  S total = zero * normal.x() + zero * normal.y() + zero * normal.z();
+  for (int lane = 0; lane < lanes::kWidth<S>; ++lane) total += sum[lane];
+  return total == zero;
 }
 
 }  // namespace

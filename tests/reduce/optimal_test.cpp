@@ -250,6 +250,27 @@ TYPED_TEST(OptimalReducer, OneAloneIsTheSupportPointOrTheDeepest) {
   EXPECT_THAT(this->best_with_deepest(points_at<S>(places, {0, 0, 0, 0, -1}), 1), ElementsAre(4));
 }
 
+TYPED_TEST(OptimalReducer, KeepsSomeOfPointsWhoseAreaOverflows) {
+  using S = TypeParam;
+  const double huge = std::sqrt(static_cast<double>(std::numeric_limits<S>::max()));
+  for (const int count : {5, 6, 7, 8, 9, 16, 17}) {
+    for (const double scale : {0.1, 0.3, 0.6, 1.0, 2.0, 1e3, 1e15}) {
+      std::vector<Place> places;
+      for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        places.push_back({scale * huge * std::cos(angle), scale * huge * std::sin(angle)});
+      }
+      const std::vector<int> kept = this->best(points_at<S>(places), 4);
+      ASSERT_FALSE(kept.empty());
+      ASSERT_LE(kept.size(), 4U);
+      for (const int index : kept) {
+        ASSERT_GE(index, 0);
+        ASSERT_LT(index, count);
+      }
+    }
+  }
+}
+
 TYPED_TEST(OptimalReducer, AStarThatTurnsLeftEverywhereIsNoConvexPolygon) {
   using S = TypeParam;
   std::vector<Place> places;
