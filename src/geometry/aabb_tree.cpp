@@ -192,7 +192,10 @@ AabbTreeRecord<S> AabbTree<S>::recorded_query(const Aabb<S>& box) const {
     if (hit && node.leaf()) {
       const auto first = triangles.begin() + node.next;
       record.tested.insert(record.tested.end(), first, first + node.count);
-      visit_leaf(node, box, [&](int triangle) { record.candidates.push_back(triangle); });
+      any_of_leaf(node, box, [&](int triangle) {
+        record.candidates.push_back(triangle);
+        return false;
+      });
     }
     return hit;
   });

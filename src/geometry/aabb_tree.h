@@ -55,14 +55,25 @@ struct AabbTree {
   /// is allocated.
   template <class Visit>
   void query(const Aabb<S>& box, Visit&& visit) const {
+    any_of(box, [&](int triangle) {
+      visit(triangle);
+      return false;
+    });
+  }
+
+  /// Whether holds(triangle) for any of the triangles that a query with `box` visits, in the same
+  /// order; asks no more of them after the first one.
+  template <class Holds>
+  bool any_of(const Aabb<S>& box, Holds&& holds) const {
     const int node_count = static_cast<int>(nodes.size());
     int i = 0;
     while (i < node_count) {
       const Node& node = nodes[static_cast<std::size_t>(i)];
       const bool hit = overlaps(node.box, box);
-      if (hit && node.leaf()) visit_leaf(node, box, visit);
+      if (hit && node.leaf() && any_of_leaf(node, box, holds)) return true;
       i = hit || node.leaf() ? i + 1 : node.next;
     }
+    return false;
   }
 
   /// The same triangles in the same order, and how they were found.
@@ -77,12 +88,13 @@ struct AabbTree {
   int depth() const;
 
  private:
-  template <class Visit>
-  void visit_leaf(const Node& node, const Aabb<S>& box, Visit&& visit) const {
+  template <class Holds>
+  bool any_of_leaf(const Node& node, const Aabb<S>& box, Holds&& holds) const {
     for (int k = node.next; k < node.next + node.count; ++k) {
       const std::size_t at = static_cast<std::size_t>(k);
-      if (overlaps(boxes[at], box)) visit(triangles[at]);
+      if (overlaps(boxes[at], box) && holds(triangles[at])) return true;
     }
+    return false;
   }
 };
 

@@ -112,21 +112,17 @@ bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye,
   const Vec3<S> middle =
       (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / S(3);
   const Vec3<S> target = on_triangle + S(0.01) * (middle - on_triangle);
-  bool hidden = false;
-  mesh.tree.query({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
-    hidden = hidden || (other != triangle && crosses(mesh, other, eye, target));
+  return mesh.tree.any_of({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
+    return other != triangle && crosses(mesh, other, eye, target);
   });
-  return hidden;
 }
 
 template <class S>
 bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance) {
   const Vec3<S> reach = Vec3<S>::Constant(distance);
-  bool found = false;
-  mesh.tree.query({point - reach, point + reach}, [&](int triangle) {
-    found = found || distance_to_triangle(mesh, triangle, point) < distance;
+  return mesh.tree.any_of({point - reach, point + reach}, [&](int triangle) {
+    return distance_to_triangle(mesh, triangle, point) < distance;
   });
-  return found;
 }
 
 template <class S>

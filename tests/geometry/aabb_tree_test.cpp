@@ -137,6 +137,31 @@ Mesh<double> mesh_of(const MeshInput& input) {
   return build_mesh(input.vertices, input.triangles);
 }
 
+TEST(AabbTree, AsksNoMoreTrianglesAfterTheFirstThatHolds) {
+  Random random(31);
+  const Mesh<double> mesh = make_grid(10, 10, 24, 24, 0.5);
+  int stopped = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Aabb<double> box = random_query(random, mesh);
+    const std::vector<int> all = found(mesh.tree, box);
+    // The wanted one is in the box, or is none.
+    const int place = all.empty() ? 0 : random.index(static_cast<int>(all.size()) + 1);
+    const int wanted =
+        place < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(place)] : -1;
+    std::vector<int> asked;
+    const bool any = mesh.tree.any_of(box, [&](int triangle) {
+      asked.push_back(triangle);
+      return triangle == wanted;
+    });
+    ASSERT_EQ(any, wanted >= 0);
+    const std::size_t count = any ? static_cast<std::size_t>(place) + 1 : all.size();
+    ASSERT_EQ(asked,
+              std::vector<int>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)));
+    stopped += asked.size() < all.size() ? 1 : 0;
+  }
+  EXPECT_GT(stopped, 50);
+}
+
 TEST(AabbTree, QueriesEqualBruteForceOnSoups) {
   Random random(1);
   for (const int count : {1, 2, 3, 4, 5, 9, 100, 2000}) {
