@@ -13,9 +13,10 @@ namespace contactscope {
 /// Gregorius 2015, SAT( manifold, hullA, hullB ).
 template <class S, class Recorder>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+                    const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder,
+                    Owner preferred) {
   const HullPair<S> pair(a, b, b_in_a);
-  const SatResult<S> axes = sat(pair, options.margin, options.preference);
+  const SatResult<S> axes = sat(pair, options.margin, options.preference, preferred);
   recorder.axes(pair, axes, options.preference);
   if (axes.status == SatStatus::Touching) {
     create_contact(pair, axes, options.margin, options.preference, contact, recorder);
@@ -79,11 +80,11 @@ CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                        \
-  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,       \
-                               const CollideOptions<S>&, Contact<S>&, Recorder<S>&); \
-  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,       \
-                               const CollideOptions<S>&, PairCache<S>&, Contact<S>&, \
+#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                               \
+  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,              \
+                               const CollideOptions<S>&, Contact<S>&, Recorder<S>&, Owner); \
+  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,              \
+                               const CollideOptions<S>&, PairCache<S>&, Contact<S>&,        \
                                Recorder<S>&);
 CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
 CONTACTSCOPE_INSTANTIATE(double, NoRecorder)

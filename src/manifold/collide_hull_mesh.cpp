@@ -41,7 +41,8 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
                     Recorder& recorder) {
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
-    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder);
+    // The surface decides: by the hull's face a small tilt on a large triangle would turn the normal.
+    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder, Owner::B);
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const HullPair<S> pair(a, triangle.hull, triangle.in_a);

@@ -7,13 +7,15 @@
 namespace contactscope {
 namespace {
 
-/// Talk: "the minimizing feature defines the contact type". Faces of A before faces of B before
-/// edges: strictly by depth without a preference, within its tolerance with it.
+/// Talk: "the minimizing feature defines the contact type". Faces of the preferred hull before those
+/// of the other before edges: strictly by depth without a preference, within its tolerance with it.
 template <class S>
-AxisKind choose(const SatResult<S>& queries, S tolerance) {
+AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   const S least = queries.separation(queries.deepest) - tolerance;
-  if (queries.face_a.separation >= least) return AxisKind::FaceA;
-  if (queries.face_b.separation >= least) return AxisKind::FaceB;
+  const AxisKind first = preferred == Owner::A ? AxisKind::FaceA : AxisKind::FaceB;
+  const AxisKind second = preferred == Owner::A ? AxisKind::FaceB : AxisKind::FaceA;
+  if (queries.separation(first) >= least) return first;
+  if (queries.separation(second) >= least) return second;
   return AxisKind::EdgeEdge;
 }
 
@@ -30,7 +32,7 @@ AxisKind deepest_axis(const SatResult<S>& queries) {
 
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b) {
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred) {
   const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
   SatResult<S> result;
 
@@ -57,21 +59,21 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   const S tolerance = preference == Preference::Relative
                           ? preference_tolerance(result.separation(result.deepest), pair.min_radius)
                           : S(0);
-  result.chosen = choose(result, tolerance);
+  result.chosen = choose(result, tolerance, preferred);
   return result;
 }
 
 template <class S>
-SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference) {
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred) {
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
-  return sat(pair, margin, preference, faces_a, faces_b);
+  return sat(pair, margin, preference, faces_a, faces_b, preferred);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                 \
   template SatResult<S> sat(const HullPair<S>&, S, Preference, FaceSeparations<S>&, \
-                            FaceSeparations<S>&);                                   \
-  template SatResult<S> sat(const HullPair<S>&, S, Preference);
+                            FaceSeparations<S>&, Owner);                            \
+  template SatResult<S> sat(const HullPair<S>&, S, Preference, Owner);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

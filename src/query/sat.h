@@ -88,13 +88,16 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
                          S tie);
 
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
-/// more than `margin` (metres, >= 0) apart.
+/// more than `margin` (metres, >= 0) apart. Of faces that are nearly as deep those of `preferred`
+/// come first.
 template <class S>
-SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference);
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
+                 Owner preferred = Owner::A);
 
 /// The same, and leaves what the face queries that ran have measured.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b);
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b,
+                 Owner preferred = Owner::A);
 
 }  // namespace contactscope

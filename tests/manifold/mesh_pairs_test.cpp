@@ -183,6 +183,29 @@ TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
   EXPECT_GT(touching, 400);
 }
 
+// JoltPhysics issue 1488. Near the corner the other corners lie far over the box's lower side, so
+// that by depth its face is as good as the triangle's.
+TEST(MeshPairs, ABoxTiltedALittleOnALargeTriangleTakesTheTrianglesNormal) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const Mesh<double> ground = build_mesh(
+        {Vec3d(0, 0, 0), Vec3d(0, 0, 100 * scale), Vec3d(100 * scale, 0, 0)}, {{{0, 1, 2}}});
+    for (const double tilt : {-1e-3, -1e-4, 1e-4, 1e-3}) {
+      for (const Vec3d& about : {Vec3d(1, 0, 0), Vec3d(0, 0, 1), Vec3d(1, 0, -1)}) {
+        for (const double way : {0.1, 0.3, 0.6}) {
+          Pose<double> pose = at(way * scale, 0.199 * scale, way * scale);
+          pose.rotation = test::about(about, tilt);
+          const PlacedShapes pair{make_box(scale * Vec3d(0.3, 0.2, 0.4)), pose, ground, {}};
+          EXPECT_LT(worst_turn(manifolds_of<double>(pair), Vec3d(0, -1, 0)), 1e-12)
+              << "tilt " << tilt << ", way " << way << ", scale " << scale;
+          EXPECT_LT(worst_turn(manifolds_of<float>(pair), Vec3d(0, -1, 0)), 1e-5)
+              << "tilt " << tilt << ", way " << way << ", scale " << scale;
+          ASSERT_EQ(manifolds_of<double>(pair).size(), 1u);
+        }
+      }
+    }
+  }
+}
+
 // ---------------------------------------------------------------------------------------------
 // A flat floor of many triangles is a floor
 
