@@ -77,16 +77,77 @@ S deepest_of(const Contact<S>& contact) {
   return least;
 }
 
+/// The middle of a contact's points, moved into the triangle's plane. Mesh frame.
+template <class S>
+Vec3<S> middle_on_triangle(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a,
+                           const Contact<S>& contact) {
+  Vec3<S> sum = Vec3<S>::Zero();
+  for (const ContactPoint<S>& point : contact.points) sum += point.position;
+  const Vec3<S> middle =
+      b_in_a.inverse_transform(Vec3<S>(sum / static_cast<S>(contact.points.size())));
+  const Vec3<S>& normal = b.normal(triangle);
+  return middle - normal.dot(Vec3<S>(middle - b.corner(triangle, 0))) * normal;
+}
+
+/// The deepest contact of those that were left out.
+template <class S>
+struct LeftOut {
+  Contact<S> contact;
+  int triangle = -1;
+  S depth = 0;  // negative if there is one
+
+  void add(const Contact<S>& given, int index) {
+    const S given_depth = deepest_of(given);
+    if (!(given_depth < depth)) return;
+    contact = given;
+    triangle = index;
+    depth = given_depth;
+  }
+};
+
+/// Whether the surface falls off from an edge of a triangle.
+template <class S>
+bool at_rim(const Mesh<S>& b, int triangle) {
+  for (int k = 0; k < 3; ++k)
+    if (b.edge_class(triangle, k) == EdgeClass::Convex) return true;
+  return false;
+}
+
+/// Steps 3 and 4 of collide_with_triangles for a contact that `triangle` gives by itself. `normal` is
+/// the contact's, from the mesh to the shape, in the mesh's frame.
+template <class S, class OnFace>
+void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
+          const PlacedTriangle<S>& triangle, const Vec3<S>& normal, bool belongs,
+          const OnFace& on_face, Contact<S>& contact) {
+  if (!belongs) {
+    const Vec3<S>& front = b.normal(triangle.index);
+    const bool in_front = front.dot(Vec3<S>(shape.center - b.corner(triangle.index, 0))) >= S(0);
+    contact.points.clear();
+    const bool turned_over = (normal.dot(front) >= S(0)) != in_front;
+    if (turned_over && at_rim(b, triangle.index)) return;
+    on_face(triangle, in_front ? 0 : 1, contact);
+  }
+  if (!(deepest_of(contact) < S(0))) return;
+  if (hidden_from(b, triangle.index, shape.center,
+                  middle_on_triangle(b, triangle.index, b_in_a, contact))) {
+    contact.points.clear();
+  } else if (!belongs) {
+    drop_detours(b, triangle.index, b_in_a, contact);
+  }
+}
+
 /// What every convex shape does with a mesh. Gregorius 2015, "Mesh Contacts". Steps:
 /// 1. collect the triangles whose boxes the shape's box touches, grown by the margin;
 /// 2. each one is a flat hull that collides by itself (`collide`), one contact a triangle;
 /// 3. a contact on an edge or corner that the surface does not have gives way to one on the face
 ///    (`on_face`), which has no points where the shape is not over it, see internal_edges.h, nor
-///    where that would be a detour, see drop_detours;
+///    where that would be a detour, see drop_detours. At a rim, where the contact leads over the
+///    edge and to behind the face, that face is not the way out: the contact is left out;
 /// 4. such a contact, or one with the back of a triangle, is left out where other triangles hide it
 ///    from the shape's centre: a box on a table is not behind the table's side;
-/// 5. when that leaves nothing of an overlap, the shallowest contact that was left out comes back, as
-///    step 2 made it.
+/// 5. what was left out comes back where it is needed: the deepest of it, as step 2 made it, when
+///    nothing that was kept is half as deep. To part from the whole mesh the shape has to part from
+///    that triangle, so this is never deeper than the mesh.
 ///
 /// collide(triangle, contact) returns the separation; on_face(triangle, face, contact) gets the face
 /// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
@@ -101,32 +162,13 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   recorder.tree(b, box);
 
   TriangleHull<S> triangle;
-  const auto place = [&](int index) -> PlacedTriangle<S> {
-    triangle.set(b, index);
-    return {triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
-  };
-  const auto make_on_face = [&](const PlacedTriangle<S>& placed, Contact<S>& contact) {
-    const bool in_front =
-        b.normal(placed.index).dot(Vec3<S>(shape.center - triangle.origin())) >= S(0);
-    contact.points.clear();
-    on_face(placed, in_front ? 0 : 1, contact);
-  };
-  const auto hidden = [&](int index, const Contact<S>& contact) {
-    Vec3<S> middle = Vec3<S>::Zero();
-    for (const ContactPoint<S>& point : contact.points) middle += point.position;
-    middle = b_in_a.inverse_transform(Vec3<S>(middle / static_cast<S>(contact.points.size())));
-    const Vec3<S>& normal = b.normal(index);
-    middle -= normal.dot(Vec3<S>(middle - b.corner(index, 0))) * normal;
-    return hidden_from(b, index, shape.center, middle);
-  };
-
   S least = std::numeric_limits<S>::infinity();
-  S deepest = std::numeric_limits<S>::infinity();  // of what was added
-  Contact<S> spare;                                // the shallowest of what was taken out
-  int spare_triangle = -1;
-  S spare_depth = -std::numeric_limits<S>::infinity();
+  S kept = 0;  // depth of what was added, negative
+  LeftOut<S> left_out;
   b.tree.query(box, [&](int index) {
-    const PlacedTriangle<S> placed = place(index);
+    triangle.set(b, index);
+    const PlacedTriangle<S> placed{
+        triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
     Contact<S> contact;
     least = std::min(least, collide(placed, contact));
     if (contact.points.empty()) return;
@@ -135,24 +177,14 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
       const bool belongs = belongs_to_surface(b, index, normal);
       if (!belongs || is_back(b, index, normal)) {
         const Contact<S> given = contact;
-        if (!belongs) make_on_face(placed, contact);
-        const S depth = deepest_of(given);
-        const bool overlap = deepest_of(contact) < S(0);
-        if (overlap && hidden(index, contact))
-          contact.points.clear();
-        else if (overlap && !belongs)
-          drop_detours(b, index, b_in_a, contact);
-        if (contact.points.empty() && depth < S(0) && depth > spare_depth) {
-          spare = given;
-          spare_triangle = index;
-          spare_depth = depth;
-        }
+        mend(shape, b, b_in_a, placed, normal, belongs, on_face, contact);
+        if (contact.points.empty()) left_out.add(given, index);
       }
     }
-    deepest = std::min(deepest, deepest_of(contact));
+    kept = std::min(kept, deepest_of(contact));
     sink.add(contact, index);
   });
-  if (spare_triangle >= 0 && deepest >= S(0)) sink.add(spare, spare_triangle);
+  if (kept > kNearerSurface<S> * left_out.depth) sink.add(left_out.contact, left_out.triangle);
   if (Recorder::kRecords && least == std::numeric_limits<S>::infinity()) {
     for (const Aabb<S>& leaf : b.tree.boxes) least = std::min(least, box_distance(shape.box, leaf));
   }

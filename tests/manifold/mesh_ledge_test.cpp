@@ -91,13 +91,26 @@ Mesh<double> surface_of(const Hull<double>& hull) {
   return build_mesh(hull.vertices, triangles);
 }
 
+/// A triangle that has no say in whether the body is inside of the solid: the body's centre is in
+/// front of it, and the contact is on its face.
+void expect_own_face(const Manifold<double>& manifold, const Mesh<double>& mesh,
+                     const Pose<double>& pose, const Vec3d& center, int i) {
+  const Vec3d& front = mesh.normal(manifold.triangle);
+  EXPECT_NEAR((pose.inverse_rotate(manifold.normal) + front).norm(), 0, 1e-9) << i;
+  EXPECT_GT(front.dot(center - mesh.corner(manifold.triangle, 0)), 0) << i;
+}
+
 /// Boxes and capsules that overlap a solid a little, with their centre outside, against its surface:
-/// no contact lost, none on the wrong side, none far deeper than the solid says.
+/// no contact lost, none on the wrong side, none far deeper than the solid says. The deepest one
+/// pushes out where the solid does; another may push back only where it is of a face, seen from its
+/// front: of two faces at a rim of less than a right angle the surface does not say which one is the
+/// way out.
 template <class MakeSolid>
-void expect_like_the_solid(unsigned seed, const MakeSolid& make_solid, int least_touching) {
+void expect_like_the_solid(unsigned seed, int count, const MakeSolid& make_solid,
+                           int least_touching) {
   test::Random random(seed);
   int touching = 0;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Hull<double> solid = make_solid(random);
     const Vec3d half(random.uniform(0.1, 0.6), random.uniform(0.1, 0.6), random.uniform(0.1, 0.6));
     const Shape<double> shape =
@@ -111,9 +124,16 @@ void expect_like_the_solid(unsigned seed, const MakeSolid& make_solid, int least
       outside = std::max(outside, plane.distance(center));
     if (outside < 0.01) continue;
     ++touching;
+    const Mesh<double> surface = surface_of(solid);
     const Manifolds<double> found =
-        manifolds_of<double>({pair.a, pair.pose_a, surface_of(solid), pair.pose_b});
+        manifolds_of<double>({pair.a, pair.pose_a, surface, pair.pose_b});
     ASSERT_FALSE(found.empty()) << i;
+    for (const Manifold<double>& manifold : found) {
+      const double along = manifold.normal.dot(expected.normal);
+      if (along > -1e-9) continue;
+      expect_own_face(manifold, surface, pair.pose_b, center, i);
+      EXPECT_GT(test::deepest(manifold), deepest(found)) << i << " pushes back the most";
+    }
     EXPECT_GT(deepest(found), 1.5 * test::deepest(expected) - 0.02) << i;
     EXPECT_LT(deepest(found), 0.5 * test::deepest(expected) + 1e-9) << i;
   }
@@ -122,17 +142,17 @@ void expect_like_the_solid(unsigned seed, const MakeSolid& make_solid, int least
 
 TEST(MeshLedge, TheSurfaceOfACubeIsNoDeeperThanTheCube) {
   expect_like_the_solid(
-      21, [](test::Random&) { return test::cube(0.5); }, 250);
+      21, 4000, [](test::Random&) { return test::cube(0.5); }, 250);
 }
 
 TEST(MeshLedge, TheSurfaceOfARandomHullIsNoDeeperThanTheHull) {
   expect_like_the_solid(
-      22, [](test::Random& random) { return test::random_hull(random, 14, 1, 1.5); }, 250);
+      22, 4000, [](test::Random& random) { return test::random_hull(random, 14, 1, 1.5); }, 250);
 }
 
 TEST(MeshLedge, ASharpRimIsNoDeeperThanTheConeOfIt) {
   expect_like_the_solid(
-      23, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 150);
+      123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }
 
 // The centre went below the floor: no triangle is hidden from it, and the way on is the shorter one.
