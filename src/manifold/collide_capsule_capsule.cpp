@@ -95,6 +95,14 @@ struct AxisPair {
   S sine;         // of the angle between them; 0 if one has no length
 };
 
+/// Without what lies along an axis. Of the cross product of nearly parallel axes that is rounding
+/// divided by the sine, which at the ends of the axes would show as depth.
+template <class S>
+Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<S>& direction) {
+  const Vec3<S> to_a = axes.a.has_length() ? rejected(direction, axes.a.unit()) : direction;
+  return safe_unit(axes.b.has_length() ? rejected(to_a, axes.b.unit()) : to_a);
+}
+
 /// From A to B by the closest points. Inside of an axis it is at right angles to it, and within an
 /// angle of rounding divided by distance that must be made so: at the end of a long axis it would
 /// show. Where lines cross, their cross product is the same direction, and less rounded if the
@@ -109,7 +117,7 @@ Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& clos
   Vec3<S> between = closest.on_b - closest.on_a;
   if (inside_a && inside_b &&
       closest.distance < axes.sine * std::min(axes.a.length, axes.b.length)) {
-    const Vec3<S> normal = axes.cross.normalized();
+    const Vec3<S> normal = perpendicular_to(axes, Vec3<S>(axes.cross.normalized()));
     return normal.dot(between) < S(0) ? Vec3<S>(-normal) : normal;
   }
   if (inside_a) between = rejected(between, axes.a.unit());
@@ -124,20 +132,26 @@ const char* degenerate_name(const AxisPair<S>& axes, const Stretch<S>& stretch) 
   return axes.sine < stretch.largest_sine ? "overlapping axes" : "crossing axes";
 }
 
-/// Of axes that meet. The cross product of parallel axes is nothing but rounding, and that of nearly
-/// parallel ones turns about quickly, so up to half the angle at which they count as parallel the
-/// direction that is fixed to a body has its say.
+/// Up to this sine the direction of the axes' cross product is not trusted. What leans along an axis
+/// by no more is still at right angles to it within rounding.
 template <class S>
-Vec3<S> fallback_normal(const AxisPair<S>& axes, const Stretch<S>& stretch, const Capsule<S>& a,
-                        const Capsule<S>& b, const Pose<S>& b_in_a) {
+inline constexpr S kUnsureSine = S(4) * kParallelSine<S>;
+
+/// Of axes that meet: their cross product, as where they are a little apart, and no other direction
+/// is at right angles to both. That of parallel axes is nothing but rounding; there it is a
+/// direction that is fixed to a body, and in between it turns from one to the other.
+template <class S>
+Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Capsule<S>& b,
+                        const Pose<S>& b_in_a) {
   if (!axes.b.has_length() && axes.a.has_length()) {
     return body_perpendicular(Vec3<S>(a.points[1] - a.points[0]));
   }
   const Vec3<S> fixed = b_in_a.rotate(body_perpendicular(Vec3<S>(b.points[1] - b.points[0])));
-  const Vec3<S> across = axes.sine * safe_unit(axes.cross);
+  const S sure = std::clamp(axes.sine - kParallelSine<S>, S(0), kUnsureSine<S>);
+  const S unsure = std::max(S(0), kUnsureSine<S> - axes.sine);
+  const Vec3<S> across = sure * safe_unit(axes.cross);
   const Vec3<S> cross = across.dot(fixed) < S(0) ? Vec3<S>(-across) : across;
-  const S missing = std::max(S(0), S(0.5) * stretch.largest_sine - axes.sine);
-  return safe_unit(Vec3<S>(cross + missing * fixed));
+  return perpendicular_to(axes, safe_unit(Vec3<S>(cross + unsure * fixed)));
 }
 
 /// Two points of the axes that face each other.
@@ -203,10 +217,9 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   if (closest.distance > clip_thickness(axes.scale())) {
     contact.normal = normal_between(axes, closest);
   } else {
-    const Stretch<S> stretch = axes.stretch();
-    recorder.degenerate(degenerate_name(axes, stretch), options.degenerate);
+    recorder.degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
-    contact.normal = fallback_normal(axes, stretch, a, b, b_in_a);
+    contact.normal = fallback_normal(axes, a, b, b_in_a);
   }
   const FeatureRef feature_a = axis_feature(Owner::A, closest.parameter_a, axis_a.has_length());
   const FeatureRef feature_b = axis_feature(Owner::B, closest.parameter_b, axis_b.has_length());
