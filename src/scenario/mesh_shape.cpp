@@ -58,6 +58,13 @@ void check_reach(const std::vector<Vec3d>& points, const Value& at) {
       at.fail("'" + at.name() + "' has a point farther than 1e9 metres from the origin; scale it");
 }
 
+/// The rule of hulls: what is within so small a ball cannot be computed with.
+Mesh<double> large_enough(Mesh<double> mesh, const Value& at) {
+  if (0.5 * mesh.tree.bounds().extent().norm() < kSmallestLength)
+    at.fail("'" + at.name() + "' is smaller than 1e-9 metres; scale it up");
+  return mesh;
+}
+
 Mesh<double> read_listed(const Table& table, MeshReport& report) {
   const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
   const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
@@ -72,7 +79,8 @@ Mesh<double> read_listed(const Table& table, MeshReport& report) {
     for (std::size_t k = 0; k < 3; ++k)
       corner[k] = indices[k].integer(0, static_cast<int>(points.size()) - 1);
   }
-  return build_at(triangles, [&] { return build_mesh(points, corners, &report); });
+  return large_enough(build_at(triangles, [&] { return build_mesh(points, corners, &report); }),
+                      vertices);
 }
 
 Mesh<double> read_file(const Value& file, const fs::path& folder, MeshReport& report) {
@@ -87,7 +95,8 @@ Mesh<double> read_file(const Value& file, const fs::path& folder, MeshReport& re
     file.fail("'file' has " + std::to_string(obj.triangles.size()) +
               " triangles; a mesh may have up to " + std::to_string(kMaxTriangles));
   check_reach(obj.vertices, file);
-  return build_at(file, [&] { return build_mesh(obj.vertices, obj.triangles, &report); });
+  return large_enough(
+      build_at(file, [&] { return build_mesh(obj.vertices, obj.triangles, &report); }), file);
 }
 
 /// One number for both directions, or one for each.

@@ -131,6 +131,14 @@ INSTANTIATE_TEST_SUITE_P(
                one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[0,2e9,0]]\n"
                          "triangles = [[0,1,2]]"),
                "4:12", "has a point farther than 1e9 metres"},
+        Broken{"MicroscopicMesh",
+               one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1e-12,0,0],[0,1e-12,0]]\n"
+                         "triangles = [[0,1,2]]"),
+               "4:12", "smaller than 1e-9 metres"},
+        Broken{"MicroscopicMeshFarFromTheOrigin",
+               one_shape("type = \"mesh\"\nvertices = [[1,0,0],[1.000000001,0,0],[1,1e-9,0]]\n"
+                         "triangles = [[0,1,2]]"),
+               "4:12", "smaller than 1e-9 metres"},
         Broken{"MeshTriangleOutOfRange",
                one_shape("type = \"mesh\"\nvertices = [[0,0,0],[1,0,0],[0,1,0]]\n"
                          "triangles = [[0,1,3]]"),
