@@ -1,5 +1,6 @@
 #include "manifold/collide_hull_hull.h"
 
+#include "manifold/collide_by_penetration.h"
 #include "manifold/create_contact.h"
 #include "manifold/finish_contact.h"
 #include "manifold/recorder.h"
@@ -15,6 +16,9 @@ template <class S, class Recorder>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder,
                     Owner preferred) {
+  if (options.penetration != PenetrationMethod::Sat) [[unlikely]] {
+    return collide_by_penetration(a, b, b_in_a, options, contact, recorder);
+  }
   const HullPair<S> pair(a, b, b_in_a);
   const SatResult<S> axes = sat(pair, options.margin, options.preference, preferred);
   recorder.axes(pair, axes, options.preference);
@@ -30,6 +34,10 @@ template <class S, class Recorder>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, PairCache<S>& cache, Contact<S>& contact,
                     Recorder& recorder) {
+  if (options.penetration != PenetrationMethod::Sat) [[unlikely]] {
+    cache = PairCache<S>();  // what it keeps bounds the axes of the separating axis test
+    return collide_by_penetration(a, b, b_in_a, options, contact, recorder);
+  }
   const CacheAnswer<S> answer = collide_from_cache(a, b, b_in_a, options, cache, contact, recorder);
   if (answer.kind != CachedKind::Empty) recorder.cache(answer);
   if (answer.hit) return answer.separation;

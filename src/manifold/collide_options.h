@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/penetration_method.h"
 #include "core/preference.h"
 #include "reduce/reducer.h"
 
@@ -21,7 +22,9 @@ struct CollideOptions {
   S margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
-  bool internal_edges = true;    // of meshes: contacts on edges that the surface lacks are mended
+  bool internal_edges = true;  // of meshes: contacts on edges that the surface lacks are mended
+  /// Of two hulls that overlap. Meshes and round shapes have ways of their own.
+  PenetrationMethod penetration = PenetrationMethod::Sat;
   Reducer<S> reducer = nullptr;  // nullptr keeps all points
   ReduceOptions reduction;
 };

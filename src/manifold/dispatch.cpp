@@ -67,6 +67,7 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifold
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
+    recorder.minkowski(a, b, b_in_a);
     return pair.cache == nullptr
                ? collide_hull_hull(a, b, b_in_a, options, contact, recorder)
                : collide_hull_hull(a, b, b_in_a, options, *pair.cache, contact, recorder);
@@ -85,9 +86,11 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Mani
   // every manifold is reduced as if it were new.
   CollideOptions<S> of_triangle = options;
   of_triangle.reduction.previous = {};
+  of_triangle.penetration = PenetrationMethod::Sat;
   ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder);
-  const S separation = kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
-                                relative_pose(pair.pose_a, pair.pose_b), options, sink, recorder);
+  const S separation =
+      kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
+               relative_pose(pair.pose_a, pair.pose_b), of_triangle, sink, recorder);
   if (manifolds.empty()) recorder.separation(separation);
 }
 

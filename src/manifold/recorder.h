@@ -8,6 +8,7 @@
 #include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
 #include "query/gjk.h"
+#include "query/penetration.h"
 #include "query/sat.h"
 #include "reduce/reducer.h"
 
@@ -33,6 +34,10 @@ struct NoRecorder {
   /// Where a run of GJK that is to be told goes; nullptr: nowhere.
   GjkRun<S>* gjk_run() { return nullptr; }
   void gjk(const Pose<S>&) {}
+  /// Where the steps of a penetration method that are to be told go; nullptr: nowhere.
+  PenetrationSteps<S>* penetration_steps() { return nullptr; }
+  void penetration(PenetrationMethod, const PenetrationResult<S>&, const char*) {}
+  void minkowski(const Hull<S>&, const Hull<S>&, const Pose<S>&) {}
   void tree(const Mesh<S>&, const Aabb<S>&) {}
   void degenerate(const char*, Degenerate) {}
   void separation(S) {}

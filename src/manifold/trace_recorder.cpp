@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "manifold/edge_contact.h"
+#include "manifold/penetration_record.h"
+#include "query/edge_pairs.h"
 #include "query/tolerance.h"
 #include "reduce/choices.h"
 #include "reduce/polygon_area.h"
@@ -59,6 +61,8 @@ TraceRecorder<S>::TraceRecorder(const ToWorld<S>& to_world, const char* reducer_
   pair_.sat.reset();
   pair_.clip.reset();
   pair_.reduction.reset();
+  pair_.penetration.reset();
+  pair_.minkowski.reset();
 }
 
 template <class S>
@@ -123,6 +127,7 @@ void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
         trace::FaceAxis{query.face, query.separation, normal(Vec3<S>(-pair.b.normals[query.face])),
                         point(pair.a.vertices[query.support])};
   }
+  if (stages_.gauss_map) edge_pairs(pair, sat);
   if (axes.queries_run >= 3) {
     const EdgeQuery<S> query = best_edges(pair, axes, preference);
     if (query.edge_a < 0) return;
@@ -134,6 +139,17 @@ void TraceRecorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes,
       std::swap(edge.a, edge.b);
       std::swap(edge.point_a, edge.point_b);
     }
+  }
+}
+
+template <class S>
+void TraceRecorder<S>::edge_pairs(const HullPair<S>& pair, trace::Sat& sat) const {
+  FaceSeparations<S> faces_a(pair.a);
+  query_faces(pair.a, pair.b, tie_tolerance(pair.scale), faces_a);
+  for (const EdgeQuery<S>& query : crossing_edge_pairs(pair, faces_a)) {
+    trace::EdgePair& told = sat.edge_pairs.emplace_back();
+    told = {query.edge_a / 2, query.edge_b / 2, query.separation, normal(query.normal)};
+    if (mirrored_) std::swap(told.a, told.b);
   }
 }
 
@@ -216,6 +232,19 @@ void TraceRecorder<S>::gjk(const Pose<S>& frame) {
       if (mirrored_) std::swap(simplex.back().a, simplex.back().b);
     }
   }
+}
+
+template <class S>
+void TraceRecorder<S>::penetration(PenetrationMethod method, const PenetrationResult<S>& result,
+                                   const char* fallback) {
+  if (!stages_.penetration) return;
+  pair_.penetration = penetration_record(to_world_, mirrored_, method, result, penetration_steps_);
+  if (fallback != nullptr) pair_.penetration->fallback = fallback;
+}
+
+template <class S>
+void TraceRecorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a) {
+  if (stages_.minkowski) pair_.minkowski = minkowski_record(to_world_, mirrored_, a, b, b_in_a);
 }
 
 template <class S>

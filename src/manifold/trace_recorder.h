@@ -38,6 +38,15 @@ class TraceRecorder {
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
   void gjk(const Pose<S>& frame);
+  PenetrationSteps<S>* penetration_steps() {
+    return stages_.penetration ? &penetration_steps_ : nullptr;
+  }
+  /// What a method found, in A's frame, with the steps that were left in penetration_steps();
+  /// `fallback` names the method whose result stands instead, or is nullptr.
+  void penetration(PenetrationMethod method, const PenetrationResult<S>& result,
+                   const char* fallback);
+  /// The Minkowski difference of two hulls.
+  void minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a);
   /// The query of a mesh's tree with the other shape's box; both in the mesh's frame.
   void tree(const Mesh<S>& mesh, const Aabb<S>& box);
   /// The geometry had no normal of its own; what was done about it.
@@ -54,6 +63,7 @@ class TraceRecorder {
   Vec3d normal(const Vec3<S>& in_a) const;
   const std::string& name(Owner owner) const;
   AxisKind told(AxisKind kind) const { return mirrored_ ? contactscope::mirrored(kind) : kind; }
+  void edge_pairs(const HullPair<S>& pair, trace::Sat& sat) const;
   trace::Point trace_point(const ContactPoint<S>& in_world) const;
   std::vector<trace::Point> trace_points(std::span<const ContactPoint<S>> in_world) const;
   trace::Polygon polygon(const ClipPolygon<S>& in_a) const;
@@ -64,6 +74,7 @@ class TraceRecorder {
   bool mirrored_;
   trace::Pair& pair_;
   GjkRun<S> gjk_run_;
+  PenetrationSteps<S> penetration_steps_;
 };
 
 }  // namespace contactscope

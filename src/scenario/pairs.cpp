@@ -59,6 +59,15 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
   }
 }
 
+PenetrationMethod method_of(const Value& value) {
+  constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
+                                            PenetrationMethod::Mpr, PenetrationMethod::Sampling};
+  std::vector<std::string> names;
+  for (const PenetrationMethod method : kMethods) names.emplace_back(to_string(method));
+  const std::string name = value.one_of(names, "penetration method");
+  return kMethods[std::ranges::find(names, name) - names.begin()];
+}
+
 /// The settings that [pipeline] and a [[pairs]] entry share.
 PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
   read_manifold(table, settings);
@@ -76,6 +85,8 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
     settings.preference = preference->one_of({"relative", "none"}, "preference") == "none"
                               ? Preference::None
                               : Preference::Relative;
+  if (const auto penetration = table.find("penetration"))
+    settings.penetration = method_of(*penetration);
   if (const auto internal_edges = table.find("internal_edges"))
     settings.internal_edges = internal_edges->boolean();
   if (const auto degenerate = table.find("degenerate"))
@@ -88,9 +99,9 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Table table =
-      value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference",
-                   "degenerate", "internal_edges", "core_margin", "breaking_distance", "confirm"});
+  const Table table = value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache",
+                                   "preference", "degenerate", "internal_edges", "core_margin",
+                                   "breaking_distance", "confirm", "penetration"});
   PipelineSettings settings;
   if (const auto scalar = table.find("scalar"))
     settings.scalar =
@@ -125,7 +136,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     const Table table =
         item.table({"a", "b", "label", "scalar", "manifold", "reducer", "max_points", "margin",
                     "cache", "preference", "degenerate", "internal_edges", "core_margin",
-                    "breaking_distance", "confirm"});
+                    "breaking_distance", "confirm", "penetration"});
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");

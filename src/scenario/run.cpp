@@ -27,6 +27,7 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
   options.preference = settings.preference;
   options.degenerate = settings.degenerate;
   options.internal_edges = settings.internal_edges;
+  options.penetration = settings.penetration;
   options.reducer = find_reducer<S>(settings.reducer);
   options.reduction.max_points = settings.max_points;
   return options;
@@ -65,6 +66,17 @@ bool shows_stability(const std::vector<View>& views) {
     return names(view.layers, "center_of_mass") || names(view.layers, "support") ||
            names(view.panels, "stability");
   });
+}
+
+/// Also what is too large to be recorded where no view of the scenario shows it.
+trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
+  for (const View& view : views) {
+    for (const std::string& panel : view.panels) {
+      stages.gauss_map = stages.gauss_map || panel == "gauss_map";
+      stages.minkowski = stages.minkowski || panel == "minkowski";
+    }
+  }
+  return stages;
 }
 
 template <class S>
@@ -131,7 +143,7 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
     : scenario_(&scenario),
-      stages_(stages),
+      stages_(with_insets(stages, scenario.views)),
       shows_stability_(shows_stability(scenario.views)),
       memories_(scenario.pairs.size()) {
   if (scenario.scalar == Scalar::Double)

@@ -22,6 +22,8 @@
 ///
 ///     [pipeline]
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
+///     penetration = "sat"              # or "epa", "mpr", "sampling": of hulls that overlap, how
+///                                      # their depth and normal are found
 ///     internal_edges = true            # false: meshes trip over edges that the surface lacks
 ///     degenerate = "fallback"          # or "skip": what to do where geometry gives no normal
 ///

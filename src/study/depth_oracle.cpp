@@ -64,14 +64,25 @@ Body make_body(const Hull<double>& hull, const Pose<double>& pose) {
   return body;
 }
 
-Real best_face(const Body& body, const Body& other) {
-  Real best = -std::numeric_limits<Real>::infinity();
+struct Axis {
+  Real separation = -std::numeric_limits<Real>::infinity();
+  Vec normal = Vec::UnitX();
+
+  void offer(Real other_separation, const Vec& other_normal) {
+    if (!(other_separation > separation)) return;
+    separation = other_separation;
+    normal = other_normal;
+  }
+};
+
+Axis best_face(const Body& body, const Body& other) {
+  Axis best;
   for (std::size_t f = 0; f < body.normals.size(); ++f) {
     Real least = std::numeric_limits<Real>::infinity();
     for (const Vec& vertex : other.vertices) {
       least = std::min(least, body.normals[f].dot(Vec(vertex - body.on_faces[f])));
     }
-    best = std::max(best, least);
+    best.offer(least, body.normals[f]);
   }
   return best;
 }
@@ -90,10 +101,12 @@ bool is_minkowski_face(const Edge& a, const Edge& b) {
 
 }  // namespace
 
-double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
+OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
   const Body body_a = make_body(a, {});
   const Body body_b = make_body(b, b_in_a);
-  Real best = std::max(best_face(body_a, body_b), best_face(body_b, body_a));
+  Axis best = best_face(body_a, body_b);
+  const Axis of_b = best_face(body_b, body_a);
+  best.offer(of_b.separation, Vec(-of_b.normal));
   for (const Edge& edge_a : body_a.edges) {
     for (const Edge& edge_b : body_b.edges) {
       if (!is_minkowski_face(edge_a, edge_b)) continue;
@@ -102,10 +115,14 @@ double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pos
       if (!(sine > 0)) continue;
       Vec normal = cross / sine;
       if (normal.dot(Vec(edge_a.from - body_a.center)) < 0) normal = -normal;
-      best = std::max(best, normal.dot(Vec(edge_b.from - edge_a.from)));
+      best.offer(normal.dot(Vec(edge_b.from - edge_a.from)), normal);
     }
   }
-  return static_cast<double>(best);
+  return {static_cast<double>(best.separation), best.normal.cast<double>()};
+}
+
+double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
+  return oracle_axis(a, b, b_in_a).separation;
 }
 
 }  // namespace contactscope

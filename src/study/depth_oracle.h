@@ -5,6 +5,12 @@
 
 namespace contactscope {
 
+/// An axis and the separation along it, metres, negative in overlap.
+struct OracleAxis {
+  double separation;
+  Vec3d normal;  // unit, from A to B, in A's frame
+};
+
 /// The separation of two hulls, metres, negative in overlap: the largest over all faces of their
 /// Minkowski difference. Meant for hulls that overlap; of separated ones it is a lower bound of the
 /// distance. In extended precision and with nothing shared with the queries that it judges.
@@ -13,6 +19,9 @@ namespace contactscope {
 /// face plane of either hull against every vertex of the other; each pair of edges whose arcs cross
 /// on the Gauss map by the talk's IsMinkowskiFace, its distance by the talk's Project. Face normals
 /// are made anew from the vertices.
+OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
+
+/// That of oracle_axis().
 double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
 
 }  // namespace contactscope

@@ -6,6 +6,7 @@
 
 #include "study/hull_precision_study.h"
 #include "study/manifold_stability_study.h"
+#include "study/penetration_study.h"
 #include "study/reducer_study.h"
 #include "study/stability_study.h"
 
@@ -58,6 +59,8 @@ const std::vector<StudyInfo>& studies() {
       {"reducers", "what each reducer loses of the contact, against its run time", &study_reducers},
       {"hull_precision", "float against double, and what the Gauss map saves of the edge pairs",
        &study_hull_precision},
+      {"penetration", "depth and normal by EPA, MPR, sampling and SAT, over what each may take",
+       &study_penetration},
       {"stability", "where float and double run out: tilt, scale, distance, aspect, angle, overlap",
        &study_stability},
       {"manifold_stability",

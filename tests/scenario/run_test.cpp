@@ -361,5 +361,41 @@ TEST(RunPairs, ASceneOfOneShapeHasAPoseAndNoPairs) {
   EXPECT_THAT(frame.pairs, IsEmpty());
 }
 
+TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
+  const std::string deep = "position = [0, -0.95, 0]\n[pipeline]\npenetration = \"epa\"\n";
+  const std::string pairs =
+      "[[pairs]]\na = \"crate\"\nb = \"floor\"\n[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = "
+      "\"by sampling\"\n"
+      "penetration = \"sampling\"\n[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"by sat\"\n"
+      "penetration = \"sat\"\n";
+  Scenario scenario = parse_scenario(two_boxes(deep + pairs), "g/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  ASSERT_EQ(frame.pairs.size(), 3u);
+  ASSERT_TRUE(frame.pairs[0].penetration);
+  EXPECT_EQ(frame.pairs[0].penetration->method, "epa");
+  EXPECT_EQ(frame.pairs[0].penetration->status, "converged");
+  EXPECT_NEAR(frame.pairs[0].penetration->depth, 0.05, 1e-6);
+  EXPECT_EQ(frame.pairs[0].penetration->fallback, "");
+  EXPECT_FALSE(frame.pairs[0].sat);
+  EXPECT_EQ(frame.pairs[1].penetration->method, "sampling");
+  EXPECT_FALSE(frame.pairs[2].penetration);
+  EXPECT_TRUE(frame.pairs[2].sat);
+  for (const trace::Pair& pair : frame.pairs) {
+    EXPECT_NEAR(pair.separation, -0.05, 1e-6) << pair.label;
+    EXPECT_FALSE(pair.minkowski);
+    EXPECT_EQ(pair.manifolds.at(0).points.size(), 4u);
+  }
+
+  scenario.views.at(0).panels = {"minkowski", "gauss_map"};
+  const trace::Frame shown = run_frame(scenario, 0);
+  EXPECT_TRUE(shown.pairs[0].minkowski);
+  EXPECT_FALSE(shown.pairs[2].sat->edge_pairs.empty());
+}
+
+TEST(RunPairs, APenetrationMethodThatIsNoneIsRefused) {
+  const std::string text = two_boxes("position = [0, 0, 0]\n[pipeline]\npenetration = \"gjk\"\n");
+  EXPECT_THROW(parse_scenario(text, "g/a.toml"), InputError);
+}
+
 }  // namespace
 }  // namespace contactscope

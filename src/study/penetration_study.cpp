@@ -1,0 +1,233 @@
+#include "study/penetration_study.h"
+
+#include <array>
+#include <cmath>
+
+#include "query/penetration.h"
+#include "study/depth_oracle.h"
+#include "study/errors.h"
+#include "study/hull_precision_study.h"
+#include "study/pass_times.h"
+#include "study/uniform.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kDepthVertices = 32;
+constexpr int kDepthCases = 200;
+constexpr int kDepthRepetitions = 7;
+
+/// A pair as one scalar sees it.
+template <class S>
+struct DeepPair {
+  Hull<S> a, b;
+  Pose<S> b_in_a;
+
+  explicit DeepPair(const OverlappingHulls& hulls)
+      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
+};
+
+struct DeepCases {
+  std::vector<double> sizes;  // metres
+  std::vector<OracleAxis> truth;
+  std::vector<DeepPair<float>> as_float;
+  std::vector<DeepPair<double>> as_double;
+
+  int count() const { return static_cast<int>(sizes.size()); }
+  template <class S>
+  const DeepPair<S>& at(std::size_t i) const {
+    if constexpr (sizeof(S) == sizeof(float)) {
+      return as_float[i];
+    } else {
+      return as_double[i];
+    }
+  }
+};
+
+DeepCases make_deep_cases(std::uint64_t seed, int count) {
+  std::mt19937_64 engine(seed);
+  DeepCases cases;
+  for (int i = 0; i < count; ++i) {
+    OverlappingHulls hulls = overlapping_hulls(engine, kDepthVertices);
+    if (i % 2 == 1) {
+      const Vec3d between = hulls.b_in_a.transform(hulls.b.centroid) - hulls.a.centroid;
+      hulls.b_in_a.position -= uniform(engine, 0.5, 1.0) * between;
+    }
+    cases.sizes.push_back(hulls.size);
+    cases.truth.push_back(oracle_axis(hulls.a, hulls.b, hulls.b_in_a));
+    cases.as_float.emplace_back(hulls);
+    cases.as_double.emplace_back(hulls);
+  }
+  return cases;
+}
+
+/// What the method was given.
+struct Effort {
+  double parameter = 0;
+  double tolerance = 0;
+  int iterations = 0;
+  int samples = 64;
+};
+
+struct FoundDepth {
+  bool has_depth;
+  double depth;
+  Vec3d normal;
+};
+
+template <class S>
+FoundDepth run_method(PenetrationMethod method, const Effort& effort, const DeepPair<S>& pair) {
+  PenetrationOptions<S> options;
+  options.tolerance = static_cast<S>(effort.tolerance);
+  options.max_iterations = effort.iterations;
+  options.samples = effort.samples;
+  const PenetrationResult<S> found =
+      penetration(method, support_set(pair.a), support_set(pair.b), pair.b_in_a, options);
+  return {has_depth(found.status), static_cast<double>(found.depth),
+          found.normal.template cast<double>()};
+}
+
+struct DepthSeries {
+  std::string name;
+  PenetrationMethod method;
+  bool is_float;
+  std::vector<Effort> efforts;  // by growing parameter
+
+  FoundDepth run(const Effort& effort, const DeepCases& cases, std::size_t i) const {
+    return is_float ? run_method(method, effort, cases.at<float>(i))
+                    : run_method(method, effort, cases.at<double>(i));
+  }
+};
+
+std::vector<Effort> tolerances() {
+  std::vector<Effort> efforts;
+  for (const double tolerance : {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+    efforts.push_back({tolerance, tolerance, 0, 64});
+  return efforts;
+}
+
+std::vector<Effort> iteration_caps() {
+  std::vector<Effort> efforts;
+  for (const int cap : {1, 2, 4, 8, 16, 32, 64})
+    efforts.push_back({static_cast<double>(cap), 0, cap, 64});
+  return efforts;
+}
+
+/// `rounds` of the search about the best sample; 0: until it converges.
+std::vector<Effort> sample_counts(int rounds) {
+  std::vector<Effort> efforts;
+  for (const int samples : {8, 32, 128, 512, 2048})
+    efforts.push_back({static_cast<double>(samples), 0, rounds, samples});
+  return efforts;
+}
+
+std::vector<DepthSeries> every_series() {
+  using enum PenetrationMethod;
+  std::vector<DepthSeries> list;
+  for (const bool is_float : {true, false}) {
+    const std::string scalar = is_float ? "float, " : "double, ";
+    list.push_back({scalar + "SAT", Sat, is_float, {Effort{}}});
+    list.push_back({scalar + "EPA by tolerance", Epa, is_float, tolerances()});
+    list.push_back({scalar + "EPA by iterations", Epa, is_float, iteration_caps()});
+    list.push_back({scalar + "MPR by tolerance", Mpr, is_float, tolerances()});
+    list.push_back({scalar + "sampling and search", Sampling, is_float, sample_counts(0)});
+    list.push_back({scalar + "sampling, one round", Sampling, is_float, sample_counts(1)});
+  }
+  return list;
+}
+
+struct DepthCell {
+  Errors depths, angles;
+  int failed = 0;
+  PassTimes times;
+};
+
+double angle_between(const Vec3d& one, const Vec3d& other) {
+  return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+void judge_depths(const DepthSeries& series, const Effort& effort, const DeepCases& cases,
+                  DepthCell& cell) {
+  const double epsilon = series.is_float
+                             ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                             : std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < cases.sizes.size(); ++i) {
+    const FoundDepth found = series.run(effort, cases, i);
+    const double truth = -cases.truth[i].separation;
+    // Both hulls reach about their size from their frames; float rounds its input as well.
+    const bool is_short = found.depth < truth - 64 * epsilon * cases.sizes[i];
+    if (!found.has_depth || is_short) {
+      ++cell.failed;
+      continue;
+    }
+    cell.depths.add(std::abs(found.depth - truth) / cases.sizes[i]);
+    cell.angles.add(angle_between(found.normal, cases.truth[i].normal));
+  }
+}
+
+trace::Study study_of(const StudyOptions& options, int count) {
+  trace::Study study;
+  study.study = "penetration";
+  study.context = study_context("float and double");
+  study.reference = "extended precision over all axes, " + std::to_string(count) +
+                    " overlapping pairs of 32 vertices each, 1 mm to 1 km, seed " +
+                    std::to_string(options.seed);
+  study.parameter = "tolerance, iterations or directions";
+  return study;
+}
+
+}  // namespace
+
+std::vector<trace::Study> study_penetration(const StudyOptions& options,
+                                            const StudyProgress& progress) {
+  const int count = options.cases.value_or(kDepthCases);
+  const int repetitions = options.repetitions.value_or(kDepthRepetitions);
+  const DeepCases cases = make_deep_cases(options.seed, count);
+  const std::vector<DepthSeries> list = every_series();
+
+  const int steps = static_cast<int>(list.size()) + repetitions;
+  int done = 0;
+  std::vector<std::vector<DepthCell>> cells(list.size());
+  for (std::size_t s = 0; s < list.size(); ++s) {
+    cells[s].resize(list[s].efforts.size());
+    for (std::size_t e = 0; e < cells[s].size(); ++e)
+      judge_depths(list[s], list[s].efforts[e], cases, cells[s][e]);
+    progress(++done, steps, "errors of " + list[s].name);
+  }
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (std::size_t turn = 0; turn < list.size(); ++turn) {
+      const std::size_t s = (turn + static_cast<std::size_t>(repetition)) % list.size();
+      for (std::size_t e = 0; e < cells[s].size(); ++e) {
+        cells[s][e].times.measure(count, [&](int i) {
+          return list[s].run(list[s].efforts[e], cases, static_cast<std::size_t>(i)).depth;
+        });
+      }
+    }
+    progress(++done, steps, "times");
+  }
+
+  trace::Study depths = study_of(options, count), angles = study_of(options, count);
+  depths.measure = "depth";
+  depths.title = "The depth of two hulls by penetration algorithms";
+  depths.error = "error of the depth / size of the hulls";
+  angles.measure = "normal";
+  angles.title = "The normal of two hulls by penetration algorithms";
+  angles.error = "angle to the normal of least depth";
+  angles.unit = "rad";
+  for (std::size_t s = 0; s < list.size(); ++s) {
+    trace::StudySeries of_depths{list[s].name, {}}, of_angles{list[s].name, {}};
+    for (std::size_t e = 0; e < cells[s].size(); ++e) {
+      const DepthCell& cell = cells[s][e];
+      const double parameter = list[s].efforts[e].parameter;
+      of_depths.points.push_back(
+          study_point(parameter, cell.depths, cell.times, cell.failed, count));
+      of_angles.points.push_back(
+          study_point(parameter, cell.angles, cell.times, cell.failed, count));
+    }
+    depths.series.push_back(std::move(of_depths));
+    angles.series.push_back(std::move(of_angles));
+  }
+  return {std::move(depths), std::move(angles)};
+}
+
+}  // namespace contactscope
