@@ -44,8 +44,17 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
   return directions;
 }
 
+/// Newtons, mean over `dt` seconds.
+double load_of(const trace::Pair& pair, double dt) {
+  double impulse = 0;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points)
+      if (point.impulse) impulse += point.impulse->normal;
+  return impulse / dt;
+}
+
 /// What `pair` does not meet, without the place that each sentence begins with.
-std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& pair) {
+std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& pair, double dt) {
   std::vector<std::string> sentences;
   if (expected.state) {
     const std::string state = *expected.state == ExpectedState::Touching ? "touching" : "separated";
@@ -85,6 +94,12 @@ std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& p
     sentences.push_back("expected separation " + spell(*expected.separation) + " m, got " +
                         spell(pair.separation) + " m (tolerance " + spell(expected.tolerance) +
                         ")");
+  if (expected.load) {
+    const double load = load_of(pair, dt);
+    if (!(std::abs(load - *expected.load) <= expected.tolerance * *expected.load))
+      sentences.push_back("expected load " + spell(*expected.load) + " N, got " + spell(load) +
+                          " N (tolerance " + spell(expected.tolerance) + " of it)");
+  }
   return sentences;
 }
 
@@ -106,7 +121,7 @@ std::vector<std::string> unmet_expectations(const Scenario& scenario, const trac
       sentences.push_back(place + "the frame has no such pair");
       continue;
     }
-    for (const std::string& sentence : unmet(expected, *pair))
+    for (const std::string& sentence : unmet(expected, *pair, scenario.dt))
       sentences.push_back(place + sentence);
   }
   return sentences;

@@ -43,7 +43,7 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
 
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
   const Table table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "type",
-                                   "normal", "separation", "tolerance"});
+                                   "normal", "separation", "load", "tolerance"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -90,11 +90,20 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   }
   if (const auto separation = table.find("separation"))
     expectation.separation = separation->number("metres");
+  if (const auto load = table.find("load")) {
+    expectation.load = load->not_negative("newtons");
+    const auto dynamic = [&](int i) {
+      return scenario.shapes[static_cast<std::size_t>(i)].body.has_value();
+    };
+    if (!dynamic(expectation.a) && !dynamic(expectation.b))
+      load->fail("'load' is what the solver gives, and neither shape is dynamic");
+  }
   if (const auto tolerance = table.find("tolerance"))
     expectation.tolerance = tolerance->not_negative("metres");
   if (!expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
-      !expectation.normal && !expectation.separation)
-    value.fail("this entry expects nothing; add state, points, axis, type, normal or separation");
+      !expectation.normal && !expectation.separation && !expectation.load)
+    value.fail(
+        "this entry expects nothing; add state, points, axis, type, normal, separation or load");
   return expectation;
 }
 

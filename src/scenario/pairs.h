@@ -22,7 +22,8 @@ std::vector<ScenarioPair> read_pairs(const toml_reader::Value& value,
 std::vector<std::string> pairs_without_contact(const std::vector<ScenarioPair>& pairs,
                                                const std::vector<ScenarioShape>& shapes);
 
-/// Every pair of `shapes` in file order, each with `settings`. More than kMaxPairs throw, at `at`.
+/// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair of
+/// which one is. More than kMaxPairs throw, at `at`.
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings,
                                      const toml_reader::Value& at);

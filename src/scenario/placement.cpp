@@ -76,15 +76,6 @@ std::vector<Keyframe> read_keyframes(const Value& value, const Pose<double>& sta
   return keyframes;
 }
 
-Vec3d read_velocity(const Table& table, const char* key, const char* unit) {
-  const auto value = table.find(key);
-  if (!value) return Vec3d::Zero();
-  const Vec3d velocity = value->vector3();
-  if (velocity.cwiseAbs().maxCoeff() > kLargestLength)
-    value->fail(std::string("'") + key + "' is too fast; at most 1e9 " + unit);
-  return velocity;
-}
-
 }  // namespace
 
 double read_length(const Value& value) {
@@ -134,8 +125,18 @@ Pose<double> read_pose(const Table& table, const Pose<double>& otherwise) {
   return pose;
 }
 
+Vec3d read_velocity(const Table& table, const char* key, const char* unit) {
+  const auto value = table.find(key);
+  if (!value) return Vec3d::Zero();
+  const Vec3d velocity = value->vector3();
+  if (velocity.cwiseAbs().maxCoeff() > kLargestLength)
+    value->fail(std::string("'") + key + "' is too fast; at most 1e9 " + unit);
+  return velocity;
+}
+
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time) {
-  const Table table = value.table({"keyframes", "velocity", "angular_velocity", "dynamic", "mass"});
+  const Table table =
+      value.table({"keyframes", "velocity", "angular_velocity", "dynamic", "mass", "density"});
   Motion motion;
   const auto keyframes = table.find("keyframes");
   if (keyframes) motion.keyframes = read_keyframes(*keyframes, start);
@@ -152,13 +153,14 @@ Motion read_motion(const Value& value, const Pose<double>& start, double end_tim
             "'velocity' carries the shape farther than 1e9 metres by the last frame; lower it, "
             "or 'frames' or 'dt' in [time]");
 
-  const auto mass = table.find("mass");
-  if (mass) mass->positive("kilograms");
-  if (const auto dynamic = table.find("dynamic"); dynamic && dynamic->boolean())
-    dynamic->fail(
-        "shapes moved by the solver are parsed but cannot be simulated yet; script the motion "
-        "with 'keyframes' or 'velocity'");
-  if (mass) mass->fail("'mass' serves dynamic shapes only; leave it out of a scripted motion");
+  if (const auto dynamic = table.find("dynamic")) dynamic->boolean();
+  for (const char* key : {"mass", "density"})
+    if (const auto value_of = table.find(key)) {
+      value_of->positive();
+      value_of->fail(std::string("'") + key +
+                     "' serves dynamic shapes only; add dynamic = true, or leave it out of a "
+                     "scripted motion");
+    }
   return motion;
 }
 

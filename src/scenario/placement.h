@@ -23,7 +23,10 @@ Quatd read_rotation(const toml_reader::Value& value);
 /// The keys position and rotation of a table; what is left out is taken from `otherwise`.
 Pose<double> read_pose(const toml_reader::Table& table, const Pose<double>& otherwise);
 
-/// A [shapes.NAME.motion] table. `start` is the shape's own pose; `end_time` the time of the last
+/// The key `key` of a motion, at most 1e9 `unit`; zero when it is missing.
+Vec3d read_velocity(const toml_reader::Table& table, const char* key, const char* unit);
+
+/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose; `end_time` the time of the last
 /// frame in seconds, until which constant velocities must stay within kLargestLength.
 Motion read_motion(const toml_reader::Value& value, const Pose<double>& start, double end_time);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "core/feature_id.h"
@@ -79,6 +80,20 @@ trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) 
   return stages;
 }
 
+/// The first entry of every two shapes of which one is dynamic.
+std::vector<bool> acting_pairs(const Scenario& scenario) {
+  std::vector<bool> acting;
+  std::set<std::pair<int, int>> seen;
+  for (const ScenarioPair& pair : scenario.pairs) {
+    const bool first = seen.emplace(std::minmax(pair.a, pair.b)).second;
+    const auto dynamic = [&](int i) {
+      return scenario.shapes[static_cast<std::size_t>(i)].body.has_value();
+    };
+    acting.push_back(first && (dynamic(pair.a) || dynamic(pair.b)));
+  }
+  return acting;
+}
+
 template <class S>
 void describe(const Sphere<S>& sphere, trace::Shape& traced) {
   traced.vertices = {Vec3d::Zero()};
@@ -145,7 +160,10 @@ Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
     : scenario_(&scenario),
       stages_(with_insets(stages, scenario.views)),
       shows_stability_(shows_stability(scenario.views)),
-      memories_(scenario.pairs.size()) {
+      memories_(scenario.pairs.size()),
+      dynamic_(std::ranges::any_of(
+          scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); })),
+      acts_(acting_pairs(scenario)) {
   if (scenario.scalar == Scalar::Double)
     shapes_ = rounded_shapes<double>(scenario);
   else
@@ -175,17 +193,19 @@ trace::Header Runner::header() const {
 /// trading a and b mirrors every result, and what a reducer remembers is what it has seen.
 template <class S>
 Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
-                                  int frame, Memory& memory, trace::Pair* record) const {
+                                  const Pose<S>& of_a, const Pose<S>& of_b, int frame,
+                                  Memory& memory, trace::Pair* record) const {
   const auto place = [&](int shape) {
     return std::pair(kind_of(shapes[static_cast<std::size_t>(shape)]), shape);
   };
   const bool mirrored = place(pair.a) > place(pair.b);
   const auto a = static_cast<std::size_t>(mirrored ? pair.b : pair.a);
   const auto b = static_cast<std::size_t>(mirrored ? pair.a : pair.b);
-  const double time = frame * scenario_->dt;
-  const Pose<S> pose_a = pose_at(scenario_->shapes[a], time).template cast<S>();
-  const Pose<S> pose_b = pose_at(scenario_->shapes[b], time).template cast<S>();
+  const Pose<S>& pose_a = mirrored ? of_b : of_a;
+  const Pose<S>& pose_b = mirrored ? of_a : of_b;
   CollideOptions<S> options = options_of<S>(pair.pipeline);
+  if (scenario_->shapes[a].body || scenario_->shapes[b].body)
+    options.margin = std::max(options.margin, static_cast<S>(scenario_->solver.speculative_margin));
   options.reduction.previous = memory.kept;
   PairCache<S>* const cache =
       pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;
@@ -216,6 +236,15 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
   return manifolds;
 }
 
+template <class S>
+Runner::Memory Runner::new_memory(const ScenarioPair& pair) const {
+  Memory memory;
+  memory.cache = PairCache<S>();
+  memory.persistent = PersistentManifold<S>();
+  memory.settings = pair.pipeline;
+  return memory;
+}
+
 /// What the frame before left; nothing in frame 0, and where the pair has no use for it.
 template <class S>
 Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::size_t pair,
@@ -225,10 +254,7 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
       facts.pipeline.cache && can_cache(kind_of(shapes[static_cast<std::size_t>(facts.a)]),
                                         kind_of(shapes[static_cast<std::size_t>(facts.b)]));
   const bool persists = facts.pipeline.manifold == ManifoldKind::Incremental;
-  Memory memory;
-  memory.cache = PairCache<S>();
-  memory.persistent = PersistentManifold<S>();
-  memory.settings = facts.pipeline;
+  Memory memory = new_memory<S>(facts);
   if (frame == 0 || !(caches || persists || remembers(facts.pipeline.reducer))) return memory;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -236,7 +262,12 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
     if (last.frame >= 0 && last.frame < frame && last.settings == facts.pipeline) memory = last;
   }
   while (memory.frame < frame - 1) {
-    collide_pair(shapes, facts, memory.frame + 1, memory, nullptr);
+    const int next = memory.frame + 1;
+    const double time = next * scenario_->dt;
+    const auto pose = [&](int shape) {
+      return pose_at(scenario_->shapes[static_cast<std::size_t>(shape)], time).template cast<S>();
+    };
+    collide_pair<S>(shapes, facts, pose(facts.a), pose(facts.b), next, memory, nullptr);
   }
   return memory;
 }
@@ -275,36 +306,59 @@ void Runner::record_stability(const ScenarioPair& pair, const trace::Frame& fram
 }
 
 template <class S>
+Manifolds<S> Runner::add_pair(const std::vector<Shape<S>>& shapes, const ScenarioPair& pair,
+                              const Pose<S>& pose_a, const Pose<S>& pose_b, bool recorded,
+                              Memory& memory, trace::Frame& frame) const {
+  trace::Pair record;
+  record.a = scenario_->shapes[static_cast<std::size_t>(pair.a)].name;
+  record.b = scenario_->shapes[static_cast<std::size_t>(pair.b)].name;
+  record.label = pair.label;
+  Manifolds<S> manifolds =
+      collide_pair(shapes, pair, pose_a, pose_b, frame.frame, memory, recorded ? &record : nullptr);
+  if (recorded) {
+    record_stability(pair, frame, record);
+  } else {
+    record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
+                            shapes[static_cast<std::size_t>(pair.b)]);
+    keep_manifolds(manifolds, record);
+  }
+  frame.pairs.push_back(std::move(record));
+  return manifolds;
+}
+
+template <class S>
 trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool recorded) const {
+  if (dynamic_) return run_world(shapes, frame, recorded);
   trace::Frame result;
   result.frame = frame;
   result.time = frame * scenario_->dt;
+  std::vector<Pose<S>> poses;
   for (const ScenarioShape& shape : scenario_->shapes) {
-    const Pose<S> pose = pose_at(shape, result.time).template cast<S>();
-    result.poses.emplace_back(shape.name, pose.template cast<double>());
+    poses.push_back(pose_at(shape, result.time).template cast<S>());
+    result.poses.emplace_back(shape.name, poses.back().template cast<double>());
   }
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
     const ScenarioPair& pair = scenario_->pairs[i];
     Memory memory = memory_before(shapes, i, frame);
-    trace::Pair record;
-    record.a = scenario_->shapes[static_cast<std::size_t>(pair.a)].name;
-    record.b = scenario_->shapes[static_cast<std::size_t>(pair.b)].name;
-    record.label = pair.label;
-    const Manifolds<S> manifolds =
-        collide_pair(shapes, pair, frame, memory, recorded ? &record : nullptr);
-    if (recorded) {
-      record_stability(pair, result, record);
-    } else {
-      record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
-                              shapes[static_cast<std::size_t>(pair.b)]);
-      keep_manifolds(manifolds, record);
-    }
-    result.pairs.push_back(std::move(record));
+    add_pair(shapes, pair, poses[static_cast<std::size_t>(pair.a)],
+             poses[static_cast<std::size_t>(pair.b)], recorded, memory, result);
     const std::lock_guard<std::mutex> lock(mutex_);
     memories_[i] = std::move(memory);
   }
   return result;
 }
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
+  template Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>&, const ScenarioPair&, \
+                                             const Pose<S>&, const Pose<S>&, int, Memory&,      \
+                                             trace::Pair*) const;                               \
+  template Manifolds<S> Runner::add_pair(const std::vector<Shape<S>>&, const ScenarioPair&,     \
+                                         const Pose<S>&, const Pose<S>&, bool, Memory&,         \
+                                         trace::Frame&) const;                                  \
+  template Runner::Memory Runner::new_memory<S>(const ScenarioPair&) const;
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 trace::Frame Runner::frame(int frame) const {
   return std::visit([&](const auto& shapes) { return run(shapes, frame, true); }, shapes_);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "scenario/dynamics_keys.h"
 #include "scenario/expectations.h"
 #include "scenario/pairs.h"
 #include "scenario/shapes.h"
@@ -45,23 +46,6 @@ std::vector<std::string> read_tags(const Value& value) {
   return tags;
 }
 
-// Dynamic shapes alone use these two tables, and there are none yet; a mistake is one all the same.
-
-void check_world(const Value& value) {
-  const Table table = value.table({"gravity", "friction"});
-  if (const auto gravity = table.find("gravity")) gravity->vector3();
-  if (const auto friction = table.find("friction")) friction->not_negative();
-}
-
-void check_solver(const Value& value) {
-  constexpr int kMaxIterations = 10000;
-  const Table table = value.table({"iterations", "position_correction", "warm_start"});
-  if (const auto iterations = table.find("iterations")) iterations->integer(1, kMaxIterations);
-  if (const auto correction = table.find("position_correction"))
-    correction->one_of({"baumgarte", "projection", "soft"}, "position correction");
-  if (const auto warm_start = table.find("warm_start")) warm_start->boolean();
-}
-
 }  // namespace
 
 Scenario parse_scenario(const std::string& text, const std::string& path) {
@@ -94,8 +78,9 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   for (std::string& warning : pairs_without_contact(scenario.pairs, scenario.shapes))
     scenario.warnings.push_back(std::move(warning));
 
-  if (const auto world = file.find("world")) check_world(*world);
-  if (const auto solver = file.find("solver")) check_solver(*solver);
+  scenario.world = default_world(scenario.up);
+  if (const auto world = file.find("world")) scenario.world = read_world(*world, scenario.up);
+  if (const auto solver = file.find("solver")) scenario.solver = read_solver(*solver);
   if (const auto views = file.find("views"))
     scenario.views = read_views(*views);
   else

@@ -53,9 +53,40 @@
 ///
 /// Lengths may be 1e-9 to 1e9 metres, frames up to 100000, segments 3 to 64, max_points 1 to 64,
 /// pairs up to 4096, points of a hull up to 100000, the file up to 16 MiB. `segments` has no
-/// default. A view's name becomes a folder: letters, digits, '_' and '-'. Keys that serve what is
-/// not built yet (dynamic shapes, incremental manifolds) are checked
-/// and then refused; [world] and [solver] are checked and have no effect on scripted shapes.
+/// default. A view's name becomes a folder: letters, digits, '_' and '-'.
+///
+///     [shapes.crate]
+///     friction    = 0.6                # of contacts: the geometric mean of both shapes'; default
+///     restitution = 0.0                # the world's; of contacts: the larger of both shapes'
+///
+///     [shapes.crate.motion]
+///     dynamic = true                   # moved by the solver; not planes and meshes
+///     mass    = 1.0                    # kilograms, or density = kilograms a cubic metre
+///     velocity = [0, 0, 0]             # at the start, of the centre of mass; and angular_velocity
+///
+///     [world]
+///     gravity     = [0, -9.81, 0]      # default along `up`
+///     friction    = 0.6
+///     restitution = 0.0
+///
+///     [solver]
+///     iterations = 10                  # sweeps over all points in each sub-step
+///     substeps   = 1                   # of each frame
+///     position_correction = "baumgarte"  # or "projection", "soft"
+///     warm_start = true
+///     baumgarte  = 0.1                 # share of the overlap that a sub-step works off
+///     slop       = 0.0                 # metres of overlap that are let be
+///     hertz      = 30.0                # of soft contacts, and damping_ratio = 10.0
+///     speculative_margin = 0.0         # metres: points up to that far apart are kept, and keep
+///                                      # bodies from passing through each other
+///
+///     [[expect]]
+///     load = 98.1                      # newtons: normal impulses of the frame over its time;
+///                                      # `tolerance` is a share of it
+///
+/// Where shapes are dynamic, frame k shows them before step k, the contacts found there, and the
+/// impulses that the step then gives; pairs of which no shape is dynamic are left out by default. Of
+/// several entries for the same two shapes the first one moves them, the others are only shown.
 namespace contactscope {
 
 /// Position and rotation at a time; what a keyframe leaves out is taken from the keyframe before
@@ -141,8 +172,9 @@ struct Expectation {
   std::optional<std::string> type;  // "point-face", ...
   std::optional<Vec3d> normal;
   std::optional<double> separation;  // metres, deepest point
-  double tolerance = 1e-5;           // metres, and for each component of the normal
-  int line = 0;                      // in the file, for messages
+  std::optional<double> load;        // newtons, what the solver's normal impulses come to
+  double tolerance = 1e-5;  // metres, and for each component of the normal; share of the load
+  int line = 0;             // in the file, for messages
 };
 
 /// Which frames `check` stores, and in what size.

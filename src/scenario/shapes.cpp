@@ -9,6 +9,7 @@
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "geometry/triangulate_faces.h"
+#include "scenario/dynamics_keys.h"
 #include "scenario/mesh_shape.h"
 #include "scenario/placement.h"
 #include "scenario/shape_values.h"
@@ -22,7 +23,7 @@ using toml_reader::Table;
 using toml_reader::Value;
 
 /// Keys of every shape, whatever its type.
-const Keys kCommonKeys = {"type", "position", "rotation", "motion"};
+const Keys kCommonKeys = {"type", "position", "rotation", "motion", "friction", "restitution"};
 
 // Half of what one face may have: a clip polygon of two such caps fits with room to spare.
 constexpr int kMaxSegments = 64;
@@ -216,9 +217,16 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
   shape.name = value.name();
   shape.type = type.name;
   shape.pose = read_pose(table, {});
-  if (const auto motion = table.find("motion"))
-    shape.motion = read_motion(*motion, shape.pose, end_time);
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
+  if (const auto motion = table.find("motion")) {
+    if (is_dynamic(*motion))
+      shape.body = read_body(*motion, shape);
+    else
+      shape.motion = read_motion(*motion, shape.pose, end_time);
+  }
+  if (const auto friction = table.find("friction")) shape.friction = read_friction(*friction);
+  if (const auto restitution = table.find("restitution"))
+    shape.restitution = read_restitution(*restitution);
   return shape;
 }
 

@@ -146,12 +146,8 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"MeshGridOfNoCells", one_shape("type = \"mesh\"\ngrid = { size = 4, cells = 0 }"),
                "4:28", "'cells' is 0; it may be 1 to 4096"},
         Broken{"MeshOfNothing", one_shape("type = \"mesh\""), "2:1", "a mesh needs one of"},
-        Broken{"Dynamic", two_boxes("motion = { dynamic = true, mass = 1.0 }"), "8:22",
-               "parsed but cannot be simulated yet; script the motion"},
-        Broken{"DynamicOfNoMass", two_boxes("motion = { dynamic = true, mass = 0 }"), "8:35",
-               "'mass' must be greater than zero"},
-        Broken{"MassOfAScriptedShape", two_boxes("motion = { mass = 2 }"), "8:19",
-               "'mass' serves dynamic shapes only"}),
+        Broken{"MassOfAScript", two_boxes("motion = { velocity = [1, 0, 0], mass = 1 }"), "8:41",
+               "'mass' serves dynamic shapes only; add dynamic = true"}),
     name_of_test);
 
 std::string rotated(const std::string& rotation) {  // the value begins at 8:12
@@ -228,6 +224,44 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"VelocityThatLeavesTheWorld",
                moved("velocity = [1e9, 0, 0]\n[time]\nframes = 3\ndt = 1.0"), "9:12",
                "farther than 1e9 metres by the last frame"}),
+    name_of_test);
+
+/// `rest` follows dynamic = true on line 8, from column 28 on.
+std::string dynamic_floor(const std::string& rest) {
+  return two_boxes("motion = { dynamic = true" + rest + " }");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Dynamic, BrokenShape,
+    ::testing::Values(
+        Broken{"NoMass", dynamic_floor(""), "8:10", "'floor' is dynamic and has no mass; add"},
+        Broken{"ZeroMass", dynamic_floor(", mass = 0"), "8:35", "must be greater than zero"},
+        Broken{"NegativeDensity", dynamic_floor(", density = -1"), "8:38",
+               "must be greater than zero"},
+        Broken{"HugeMass", dynamic_floor(", mass = 1e10"), "8:35",
+               "bodies may have 1e-9 to 1e9 kg"},
+        Broken{"DensityOfTooMuch", dynamic_floor(", density = 1e9"), "8:38",
+               "; bodies may have 1e-9 to 1e9 kg"},
+        Broken{"MassAndDensity", dynamic_floor(", mass = 1, density = 2"), "8:48",
+               "give 'mass' or 'density', not both"},
+        Broken{"DynamicKeyframes", dynamic_floor(", mass = 1, keyframes = [{ time = 0 }]"), "8:50",
+               "'keyframes' and 'dynamic' both move the shape"},
+        Broken{"DynamicIsANumber", two_boxes("motion = { dynamic = 1 }"), "8:22",
+               "'dynamic' is an integer; true or false"},
+        Broken{"DynamicPlane",
+               one_shape("type = \"plane\"\nnormal = [0, 1, 0]\noffset = 0\n"
+                         "motion = { dynamic = true, mass = 1 }"),
+               "6:22", "'rock' is a plane, which has no mass"},
+        Broken{"DynamicMesh",
+               one_shape("type = \"mesh\"\ngrid = { size = 4, cells = 2, amplitude = 1 }\n"
+                         "motion = { dynamic = true, mass = 1 }"),
+               "5:22", "'rock' is a mesh, which has no mass"},
+        Broken{"FastBody", dynamic_floor(", mass = 1, velocity = [0, 2e9, 0]"), "8:49",
+               "'velocity' is too fast"},
+        Broken{"NegativeShapeFriction", two_boxes("friction = -0.1"), "8:12",
+               "must not be negative"},
+        Broken{"RestitutionOfMoreThanAll", two_boxes("restitution = 1.5"), "8:15",
+               "'restitution' is a share; it may be 0 to 1"}),
     name_of_test);
 
 }  // namespace

@@ -1,0 +1,144 @@
+#include "scenario/dynamics_keys.h"
+
+#include "dynamics/mass_properties.h"
+#include "scenario/placement.h"
+
+namespace contactscope::scenario_file {
+namespace {
+
+using toml_reader::Table;
+using toml_reader::Value;
+
+// A float holds the inverse of each, and of its moments of inertia at every length of a scenario.
+constexpr double kSmallestMass = 1e-9, kLargestMass = 1e9;  // kilograms
+constexpr double kMostFriction = 1000;
+constexpr double kMostGravity = 1e6;  // metres a second, a second
+constexpr int kMostIterations = 10000;
+constexpr int kMostSubsteps = 1000;
+constexpr double kMostHertz = 1e6;
+
+void check_mass(double mass, const Value& at) {
+  if (mass < kSmallestMass || mass > kLargestMass)
+    at.fail("'" + at.name() +
+            "' makes the body too light or too heavy; bodies may have 1e-9 to 1e9 kg");
+}
+
+double read_mass(const Table& table, const ScenarioShape& shape) {
+  const auto mass = table.find("mass");
+  const auto density = table.find("density");
+  if (mass && density) density->fail("give 'mass' or 'density', not both");
+  const std::optional<MassProperties> filled = mass_properties(*shape.geometry);
+  if (!filled)
+    table.require("dynamic", "dynamic = false")
+        .fail("'" + shape.name + "' is a " + shape.type +
+              ", which has no mass; the solver moves boxes, hulls, cylinders, cones, spheres and "
+              "capsules");
+  if (mass) {
+    const double kilograms = mass->positive("kilograms");
+    check_mass(kilograms, *mass);
+    return kilograms;
+  }
+  if (!density)
+    table.fail("'" + shape.name +
+               "' is dynamic and has no mass; add mass = 1.0 (kilograms) or density = 1000 "
+               "(kilograms a cubic metre)");
+  const double kilograms = density->positive("kilograms a cubic metre") * filled->volume;
+  check_mass(kilograms, *density);
+  return kilograms;
+}
+
+double read_share(const Value& value) {
+  const double share = value.not_negative();
+  if (share > 1) value.fail("'" + value.name() + "' is a share; it may be 0 to 1");
+  return share;
+}
+
+double read_at_most(const Value& value, double most, const char* unit) {
+  const double number = value.not_negative(unit);
+  if (number > most)
+    value.fail("'" + value.name() + "' is larger than " +
+               std::to_string(static_cast<long long>(most)) + "; lower it");
+  return number;
+}
+
+PositionCorrection read_correction(const Value& value) {
+  const std::string name = value.one_of({"baumgarte", "projection", "soft"}, "position correction");
+  if (name == "projection") return PositionCorrection::Projection;
+  return name == "soft" ? PositionCorrection::Soft : PositionCorrection::Baumgarte;
+}
+
+}  // namespace
+
+bool is_dynamic(const Value& motion) {
+  if (!motion.is_table()) return false;  // read_motion refuses it
+  const auto dynamic = motion.peek("dynamic");
+  return dynamic && dynamic->boolean();
+}
+
+ScenarioBody read_body(const Value& motion, const ScenarioShape& shape) {
+  const Table table =
+      motion.table({"dynamic", "mass", "density", "velocity", "angular_velocity", "keyframes"});
+  if (const auto keyframes = table.find("keyframes"))
+    keyframes->fail("'keyframes' and 'dynamic' both move the shape; leave one of them out");
+  ScenarioBody body;
+  body.mass = read_mass(table, shape);
+  body.velocity = read_velocity(table, "velocity", "m/s");
+  body.angular_velocity = read_velocity(table, "angular_velocity", "rad/s");
+  return body;
+}
+
+WorldSettings default_world(const std::string& up) {
+  WorldSettings world;
+  if (up == "z") world.gravity = {0, 0, world.gravity.y()};
+  return world;
+}
+
+WorldSettings read_world(const Value& value, const std::string& up) {
+  const Table table = value.table({"gravity", "friction", "restitution"});
+  WorldSettings world = default_world(up);
+  if (const auto gravity = table.find("gravity")) {
+    world.gravity = gravity->vector3();
+    if (world.gravity.cwiseAbs().maxCoeff() > kMostGravity)
+      gravity->fail("'gravity' is stronger than 1e6 m/s^2; lower it");
+  }
+  if (const auto friction = table.find("friction")) world.friction = read_friction(*friction);
+  if (const auto restitution = table.find("restitution"))
+    world.restitution = read_restitution(*restitution);
+  return world;
+}
+
+SolverSettings read_solver(const Value& value) {
+  const Table table =
+      value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
+                   "slop", "hertz", "damping_ratio", "speculative_margin"});
+  SolverSettings solver;
+  if (const auto iterations = table.find("iterations"))
+    solver.iterations = iterations->integer(1, kMostIterations);
+  if (const auto substeps = table.find("substeps"))
+    solver.substeps = substeps->integer(1, kMostSubsteps);
+  if (const auto correction = table.find("position_correction"))
+    solver.position_correction = read_correction(*correction);
+  if (const auto warm_start = table.find("warm_start")) solver.warm_start = warm_start->boolean();
+  if (const auto baumgarte = table.find("baumgarte")) solver.baumgarte = read_share(*baumgarte);
+  if (const auto slop = table.find("slop"))
+    solver.slop = read_at_most(*slop, kLargestLength, "metres");
+  if (const auto hertz = table.find("hertz")) {
+    solver.hertz = hertz->positive("hertz");
+    read_at_most(*hertz, kMostHertz, "hertz");
+  }
+  if (const auto damping = table.find("damping_ratio"))
+    solver.damping_ratio = read_at_most(*damping, kMostHertz, nullptr);
+  if (const auto margin = table.find("speculative_margin"))
+    solver.speculative_margin = read_at_most(*margin, kLargestLength, "metres");
+  return solver;
+}
+
+double read_friction(const Value& value) {
+  return read_at_most(value, kMostFriction, nullptr);
+}
+
+double read_restitution(const Value& value) {
+  return read_share(value);
+}
+
+}  // namespace contactscope::scenario_file

@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/run.h"
+
+// Frames of scenarios with dynamic shapes. A frame depends on all before it, so states are kept, and a
+// frame is run from the latest one that is not after it; where that was, no result can tell.
+
+namespace contactscope {
+namespace {
+
+constexpr std::size_t kRoomForHistory = std::size_t{64} << 20;  // bytes
+
+/// Of shape `index` without its default.
+double coefficient(const std::optional<double>& own, double otherwise) {
+  return own.value_or(otherwise);
+}
+
+template <class S>
+S friction_of(const Scenario& scenario, const ScenarioPair& pair) {
+  const auto own = [&](int i) {
+    return coefficient(scenario.shapes[static_cast<std::size_t>(i)].friction,
+                       scenario.world.friction);
+  };
+  return static_cast<S>(std::sqrt(own(pair.a) * own(pair.b)));
+}
+
+template <class S>
+S restitution_of(const Scenario& scenario, const ScenarioPair& pair) {
+  const auto own = [&](int i) {
+    return coefficient(scenario.shapes[static_cast<std::size_t>(i)].restitution,
+                       scenario.world.restitution);
+  };
+  return static_cast<S>(std::max(own(pair.a), own(pair.b)));
+}
+
+/// The body of a shape at the start.
+template <class S>
+Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
+  const Pose<S> pose = pose_at(shape, 0).template cast<S>();
+  if (!shape.body) return static_body<S>(pose);
+  Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
+  body.velocity = shape.body->velocity.template cast<S>();
+  body.angular_velocity = shape.body->angular_velocity.template cast<S>();
+  return body;
+}
+
+template <class S>
+trace::Solver facts_of(const Scenario& scenario, const std::vector<Body<S>>& bodies) {
+  trace::Solver facts;
+  facts.position_correction = to_string(scenario.solver.position_correction);
+  facts.iterations = scenario.solver.iterations;
+  facts.substeps = scenario.solver.substeps;
+  facts.warm_start = scenario.solver.warm_start;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body<S>& body = bodies[i];
+    if (!body.dynamic()) continue;
+    trace::Body& fact = facts.bodies.emplace_back();
+    fact.name = scenario.shapes[i].name;
+    fact.mass = static_cast<double>(body.mass);
+    fact.center_of_mass = body.center.template cast<double>();
+    fact.velocity = body.velocity.template cast<double>();
+    fact.angular_velocity = body.angular_velocity.template cast<double>();
+    fact.kinetic_energy = kinetic_energy(body);
+    fact.potential_energy = potential_energy(body, scenario.world.gravity);
+  }
+  return facts;
+}
+
+/// Impulses stand in the order of manifolds and points; a point that the solver left out has none.
+template <class S>
+void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impulses,
+                     trace::Pair& record) {
+  std::size_t next = 0;
+  for (std::size_t m = 0; m < manifolds.size(); ++m) {
+    for (std::size_t p = 0; p < manifolds[m].points.size() && next < impulses.size(); ++p) {
+      const PointImpulse<S>& impulse = impulses[next];
+      if (impulse.id != manifolds[m].points[p].id || impulse.triangle != manifolds[m].triangle)
+        continue;
+      ++next;
+      record.manifolds[m].points[p].impulse = trace::Impulse{
+          static_cast<double>(impulse.total_normal), impulse.total_friction.template cast<double>(),
+          static_cast<double>(impulse.warm_start)};
+    }
+  }
+}
+
+}  // namespace
+
+template <class S>
+Runner::History<S>& Runner::history() const {
+  if (!std::holds_alternative<History<S>>(history_)) history_.template emplace<History<S>>();
+  std::vector<PipelineSettings> settings;
+  for (const ScenarioPair& pair : scenario_->pairs) settings.push_back(pair.pipeline);
+  if (settings != history_settings_) {
+    const std::size_t state = scenario_->shapes.size() * sizeof(Body<S>) +
+                              settings.size() * (sizeof(Memory) + 8 * sizeof(PointImpulse<S>));
+    history_.template emplace<History<S>>(kRoomForHistory / state);
+    history_settings_ = std::move(settings);
+  }
+  return std::get<History<S>>(history_);
+}
+
+template <class S>
+void Runner::put(const WorldState<S>& state) const {
+  auto kept = std::make_shared<const WorldState<S>>(state);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  history<S>().put(std::move(kept));
+}
+
+template <class S>
+Runner::WorldState<S> Runner::world_at_start(const std::vector<Shape<S>>& shapes) const {
+  WorldState<S> state;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    state.bodies.push_back(body_of(scenario_->shapes[i], shapes[i]));
+  state.impulses.resize(scenario_->pairs.size());
+  for (const ScenarioPair& pair : scenario_->pairs) state.memories.push_back(new_memory<S>(pair));
+  return state;
+}
+
+/// The step of `state`'s frame; leaves the state before the next one.
+template <class S>
+void Runner::solve(WorldState<S>& state, const std::vector<Manifolds<S>>& contacts) const {
+  const double now = state.frame * scenario_->dt, next = (state.frame + 1) * scenario_->dt;
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const ScenarioShape& shape = scenario_->shapes[i];
+    if (!shape.body)
+      set_scripted_velocity(state.bodies[i], pose_at(shape, now), pose_at(shape, next),
+                            scenario_->dt);
+  }
+  std::vector<PairContacts<S>> pairs;
+  for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
+    const ScenarioPair& pair = scenario_->pairs[i];
+    pairs.push_back({pair.a, pair.b, acts_[i] ? &contacts[i] : nullptr,
+                     friction_of<S>(*scenario_, pair), restitution_of<S>(*scenario_, pair)});
+  }
+  solve_step<S>(state.bodies, pairs, state.impulses, scenario_->world.gravity.cast<S>(),
+                scenario_->solver, static_cast<S>(scenario_->dt));
+  ++state.frame;
+  // A script knows where it is; steps would add up their rounding.
+  for (std::size_t i = 0; i < state.bodies.size(); ++i)
+    if (!scenario_->shapes[i].body)
+      state.bodies[i].place(pose_at(scenario_->shapes[i], next).template cast<S>());
+}
+
+template <class S>
+Runner::WorldState<S> Runner::world_before(const std::vector<Shape<S>>& shapes, int frame) const {
+  std::shared_ptr<const WorldState<S>> latest;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    latest = history<S>().before(frame);
+  }
+  WorldState<S> state = latest ? *latest : world_at_start(shapes);
+  if (!latest) put(state);
+  while (state.frame < frame) {
+    std::vector<Manifolds<S>> contacts;
+    for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
+      const ScenarioPair& pair = scenario_->pairs[i];
+      contacts.push_back(collide_pair(shapes, pair,
+                                      state.bodies[static_cast<std::size_t>(pair.a)].pose(),
+                                      state.bodies[static_cast<std::size_t>(pair.b)].pose(),
+                                      state.frame, state.memories[i], nullptr));
+    }
+    solve(state, contacts);
+    put(state);
+  }
+  return state;
+}
+
+template <class S>
+trace::Frame Runner::run_world(const std::vector<Shape<S>>& shapes, int frame,
+                               bool recorded) const {
+  WorldState<S> state = world_before(shapes, frame);
+  trace::Frame result;
+  result.frame = frame;
+  result.time = frame * scenario_->dt;
+  std::vector<Pose<S>> poses;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    poses.push_back(state.bodies[i].pose());
+    result.poses.emplace_back(scenario_->shapes[i].name, poses.back().template cast<double>());
+  }
+  if (recorded) result.solver = facts_of(*scenario_, state.bodies);
+
+  std::vector<Manifolds<S>> contacts;
+  for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
+    const ScenarioPair& pair = scenario_->pairs[i];
+    contacts.push_back(add_pair(shapes, pair, poses[static_cast<std::size_t>(pair.a)],
+                                poses[static_cast<std::size_t>(pair.b)], recorded,
+                                state.memories[i], result));
+  }
+  solve(state, contacts);
+  put(state);
+  if (recorded)
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      record_impulses(contacts[i], state.impulses[i], result.pairs[i]);
+  return result;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S) \
+  template trace::Frame Runner::run_world(const std::vector<Shape<S>>&, int, bool) const;
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

@@ -1,0 +1,351 @@
+#include "dynamics/solver.h"
+
+#include <gmock/gmock.h>
+
+#include "dynamics/scene.h"
+#include "support/random_geometry.h"
+
+namespace contactscope::test {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+struct Method {
+  const char* name;
+  PositionCorrection correction;
+  int substeps;
+};
+std::ostream& operator<<(std::ostream& out, const Method& method) {
+  return out << method.name;
+}
+
+class EveryMethod : public ::testing::TestWithParam<Method> {
+ protected:
+  Scene<double> scene() const {
+    Scene<double> result;
+    result.settings.position_correction = GetParam().correction;
+    result.settings.substeps = GetParam().substeps;
+    return result;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Solver, EveryMethod,
+                         ::testing::Values(Method{"Baumgarte", PositionCorrection::Baumgarte, 1},
+                                           Method{"Projection", PositionCorrection::Projection, 1},
+                                           Method{"Soft", PositionCorrection::Soft, 4}),
+                         [](const ::testing::TestParamInfo<Method>& test) {
+                           return std::string(test.param.name);
+                         });
+
+/// A flat box on a slope of `degrees`, its downhill velocity after `seconds`.
+double slide(Scene<double> scene, double degrees, double friction, double seconds) {
+  scene.friction = friction;
+  scene.settings.slop = 0.001;
+  scene.settings.iterations = 20;
+  const Quatd turn = about(Vec3d::UnitZ(), -degrees * kDegree);
+  scene.add_plane(-degrees * kDegree);
+  const int box = scene.add_box({0.5, 0.1, 0.5}, {turn, turn * Vec3d(0, 0.099, 0)}, 3);
+  scene.advance(static_cast<int>(std::lround(seconds / scene.dt)));
+  return scene.body(box).velocity.dot(turn * Vec3d::UnitX());
+}
+
+// Holds where tan(angle) <= mu, slides with g (sin - mu cos) where it is steeper.
+TEST_P(EveryMethod, ABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
+  for (const double friction : {0.2, 0.5, 0.8}) {
+    const double critical = std::atan(friction) / kDegree;
+    EXPECT_NEAR(slide(scene(), critical - 1, friction, 1), 0, 1e-6) << friction;
+    EXPECT_NEAR(slide(scene(), critical / 3, friction, 1), 0, 1e-6) << friction;
+    for (const double angle : {critical + 2, critical + 15}) {
+      const double acceleration =
+          kGravity * (std::sin(angle * kDegree) - friction * std::cos(angle * kDegree));
+      const double gained =
+          slide(scene(), angle, friction, 0.75) - slide(scene(), angle, friction, 0.25);
+      EXPECT_NEAR(gained, 0.5 * acceleration, 0.005 * 0.5 * acceleration)
+          << friction << " at " << angle << " degrees";
+    }
+  }
+}
+
+// Without slip a ball rolls with g sin / (1 + 2/5).
+TEST_P(EveryMethod, ABallRollsDownASlope) {
+  Scene<double> rolling = scene();
+  rolling.settings.slop = 0.0001;  // the arm is so much shorter than the radius
+  const double angle = 20 * kDegree;
+  const Quatd turn = about(Vec3d::UnitZ(), -angle);
+  rolling.add_plane(-angle);
+  const int ball = rolling.add_sphere(0.25, turn * Vec3d(0, 0.2499, 0), 2);
+  rolling.advance(60);
+  const double gained = kGravity * std::sin(angle) / 1.4;
+  // Between sub-steps the anchor turns with the ball, up and away: the last ones may not touch.
+  const double share = GetParam().substeps > 1 ? 0.01 : 0.002;
+  EXPECT_NEAR(rolling.body(ball).velocity.dot(turn * Vec3d::UnitX()), gained, share * gained);
+  EXPECT_NEAR(rolling.body(ball).angular_velocity.z(), -gained / 0.25, share * gained / 0.25);
+}
+
+TEST_P(EveryMethod, SlidingHasNoPreferredDirection) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (int i = 0; i < 24; ++i) {
+    Scene<double> level = scene();
+    level.friction = 0.3;
+    level.settings.slop = 0.001;
+    level.settings.speculative_margin = 0.01;
+    level.add_plane();
+    const int ball = level.add_box({0.1, 0.1, 0.1}, at(0, 0.099, 0), 1);
+    const Vec3d direction(std::cos(i * 15 * kDegree), 0, std::sin(i * 15 * kDegree));
+    level.body(ball).rotation = about(Vec3d::UnitY(), -i * 15 * kDegree);
+    level.body(ball).velocity = 3 * direction;
+    level.advance(60);
+    const double way = level.body(ball).center.dot(direction);
+    EXPECT_LT((level.body(ball).center - way * direction - Vec3d(0, 0.1, 0)).norm(), 0.002);
+    least = std::min(least, way);
+    most = std::max(most, way);
+  }
+  // v^2 / (2 mu g) = 1.53 m, give or take half a step at the start and at the end.
+  EXPECT_NEAR(most, 9 / (2 * 0.3 * kGravity), 0.03);
+  EXPECT_LT(most - least, 1e-9);
+}
+
+// Semi-implicit Euler moves along a parabola of its own, whose velocity at the step's ends is v - g
+// h / 2: of that its energy is constant, and a perfect bounce must keep it.
+TEST(Restitution, AnElasticBallComesBackToItsHeight) {
+  for (const double margin : {0.0, 0.5}) {
+    for (const double dt : {1.0 / 60, 1.0 / 200}) {
+      Scene<double> scene;
+      scene.dt = dt;
+      scene.restitution = 1;
+      scene.settings.baumgarte = 0;
+      scene.settings.speculative_margin = margin;
+      scene.add_plane();
+      const int ball = scene.add_sphere(0.25, {0, 2.25, 0}, 2);
+      int bounces = 0;
+      double top = 0, last_top = 2;
+      bool rising = false;
+      for (double time = 0; time < 8; time += dt) {
+        const double before = scene.body(ball).velocity.y();
+        scene.advance();
+        const double after = scene.body(ball).velocity.y();
+        if (before < 0 && after > 0) {
+          ++bounces;
+          rising = true;
+          top = 0;
+        }
+        top = std::max(top, scene.body(ball).center.y() - 0.25);
+        if (rising && after < 0) {
+          rising = false;
+          // Between two frames the top can be missed by g dt^2 / 8. A ball that is caught before
+          // it is there falls the rest of the way at a constant speed, and so loses that height.
+          const double missed = kGravity * dt * dt / 8;
+          EXPECT_LT(top, last_top + missed) << "bounce " << bounces;
+          EXPECT_GT(top, last_top - missed - (margin > 0 ? 6.3 * dt : 0)) << "bounce " << bounces;
+          last_top = top;
+        }
+      }
+      EXPECT_GE(bounces, 5);
+    }
+  }
+}
+
+TEST(Restitution, IsTheShareOfTheVelocityThatComesBack) {
+  for (const double restitution : {0.25, 0.5, 0.75, 1.0}) {
+    Scene<double> scene;
+    scene.restitution = restitution;
+    scene.settings.iterations = 100;
+    scene.world.gravity.setZero();
+    scene.add_plane();
+    const int box = scene.add_box({0.5, 0.5, 0.5}, at(0, 0.5, 0), 2);
+    scene.body(box).velocity = {0, -3, 0};
+    scene.advance();
+    EXPECT_LT((scene.body(box).velocity - Vec3d(0, 3 * restitution, 0)).norm(), 1e-6);
+    EXPECT_LT(scene.body(box).angular_velocity.norm(), 1e-6);
+  }
+}
+
+TEST(Restitution, WhatRestsDoesNotBounce) {
+  Scene<double> scene;
+  scene.restitution = 1;
+  scene.settings.slop = 0.001;
+  scene.add_plane();
+  const int box = scene.add_box({0.5, 0.5, 0.5}, at(0, 0.4995, 0), 2);
+  for (int i = 0; i < 200; ++i) {
+    scene.advance();
+    // Less than a hundredth of what gravity adds in a step, which it would bounce with.
+    ASSERT_LT(scene.body(box).velocity.norm(), 0.01 * kGravity * scene.dt) << i;
+  }
+}
+
+// Impulses are equal and opposite and act in one point.
+TEST(Momentum, CollisionsKeepBothOfThem) {
+  Random random(31);
+  int touched = 0;
+  for (int round = 0; round < 40; ++round) {
+    Scene<double> scene;
+    scene.world.gravity.setZero();
+    scene.friction = 0.5;
+    for (int i = 0; i < 6; ++i) {
+      const Pose<double> pose = random.pose(1.2);
+      const double mass = random.decade(-1, 2);
+      const int body = i % 3 == 0 ? scene.add_sphere(random.uniform(0.3, 0.6), pose.position, mass)
+                                  : scene.add(random_hull(random, 12, 0.7, 2), pose, mass);
+      scene.body(body).velocity = -2 * pose.position;
+      scene.body(body).angular_velocity = 2 * random.unit_vector();
+    }
+    const auto momenta = [&] {
+      Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
+      for (const Body<double>& body : scene.world.bodies) {
+        linear += body.mass * body.velocity;
+        angular += body.mass * body.center.cross(body.velocity) + angular_momentum(body);
+      }
+      return std::pair(linear, angular);
+    };
+    const auto [linear, angular] = momenta();
+    double size = 0;
+    for (const Body<double>& body : scene.world.bodies)
+      size += body.mass * body.velocity.norm() + angular_momentum(body).norm();
+    for (int i = 0; i < 30; ++i) {
+      scene.advance();
+      for (const auto& impulses : scene.world.impulses) touched += !impulses.empty();
+    }
+    EXPECT_LT((momenta().first - linear).norm(), 1e-12 * size);
+    EXPECT_LT((momenta().second - angular).norm(), 1e-11 * size);
+  }
+  EXPECT_GT(touched, 1000);
+}
+
+/// Two balls of 1 kg without gravity, 2 cm in each other.
+Scene<double> two_balls(PositionCorrection correction) {
+  Scene<double> scene;
+  scene.world.gravity.setZero();
+  scene.settings.position_correction = correction;
+  scene.add_sphere(0.5, {0, 0, 0}, 1);
+  scene.add_sphere(0.5, {0.98, 0, 0}, 1);
+  return scene;
+}
+
+double gap(Scene<double>& scene) {
+  return (scene.body(1).center - scene.body(0).center).norm() - 1;
+}
+
+// v_rel = 0.1 / dt * d, and nothing takes it away again.
+TEST(Correction, BaumgartePushesWithAShareOfTheOverlapAndLeavesThatVelocity) {
+  Scene<double> scene = two_balls(PositionCorrection::Baumgarte);
+  scene.advance();
+  EXPECT_NEAR(gap(scene), -0.018, 1e-12);
+  const double closing = scene.body(1).velocity.x() - scene.body(0).velocity.x();
+  EXPECT_NEAR(closing, 0.1 / scene.dt * 0.02, 1e-12);
+  scene.advance(20);
+  EXPECT_NEAR(gap(scene), -0.02 + 21 * 0.002, 1e-12);
+}
+
+TEST(Correction, ProjectionMovesTheWholeWayAtOnceAndGivesNoVelocity) {
+  Scene<double> scene = two_balls(PositionCorrection::Projection);
+  scene.settings.slop = 0.005;
+  scene.advance();
+  EXPECT_NEAR(gap(scene), -0.005, 1e-12);
+  EXPECT_EQ(scene.kinetic(), 0);
+}
+
+TEST(Correction, SoftContactsRelaxWhatTheyPushed) {
+  Scene<double> scene = two_balls(PositionCorrection::Soft);
+  scene.settings.substeps = 4;
+  scene.advance();
+  EXPECT_GT(gap(scene), -0.0199);
+  EXPECT_LT(gap(scene), 0);
+  EXPECT_LT(scene.kinetic(), 1e-20);
+}
+
+// A body that rests on a floor works its overlap off by the same share in each step.
+TEST(Correction, BaumgarteDecaysByTheSameShareInEachStep) {
+  Scene<double> scene;
+  scene.add_plane();
+  const int ball = scene.add_sphere(0.5, {0, 0.49, 0}, 1);
+  double overlap = 0.01;
+  for (int i = 0; i < 60; ++i) {
+    scene.advance();
+    overlap *= 0.9;
+    ASSERT_NEAR(0.5 - scene.body(ball).center.y(), overlap, 1e-9) << i;
+  }
+}
+
+// A box lies flat in the floor: its corners together lift it by what each alone lacks.
+TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
+  for (const double tilt : {0.0, 0.01}) {
+    Scene<double> scene;
+    scene.settings.position_correction = PositionCorrection::Projection;
+    scene.settings.iterations = 200;
+    scene.add_plane();
+    scene.add_box({0.5, 0.5, 0.5}, {about({1, 0, 2}, tilt), {0, 0.48, 0}}, 1);
+    scene.advance();
+    scene.settings.speculative_margin = 0.1;  // so that what is apart is seen too
+    EXPECT_NEAR(scene.deepest_overlap(), 0, 1e-6);
+  }
+}
+
+// A thin wall and a ball that crosses it within one step.
+TEST(Speculative, AFastBallIsStoppedByWhatItWouldPass) {
+  for (const double margin : {0.0, 3.0}) {
+    Scene<double> scene;
+    scene.world.gravity.setZero();
+    scene.settings.speculative_margin = margin;
+    scene.add_box({0.01, 2, 2}, at(0, 0, 0), 0);
+    const int ball = scene.add_sphere(0.1, {-1.5, 0, 0}, 1);
+    scene.body(ball).velocity = {100, 0, 0};
+    scene.advance(2);
+    if (margin == 0) {
+      EXPECT_GT(scene.body(ball).center.x(), 1);
+    } else {
+      EXPECT_NEAR(scene.body(ball).center.x(), -0.11, 1e-9);
+      EXPECT_NEAR(scene.body(ball).velocity.norm(), 0, 1e-9);
+    }
+  }
+}
+
+TEST(Speculative, APointThatStaysApartIsNotTouched) {
+  Scene<double> scene;
+  scene.settings.speculative_margin = 1;
+  scene.add_plane();
+  const int ball = scene.add_sphere(0.5, {0, 1, 0}, 1);
+  scene.advance();
+  EXPECT_NEAR(scene.body(ball).velocity.y(), -kGravity / 60, 1e-14);
+  EXPECT_EQ(scene.load(0, ball), 0);
+}
+
+// A lift that rises at a constant speed carries what stands on it.
+TEST_P(EveryMethod, AScriptedBodyCarriesAndDrags) {
+  Scene<double> carried = scene();
+  carried.settings.slop = 0.001;
+  const int belt = carried.add_box({2, 0.5, 2}, at(0, -0.5, 0), 0);
+  const int box = carried.add_box({0.2, 0.2, 0.2}, at(0, 0.199, 0), 5);
+  carried.body(belt).velocity = {0.3, 0.5, 0};
+  carried.advance(60);
+  EXPECT_LT((carried.body(box).velocity - Vec3d(0.3, 0.5, 0)).norm(), 1e-3);
+  EXPECT_EQ(carried.body(belt).velocity, Vec3d(0.3, 0.5, 0));
+}
+
+TEST(WarmStart, PointsBeginWithWhatTheirIdHadAndNewOnesWithNothing) {
+  PairImpulses<double> kept(3);
+  kept[0].id = FeatureId::of(edge_ref(Owner::A, 1), edge_ref(Owner::B, 2));
+  kept[0].normal = 5;
+  kept[0].friction = {1, 7, 2};  // the part along the normal is lost
+  kept[1].id = kept[0].id;
+  kept[1].normal = 6;
+  kept[2].id = FeatureId::of(edge_ref(Owner::A, 1), edge_ref(Owner::B, 3));
+  kept[2].triangle = 4;
+  kept[2].normal = 7;
+  ContactConstraint<double> contact;
+  contact.normal = Vec3d::UnitY();
+  contact.points.resize(4);
+  contact.points[0].id = kept[2].id;  // of no triangle
+  contact.points[1].id = kept[0].id;
+  contact.points[2].id = kept[0].id;
+  contact.points[3].id = kept[0].id;
+  recall_impulses(kept, contact, 4);
+  std::vector<double> normals;
+  for (const ConstraintPoint<double>& point : contact.points)
+    normals.push_back(point.normal_impulse);
+  EXPECT_THAT(normals, ::testing::ElementsAre(0, 5, 6, 0));
+  EXPECT_EQ(contact.points[1].friction_u, 1);
+  EXPECT_EQ(contact.points[1].friction_v, 2);
+  EXPECT_EQ(contact.points[1].warm_start, 20);
+}
+
+}  // namespace
+}  // namespace contactscope::test

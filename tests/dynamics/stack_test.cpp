@@ -1,0 +1,157 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "dynamics/scene.h"
+
+namespace contactscope::test {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+/// Boxes on a plane, each overlapping what is below it by `overlap`, and each 2 cm narrower: edges
+/// that lie on each other change the names of their crossings with every rounding.
+template <class S>
+Scene<S> stack(const std::vector<double>& masses, PositionCorrection correction,
+               double overlap = 0.001) {
+  Scene<S> scene;
+  scene.settings.position_correction = correction;
+  scene.settings.slop = overlap;
+  // About as many sweeps for each method.
+  const bool soft = correction == PositionCorrection::Soft;
+  scene.settings.substeps = soft ? 4 : 1;
+  scene.settings.iterations = soft ? 3 : 30;
+  scene.add_plane();
+  double height = 0.5, half = 0.5;
+  for (const double mass : masses) {
+    height -= overlap;
+    scene.add_box({half, 0.5, half}, at(0, height, 0), mass);
+    height += 1;
+    half -= 0.01;
+  }
+  return scene;
+}
+
+struct Case {
+  const char* name;
+  PositionCorrection correction;
+};
+std::ostream& operator<<(std::ostream& out, const Case& one) {
+  return out << one.name;
+}
+
+class Stack : public ::testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Corrections, Stack,
+                         ::testing::Values(Case{"Baumgarte", PositionCorrection::Baumgarte},
+                                           Case{"Projection", PositionCorrection::Projection},
+                                           Case{"Soft", PositionCorrection::Soft}),
+                         [](const ::testing::TestParamInfo<Case>& test) {
+                           return std::string(test.param.name);
+                         });
+
+template <class S>
+void expect_loads_are_weights(const std::vector<double>& masses, PositionCorrection correction,
+                              double tolerance) {
+  Scene<S> scene = stack<S>(masses, correction);
+  scene.advance(600);
+  double above = 0;
+  for (int box = static_cast<int>(masses.size()); box > 0; --box) {
+    above += masses[static_cast<std::size_t>(box - 1)];
+    const double weight = above * kGravity;
+    EXPECT_NEAR(scene.load(box - 1, box) / double(scene.dt), weight, tolerance * weight)
+        << "below box " << box;
+  }
+}
+
+TEST_P(Stack, EachBoxCarriesTheWeightOfAllAbove) {
+  expect_loads_are_weights<double>({5, 4, 3, 2, 1}, GetParam().correction, 1e-6);
+  expect_loads_are_weights<float>({5, 4, 3, 2, 1}, GetParam().correction, 1e-3);
+}
+
+// Light under heavy is what sequential impulses are worst at; sub-steps are better at it than sweeps.
+TEST(MassRatio, AHundredKilogramsStandOnOne) {
+  expect_loads_are_weights<double>({1, 100}, PositionCorrection::Soft, 1e-6);
+  Scene<double> scene = stack<double>({1, 100}, PositionCorrection::Soft);
+  scene.advance(600);
+  EXPECT_GT(scene.deepest_overlap(), -0.04);
+}
+
+// Ten thousand steps at rest: nothing may shake itself loose, and no energy may come from nowhere.
+TEST_P(Stack, EnergyNeverGrowsInTenThousandStepsAtRest) {
+  Scene<double> scene = stack<double>({1, 1, 1}, GetParam().correction);
+  scene.settings.iterations = GetParam().correction == PositionCorrection::Soft ? 2 : 12;
+  // It begins with sweeps that know nothing; what they leave over must die away.
+  scene.advance(500);
+  const double energy = scene.energy();
+  const double of_one_step = 0.5 * 3 * std::pow(kGravity * scene.dt, 2);
+  double last = 1e-6 * of_one_step;
+  for (int thousand = 0; thousand < 10; ++thousand) {
+    double most = 0;
+    for (int i = 0; i < 1000; ++i) {
+      scene.advance();
+      most = std::max(most, scene.kinetic());
+      ASSERT_LT(scene.energy(), energy + 1e-6 * of_one_step) << thousand;
+    }
+    EXPECT_LE(most, std::max(last, 1e-20 * of_one_step)) << thousand;
+    last = most;
+  }
+  for (int box = 1; box <= 3; ++box)
+    EXPECT_LT(scene.body(box).center.cwiseProduct(Vec3d(1, 0, 1)).norm(), 1e-3);
+}
+
+// With few sweeps a stack that begins anew in each step cannot carry itself.
+TEST(WarmStarting, FewSweepsCarryAStackOfTenOnlyIfTheyGoOnFromTheLast) {
+  double sunk[2];
+  for (const bool warm : {false, true}) {
+    Scene<double> scene =
+        stack<double>(std::vector<double>(10, 1.0), PositionCorrection::Baumgarte);
+    scene.settings.warm_start = warm;
+    scene.settings.iterations = 4;
+    scene.advance(100);
+    sunk[warm] = -scene.deepest_overlap();
+  }
+  EXPECT_GT(sunk[false], 0.04);
+  EXPECT_LT(sunk[true], 0.015);
+}
+
+template <class S>
+void expect_equal(const World<S>& a, const World<S>& b) {
+  ASSERT_EQ(a.bodies.size(), b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    EXPECT_EQ(a.bodies[i].center, b.bodies[i].center);
+    EXPECT_EQ(a.bodies[i].rotation.coeffs(), b.bodies[i].rotation.coeffs());
+    EXPECT_EQ(a.bodies[i].velocity, b.bodies[i].velocity);
+    EXPECT_EQ(a.bodies[i].angular_velocity, b.bodies[i].angular_velocity);
+  }
+}
+
+// A fall that ends in a heap: what a copy does not carry along would show.
+TEST_P(Stack, ACopyGoesOnAsTheOriginal) {
+  Scene<float> scene = stack<float>({1, 2, 3}, GetParam().correction);
+  scene.body(3).center.x() += 0.4f;
+  scene.body(3).angular_velocity = {1, 2, 3};
+  scene.advance(20);
+  Scene<float> copy = scene;
+  scene.advance(100);
+  copy.advance(60);
+  Scene<float> of_copy = copy;
+  of_copy.advance(40);
+  expect_equal(of_copy.world, scene.world);
+  EXPECT_NE(of_copy.body(3).center, copy.body(3).center);
+}
+
+TEST_P(Stack, FarFromTheOriginTheSameHappens) {
+  // 1024 m: coordinates in double have room to spare, and the manifold is as good as at home.
+  Scene<double> home = stack<double>({3, 2, 1}, GetParam().correction);
+  Scene<double> away = home;
+  for (int box = 1; box <= 3; ++box) away.body(box).center += Vec3d(1024, 0, -2048);
+  home.advance(200);
+  away.advance(200);
+  for (int box = 1; box <= 3; ++box) {
+    const Vec3d moved = away.body(box).center - Vec3d(1024, 0, -2048);
+    EXPECT_LT((moved - home.body(box).center).norm(), 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::test

@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "scenario/broken.h"
+#include "scenario/expect.h"
+#include "scenario/run.h"
+#include "scenario/snapshots.h"
+#include "trace/json.h"
+
+namespace contactscope {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// Three crates that fall on each other and on a turning slab.
+std::string falling(const std::string& rest = "") {
+  std::string text = "title = \"Falling\"\n[time]\nframes = 40\ndt = 0.02\n";
+  for (int i = 0; i < 3; ++i) {
+    const std::string number = std::to_string(i);
+    text += "[shapes.crate" + number +
+            "]\ntype = \"box\"\nhalf_extents = [0.5, 0.25, 0.5]\nposition = [0.1" + number + ", " +
+            std::to_string(0.3 + 0.55 * i) + ", 0." + number +
+            "]\nmotion = { dynamic = true, mass = " + std::to_string(i + 1) + " }\n";
+  }
+  return text +
+         "[shapes.slab]\ntype = \"box\"\nhalf_extents = [2, 0.5, 2]\nposition = [0, -0.5, 0]\n"
+         "motion = { angular_velocity = [0, 0.5, 0.1] }\n"
+         "[shapes.floor]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = -1\n"
+         "[solver]\nslop = 0.001\n" +
+         rest;
+}
+
+std::vector<std::string> lines_of(const Scenario& scenario, const std::vector<int>& order) {
+  const Runner runner(scenario);
+  std::vector<std::string> lines(static_cast<std::size_t>(scenario.frames));
+  for (const int frame : order)
+    lines[static_cast<std::size_t>(frame)] = trace::to_json_line(runner.frame(frame));
+  return lines;
+}
+
+std::vector<int> rising(int count) {
+  std::vector<int> order;
+  for (int i = 0; i < count; ++i) order.push_back(i);
+  return order;
+}
+
+class DynamicRun : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Pipelines, DynamicRun,
+                         ::testing::Values("scalar = \"float\"", "scalar = \"double\"",
+                                           "manifold = \"incremental\"",
+                                           "reducer = \"coherent\"\ncache = false"),
+                         [](const ::testing::TestParamInfo<const char*>& test) {
+                           std::string name = test.param;
+                           std::erase_if(name,
+                                         [](unsigned char c) { return std::isalnum(c) == 0; });
+                           return name;
+                         });
+
+TEST_P(DynamicRun, FramesAskedForInAnyOrderAndOnThreadsAreTheSame) {
+  const Scenario scenario =
+      parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
+  const std::vector<std::string> lines = lines_of(scenario, rising(40));
+  std::vector<int> falling_order = rising(40);
+  std::ranges::reverse(falling_order);
+  EXPECT_EQ(lines_of(scenario, falling_order), lines);
+  const Runner runner(scenario);
+  std::vector<std::string> together(lines.size());
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < 4; ++i)
+      threads.emplace_back([&, i] {
+        for (std::size_t k = i; k < together.size(); k += 4)
+          together[k] = trace::to_json_line(runner.frame(static_cast<int>(k)));
+      });
+  }
+  EXPECT_EQ(together, lines);
+}
+
+TEST_P(DynamicRun, WatchingChangesNothing) {
+  const Scenario scenario =
+      parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
+  const Runner watched(scenario), unwatched(scenario);
+  for (int number = 0; number < scenario.frames; ++number) {
+    const trace::Frame recorded = watched.frame(number);
+    const trace::Frame bare = unwatched.frame_unrecorded(number);
+    ASSERT_EQ(recorded.poses.size(), bare.poses.size());
+    for (std::size_t i = 0; i < bare.poses.size(); ++i) {
+      EXPECT_EQ(recorded.poses[i].second.position, bare.poses[i].second.position);
+      EXPECT_EQ(recorded.poses[i].second.rotation.coeffs(), bare.poses[i].second.rotation.coeffs());
+    }
+    EXPECT_TRUE(recorded.solver);
+    EXPECT_FALSE(bare.solver);
+    ASSERT_EQ(recorded.pairs.size(), bare.pairs.size());
+    for (std::size_t i = 0; i < bare.pairs.size(); ++i) {
+      ASSERT_EQ(recorded.pairs[i].manifolds.size(), bare.pairs[i].manifolds.size());
+      for (std::size_t m = 0; m < bare.pairs[i].manifolds.size(); ++m) {
+        const auto& points = recorded.pairs[i].manifolds[m].points;
+        ASSERT_EQ(points.size(), bare.pairs[i].manifolds[m].points.size());
+        for (std::size_t p = 0; p < points.size(); ++p) {
+          EXPECT_EQ(points[p].position, bare.pairs[i].manifolds[m].points[p].position);
+          EXPECT_TRUE(points[p].impulse);
+        }
+      }
+    }
+  }
+}
+
+constexpr const char* kResting = R"(title = "Resting"
+up = "z"
+[time]
+frames = 200
+[shapes.lower]
+type = "box"
+half_extents = [0.5, 0.5, 0.5]
+position = [0, 0, 0.499]
+motion = { dynamic = true, density = 4 }
+[shapes.upper]
+type = "sphere"
+radius = 0.5
+position = [0, 0, 1.498]
+motion = { dynamic = true, mass = 2 }
+[shapes.floor]
+type = "plane"
+normal = [0, 0, 1]
+offset = 0
+[solver]
+slop = 0.001
+[pipeline]
+scalar = "double"
+)";
+
+TEST(DynamicRun, AStackCarriesItsWeightAndTellsIt) {
+  const Scenario scenario =
+      parse_scenario(std::string(kResting) +
+                         "[[expect]]\na = \"lower\"\nb = \"floor\"\nframes = [150, 199]\n"
+                         "load = 58.86\ntolerance = 1e-4\nseparation = -0.001\n"
+                         "[[expect]]\na = \"lower\"\nb = \"upper\"\nframes = [150, 199]\n"
+                         "load = 19.62\ntolerance = 1e-4\n",
+                     "g/a.toml");
+  EXPECT_THAT(unmet_expectations(scenario, run_frame(scenario, 199)), IsEmpty());
+  Scenario wrong = scenario;
+  wrong.expectations[0].load = 60;
+  EXPECT_THAT(unmet_expectations(wrong, run_frame(wrong, 199)),
+              ElementsAre(::testing::HasSubstr("expected load 60 N, got 58.8")));
+
+  const trace::Frame frame = run_frame(scenario, 0);
+  ASSERT_TRUE(frame.solver);
+  EXPECT_EQ(frame.solver->position_correction, "baumgarte");
+  EXPECT_EQ(frame.solver->iterations, 10);
+  ASSERT_EQ(frame.solver->bodies.size(), 2u);
+  EXPECT_EQ(frame.solver->bodies[0].name, "lower");
+  EXPECT_NEAR(frame.solver->bodies[0].mass, 4, 1e-12);
+  EXPECT_EQ(frame.solver->bodies[0].kinetic_energy, 0);
+  EXPECT_NEAR(frame.solver->bodies[1].potential_energy, 2 * 9.81 * 1.498, 1e-12);
+  ASSERT_EQ(frame.pairs.size(), 3u);
+  for (const trace::Point& point : frame.pairs[1].manifolds.at(0).points) {
+    ASSERT_TRUE(point.impulse);
+    EXPECT_GT(point.impulse->normal, 0);
+    EXPECT_EQ(point.impulse->warm_start, 0);  // nothing was before
+  }
+}
+
+TEST(DynamicRun, AFrameShowsTheBodiesBeforeItsStep) {
+  const Scenario scenario =
+      parse_scenario(one_shape("type = \"sphere\"\nradius = 0.1\nposition = [1, 2, 3]\n"
+                               "motion = { dynamic = true, mass = 1, velocity = [0.5, 0, 0] }\n"
+                               "[time]\nframes = 3\ndt = 0.25\n[pipeline]\nscalar = \"double\"\n"
+                               "[world]\ngravity = [0, -8, 0]\n"),
+                     "g/a.toml");
+  const Runner runner(scenario);
+  EXPECT_EQ(runner.frame(0).poses[0].second.position, Vec3d(1, 2, 3));
+  // v = -8 * 0.25 and y = 2 - 2 * 0.25 after the first step.
+  const trace::Frame second = runner.frame(1);
+  EXPECT_EQ(second.poses[0].second.position, Vec3d(1.125, 1.5, 3));
+  EXPECT_EQ(second.solver->bodies.at(0).velocity, Vec3d(0.5, -2, 0));
+}
+
+TEST(DynamicRun, OnlyTheFirstOfSeveralEntriesMovesTheBodies) {
+  const std::string pair = "[[pairs]]\na = \"lower\"\nb = \"floor\"\n";
+  const std::string once = kResting + pair;
+  const std::string thrice = once + "label = \"on\"\n[[pairs]]\na = \"floor\"\nb = \"lower\"\n" +
+                             "[[pairs]]\na = \"lower\"\nb = \"floor\"\nlabel = \"three\"\n" +
+                             "max_points = 3\n";
+  const Scenario one = parse_scenario(once, "g/a.toml");
+  const Scenario three = parse_scenario(thrice, "g/a.toml");
+  const trace::Frame frame = run_frame(three, 50);
+  EXPECT_EQ(frame.poses[0].second.position, run_frame(one, 50).poses[0].second.position);
+  ASSERT_EQ(frame.pairs.size(), 3u);
+  EXPECT_TRUE(frame.pairs[0].manifolds.at(0).points.at(0).impulse);
+  EXPECT_FALSE(frame.pairs[1].manifolds.at(0).points.at(0).impulse);
+  EXPECT_EQ(frame.pairs[2].manifolds.at(0).points.size(), 3u);
+}
+
+TEST(DynamicRun, PairsThatTheSolverCannotMoveAreLeftOutByDefault) {
+  const Scenario scenario = parse_scenario(falling(), "g/a.toml");
+  std::vector<std::string> names;
+  for (const ScenarioPair& pair : scenario.pairs)
+    names.push_back(scenario.shapes[static_cast<std::size_t>(pair.a)].name + "-" +
+                    scenario.shapes[static_cast<std::size_t>(pair.b)].name);
+  EXPECT_EQ(names.size(), 9u);
+  EXPECT_EQ(std::ranges::count(names, "slab-floor"), 0);
+}
+
+TEST(DynamicRun, KeysOfTheSolverAreRead) {
+  const Scenario scenario = parse_scenario(
+      std::string(kResting).substr(0, std::string(kResting).find("[solver]")) +
+          "friction = 0.2\nrestitution = 0.9\n[world]\nfriction = 0.3\nrestitution = 0.1\n"
+          "[solver]\niterations = 7\nsubsteps = 3\nposition_correction = \"projection\"\n"
+          "warm_start = false\nbaumgarte = 0.2\nslop = 0.004\nhertz = 60\ndamping_ratio = 5\n"
+          "speculative_margin = 0.02\n",
+      "g/a.toml");
+  EXPECT_EQ(scenario.world.gravity, Vec3d(0, 0, -9.81));
+  EXPECT_EQ(scenario.world.friction, 0.3);
+  EXPECT_EQ(scenario.world.restitution, 0.1);
+  EXPECT_EQ(scenario.shapes[2].friction, 0.2);
+  EXPECT_EQ(scenario.shapes[2].restitution, 0.9);
+  EXPECT_FALSE(scenario.shapes[0].friction);
+  EXPECT_NEAR(scenario.shapes[0].body->mass, 4, 1e-12);
+  EXPECT_FALSE(scenario.shapes[2].body);
+  EXPECT_EQ(scenario.solver.iterations, 7);
+  EXPECT_EQ(scenario.solver.substeps, 3);
+  EXPECT_EQ(scenario.solver.position_correction, PositionCorrection::Projection);
+  EXPECT_FALSE(scenario.solver.warm_start);
+  EXPECT_EQ(scenario.solver.baumgarte, 0.2);
+  EXPECT_EQ(scenario.solver.slop, 0.004);
+  EXPECT_EQ(scenario.solver.hertz, 60);
+  EXPECT_EQ(scenario.solver.damping_ratio, 5);
+  EXPECT_EQ(scenario.solver.speculative_margin, 0.02);
+}
+
+struct Numbered {
+  int frame;
+};
+
+TEST(Snapshots, AreTheLatestNotAfterAFrameAndBoundedInNumber) {
+  Snapshots<Numbered> snapshots(8);
+  EXPECT_EQ(snapshots.before(5), nullptr);
+  for (int frame = 0; frame < 1000; ++frame) {
+    snapshots.put(std::make_shared<Numbered>(frame));
+    ASSERT_LE(snapshots.size(), 10u);
+    ASSERT_EQ(snapshots.before(frame)->frame, frame);
+    ASSERT_EQ(snapshots.before(0)->frame, 0);
+    if (frame > 0) {
+      ASSERT_EQ(snapshots.before(frame - 1)->frame, frame - 1);
+    }
+    for (int asked = 0; asked <= frame; asked += 97) {
+      const int found = snapshots.before(asked)->frame;
+      ASSERT_LE(found, asked);
+      ASSERT_LE(asked - found, std::max(1, frame / 3));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
