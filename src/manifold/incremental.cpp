@@ -96,13 +96,18 @@ bool step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& optio
   const Pose<S> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
   const ShapeCore<S>& a = *persistent.core_a;
   const ShapeCore<S>& b = *persistent.core_b;
-  const auto found = query_cores(a, b, b_in_a, incremental.penetration, recorder.gjk_run());
+  const PenetrationMethod method = incremental.penetration;
+  const auto found =
+      query_cores(a, b, b_in_a, method, recorder.gjk_run(), recorder.penetration_steps());
   recorder.gjk(Pose<S>());
   if (!found) {
     persistent.points.clear();
     return false;
   }
   query = *found;
+  // The separating axis test has a record of its own, of the shapes' features and not the cores'.
+  if (query.overlap && method != PenetrationMethod::Sat)
+    recorder.penetration(method, query.deep, nullptr);
   const S separation = query.distance - (a.margin + b.margin);
   recorder.separation(separation);
   confirm_points(persistent, b_in_a, query, incremental.settings, options.margin, step);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "query/hull_feature.h"
-#include "query/penetration.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -95,7 +94,7 @@ CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, cons
 template <class S>
 std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S>& b,
                                         const Pose<S>& b_in_a, PenetrationMethod method,
-                                        GjkRun<S>* run) {
+                                        GjkRun<S>* run, PenetrationSteps<S>* steps) {
   if (!b_in_a.position.allFinite() || !b_in_a.rotation.coeffs().allFinite()) return std::nullopt;
   if (b.kind == ShapeKind::Plane) return query_half_space(a, b, b_in_a);
   const SupportSet<S> set_a = a.support();
@@ -111,10 +110,11 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
                    simplex_feature(b, result.simplex, true)};
   if (result.status == GjkStatus::Touching || result.status == GjkStatus::Overlap) {
     const PenetrationResult<S> deep =
-        penetration(method, set_a, set_b, b_in_a, PenetrationOptions<S>(), &result.simplex);
+        penetration(method, set_a, set_b, b_in_a, PenetrationOptions<S>(), &result.simplex, steps);
     if (deep.status == PenetrationStatus::NotFinite) return std::nullopt;
     if (has_depth(deep.status)) {
       query.overlap = true;
+      query.deep = deep;
       query.axis = AxisKind::EdgeEdge;  // unless it is a face's
       query.normal = deep.normal;
       query.distance = -deep.depth;
@@ -126,9 +126,10 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
   return query;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
-  template std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>&, const ShapeCore<S>&, \
-                                                   const Pose<S>&, PenetrationMethod, GjkRun<S>*);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
+  template std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>&, const ShapeCore<S>&,      \
+                                                   const Pose<S>&, PenetrationMethod, GjkRun<S>*, \
+                                                   PenetrationSteps<S>*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -7,6 +7,7 @@
 #include "manifold/collide_options.h"
 #include "manifold/incremental_core.h"
 #include "query/gjk.h"
+#include "query/penetration.h"
 
 namespace contactscope {
 
@@ -29,13 +30,14 @@ struct CoreQuery {
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
   S distance = 0;                     // metres, of the cores along it; negative in overlap
   AxisKind axis = AxisKind::ClosestPoints;
-  CoreContact<S> closest;  // one of them
-  S scale = 1;             // metres: no coordinate is larger
+  CoreContact<S> closest;     // one of them
+  S scale = 1;                // metres: no coordinate is larger
+  PenetrationResult<S> deep;  // of cores that meet: what `method` found
 };
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; where they overlap or
 /// touch, `method`. A half-space needs neither: its distance is exact at every depth, and it never
-/// overlaps. `run`: where to leave the run of GJK, or nullptr. Empty where nothing can be said, as
+/// overlaps. `run` and `steps`: where to leave the run of GJK and what `method` did, or nullptr. Empty where nothing can be said, as
 /// of coordinates that are not finite. `b` may be a half-space.
 ///
 /// Where the normal is within rounding of a face's, it is that face's: GJK finds it from points that
@@ -43,7 +45,7 @@ struct CoreQuery {
 template <class S>
 std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S>& b,
                                         const Pose<S>& b_in_a, PenetrationMethod method,
-                                        GjkRun<S>* run);
+                                        GjkRun<S>* run, PenetrationSteps<S>* steps);
 
 /// All places where the cores are as close as in `query`, within rounding: of parallel features the
 /// corners of the patch that they share, seen along the normal; otherwise one. Each is named by the

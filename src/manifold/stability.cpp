@@ -13,8 +13,7 @@ namespace {
 /// Places on the contact plane, and the way back.
 class ContactPlane {
  public:
-  ContactPlane(std::span<const Vec3d> points, const Vec3d& normal)
-      : origin_(Vec3d::Zero()) {
+  ContactPlane(std::span<const Vec3d> points, const Vec3d& normal) : origin_(Vec3d::Zero()) {
     for (const Vec3d& point : points) origin_ += (point - points[0]) / double(points.size());
     origin_ += points[0];
     u_ = any_perpendicular(normal);
@@ -35,6 +34,11 @@ struct BorderPoint {
   std::size_t edge = 0;  // from corner `edge` to the next
   bool corner = false;   // an end of it is nearest
 };
+
+/// No nearer to zero than rounding lets it be.
+double beyond_rounding(double margin, double rounding) {
+  return std::abs(margin) <= rounding ? 0 : margin;
+}
 
 BorderPoint nearest_on_border(const std::vector<Vec2d>& corners, const Vec2d& point,
                               double rounding) {
@@ -104,21 +108,21 @@ ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& norma
   const std::array<Vec2d, 2> ends = ends_of(corners);
   if ((ends[1] - ends[0]).norm() <= rounding) {
     result.verdict = Verdict::TurnsAboutAPoint;
-    result.margin = -Vec2d(projection - corners[0]).norm();
+    result.margin = beyond_rounding(-Vec2d(projection - corners[0]).norm(), rounding);
     return result;
   }
   const BorderPoint border = nearest_on_border(corners, projection, rounding);
   if (width_of(corners, ends) <= rounding) {
     result.verdict = Verdict::TurnsAboutALine;
-    result.margin = -border.distance;
+    result.margin = beyond_rounding(-border.distance, rounding);
     result.axis = {plane.place(ends[0]), plane.place(ends[1])};
     return result;
   }
   const bool inside = is_inside(corners, projection);
-  result.margin = inside ? border.distance : -border.distance;
-  if (result.margin > rounding) {
+  result.margin = beyond_rounding(inside ? border.distance : -border.distance, rounding);
+  if (result.margin > 0) {
     result.verdict = Verdict::Stable;
-  } else if (border.corner && result.margin < -rounding) {
+  } else if (border.corner && result.margin < 0) {
     result.verdict = Verdict::TurnsAboutAPoint;
   } else {
     result.verdict = Verdict::TurnsAboutALine;

@@ -32,7 +32,7 @@ struct ManifoldStability {
   Verdict verdict = Verdict::NoContact;
   Vec3d projection = Vec3d::Zero();  // of the centre of mass into the contact plane
   std::vector<Vec3d> support;        // corners of the points' hull there, against the normal
-  double margin = 0;                 // from the projection to its border, negative outside
+  double margin = 0;  // from the projection to its border, negative outside; 0 within rounding
   std::optional<std::array<Vec3d, 2>> axis;  // of a line: the edge, or both ends of the points
 };
 

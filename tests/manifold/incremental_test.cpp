@@ -372,6 +372,11 @@ TEST(IncrementalManifold, EveryPenetrationMethodTellsItsNameAndAboutTheSameDepth
     pair.incremental().penetration = method;
     const trace::Pair told = pair.record(at(0.1, 0.9, 0.2), at(0, 0, 0));
     EXPECT_EQ(told.incremental->query, to_string(method));
+    ASSERT_EQ(told.penetration.has_value(), method != PenetrationMethod::Sat);
+    if (told.penetration) {
+      EXPECT_EQ(told.penetration->method, to_string(method));
+      EXPECT_NEAR(told.penetration->depth, 0.06, 1e-3);  // of the cores
+    }
     EXPECT_NEAR(told.manifolds.at(0).points.at(0).separation, -0.1, 1e-3) << to_string(method);
   }
 }
