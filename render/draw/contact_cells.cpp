@@ -56,7 +56,7 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
                            const std::string& up, std::vector<ContactMoment> moments, int choices,
                            int width, int height)
     : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
-  frame_patch(up);
+  frame_patches(up);
   fit(width, height);
 }
 
@@ -122,7 +122,7 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& dr
     none.align = Align::Center;
     drawing.primitives.push_back(none);
   } else {
-    draw_map(map, cell, drawing);
+    draw_map(map, cell, patches_[number], drawing);
   }
   const double strip = layout_.px(strip_height());
   if (strip > 0) {
@@ -135,11 +135,12 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& dr
     draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, drawing);
 }
 
-void ContactCells::draw_map(const Rect& map, const ContactCell& cell, Drawing& drawing) const {
+void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
+                            Drawing& drawing) const {
   std::vector<Point2> places;
   std::vector<Vec2d> flats;
   for (const trace::Point& point : cell.points) {
-    places.push_back(at(map, point.position));
+    places.push_back(at(map, patch, point.position));
     flats.push_back(flat(places.back()));
   }
   const auto chosen = [&](const std::vector<int>& indices) {
@@ -155,7 +156,7 @@ void ContactCells::draw_map(const Rect& map, const ContactCell& cell, Drawing& d
                                 ? cell.choices[static_cast<std::size_t>(choices_) - 1].direction
                                 : Vec3d(Vec3d::Zero());
     draw_choice({places, cell.kept, cell.choices, choices_,
-                 Vec2d(u_.dot(direction), -v_.dot(direction)), map, layout_},
+                 Vec2d(patch.u.dot(direction), -patch.v.dot(direction)), map, layout_},
                 drawing);
     return;
   }

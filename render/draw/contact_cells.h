@@ -46,8 +46,9 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 /// by its reducer where it has none.
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
 
-/// Small multiples: the contact plane of each cell at the same scale and place in all cells and all
-/// frames. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
+/// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What a
+/// cell shows in any frame stands in the middle of its map, wherever in the world that is and however
+/// it lies, so that one patch seen in several cells has the same place in each. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
 /// the best polygon dashed, and the rows beneath; for a sequence also a strip of which ids are kept
 /// over time, one row an id. On a canvas too small for all of it, all cells alike leave out the
 /// right of their rows, then the rest of them but their brief form, the strip, all rows but the first,
@@ -76,6 +77,12 @@ class ContactCells {
     double pixels_per_metre = 1;
   };
 
+  /// Where the contacts of one cell are in the world, in all frames.
+  struct Patch {
+    Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitY();  // right and up on the page
+    Vec3d center = Vec3d::Zero();
+  };
+
   // Pixels at 720 lines.
   static constexpr double kName = 15;       // size of a cell's heading
   static constexpr double kNumber = 14;     // size of the numbers beneath
@@ -99,10 +106,12 @@ class ContactCells {
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   Rect cell_rect(std::size_t cell) const;
-  Point2 at(const Rect& map, const Vec3d& position) const;
-  void frame_patch(const std::string& up);
+  Point2 at(const Rect& map, const Patch& patch, const Vec3d& position) const;
+  void frame_patches(const std::string& up);
+  void frame_patch(std::size_t cell, const Vec3d& above);
   void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
-  void draw_map(const Rect& map, const ContactCell& cell, Drawing& drawing) const;
+  void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
+                Drawing& drawing) const;
   void draw_points(const std::vector<Point2>& places, const ContactCell& cell,
                    Drawing& drawing) const;
   void draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const;
@@ -112,9 +121,8 @@ class ContactCells {
   std::vector<ContactMoment> moments_;
   int choices_;
   Layout layout_;
-  Vec3d u_ = Vec3d::UnitX(), v_ = Vec3d::UnitY();  // of the contact plane: right and up on the page
-  Vec3d center_ = Vec3d::Zero();
-  double extent_u_ = 1, extent_v_ = 1;  // metres that the sequence fills
+  std::vector<Patch> patches_;          // of each cell
+  double extent_u_ = 0, extent_v_ = 0;  // metres that the largest of them fill
   std::vector<std::string> ids_;        // in order of appearance
   Detail detail_;                       // what is shown, of what there is
   Grid grid_;

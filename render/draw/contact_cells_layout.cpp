@@ -62,42 +62,51 @@ std::vector<std::string> ContactCells::left_out() const {
   return list;
 }
 
-/// Axes, middle and extent of all patches of the sequence. Seen from above where there is an above,
-/// with x to the right, as on a map.
-void ContactCells::frame_patch(const std::string& up) {
-  const Vec3d above = up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+/// Axes and middle of each cell's patch, the extent of the largest, and the ids in order.
+void ContactCells::frame_patches(const std::string& up) {
+  patches_.resize(cell_count());
+  for (std::size_t cell = 0; cell < cell_count(); ++cell)
+    frame_patch(cell, up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points)
+        if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
+    }
+  }
+  // A patch without size is drawn in the middle, at any scale.
+  const double least = std::max({extent_u_, extent_v_, 1e-12});
+  extent_u_ = std::max(extent_u_, 1e-3 * least);
+  extent_v_ = std::max(extent_v_, 1e-3 * least);
+}
+
+/// Seen from above where there is an above, with x to the right, as on a map.
+void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
   Vec3d normal = above;
   for (const ContactMoment& moment : moments_) {
-    const auto touching = std::ranges::find_if(
-        moment.cells, [](const ContactCell& cell) { return !cell.points.empty(); });
-    if (touching == moment.cells.end()) continue;
-    normal = touching->normal;
+    if (moment.cells[cell].points.empty()) continue;
+    normal = moment.cells[cell].normal;
     break;
   }
   if (normal.dot(above) < 0) normal = -normal;
+  Patch& patch = patches_[cell];
   const Vec3d right = Vec3d::UnitX() - normal.x() * normal;
-  u_ = right.norm() > 0.1 ? Vec3d(right.normalized()) : any_perpendicular(normal);
-  v_ = normal.cross(u_);
+  patch.u = right.norm() > 0.1 ? Vec3d(right.normalized()) : any_perpendicular(normal);
+  patch.v = normal.cross(patch.u);
 
   double low_u = std::numeric_limits<double>::max(), high_u = -low_u;
   double low_v = low_u, high_v = -low_u;
   for (const ContactMoment& moment : moments_) {
-    for (const ContactCell& cell : moment.cells) {
-      for (const trace::Point& point : cell.points) {
-        low_u = std::min(low_u, u_.dot(point.position));
-        high_u = std::max(high_u, u_.dot(point.position));
-        low_v = std::min(low_v, v_.dot(point.position));
-        high_v = std::max(high_v, v_.dot(point.position));
-        if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
-      }
+    for (const trace::Point& point : moment.cells[cell].points) {
+      low_u = std::min(low_u, patch.u.dot(point.position));
+      high_u = std::max(high_u, patch.u.dot(point.position));
+      low_v = std::min(low_v, patch.v.dot(point.position));
+      high_v = std::max(high_v, patch.v.dot(point.position));
     }
   }
-  if (ids_.empty()) return;
-  center_ = 0.5 * (low_u + high_u) * u_ + 0.5 * (low_v + high_v) * v_;
-  // A patch without size is drawn in the middle, at any scale.
-  const double least = std::max({high_u - low_u, high_v - low_v, 1e-12});
-  extent_u_ = std::max(high_u - low_u, 1e-3 * least);
-  extent_v_ = std::max(high_v - low_v, 1e-3 * least);
+  if (low_u > high_u) return;
+  patch.center = 0.5 * (low_u + high_u) * patch.u + 0.5 * (low_v + high_v) * patch.v;
+  extent_u_ = std::max(extent_u_, high_u - low_u);
+  extent_v_ = std::max(extent_v_, high_v - low_v);
 }
 
 double ContactCells::strip_height() const {
@@ -201,11 +210,10 @@ Rect ContactCells::cell_rect(std::size_t cell) const {
           layout_.view.y + row * (grid_.cell_height + gap), grid_.cell_width, grid_.cell_height};
 }
 
-Point2 ContactCells::at(const Rect& map, const Vec3d& position) const {
-  const Vec3d from_center = position - center_;
-  return {
-      static_cast<float>(map.x + 0.5 * map.width + grid_.pixels_per_metre * u_.dot(from_center)),
-      static_cast<float>(map.y + 0.5 * map.height - grid_.pixels_per_metre * v_.dot(from_center))};
+Point2 ContactCells::at(const Rect& map, const Patch& patch, const Vec3d& position) const {
+  const Vec3d way = grid_.pixels_per_metre * (position - patch.center);
+  return {static_cast<float>(map.x + 0.5 * map.width + patch.u.dot(way)),
+          static_cast<float>(map.y + 0.5 * map.height - patch.v.dot(way))};
 }
 
 }  // namespace contactscope::draw

@@ -286,6 +286,35 @@ TEST(ContactCells, AreMapsSeenFromAboveAtOneScale) {
   }
 }
 
+TEST(ContactCells, PatchesThatStandApartInTheWorldAreEachInTheMiddleOfTheirCell) {
+  // The same octagon here, ten metres aside, and against a wall: x stays to the right.
+  const auto moved = [](double shift, bool upright) {
+    std::vector<trace::Point> points = octagon();
+    for (trace::Point& point : points) {
+      const Vec3d p = point.position;
+      point.position = Vec3d(p.x() + shift, upright ? -p.z() : 3.0, upright ? 7.0 : p.z());
+    }
+    return points;
+  };
+  ContactMoment apart;
+  apart.cells = {cell_of("here", moved(0, false)), cell_of("aside", moved(10, false)),
+                 cell_of("upright", moved(-4, true))};
+  apart.cells[2].normal = Vec3d::UnitZ();
+  ContactMoment together;
+  together.cells = {cell_of("here", octagon()), cell_of("aside", octagon()),
+                    cell_of("upright", octagon())};
+  for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
+    const std::vector<Disc> found = rings(drawn({apart}, 0, width, height));
+    const std::vector<Disc> expected = rings(drawn({together}, 0, width, height));
+    ASSERT_GE(found.size(), 3u * 4);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i].center.x, expected[i].center.x, 1e-3) << i;
+      EXPECT_NEAR(found[i].center.y, expected[i].center.y, 1e-3) << i;
+    }
+  }
+}
+
 TEST(ContactCells, ACellWithoutContactSaysSo) {
   std::vector<ContactMoment> moments = moments_of(2, 2);
   moments[1].cells[0].points.clear();
