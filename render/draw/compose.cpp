@@ -170,8 +170,14 @@ class Composer {
       end += arrow.pixels * layout_.scale / camera_.pixels_per_metre(arrow.from) * arrow.direction;
     }
     const std::optional<Point2> a = camera_.project(arrow.from);
-    const std::optional<Point2> b = camera_.project(end);
-    if (!a || !b || !layout_.view.contains(*a) || !layout_.view.contains(*b)) return;
+    std::optional<Point2> b = camera_.project(end);
+    if (!a || !b || !layout_.view.contains(*a)) return;
+    if (!layout_.view.contains(*b)) {
+      if (arrow.to) return;
+      const std::optional<Segment2> inside = clip_segment(layout_.view, *a, *b);
+      if (!inside) return;
+      b = inside->to;  // its length says nothing
+    }
     const float length = distance(*a, *b);
     if (length < px(1)) return;
     // Short arrows keep their shape: the heads shrink before the shaft is lost.

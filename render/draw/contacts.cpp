@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "draw/palette.h"
 #include "draw/quantity.h"
@@ -14,6 +15,20 @@ Vec3d middle_of(const std::vector<trace::Point>& points) {
   Vec3d sum = Vec3d::Zero();
   for (const trace::Point& point : points) sum += point.position;
   return sum / static_cast<double>(points.size());
+}
+
+// Pixels. Shorter, an arrow would hide behind the dots of its contact.
+constexpr double kLeastArrow = 8;
+
+// Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one that
+// points at the eye has not.
+bool has_room(const Camera& camera, const Vec3d& from, const Vec3d& direction, double pixels) {
+  const std::optional<Point2> a = camera.project(from);
+  const std::optional<Point2> b =
+      camera.project(from + pixels / camera.pixels_per_metre(from) * direction);
+  if (!a || !b || !camera.viewport().contains(*a)) return false;
+  const std::optional<Segment2> seen = clip_segment(camera.viewport(), *a, *b);
+  return seen && std::hypot(seen->to.x - a->x, seen->to.y - a->y) >= kLeastArrow;
 }
 
 // From the point to the surface that it overlaps: towards the incident face, or to both sides of an
@@ -44,7 +59,7 @@ void draw_id(const trace::Point& point, Sketch& sketch) {
                            .direction = std::nullopt});
 }
 
-void draw_normals(const trace::Pair& pair, Sketch& sketch) {
+void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool many = pair.manifolds.size() > 2;  // a mesh's: arrows as long as usual would be a wood
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
@@ -55,6 +70,7 @@ void draw_normals(const trace::Pair& pair, Sketch& sketch) {
     normal.width = many ? 2 : 3;
     normal.head = many ? 9 : 13;
     normal.color = kNormal;
+    if (!has_room(scene.camera, normal.from, normal.direction, normal.pixels)) continue;
     sketch.arrows.push_back(normal);
     sketch.explain(LegendKind::Normal, "normal, from A to B");
   }
@@ -65,7 +81,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const std::string factor = scene.depth_factor == 1
                                  ? "whisker = overlap"
                                  : "whisker = overlap × " + spell_number(scene.depth_factor);
-  if (scene.shows("normals")) draw_normals(pair, sketch);
+  if (scene.shows("normals")) draw_normals(scene, pair, sketch);
   if (pair.manifolds.size() > 1) {  // each was reduced by itself, and the record holds one of these
     for (const trace::Manifold& manifold : pair.manifolds) {
       for (const trace::Point& point : manifold.points) {

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "draw/palette.h"
 
 namespace contactscope::draw {
@@ -103,6 +106,40 @@ TEST(Illustrate, LegendListsWhatIsVisibleAndNothingElse) {
   scene.view.layers = {"shapes"};
   all = texts(illustrate(scene.staged(), scene.frame));
   EXPECT_THAT(all, testing::Not(testing::Contains("normal, from A to B")));
+}
+
+/// Length in pixels of the normal's shaft in the view; 0 where it is not drawn.
+double normal_length(const Staging& staging, const Drawing& drawing) {
+  double longest = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Stroke* stroke = std::get_if<Stroke>(&primitive);
+    if (!stroke || !same(stroke->color, kNormal) || stroke->cap != Cap::Butt) continue;
+    const Rect& view = staging.layout.view;
+    if (!view.contains(stroke->from) || !view.contains(stroke->to)) continue;
+    const double length = std::hypot(stroke->to.x - stroke->from.x, stroke->to.y - stroke->from.y);
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
+  int drawn = 0, left_out = 0;
+  for (const auto& [width, height] : {std::pair{320, 180}, {640, 360}, {1280, 720}}) {
+    // The contact higher and higher in the picture, until it leaves the view; and from above.
+    for (int i = 0; i <= 40; ++i) {
+      BoxOnSlab scene;
+      scene.view.eye = i < 40 ? Vec3d(2.5, 1.5, 3) : Vec3d(0, 5, 1e-9);
+      scene.view.target = i < 40 ? Vec3d(0, -0.05 * i, 0) : Vec3d(0, 0, 0);
+      const Staging staging = scene.staged(width, height);
+      const Drawing drawing = illustrate(staging, scene.frame);
+      const std::vector<std::string> all = texts(drawing);
+      const bool told = std::ranges::count(all, "normal, from A to B") > 0;
+      EXPECT_EQ(told, normal_length(staging, drawing) > 0) << width << " wide, " << i;
+      ++(told ? drawn : left_out);
+    }
+  }
+  EXPECT_GT(drawn, 40);
+  EXPECT_GT(left_out, 10);
 }
 
 TEST(Illustrate, ShallowOverlapIsExaggeratedByAStatedRoundFactor) {
