@@ -11,8 +11,8 @@ namespace contactscope {
 /// Gregorius 2015, "Hull vs Hull": separating axis test, then a face contact by clipping or an edge
 /// contact by closest points. Fills `contact` in A's frame and returns the separation along the
 /// axis that decided: metres, negative in overlap. Empty when the hulls are apart by more than the
-/// margin; never empty when they overlap.
-/// With options.penetration not Sat by collide_by_penetration.h, which see; nothing is cached then. Of faces nearly as deep, those of `preferred` come first.
+/// margin; never empty when they overlap. Of faces nearly as deep, those of `preferred` come first.
+/// With options.penetration not Sat by collide_by_penetration.h, which see; nothing is cached then.
 template <class S, class Recorder>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder,
