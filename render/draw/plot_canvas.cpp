@@ -13,6 +13,9 @@ constexpr double kTextSize = 14;
 constexpr double kHeading = 22;
 constexpr double kUnder = 26;
 constexpr double kBetween = 18;
+constexpr double kTitle = 28;
+constexpr double kLegend = 24;
+constexpr double kCaption = 20;
 
 /// Every how many decades a label has room.
 int stride(const std::vector<LogAxis::Tick>& ticks, float room) {
@@ -151,6 +154,27 @@ std::string spell_context(const trace::StudyContext& context) {
     if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
   }
   return line;
+}
+
+PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height) {
+  const Layout layout = make_layout(width, height, false, {});
+  PlotPage page;
+  page.scale = layout.scale;
+  page.drawing.width = width;
+  page.drawing.height = height;
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context), layout,
+                page.drawing);
+  const double left = layout.legend.x;
+  const double top = left + layout.px(kTitle + 4);
+  PlotCanvas canvas(page.drawing, layout.scale);
+  canvas.text(shown, {static_cast<float>(left), static_cast<float>(top) + layout.px(12)},
+              Align::Left, kQuietText);
+  const double legend_at = top + layout.px(16 + 0.5 * kLegend);
+  page.legend = {static_cast<float>(left), static_cast<float>(legend_at)};
+  const double begin = legend_at + layout.px(0.5 * kLegend + 4);
+  const double end = height - left - layout.px(kCaption);
+  page.panels = {left, begin, layout.legend.width, end - begin};
+  return page;
 }
 
 }  // namespace contactscope::draw

@@ -57,4 +57,14 @@ std::vector<Rect> panel_areas(const Rect& space, std::size_t count, double left,
 /// "CPU · compiler · build · date".
 std::string spell_context(const trace::StudyContext& context);
 
+/// A picture of small multiples: its frame is drawn, and says where the rest belongs.
+struct PlotPage {
+  Drawing drawing;
+  float scale;
+  Point2 legend;  // its left end, half-way up
+  Rect panels;
+};
+/// With the captions of a study, and under its title a line that says what is shown.
+PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height);
+
 }  // namespace contactscope::draw

@@ -11,9 +11,6 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kTitle = 28;
-constexpr double kLegend = 24;
-constexpr double kCaption = 20;
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
 
@@ -59,9 +56,9 @@ class Curves {
   Curves(const trace::Study& study, Drawing& drawing, float scale)
       : study_(study), canvas_(drawing, scale) {}
 
-  void legend(double x, double y) {
-    auto at = static_cast<float>(x);
-    const auto middle = static_cast<float>(y);
+  void legend(const Point2& start) {
+    float at = start.x;
+    const float middle = start.y;
     std::vector<std::string> told;
     const auto entry = [&](const std::string& name, auto&& swatch) {
       swatch(at);
@@ -179,25 +176,11 @@ class Curves {
 }  // namespace
 
 Drawing plot_curves(const trace::Study& study, int width, int height) {
-  const Layout layout = make_layout(width, height, false, {});
-  Drawing drawing;
-  drawing.width = width;
-  drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context), layout,
-                drawing);
-  Curves curves(study, drawing, layout.scale);
-  const double left = layout.legend.x;
-  const double top = left + layout.px(kTitle + 4);
-  PlotCanvas canvas(drawing, layout.scale);
-  canvas.text("Largest " + study.error,
-              {static_cast<float>(left), static_cast<float>(top) + layout.px(12)}, Align::Left,
-              kQuietText);
-  const double legend_at = top + layout.px(16 + 0.5 * kLegend);
-  curves.legend(left, legend_at);
-  const double begin = legend_at + layout.px(0.5 * kLegend + 4);
-  const double end = height - left - layout.px(kCaption);
-  curves.panels({left, begin, layout.legend.width, end - begin});
-  return drawing;
+  PlotPage page = plot_page(study, "Largest " + study.error, width, height);
+  Curves curves(study, page.drawing, page.scale);
+  curves.legend(page.legend);
+  curves.panels(page.panels);
+  return page.drawing;
 }
 
 }  // namespace contactscope::draw

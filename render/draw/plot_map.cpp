@@ -10,9 +10,6 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kTitle = 28;
-constexpr double kLegend = 24;
-constexpr double kCaption = 20;
 constexpr double kLeftNumbers = 56;
 constexpr double kLeftNames = 132;
 
@@ -42,9 +39,9 @@ class Map {
     }
   }
 
-  void legend(double x, double y) {
-    auto at = static_cast<float>(x);
-    const auto middle = static_cast<float>(y);
+  void legend(const Point2& begin) {
+    float at = begin.x;
+    const float middle = begin.y;
     std::size_t most = 0;
     for (const trace::StudySeries& series : study_.series) {
       for (const trace::StudyPoint& point : series.points) {
@@ -144,25 +141,11 @@ class Map {
 }  // namespace
 
 Drawing plot_map(const trace::Study& study, int width, int height) {
-  const Layout layout = make_layout(width, height, false, {});
-  Drawing drawing;
-  drawing.width = width;
-  drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context), layout,
-                drawing);
-  const double left = layout.legend.x;
-  const double top = left + layout.px(kTitle + 4);
-  PlotCanvas canvas(drawing, layout.scale);
-  canvas.text("Colour: " + study.error,
-              {static_cast<float>(left), static_cast<float>(top) + layout.px(12)}, Align::Left,
-              kQuietText);
-  Map map(study, drawing, layout.scale);
-  const double legend_at = top + layout.px(16 + 0.5 * kLegend);
-  map.legend(left, legend_at);
-  const double begin = legend_at + layout.px(0.5 * kLegend + 4);
-  const double end = height - left - layout.px(kCaption);
-  map.panels({left, begin, layout.legend.width, end - begin});
-  return drawing;
+  PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
+  Map map(study, page.drawing, page.scale);
+  map.legend(page.legend);
+  map.panels(page.panels);
+  return page.drawing;
 }
 
 }  // namespace contactscope::draw
