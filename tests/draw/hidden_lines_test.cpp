@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/compose.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -66,6 +68,24 @@ TEST(HiddenLines, PerspectiveShadowWidensBehindTheOccluder) {
   const std::vector<Span> spans = lines.split({-4, 0, -10}, {4, 0, -10});
   ASSERT_EQ(spans.size(), 3u);
   EXPECT_NEAR(8 * (spans[1].to - spans[1].from), 4, 1e-2);
+}
+
+TEST(HiddenLines, CurvesWithoutAPieceDrawNothing) {
+  Sketch sketch;
+  for (const bool closed : {false, true}) {
+    Curve curve;
+    curve.style.width = 2;
+    curve.closed = closed;
+    sketch.curves.push_back(curve);
+  }
+  sketch.curves.push_back({{{0.1, 0.2, 0}}, {.width = 2}});
+  Drawing drawing;
+  compose(sketch, from_front(), make_layout(400, 400, false, {}), drawing);
+  EXPECT_TRUE(drawing.primitives.empty());
+
+  sketch.curves.push_back({{{0.1, 0.2, 0}, {0.5, 0.2, 0}}, {.width = 2}});
+  compose(sketch, from_front(), make_layout(400, 400, false, {}), drawing);
+  EXPECT_FALSE(drawing.primitives.empty());
 }
 
 }  // namespace
