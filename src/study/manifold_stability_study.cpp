@@ -135,7 +135,7 @@ struct LandingPanel {
 constexpr LandingPanel kLandingPanels[] = {
     {Landing::Drop, "drop: height (m)", {1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1}},
     {Landing::Tilt, "tilt: angle (rad)", {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1}},
-    {Landing::Slide, "slide: speed (m/s)", {0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4}},
+    {Landing::Slide, "slide: speed (m/s)", {0.1, 0.2, 0.5, 1, 2, 5, 10}},
 };
 
 constexpr const char* kLandingMethods[] = {"one-shot", "incremental by distance",
