@@ -6,6 +6,7 @@
 
 #include "draw/layout.h"
 #include "draw/palette.h"
+#include "draw/plot_canvas.h"
 #include "draw/plot_panel.h"
 #include "draw/quantity.h"
 
@@ -31,7 +32,9 @@ std::string subtitle(const trace::Study& study) {
   for (const trace::StudySeries& series : study.series) {
     for (const trace::StudyPoint& point : series.points) parameters.insert(point.parameter);
   }
-  std::string line = "Along a line: ";
+  // Panels are headed by what they are of, so the error is named here.
+  std::string line = trace::has_panels(study) ? "Up: mean " + study.error + ". " : std::string();
+  line += "Along a line: ";
   bool first = true;
   for (const double parameter : parameters) {
     line += (first ? "" : ", ") + spell_number(parameter);
@@ -71,6 +74,21 @@ Drawing plot(const trace::Study& study, int width, int height) {
   top += layout.px(kSubtitle + 12);
   const double bottom = height - left - layout.px(kCaption + 6);
 
+  if (trace::has_panels(study)) {
+    const std::vector<PlotPanel> panels = panels_of(study);
+    const std::size_t rows = panels.size() > 2 ? 2 : 1;
+    const std::size_t columns = (panels.size() + rows - 1) / rows;
+    const double gutter = layout.px(kGutter);
+    const double across = (inner + gutter) / static_cast<double>(columns);
+    const double down = (bottom - top + 0.5 * gutter) / static_cast<double>(rows);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const Rect rect{left + across * static_cast<double>(i % columns),
+                      top + down * static_cast<double>(i / columns), across - gutter,
+                      down - 0.5 * gutter};
+      draw_plot_panel(study, ErrorKind::Mean, rect, layout.scale, drawing, panels[i].name);
+    }
+    return drawing;
+  }
   if (!has_worst(study)) {
     draw_plot_panel(study, ErrorKind::Mean, {left, top, inner, bottom - top}, layout.scale,
                     drawing);

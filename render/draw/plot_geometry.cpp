@@ -34,24 +34,27 @@ std::string counted(const trace::StudySeries& series, int failed, int of) {
 
 class Mapping {
  public:
-  Mapping(const trace::Study& study, ErrorKind kind, const Rect& area, float scale)
+  Mapping(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
+          const trace::Study& whole)
       : study_(study), kind_(kind), area_(area), scale_(scale) {
     for (const trace::StudySeries& series : study.series) {
       bool in_zero_row = false;
       widest_ = std::max(widest_, text_width(series.method, px(kPlotText), FontWeight::Bold));
       for (const trace::StudyPoint& point : series.points) {
-        times_.include(point.nanoseconds.min);
-        times_.include(point.nanoseconds.max);
         const std::optional<double>& error = error_of(point, kind);
-        if (!error) continue;
-        if (!is_zero(*error)) {
-          errors_.include(*error);
-          continue;
-        }
+        if (!error || !is_zero(*error)) continue;
         in_zero_row = true;
         rounded_ = rounded_ || *error > 0;
       }
       zero_slot_.push_back(in_zero_row ? zero_slots_++ : -1);
+    }
+    for (const trace::StudySeries& series : whole.series) {
+      for (const trace::StudyPoint& point : series.points) {
+        times_.include(point.nanoseconds.min);
+        times_.include(point.nanoseconds.max);
+        const std::optional<double>& error = error_of(point, kind);
+        if (error && !is_zero(*error)) errors_.include(*error);
+      }
     }
   }
 
@@ -164,9 +167,14 @@ class Mapping {
 
 }  // namespace
 
+PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
+                           const trace::Study& whole) {
+  return Mapping(study, kind, area, scale, whole).run();
+}
+
 PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area,
                            float scale) {
-  return Mapping(study, kind, area, scale).run();
+  return plot_geometry(study, kind, area, scale, study);
 }
 
 }  // namespace contactscope::draw

@@ -39,6 +39,9 @@ struct PlotGeometry {
 inline constexpr float kPlotText = 14;  // labels on lines and ticks, pixels at 720 lines
 
 /// Maps a study's points into `area`, with room to the right of the slowest for the widest label.
+/// Axes span the points of `whole`, of which the study may be a panel.
+PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
+                           const trace::Study& whole);
 PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area,
                            float scale);
 

@@ -38,13 +38,15 @@ Rect area_in(const Rect& rect, float scale) {
 
 class Panel {
  public:
-  Panel(const trace::Study& study, ErrorKind kind, const Rect& rect, float scale, Drawing& drawing)
+  /// `study` is `whole` or one panel of it.
+  Panel(const trace::Study& study, const trace::Study& whole, ErrorKind kind, const Rect& rect,
+        float scale, Drawing& drawing)
       : study_(study),
         kind_(kind),
         rect_(rect),
         scale_(scale),
         out_(drawing),
-        plot_(plot_geometry(study, kind, area_in(rect, scale), scale)),
+        plot_(plot_geometry(study, kind, area_in(rect, scale), scale, whole)),
         left_(static_cast<float>(plot_.area.x)),
         right_(static_cast<float>(plot_.area.x + plot_.area.width)),
         top_(static_cast<float>(plot_.area.y)),
@@ -144,10 +146,14 @@ class Panel {
     const std::string which = kind_ == ErrorKind::Mean ? "mean" : "worst";
     const float x = static_cast<float>(rect_.x);
     const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
+    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
+    if (!study_.series.empty() && !study_.series.front().panel.empty()) {
+      text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+      return;
+    }
     text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
     const float used = text_width(study_.error + "  ", px(kHeading), FontWeight::Regular);
     text(which, {x + used, baseline}, Align::Left, kText, Weight::Bold, kHeading);
-    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
   }
 
   void draw_spread(const Course& course) {
@@ -328,8 +334,10 @@ class Panel {
 }  // namespace
 
 void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, float scale,
-                     Drawing& drawing) {
-  Panel(study, kind, rect, scale, drawing).run();
+                     Drawing& drawing, const std::string& panel) {
+  trace::Study part = study;
+  std::erase_if(part.series, [&](const trace::StudySeries& one) { return one.panel != panel; });
+  Panel(part, study, kind, rect, scale, drawing).run();
 }
 
 }  // namespace contactscope::draw

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "draw/camera.h"
 #include "draw/drawing.h"
 #include "draw/method_style.h"
@@ -8,8 +10,8 @@
 namespace contactscope::draw {
 
 /// One diagram of plot(), in `rect`: heading, axes and all that lies between them. `scale` is that
-/// of text and lines.
+/// of text and lines. Where series have a panel, those of `panel` are drawn alone, under its name.
 void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, float scale,
-                     Drawing& drawing);
+                     Drawing& drawing, const std::string& panel = {});
 
 }  // namespace contactscope::draw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "app/table.h"
@@ -9,18 +10,38 @@
 namespace contactscope::app {
 namespace {
 
-// Errors of all methods at all parameters.
-void print_errors(const trace::Study& result, std::ostream& out) {
-  const std::vector<trace::StudyPoint>& parameters = result.series.front().points;
+/// Series of one panel stand together; without panels all are one.
+using SeriesRange = std::span<const trace::StudySeries>;
+std::vector<SeriesRange> by_panel(const trace::Study& result) {
+  std::vector<SeriesRange> panels;
+  const SeriesRange all(result.series);
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    while (end < all.size() && all[end].panel == all[begin].panel) ++end;
+    panels.push_back(all.subspan(begin, end - begin));
+  }
+  return panels;
+}
+
+/// What the first column of a panel's table is called, and what is told apart by the others.
+std::string head_of(const trace::StudySeries& series) {
+  return series.panel.empty() ? "method" : series.panel;
+}
+std::string parameter_of(const trace::Study& result, const trace::StudySeries& series) {
+  return series.parameter.empty() ? result.parameter : series.parameter;
+}
+
+void print_errors(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  const std::vector<trace::StudyPoint>& parameters = panel.front().points;
   const bool has_worst = std::ranges::any_of(
       parameters, [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
   out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
-      << (has_worst ? ": mean / worst" : ": mean") << ", by " << result.parameter << '\n';
-  std::vector<std::string> heads = {"method"};
+      << (has_worst ? ": mean / worst" : ": mean") << ", by " << parameter_of(result, panel.front())
+      << '\n';
+  std::vector<std::string> heads = {head_of(panel.front())};
   for (const trace::StudyPoint& point : parameters) heads.push_back(spelled("%g", point.parameter));
   heads.push_back("failed");
   Table table(heads);
-  for (const trace::StudySeries& series : result.series) {
+  for (const trace::StudySeries& series : panel) {
     std::vector<std::string> cells = {series.method};
     int failed = 0;
     for (const trace::StudyPoint& point : series.points) {
@@ -35,14 +56,14 @@ void print_errors(const trace::Study& result, std::ostream& out) {
   table.print(out);
 }
 
-void print_times(const trace::Study& result, std::ostream& out) {
-  out << "nanoseconds a call: median / least, by " << result.parameter << '\n';
-  std::vector<std::string> heads = {"method"};
-  for (const trace::StudyPoint& point : result.series.front().points) {
+void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  out << "nanoseconds a call: median / least, by " << parameter_of(result, panel.front()) << '\n';
+  std::vector<std::string> heads = {head_of(panel.front())};
+  for (const trace::StudyPoint& point : panel.front().points) {
     heads.push_back(spelled("%g", point.parameter));
   }
   Table table(heads);
-  for (const trace::StudySeries& series : result.series) {
+  for (const trace::StudySeries& series : panel) {
     std::vector<std::string> cells = {series.method};
     for (const trace::StudyPoint& point : series.points) {
       cells.push_back(spelled("%.0f", point.nanoseconds.median) +
@@ -127,12 +148,19 @@ void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
         print_map(result, out);
         break;
       case trace::StudyForm::WorkPrecision:
-        print_errors(result, out);
-        out << '\n';
+        for (const SeriesRange& panel : by_panel(result)) {
+          print_errors(result, panel, out);
+          out << '\n';
+        }
         break;
     }
   }
-  if (results.front().form == trace::StudyForm::WorkPrecision) print_times(results.front(), out);
+  if (results.front().form != trace::StudyForm::WorkPrecision) return;
+  const std::vector<SeriesRange> panels = by_panel(results.front());
+  for (const SeriesRange& panel : panels) {
+    print_times(results.front(), panel, out);
+    if (&panel != &panels.back()) out << '\n';
+  }
 }
 
 }  // namespace contactscope::app

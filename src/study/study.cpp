@@ -8,6 +8,7 @@
 #include "study/manifold_stability_study.h"
 #include "study/penetration_study.h"
 #include "study/reducer_study.h"
+#include "study/solver_study.h"
 #include "study/stability_study.h"
 
 namespace contactscope {
@@ -66,6 +67,8 @@ const std::vector<StudyInfo>& studies() {
       {"manifold_stability",
        "one-shot against incremental manifolds: boxes that drop, tilt and slide",
        &study_manifold_stability},
+      {"solver", "stacks by position method, warm starting, iterations and sub-steps",
+       &study_solver},
   };
   return list;
 }

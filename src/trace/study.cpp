@@ -1,5 +1,6 @@
 #include "trace/study.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -63,7 +64,7 @@ Json whole(const Study& study) {
     Json points = Json::array();
     for (const StudyPoint& p : one.points) points.push_back(point(p));
     Json entry = {{"method", one.method}};
-    if (study.form != StudyForm::WorkPrecision) {
+    if (has_panels(study)) {
       entry["panel"] = one.panel;
       entry["parameter"] = one.parameter;
       entry["row"] = number_or_null(one.row, "row");
@@ -87,7 +88,7 @@ Json whole(const Study& study) {
                {"unit", study.unit},
                {"resolution", finite(study.resolution, "resolution")},
                {"parameter", study.parameter}};
-  if (study.form != StudyForm::WorkPrecision) {
+  if (has_panels(study)) {
     json["form"] = to_string(study.form);
     json["row"] = study.row;
     json["signal"] = study.signal;
@@ -104,6 +105,12 @@ std::string row(const std::vector<std::string>& cells) {
 }
 
 }  // namespace
+
+bool has_panels(const Study& study) {
+  return study.form != StudyForm::WorkPrecision ||
+         std::ranges::any_of(study.series,
+                             [](const StudySeries& series) { return !series.panel.empty(); });
+}
 
 std::string to_json(const Study& study) {
   return whole(study).dump(1) + "\n";
@@ -134,8 +141,8 @@ std::string to_csv(const Study& study) {
                                     "build_type",
                                     "date",
                                     "scalar"};
-  const bool has_panels = study.form != StudyForm::WorkPrecision;
-  if (has_panels) heads.insert(heads.end(), {"panel", "row_name", "row"});
+  const bool panels = has_panels(study);
+  if (panels) heads.insert(heads.end(), {"panel", "row_name", "row"});
   std::string text = row(heads);
   const StudyContext& context = study.context;
   for (const StudySeries& one : study.series) {
@@ -160,7 +167,7 @@ std::string to_csv(const Study& study) {
                                         context.build_type,
                                         context.date,
                                         context.scalar};
-      if (has_panels) {
+      if (panels) {
         cells.insert(cells.end(), {one.panel, study.row, spelled(one.row, "row")});
       }
       text += row(cells);

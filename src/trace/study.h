@@ -41,10 +41,9 @@ struct StudyPoint {
 struct StudySeries {
   std::string method;
   std::vector<StudyPoint> points;  // by growing parameter
-  // Of curves and maps only:
-  std::string panel{};          // series of one panel are drawn together; empty: there is one
-  std::string parameter{};      // what the parameter is in this panel
-  std::optional<double> row{};  // of a map: its place along the other axis
+  std::string panel{};             // series of one panel are drawn together; empty: there is one
+  std::string parameter{};         // what the parameter is in this panel
+  std::optional<double> row{};     // of a map: its place along the other axis
 };
 
 /// How a study is drawn.
@@ -72,16 +71,20 @@ struct Study {
   std::string parameter;  // "points": what the parameter counts
   std::vector<StudySeries> series;
   StudyForm form = StudyForm::WorkPrecision;
-  std::string row{};  // of a map: what its rows stand for; rows without a number are methods
+  std::string row{};     // of a map: what its rows stand for; rows without a number are methods
   std::string signal{};  // the series that is no error, but the size of what the errors spoil
 };
+
+/// Whether its series belong to panels: curves and maps always do.
+bool has_panels(const Study& study);
 
 /// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
 /// double. Throws std::domain_error that names the key where a number is not finite.
 ///
 /// Beyond FORMATS.md: "measure", "title", "unit", "resolution", "parameter"; "scalar" in the
 /// context, and "error_worst" beside each "error". Both errors are null where every case failed.
-/// Curves and maps have "form", "row" and "signal", and their series "panel", "parameter" and "row".
+/// Studies with panels have "form", "row" and "signal", and their series "panel", "parameter" and
+/// "row".
 std::string to_json(const Study& study);
 
 /// The same on one line, without the newline.
@@ -89,7 +92,7 @@ std::string to_json_line(const Study& study);
 
 /// The same facts as CSV (RFC 4180, but with plain newlines): a header line, then a line a point;
 /// what holds of the whole study is repeated in every line, so that files can be joined. An error
-/// is empty where every case failed. Curves and maps have three columns more. Throws as to_json()
+/// is empty where every case failed. Studies with panels have three columns more. Throws as to_json()
 /// does.
 std::string to_csv(const Study& study);
 

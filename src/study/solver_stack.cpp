@@ -1,0 +1,223 @@
+#include "study/solver_stack.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/world.h"
+#include "geometry/primitives.h"
+#include "study/pass_times.h"
+#include "study/uniform.h"
+
+namespace contactscope {
+namespace {
+
+constexpr double kHalf = 0.5;  // metres, of a box's edge
+constexpr double kGravity = 9.81;
+constexpr float kFrame = 1.0f / 60;
+constexpr int kRestFrames = 60;  // the last ones, over which rest is judged
+
+double weight_above(const StackPlan& plan, std::size_t contact) {
+  double mass = 0;
+  for (std::size_t i = contact; i < plan.boxes.size(); ++i) mass += plan.boxes[i].mass;
+  return mass * kGravity;
+}
+
+Vec3d static_place(const StackPlan& plan, std::size_t box) {
+  const auto level = static_cast<double>(box);
+  return {plan.boxes[box].x, kHalf + level * 2 * kHalf - (level + 1) * kStackSlop,
+          plan.boxes[box].z};
+}
+
+/// A stack that is being stepped, and judged.
+class StandingStack {
+ public:
+  StandingStack(const StackPlan& plan, const SolverSettings& settings)
+      : plan_(plan), settings_(settings) {
+    settings_.slop = kStackSlop;
+    settings_.speculative_margin = kStackMargin;
+    shapes_.push_back(HalfSpace<float>{{Vec3<float>::UnitY(), 0}});
+    world_.bodies.push_back(static_body<float>({}));
+    const Shape<double> box = make_box(Vec3d::Constant(kHalf));
+    for (std::size_t i = 0; i < plan.boxes.size(); ++i) {
+      const Quatd turn(Eigen::AngleAxisd(plan.boxes[i].turn, Vec3d::UnitY()));
+      const Pose<double> pose{turn, static_place(plan, i)};
+      shapes_.push_back(shape_cast<float>(box));
+      world_.bodies.push_back(dynamic_body<float>(
+          pose.cast<float>(), with_mass(*mass_properties(box), plan.boxes[i].mass)));
+      // Only neighbours: by the time that others could touch, a box has sunk too far into the next.
+      WorldPair<float>& pair = world_.pairs.emplace_back();
+      pair.a = static_cast<int>(i);
+      pair.b = static_cast<int>(i + 1);
+      pair.friction = static_cast<float>(kStackFriction);
+      mass_ += plan.boxes[i].mass;
+    }
+    // Anything from touching to an overlap of the slop is at rest, so that a stack may stand that much
+    // higher.
+    most_energy_ = energy();
+    for (std::size_t i = 0; i < plan.boxes.size(); ++i) {
+      const double lifted = static_cast<double>(i + 1) * kStackSlop;
+      most_energy_ += plan.boxes[i].mass * kGravity * lifted;
+    }
+    const double fall = kGravity * static_cast<double>(kFrame);  // m/s in one frame
+    most_energy_ += 0.5 * mass_ * fall * fall;
+  }
+
+  StackOutcome run(int frames) {
+    StackOutcome outcome;
+    std::vector<double> times;
+    const int rest_begins = std::max(1, frames - kRestFrames);
+    for (; outcome.frames < frames; ++outcome.frames) {
+      PassTimes time;
+      time.measure(1, [&](int) { return step_once(); });
+      times.push_back(time.summary().median);
+      outcome.fault = fault();
+      if (outcome.fault != StackFault::None) break;
+      outcome.worst_penetration = std::max(outcome.worst_penetration, penetration());
+      if (outcome.frames < rest_begins) continue;
+      const double frames_at_rest = frames - rest_begins;
+      outcome.jitter += fastest() / frames_at_rest;
+      outcome.load_error += load_error() / frames_at_rest;
+      outcome.ids_changed += ids_changed_ / frames_at_rest;
+    }
+    // Contacts are those of the beginning of a frame; once more for the last.
+    find_contacts(world_, shapes_, settings_, contacts_);
+    if (outcome.fault == StackFault::None) {
+      outcome.penetration = penetration();
+      outcome.worst_penetration = std::max(outcome.worst_penetration, outcome.penetration);
+      outcome.drift = drift();
+    }
+    std::ranges::sort(times);
+    outcome.nanoseconds = times.empty() ? 0 : times[times.size() / 2];
+    return outcome;
+  }
+
+ private:
+  /// As step() in world.h, but the contacts stay to be looked at.
+  double step_once() {
+    find_contacts(world_, shapes_, settings_, contacts_);
+    std::vector<PairContacts<float>> pairs;
+    for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
+      const WorldPair<float>& pair = world_.pairs[i];
+      pairs.push_back({pair.a, pair.b, &contacts_[i], pair.friction, pair.restitution});
+    }
+    solve_step<float>(world_.bodies, pairs, world_.impulses, world_.gravity, settings_, kFrame);
+    note_ids();
+    return static_cast<double>(world_.bodies.back().center.y());
+  }
+
+  void note_ids() {
+    int changed = 0, all = 0;
+    ids_.resize(world_.pairs.size());
+    for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
+      const std::vector<FeatureId>& now = world_.pairs[i].kept;
+      for (const FeatureId& id : now) {
+        changed += std::ranges::find(ids_[i], id) == ids_[i].end() ? 1 : 0;
+        ++all;
+      }
+      ids_[i] = now;
+    }
+    ids_changed_ = all == 0 ? 0 : static_cast<double>(changed) / all;
+  }
+
+  StackFault fault() const {
+    for (const Body<float>& body : world_.bodies) {
+      if (!body.center.allFinite() || !body.velocity.allFinite() ||
+          !body.angular_velocity.allFinite() || !body.rotation.coeffs().allFinite())
+        return StackFault::NotFinite;
+    }
+    if (energy() > most_energy_) return StackFault::Energy;
+    for (std::size_t i = 1; i < world_.bodies.size(); ++i) {
+      Vec3d above = world_.bodies[i].center.cast<double>();
+      if (i > 1) {
+        above -= world_.bodies[i - 1].center.cast<double>();
+      } else {
+        above.y() += kHalf;  // as if on another box, below the plane
+        above.x() = above.z() = 0;
+      }
+      if (std::abs(above.y() - 2 * kHalf) > kHalf || std::hypot(above.x(), above.z()) > kHalf)
+        return StackFault::Fallen;
+    }
+    return StackFault::None;
+  }
+
+  double energy() const {
+    double sum = 0;
+    for (const Body<float>& body : world_.bodies)
+      sum += kinetic_energy(body) + potential_energy(body, Vec3d(0, -kGravity, 0));
+    return sum;
+  }
+
+  double penetration() const {
+    double deepest = 0;
+    for (const Manifolds<float>& manifolds : contacts_)
+      for (const Manifold<float>& manifold : manifolds)
+        for (const ContactPoint<float>& point : manifold.points)
+          deepest = std::max(deepest, -static_cast<double>(point.separation) - kStackSlop);
+    return deepest;
+  }
+
+  double drift() const {
+    const Vec3d way =
+        world_.bodies.back().center.cast<double>() - static_place(plan_, plan_.boxes.size() - 1);
+    return way.norm();
+  }
+
+  double fastest() const {
+    const double to_corner = kHalf * std::sqrt(3.0);
+    double most = 0;
+    for (const Body<float>& body : world_.bodies) {
+      const double turning = static_cast<double>(body.angular_velocity.norm());
+      most = std::max(most, static_cast<double>(body.velocity.norm()) + to_corner * turning);
+    }
+    return most;
+  }
+
+  double load_error() const {
+    double worst = 0;
+    for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
+      double impulse = 0;
+      for (const PointImpulse<float>& point : world_.impulses[i])
+        impulse += static_cast<double>(point.total_normal);
+      const double weight = weight_above(plan_, i);
+      worst = std::max(worst, std::abs(impulse / static_cast<double>(kFrame) - weight) / weight);
+    }
+    return worst;
+  }
+
+  const StackPlan& plan_;
+  SolverSettings settings_;
+  World<float> world_;
+  std::vector<Shape<float>> shapes_;
+  std::vector<Manifolds<float>> contacts_;
+  std::vector<std::vector<FeatureId>> ids_;  // of the frame before
+  double ids_changed_ = 0;
+  double mass_ = 0;
+  double most_energy_ = 0;  // joules; more has come from nowhere
+};
+
+}  // namespace
+
+StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
+  constexpr double kAside = 0.02 * 2 * kHalf;
+  StackPlan plan;
+  for (int i = 0; i < count; ++i) {
+    StackPlan::Box box;
+    box.x = uniform(engine, -kAside, kAside);
+    box.z = uniform(engine, -kAside, kAside);
+    box.turn = uniform(engine, -0.1, 0.1);
+    plan.boxes.push_back(box);
+  }
+  plan.boxes.back().mass = ratio;
+  return plan;
+}
+
+const char* to_string(StackFault fault) {
+  constexpr const char* kNames[] = {"none", "not finite", "energy", "fallen"};
+  return kNames[static_cast<int>(fault)];
+}
+
+StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames) {
+  return StandingStack(plan, settings).run(frames);
+}
+
+}  // namespace contactscope

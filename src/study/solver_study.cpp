@@ -1,0 +1,263 @@
+#include "study/solver_study.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "study/errors.h"
+#include "study/solver_stack.h"
+#include "study/stability_study.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
+constexpr int kHeights[] = {2, 3, 4, 6, 9, 14, 20};  // boxes, nearly even on a logarithmic axis
+constexpr int kRatioSteps = 13;                      // two a decade, from 1 to 10^6
+constexpr int kCases = 4;                            // stacks a point of a curve
+constexpr int kMapCases = 2;                         // stacks a cell
+
+struct SolverMethod {
+  const char* name;
+  PositionCorrection correction;
+  bool warm_start;
+  const char* map_name;
+  int map_iterations, map_substeps;
+};
+
+// The maps give every method sixteen sweeps a frame: projection and soft contacts spend half of
+// theirs on positions.
+constexpr SolverMethod kSolverMethods[] = {
+    {"baumgarte, warm", PositionCorrection::Baumgarte, true, "baumgarte, warm: 16 sweeps", 16, 1},
+    {"projection, warm", PositionCorrection::Projection, true, "projection, warm: 8 + 8", 8, 1},
+    {"soft, warm", PositionCorrection::Soft, true, "soft, warm: 4 × (2 + 2)", 2, 4},
+    // In this order each has a colour in the plots that is near its warm brother's.
+    {"soft, cold", PositionCorrection::Soft, false, "soft, cold: 4 × (2 + 2)", 2, 4},
+    {"projection, cold", PositionCorrection::Projection, false, "projection, cold: 8 + 8", 8, 1},
+    {"baumgarte, cold", PositionCorrection::Baumgarte, false, "baumgarte, cold: 16 sweeps", 16, 1},
+};
+
+struct CurvePanel {
+  const char* name;
+  const char* parameter;
+  int boxes;
+  double ratio;
+  bool substeps;
+};
+constexpr CurvePanel kCurvePanels[] = {
+    {"10 equal boxes: iterations", "iterations", 10, 1, false},
+    {"10 equal boxes: sub-steps", "sub-steps", 10, 1, true},
+    {"3 boxes, the highest 100 times as heavy: iterations", "iterations", 3, 100, false},
+    {"3 boxes, the highest 100 times as heavy: sub-steps", "sub-steps", 3, 100, true},
+};
+
+/// One number of an outcome, and how it is called.
+struct StackMeasure {
+  const char* name;
+  const char* title;
+  const char* error;
+  const char* unit;
+  double StackOutcome::*value;
+};
+constexpr StackMeasure kStackMeasures[] = {
+    {"penetration", "How far boxes sink into each other", "deepest overlap after 3 s", "m",
+     &StackOutcome::penetration},
+    {"worst", "How far boxes have ever been in each other", "deepest overlap of any frame", "m",
+     &StackOutcome::worst_penetration},
+    {"drift", "How far the top of a stack drifts", "way of the highest box after 3 s", "m",
+     &StackOutcome::drift},
+    {"jitter", "How still a stack stands", "speed of the fastest box, third second", "m/s",
+     &StackOutcome::jitter},
+    {"load", "How well contacts carry what is above them",
+     "force less weight / weight, worst contact, third second", "", &StackOutcome::load_error},
+    {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
+     &StackOutcome::ids_changed},
+};
+constexpr std::size_t kMeasureCount = std::size(kStackMeasures);
+
+/// What the stacks of one point came to.
+struct StackCell {
+  std::array<Errors, kMeasureCount> errors;
+  std::vector<double> times;
+  int failed = 0, of = 0;
+
+  void add(const StackOutcome& outcome) {
+    ++of;
+    times.push_back(outcome.nanoseconds);
+    if (outcome.fault != StackFault::None) {
+      ++failed;
+      return;
+    }
+    for (std::size_t i = 0; i < kMeasureCount; ++i) errors[i].add(outcome.*kStackMeasures[i].value);
+  }
+  trace::StudyPoint point(double parameter, std::size_t measure) const {
+    trace::StudyPoint result;
+    result.parameter = parameter;
+    std::vector<double> sorted = times;
+    std::ranges::sort(sorted);
+    const std::size_t middle = sorted.size() / 2;
+    const double median =
+        sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+    result.nanoseconds = {median, sorted.front(), sorted.back()};
+    result.failed = failed;
+    result.of = of;
+    errors[measure].write(result);
+    return result;
+  }
+};
+
+/// How many stacks came to grief how.
+struct FaultCounts {
+  std::array<int, 4> counts{};
+  int of = 0;
+
+  void add(StackFault fault) {
+    ++of;
+    ++counts[static_cast<std::size_t>(fault)];
+  }
+  std::string spelled() const {
+    std::string text = std::to_string(of) + " stacks, of which";
+    for (const StackFault fault : {StackFault::NotFinite, StackFault::Energy, StackFault::Fallen}) {
+      const char* how = fault == StackFault::NotFinite ? "became no numbers"
+                        : fault == StackFault::Energy  ? "gained energy"
+                                                       : "fell";
+      text += std::string(fault == StackFault::NotFinite ? " " : ", ") +
+              std::to_string(counts[static_cast<std::size_t>(fault)]) + ' ' + how;
+    }
+    return text;
+  }
+};
+
+class SolverStudy {
+ public:
+  SolverStudy(const StudyOptions& options, const StudyProgress& progress)
+      : options_(options), progress_(progress) {}
+
+  std::vector<trace::Study> run() {
+    std::vector<trace::Study> result = curves();
+    for (trace::Study& map : maps()) result.push_back(std::move(map));
+    return result;
+  }
+
+ private:
+  static constexpr int kSteps = static_cast<int>(std::size(kCurvePanels) + std::size(kHeights)) *
+                                static_cast<int>(std::size(kSolverMethods));
+
+  void step(const std::string& what) { progress_(++done_, kSteps, what); }
+
+  /// The same stacks for every method and setting.
+  StackCell judge(int boxes, double ratio, const SolverSettings& settings, int cases,
+                  FaultCounts& faults) const {
+    StackCell cell;
+    for (int i = 0; i < cases; ++i) {
+      std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
+      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings);
+      faults.add(outcome.fault);
+      cell.add(outcome);
+    }
+    return cell;
+  }
+
+  trace::Study described(const StackMeasure& measure) const {
+    trace::Study study;
+    study.study = "solver";
+    study.measure = measure.name;
+    study.title = measure.title;
+    study.context = study_context("float");
+    study.error = measure.error;
+    study.unit = measure.unit;
+    return study;
+  }
+
+  std::vector<trace::Study> curves() {
+    const int cases = options_.cases.value_or(kCases);
+    std::vector<trace::Study> studies;
+    for (const StackMeasure& measure : kStackMeasures) {
+      studies.push_back(described(measure));
+      studies.back().parameter = "iterations or sub-steps";
+    }
+    FaultCounts faults;
+    for (const CurvePanel& panel : kCurvePanels) {
+      for (const SolverMethod& method : kSolverMethods) {
+        for (trace::Study& study : studies)
+          study.series.push_back({method.name, {}, panel.name, panel.parameter});
+        for (const int count : kCounts) {
+          SolverSettings settings;
+          settings.position_correction = method.correction;
+          settings.warm_start = method.warm_start;
+          settings.iterations = panel.substeps ? 1 : count;
+          settings.substeps = panel.substeps ? count : 1;
+          const StackCell cell = judge(panel.boxes, panel.ratio, settings, cases, faults);
+          for (std::size_t m = 0; m < kMeasureCount; ++m)
+            studies[m].series.back().points.push_back(cell.point(count, m));
+        }
+        step(std::string(method.name) + ", " + panel.parameter);
+      }
+    }
+    for (trace::Study& study : studies) study.reference = reference(faults);
+    return studies;
+  }
+
+  std::vector<trace::Study> maps() {
+    const int cases = options_.cases.value_or(kMapCases);
+    constexpr std::size_t kMapped[] = {0, 2, 3};
+    constexpr const char* kNames[] = {"map", "drift_map", "jitter_map"};
+    constexpr const char* kErrors[] = {"deepest overlap after 3 s (mm)",
+                                       "way of the highest box after 3 s (mm)",
+                                       "speed of the fastest box, third second (mm/s)"};
+    std::vector<trace::Study> studies;
+    for (std::size_t i = 0; i < std::size(kMapped); ++i) {
+      trace::Study& study = studies.emplace_back(described(kStackMeasures[kMapped[i]]));
+      study.measure = kNames[i];
+      study.title += ", by height and mass";
+      study.error = kErrors[i];
+      study.unit = {};
+      study.parameter = "mass on top / mass of the others";
+      study.row = "boxes";
+      study.form = trace::StudyForm::Map;
+    }
+    FaultCounts faults;
+    for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
+      const SolverMethod& method = kSolverMethods[turn];
+      for (const int boxes : kHeights) {
+        for (trace::Study& study : studies)
+          study.series.push_back(
+              {method.map_name, {}, method.map_name, study.parameter, double(boxes)});
+        for (int i = 0; i < kRatioSteps; ++i) {
+          const double ratio = std::pow(10.0, 0.5 * i);
+          SolverSettings settings;
+          settings.position_correction = method.correction;
+          settings.warm_start = method.warm_start;
+          settings.iterations = method.map_iterations;
+          settings.substeps = method.map_substeps;
+          const StackCell cell = judge(boxes, ratio, settings, cases, faults);
+          for (std::size_t s = 0; s < studies.size(); ++s) {
+            trace::StudyPoint point = cell.point(ratio, kMapped[s]);
+            if (point.error) point.error = 1000 * *point.error;  // metres to millimetres
+            if (point.error_worst) point.error_worst = 1000 * *point.error_worst;
+            studies[s].series.back().points.push_back(point);
+          }
+        }
+        step(std::string(method.name) + ", " + std::to_string(boxes) + " boxes");
+      }
+    }
+    for (trace::Study& study : studies) study.reference = reference(faults);
+    return studies;
+  }
+
+  std::string reference(const FaultCounts& faults) const {
+    return "the static solution, seed " + std::to_string(options_.seed) + "; " + faults.spelled();
+  }
+
+  const StudyOptions& options_;
+  const StudyProgress& progress_;
+  int done_ = 0;
+};
+
+}  // namespace
+
+std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
+  return SolverStudy(options, progress).run();
+}
+
+}  // namespace contactscope
