@@ -61,7 +61,9 @@ void account(const Scenario& scenario, const std::vector<View>& views, const tra
     return kind_of(*shape.geometry) == ShapeKind::Mesh;
   });
   if (!has_mesh) ledger.left_out("bounding volume tree, for no shape is a mesh");
-  ledger.left_out("solver, for no shape is dynamic");
+  const bool has_body = std::ranges::any_of(
+      scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); });
+  if (!has_body) ledger.left_out("solver, for no shape is dynamic");
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 /// Worlds of a few bodies for the tests.
 namespace contactscope::test {
 
+inline constexpr double kGravity = 9.81;  // metres a second, a second; of every world
+
 template <class S>
 struct Scene {
   World<S> world;

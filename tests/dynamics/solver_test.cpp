@@ -8,8 +8,6 @@
 namespace contactscope::test {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 struct Method {
   const char* name;
   PositionCorrection correction;

@@ -7,8 +7,6 @@
 namespace contactscope::test {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 /// Boxes on a plane, each overlapping what is below it by `overlap`, and each 2 cm narrower: edges
 /// that lie on each other change the names of their crossings with every rounding.
 template <class S>
