@@ -24,6 +24,12 @@
 ///     preference = "relative"          # or "none": the axis of true minimum penetration
 ///     penetration = "sat"              # or "epa", "mpr", "sampling": of hulls that overlap, how
 ///                                      # their depth and normal are found
+///     manifold = "one-shot"            # or "incremental": a point a frame by GJK on the cores; of
+///                                      # spheres, capsules, hulls and planes, not of meshes
+///     core_margin = 0.02               # metres; incremental: how far a hull's core lies inside
+///     breaking_distance = 0.02         # metres; incremental: places farther apart are dismissed,
+///                                      # new points nearer than that to an old one replace it
+///     confirm = "distance"             # or "ids"; incremental: how old points are confirmed
 ///     internal_edges = true            # false: meshes trip over edges that the surface lacks
 ///     degenerate = "fallback"          # or "skip": what to do where geometry gives no normal
 ///
