@@ -1,5 +1,8 @@
 #include "manifold/collide_hull_mesh.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "manifold/collide_hull_hull.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/face_contact.h"
@@ -22,6 +25,22 @@ SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   return seen;
 }
 
+/// A triangle lower than this part of its longest edge is a sliver: what moves a corner by a little
+/// turns its normal by much.
+template <class S>
+constexpr S kSliver = S(0.01);
+
+/// Whose face decides where both are nearly as deep. The surface: by the hull's face a small tilt on
+/// a large triangle would turn the normal. But a sliver's own normal says little of the surface.
+template <class S>
+Owner preferred_face(const Mesh<S>& mesh, int triangle) {
+  const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
+  const Vec3<S> second = mesh.corner(triangle, 2) - mesh.corner(triangle, 1);
+  const Vec3<S> third = mesh.corner(triangle, 0) - mesh.corner(triangle, 2);
+  const S longest = std::max({first.squaredNorm(), second.squaredNorm(), third.squaredNorm()});
+  return first.cross(second).norm() < kSliver<S> * longest ? Owner::A : Owner::B;
+}
+
 /// The face query of the talk for one face that is given.
 template <class S>
 FaceQuery<S> query_face(const HullPair<S>& pair, int face) {
@@ -41,8 +60,8 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
                     Recorder& recorder) {
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
-    // The surface decides: by the hull's face a small tilt on a large triangle would turn the normal.
-    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder, Owner::B);
+    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder,
+                             preferred_face(b, triangle.index));
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const HullPair<S> pair(a, triangle.hull, triangle.in_a);
