@@ -63,7 +63,7 @@ DeepCases make_deep_cases(std::uint64_t seed, int count) {
 
 /// What the method was given.
 struct Effort {
-  double parameter = 0;
+  double parameter = 0;  // 1 is the least
   double tolerance = 0;
   int iterations = 0;
   int samples = 64;
@@ -99,41 +99,52 @@ struct DepthSeries {
   }
 };
 
+constexpr int kEfforts = 6;
+
+/// One of each effort; every series has as many, so that they make a table.
+template <class Make>
+std::vector<Effort> efforts(const Make& make) {
+  std::vector<Effort> list;
+  for (int effort = 1; effort <= kEfforts; ++effort) list.push_back(make(effort));
+  return list;
+}
+
+/// 0.1 to 1e-5, then what rounding allows.
 std::vector<Effort> tolerances() {
-  std::vector<Effort> efforts;
-  for (const double tolerance : {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
-    efforts.push_back({tolerance, tolerance, 0, 64});
-  return efforts;
+  constexpr double kTolerances[kEfforts] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0};
+  return efforts([&](int effort) { return Effort{1.0 * effort, kTolerances[effort - 1], 0, 64}; });
 }
 
+/// 2 to 64.
 std::vector<Effort> iteration_caps() {
-  std::vector<Effort> efforts;
-  for (const int cap : {1, 2, 4, 8, 16, 32, 64})
-    efforts.push_back({static_cast<double>(cap), 0, cap, 64});
-  return efforts;
+  return efforts([](int effort) { return Effort{1.0 * effort, 0, 1 << effort, 64}; });
 }
 
-/// `rounds` of the search about the best sample; 0: until it converges.
+/// 8 to 8192. `rounds` of the search about the best; 0: until it converges.
 std::vector<Effort> sample_counts(int rounds) {
-  std::vector<Effort> efforts;
-  for (const int samples : {8, 32, 128, 512, 2048})
-    efforts.push_back({static_cast<double>(samples), 0, rounds, samples});
-  return efforts;
+  return efforts([&](int effort) { return Effort{1.0 * effort, 0, rounds, 2 << (2 * effort)}; });
+}
+
+/// The same each time.
+std::vector<Effort> no_choice() {
+  return efforts([](int effort) { return Effort{1.0 * effort, 0, 0, 64}; });
 }
 
 std::vector<DepthSeries> every_series() {
   using enum PenetrationMethod;
-  std::vector<DepthSeries> list;
-  for (const bool is_float : {true, false}) {
-    const std::string scalar = is_float ? "float, " : "double, ";
-    list.push_back({scalar + "SAT", Sat, is_float, {Effort{}}});
-    list.push_back({scalar + "EPA by tolerance", Epa, is_float, tolerances()});
-    list.push_back({scalar + "EPA by iterations", Epa, is_float, iteration_caps()});
-    list.push_back({scalar + "MPR by tolerance", Mpr, is_float, tolerances()});
-    list.push_back({scalar + "sampling and search", Sampling, is_float, sample_counts(0)});
-    list.push_back({scalar + "sampling, one round", Sampling, is_float, sample_counts(1)});
-  }
-  return list;
+  return {
+      {"float, SAT", Sat, true, no_choice()},
+      {"float, EPA by tolerance", Epa, true, tolerances()},
+      {"float, MPR by tolerance", Mpr, true, tolerances()},
+      {"float, sampling", Sampling, true, sample_counts(0)},
+      {"double, SAT", Sat, false, no_choice()},
+      {"double, EPA by tolerance", Epa, false, tolerances()},
+      {"double, EPA by iterations", Epa, false, iteration_caps()},
+      {"double, MPR by tolerance", Mpr, false, tolerances()},
+      {"double, MPR by iterations", Mpr, false, iteration_caps()},
+      {"double, sampling", Sampling, false, sample_counts(0)},
+      {"double, sampling, one round", Sampling, false, sample_counts(1)},
+  };
 }
 
 struct DepthCell {
@@ -169,10 +180,10 @@ trace::Study study_of(const StudyOptions& options, int count) {
   trace::Study study;
   study.study = "penetration";
   study.context = study_context("float and double");
-  study.reference = "extended precision over all axes, " + std::to_string(count) +
-                    " overlapping pairs of 32 vertices each, 1 mm to 1 km, seed " +
-                    std::to_string(options.seed);
-  study.parameter = "tolerance, iterations or directions";
+  study.reference = "extended precision, " + std::to_string(count) + " overlapping pairs, seed " +
+                    std::to_string(options.seed) +
+                    "; effort: tolerance 0.1 to 0, 2 to 64 iterations, 8 to 8192 directions";
+  study.parameter = "effort";
   return study;
 }
 

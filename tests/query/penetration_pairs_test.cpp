@@ -116,6 +116,8 @@ TYPED_TEST(PenetrationPairs, TenThousandDepthsAgreeWithExhaustion) {
     touching += !is_deep && !is_apart ? 1 : 0;
 
     for (const PenetrationMethod method : kMethods) {
+      // As slow as all others together.
+      if (method == PenetrationMethod::Sampling && i / 10 % 4 != 0) continue;
       SCOPED_TRACE(std::string(to_string(method)) + " of pair " + std::to_string(i));
       Tally& tally = tallies[static_cast<int>(method)];
       PenetrationOptions<S> options;
