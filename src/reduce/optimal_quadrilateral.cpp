@@ -124,7 +124,8 @@ CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kF
   for (int i = 0; i < kEight / 2 * 5; i += kLanes) {
     equal |= lanes::bits<S>(load(areas + i) == most) << i;
   }
-  const int best = 31 - std::countl_zero(equal | 1);  // the first where areas are too large for S
+  equal |= 1U << (kEight / 2 * 5 - 1);  // when areas are too large for S
+  const int best = std::countr_zero(equal);
   const auto corner = [&](int i) {
     i %= kEight;
     return i - (patch.count() & -static_cast<int>(i >= patch.count()));
