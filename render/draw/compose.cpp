@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "draw/labels.h"
+#include "draw/marks.h"
 #include "draw/palette.h"
 #include "image/font.h"
 
@@ -13,7 +14,12 @@ constexpr float kJoin = 0.25f;    // pixels
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
+constexpr double kDotBorder = 2.2;
+constexpr double kCenterRadius = 9.5;
+constexpr double kFootRadius = 6.5;
 constexpr double kCoreRadius = 2.4;
+constexpr double kOriginRadius = 7.0;
+constexpr double kNodeRadius = 4.0;
 constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
@@ -112,6 +118,7 @@ class Composer {
   // whose outline it is. Drawn are longer pieces, with fewer ends. The lengths already run are
   // measured on the screen, where dashes are.
   void draw_curve(const Curve& curve) {
+    if (curve.points.empty()) return;
     float run = 0;
     Vec3d from = Vec3d::Zero(), to = Vec3d::Zero();
     bool hidden = false, any = false;
@@ -162,6 +169,18 @@ class Composer {
     }
   }
 
+  void open_head(const Point2& tip, const Point2& from, double size, float width,
+                 const Color& color) {
+    const float length = distance(from, tip);
+    if (length <= 0) return;
+    const float s = px(size) / length;
+    const Point2 back{s * (from.x - tip.x), s * (from.y - tip.y)};
+    for (const float side : {-0.5f, 0.5f}) {
+      const Point2 end{tip.x + back.x - side * back.y, tip.y + back.y + side * back.x};
+      out_.primitives.push_back(Stroke{tip, end, px(width), color, Cap::Round});
+    }
+  }
+
   void draw_arrow(const Arrow& arrow) {
     Vec3d end = arrow.from;
     if (arrow.to) {
@@ -173,7 +192,8 @@ class Composer {
     std::optional<Point2> b = camera_.project(end);
     if (!a || !b || !layout_.view.contains(*a)) return;
     if (!layout_.view.contains(*b)) {
-      if (arrow.to) return;
+      if (arrow.may_leave) stroke(arrow.from, end, arrow.width, arrow.color, 0, 0, 0, false);
+      if (arrow.may_leave || arrow.to) return;
       const std::optional<Segment2> inside = clip_segment(layout_.view, *a, *b);
       if (!inside) return;
       b = inside->to;  // its length says nothing
@@ -181,10 +201,10 @@ class Composer {
     const float length = distance(*a, *b);
     if (length < px(1)) return;
     // Short arrows keep their shape: the heads shrink before the shaft is lost.
-    const double size = std::min<double>(arrow.head, 0.45 * length / layout_.scale);
+    const double size = std::min<double>(arrow.head, arrow.head_share * length / layout_.scale);
     const float ux = (b->x - a->x) / length;
     const float uy = (b->y - a->y) / length;
-    const float inset = px(0.9 * size);
+    const float inset = arrow.open ? 0 : px(0.9 * size);
     const Point2 shaft_end{b->x - inset * ux, b->y - inset * uy};
     const Point2 shaft_begin =
         arrow.double_headed ? Point2{a->x + inset * ux, a->y + inset * uy} : *a;
@@ -194,7 +214,11 @@ class Composer {
     }
     out_.primitives.push_back(
         Stroke{shaft_begin, shaft_end, px(arrow.width), arrow.color, Cap::Butt});
-    head(*b, *a, size, arrow.color);
+    if (arrow.open) {
+      open_head(*b, *a, size, arrow.width, arrow.color);
+    } else {
+      head(*b, *a, size, arrow.color);
+    }
     if (arrow.double_headed) head(*a, *b, size, arrow.color);
     placer_.block(*a, *b, px(arrow.width + 6));
   }
@@ -214,9 +238,31 @@ class Composer {
       case MarkKind::Core:
         disc(0, kCoreRadius, mark.color);
         break;
+      case MarkKind::Half:
+        disc(0, kDotRadius + kDotHalo, kWhite);
+        draw_half_dot(*at, px(kDotRadius), px(kDotBorder), mark.color, out_);
+        placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::Quartered:
+      case MarkKind::SmallQuartered: {
+        const float r = px(mark.kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
+        draw_quartered_disc(*at, r, px(1.6), out_);
+        placer_.block(*at, r + px(2));
+        break;
+      }
+      case MarkKind::Node:
+        disc(0, kNodeRadius + 0.5 * kDotHalo, kWhite);
+        disc(0, kNodeRadius, mark.color);
+        break;
+      case MarkKind::Origin:
+        disc(0, kOriginRadius + kDotHalo, kWhite);
+        disc(kOriginRadius - kDotHalo, kOriginRadius, mark.color);
+        disc(0, 0.5 * kOriginRadius, mark.color);
+        placer_.block(*at, px(kOriginRadius + kDotHalo));
+        break;
       case MarkKind::Hollow:
         disc(0, kDotRadius + kDotHalo, kWhite);
-        disc(kDotRadius - 2.2, kDotRadius, mark.color);
+        disc(kDotRadius - kDotBorder, kDotRadius, mark.color);
         placer_.block(*at, px(kDotRadius + kDotHalo));
         break;
       case MarkKind::Ring:

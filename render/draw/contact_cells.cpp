@@ -6,6 +6,7 @@
 #include "core/convex_polygon.h"
 #include "draw/choice_steps.h"
 #include "draw/hatch.h"
+#include "draw/id_strip.h"
 #include "draw/palette.h"
 
 namespace contactscope::draw {
@@ -207,46 +208,25 @@ void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing&
   }
 }
 
-/// One row an id, in the order of appearance: grey while the point is there, vermilion while it is
-/// kept. A line marks this frame.
+/// One row an id, in the order of appearance.
 void ContactCells::draw_strip(const Rect& strip, std::size_t cell, std::size_t moment,
                               Drawing& drawing) const {
-  const double row = strip.height / static_cast<double>(ids_.size());
-  const double column = strip.width / static_cast<double>(moments_.size());
-  const auto bar = [&](std::size_t id, std::size_t from, std::size_t to, const Color& color) {
-    const double gap = row > 2.5 ? 0.18 * row : 0;
-    const auto x0 = static_cast<float>(strip.x + column * static_cast<double>(from));
-    const auto x1 = static_cast<float>(strip.x + column * static_cast<double>(to));
-    const auto y0 = static_cast<float>(strip.y + row * static_cast<double>(id) + gap);
-    const auto y1 = static_cast<float>(strip.y + row * static_cast<double>(id + 1) - gap);
-    drawing.primitives.push_back(Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, color});
-  };
-  for (std::size_t id = 0; id < ids_.size(); ++id) {
-    enum class State { Absent, Dropped, Kept };
-    const auto state = [&](const ContactMoment& at_moment) {
+  std::vector<std::vector<IdState>> rows;
+  for (const std::string& id : ids_) {
+    std::vector<IdState>& states = rows.emplace_back();
+    for (const ContactMoment& at_moment : moments_) {
       const ContactCell& facts = at_moment.cells[cell];
-      const auto found = std::ranges::find(facts.points, ids_[id], &trace::Point::id);
-      if (found == facts.points.end()) return State::Absent;
+      const auto found = std::ranges::find(facts.points, id, &trace::Point::id);
+      if (found == facts.points.end()) {
+        states.push_back(IdState::Absent);
+        continue;
+      }
       const auto place = static_cast<int>(found - facts.points.begin());
-      return std::ranges::find(facts.kept, place) == facts.kept.end() ? State::Dropped
-                                                                      : State::Kept;
-    };
-    std::size_t from = 0;
-    while (from < moments_.size()) {
-      const State now = state(moments_[from]);
-      std::size_t to = from + 1;
-      while (to < moments_.size() && state(moments_[to]) == now) ++to;
-      if (now == State::Kept) bar(id, from, to, kContact);
-      if (now == State::Dropped) bar(id, from, to, rgb(0xD5D8DC));
-      from = to;
+      const bool kept = std::ranges::find(facts.kept, place) != facts.kept.end();
+      states.push_back(kept ? IdState::Kept : IdState::Dropped);
     }
   }
-  const auto x = static_cast<float>(strip.x + column * (static_cast<double>(moment) + 0.5));
-  const auto y0 = static_cast<float>(strip.y - layout_.px(2));
-  const auto y1 = static_cast<float>(strip.y + strip.height + layout_.px(2));
-  drawing.primitives.push_back(
-      Stroke{{x, y0}, {x, y1}, layout_.px(3.5), with_alpha(kWhite, 0.8f), Cap::Butt});
-  drawing.primitives.push_back(Stroke{{x, y0}, {x, y1}, layout_.px(1.5), kNormal, Cap::Butt});
+  draw_id_strip(rows, moments_.size(), moment, strip, layout_.scale, drawing);
 }
 
 }  // namespace contactscope::draw

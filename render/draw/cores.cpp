@@ -8,40 +8,58 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr LineStyle kCoreOutline{1.8f, with_alpha(kReferenceFace, 0.9f), true,
-                                 LineStyle::Hidden::Same};
+constexpr LineStyle kCoreFront{1.5f, with_alpha(kReferenceFace, 0.75f), true,
+                               LineStyle::Hidden::Same};
+constexpr LineStyle kCoreBack{1.0f, with_alpha(kReferenceFace, 0.35f), true,
+                              LineStyle::Hidden::Same};
+
+struct CoreCorner {
+  Vec3d at;
+  std::size_t side;  // the face beyond the edge that begins here
+};
+using CoreFace = std::vector<CoreCorner>;
 
 // Half-space clipping of a convex polygon (Sutherland and Hodgman 1974).
-std::vector<Vec3d> clipped_by(const std::vector<Vec3d>& polygon, const Plane<double>& plane) {
-  std::vector<Vec3d> inside;
+CoreFace clipped_by(const CoreFace& polygon, const Plane<double>& plane, std::size_t side) {
+  CoreFace inside;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3d& from = polygon[i];
-    const Vec3d& to = polygon[(i + 1) % polygon.size()];
-    const double d0 = plane.distance(from), d1 = plane.distance(to);
-    if (d0 <= 0) inside.push_back(from);
-    if ((d0 < 0 && d1 > 0) || (d0 > 0 && d1 < 0)) {
-      inside.push_back(from + d0 / (d0 - d1) * (to - from));
+    const CoreCorner& from = polygon[i];
+    const Vec3d& to = polygon[(i + 1) % polygon.size()].at;
+    const double d0 = plane.distance(from.at), d1 = plane.distance(to);
+    if (d0 <= 0) inside.push_back({from.at, d1 > 0 && d0 == 0 ? side : from.side});
+    if ((d0 < 0 && d1 > 0) || (d0 > 0 && d1 <= 0)) {
+      inside.push_back({from.at + d0 / (d0 - d1) * (to - from.at), d0 < 0 ? side : from.side});
     }
   }
   return inside;
 }
 
 // The core's face is the face moved inwards, within all other planes moved inwards: what is left of
-// the hull when a margin is taken off its faces.
-void draw_hull_core(const PlacedShape& shape, double margin, Sketch& sketch) {
+// the hull when a margin is taken off its faces. Edges between two faces are drawn once.
+void draw_hull_core(const Camera& camera, const PlacedShape& shape, double margin, Sketch& sketch) {
   const trace::Shape& solid = *shape.mesh->shape;
   std::vector<Plane<double>> planes;
+  std::vector<bool> front;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const Vec3d normal = shape.normal(static_cast<int>(f));
-    planes.push_back({normal, normal.dot(shape.polygon(static_cast<int>(f))[0]) - margin});
+    const Vec3d corner = shape.polygon(static_cast<int>(f))[0];
+    planes.push_back({normal, normal.dot(corner) - margin});
+    front.push_back(camera.faces(corner, normal));
   }
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    std::vector<Vec3d> face = shape.polygon(static_cast<int>(f));
-    for (Vec3d& corner : face) corner -= margin * planes[f].normal;
-    for (std::size_t other = 0; other < planes.size() && !face.empty(); ++other) {
-      if (other != f) face = clipped_by(face, planes[other]);
+  for (std::size_t f = 0; f < planes.size(); ++f) {
+    CoreFace face;
+    for (const Vec3d& corner : shape.polygon(static_cast<int>(f))) {
+      face.push_back({corner - margin * planes[f].normal, f});
     }
-    if (face.size() > 2) sketch.outline(face, kCoreOutline);
+    for (std::size_t other = 0; other < planes.size() && !face.empty(); ++other) {
+      if (other != f) face = clipped_by(face, planes[other], other);
+    }
+    for (std::size_t i = 0; face.size() > 2 && i < face.size(); ++i) {
+      if (face[i].side < f) continue;  // drawn with the other face
+      const bool seen = front[f] || front[face[i].side];
+      sketch.lines.push_back(
+          {face[i].at, face[(i + 1) % face.size()].at, seen ? kCoreFront : kCoreBack});
+    }
   }
 }
 
@@ -57,7 +75,7 @@ void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (shape == nullptr || margin <= 0 || shape->mesh->shape->radius > 0) continue;
     if (shape->mesh->shape->faces.empty() || shape->mesh->shape->type == "mesh") continue;
-    draw_hull_core(*shape, margin, sketch);
+    draw_hull_core(scene.camera, *shape, margin, sketch);
     widest = std::max(widest, margin);
   }
   if (widest > 0) {

@@ -38,15 +38,46 @@ Vec3d center_of_contact(const trace::Frame& frame, const std::vector<PlacedShape
   return count > 0 ? Vec3d(sum / count) : sum;
 }
 
+Scene scene_of(const Staging& staging, const trace::Frame& frame) {
+  return {staging.view,   *staging.header,      frame,         place_shapes(staging.meshes, frame),
+          staging.camera, staging.depth_factor, staging.scales};
+}
+
+std::vector<InsetPicture> inset_pictures(const Staging& staging, const trace::Frame& frame) {
+  std::vector<InsetPicture> pictures;
+  if (staging.insets.empty()) return pictures;
+  const Scene scene = scene_of(staging, frame);
+  for (const Inset& inset : staging.insets) pictures.push_back(sketch_inset(inset, scene));
+  return pictures;
+}
+
+void sort_legend(Sketch& sketch) {
+  std::stable_sort(sketch.legend.begin(), sketch.legend.end(),
+                   [](const LegendEntry& a, const LegendEntry& b) { return a.kind < b.kind; });
+}
+
+// What both the shapes and an inset show is explained once.
+std::vector<LegendEntry> merged_legend(Sketch sketch, const std::vector<InsetPicture>& insets) {
+  for (const InsetPicture& inset : insets) {
+    for (const LegendEntry& entry : inset.sketch.legend) sketch.explain(entry.kind, entry.text);
+  }
+  sort_legend(sketch);
+  return sketch.legend;
+}
+
 }  // namespace
 
+std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {
+  return merged_legend(sketch_frame(staging, frame), inset_pictures(staging, frame));
+}
+
 Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
-  const Scene scene{staging.view,   *staging.header,     frame, place_shapes(staging.meshes, frame),
-                    staging.camera, staging.depth_factor};
+  const Scene scene = scene_of(staging, frame);
   Sketch sketch;
   sketch.center = center_of_contact(frame, scene.shapes);
   if (scene.shows("shapes")) draw_shapes(scene, sketch);
   draw_touched_triangles(scene, sketch);
+  if (scene.shows("center_of_mass")) draw_centers_of_mass(scene, sketch);
   for (const trace::Pair& pair : frame.pairs) {
     draw_reference_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
@@ -54,15 +85,20 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
     if (scene.shows("tree")) draw_tree(scene, pair, sketch);
     if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
     if (scene.shows("contact_axis")) draw_sat_axes(scene, pair, false, sketch);
+    if (scene.shows("core")) draw_cores(scene, pair, sketch);
+    if (scene.shows("simplex")) draw_simplex_points(scene, pair, sketch);
+    if (scene.shows("support")) draw_support(scene, pair, sketch);
     if (!pair.label.empty()) draw_pair_label(scene, pair, sketch);
     const bool told = staging.view.story != Story::ClipSteps || !pair.clip ||
                       frame.frame > static_cast<int>(pair.clip->steps.size());
     if (!told) continue;  // the story has not come to the contacts yet
     if (scene.shows("coherent")) draw_coherent_points(pair, sketch);
     draw_contacts(scene, pair, sketch);
+    if (scene.shows("persistent")) draw_persistent_points(scene, pair, sketch);
+    if (scene.shows("impulses")) draw_impulses(scene, pair, sketch);
   }
-  std::stable_sort(sketch.legend.begin(), sketch.legend.end(),
-                   [](const LegendEntry& a, const LegendEntry& b) { return a.kind < b.kind; });
+  if (scene.shows("velocities")) draw_velocities(scene, sketch);
+  sort_legend(sketch);
   return sketch;
 }
 
@@ -73,7 +109,10 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   drawing.height = staging.layout.height;
   const Sketch sketch = sketch_frame(staging, frame);
   compose(sketch, staging.camera, staging.layout, drawing);
-  draw_legend(sketch.legend, staging.layout, drawing);
+  const std::vector<InsetPicture> insets = inset_pictures(staging, frame);
+  for (std::size_t i = 0; i < insets.size(); ++i)
+    draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
+  draw_legend(merged_legend(sketch, insets), staging.layout, drawing);
   draw_captions(staging.header->title, staging.header->source, moment(frame), staging.layout,
                 drawing);
   return drawing;

@@ -34,7 +34,8 @@ Arrow impulse_arrow(const Vec3d& from, const Vec3d& way, float width, float head
 }
 
 // Two strokes across an arrow that goes on.
-void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, Sketch& sketch) {
+void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const Color& color,
+                Sketch& sketch) {
   const Vec3d across = along.cross(scene.camera.to_eye(at));
   if (!(across.norm() > 0)) return;
   const double pixel = 1 / scene.camera.pixels_per_metre(at);
@@ -42,7 +43,7 @@ void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, Sketch&
   for (const double shift : {-2.5, 2.5}) {
     const Vec3d middle = at + shift * pixel * along;
     sketch.lines.push_back({middle - slanted, middle + slanted, {5.0f, kWhite}, false});
-    sketch.lines.push_back({middle - slanted, middle + slanted, {2.0f, kContact}, false});
+    sketch.lines.push_back({middle - slanted, middle + slanted, {2.0f, color}, false});
   }
 }
 
@@ -62,7 +63,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
   if (drawn * pixels < kLeastImpulse) return;
   sketch.arrows.push_back(impulse_arrow(point.position, drawn * out, 3, 12, kContact));
   sketch.arrows.back().halo = false;
-  if (length > drawn) draw_break(scene, point.position + 0.6 * drawn * out, out, sketch);
+  if (length > drawn) draw_break(scene, point.position + 0.6 * drawn * out, out, kContact, sketch);
   sketch.explain(LegendKind::NormalImpulse,
                  "normal impulse, " + spell_impulse_scale(scales.impulse));
 }
@@ -82,15 +83,21 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     for (const trace::Point& point : manifold.points) {
       if (!point.impulse) continue;
       draw_normal_impulse(scene, point, out, sketch);
-      const Vec3d friction = side * scene.scales.impulse * point.impulse->friction;
+      const double length = scene.scales.impulse * point.impulse->normal;
+      // Cut as the normal's arrow is, so that the two still make the angle that they do.
+      const double share = std::min(1.0, scene.scales.longest_impulse / std::max(length, 1e-300));
+      const Vec3d friction = side * share * scene.scales.impulse * point.impulse->friction;
       const double pixels = scene.camera.pixels_per_metre(point.position);
       if (friction.norm() * pixels >= kLeastImpulse) {
         Arrow arrow = impulse_arrow(point.position, friction, 2.5f, 10, kIncidentFace);
         arrow.open = true;
         sketch.arrows.push_back(arrow);
+        if (share < 1) {
+          draw_break(scene, point.position + 0.6 * friction, friction.normalized(), kIncidentFace,
+                     sketch);
+        }
         sketch.explain(LegendKind::FrictionImpulse, "friction, same scale");
       }
-      const double length = scene.scales.impulse * point.impulse->normal;
       if (points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
       const Vec3d tip = point.position + std::min(length, scene.scales.longest_impulse) * out;
       sketch.labels.push_back({.at = tip,

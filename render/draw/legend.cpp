@@ -237,6 +237,40 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
     case LegendKind::TreeBox:
       swatch.face(with_alpha(kSidePlane, 0), kSidePlane, 2.5, false);
       break;
+    case LegendKind::Difference:
+      swatch.face(rgb(0xE4E4E8), kShapeEdge, 1.5, false);
+      break;
+    case LegendKind::Simplex:
+      swatch.face(with_alpha(kClipPolygon, 0.16f), kClipPolygon, 2, false);
+      break;
+    case LegendKind::Polytope:
+      swatch.face(with_alpha(kReferenceFace, 0.06f), kReferenceFace, 1.2, false);
+      break;
+    case LegendKind::SimplexPoints:
+      swatch.dot(0, 4.8, kClipPolygon);
+      break;
+    case LegendKind::FacePoints:
+      swatch.dot(0, 4.8, kReferenceFace);
+      break;
+    case LegendKind::NextOfSimplex:
+      swatch.dot(2.6, 4.8, kClipPolygon);
+      break;
+    case LegendKind::NextOfPolytope:
+      swatch.dot(2.6, 4.8, kReferenceFace);
+      break;
+    case LegendKind::ArcsOfA:
+      swatch.line(0, 22, 2.5, kArcOfA);
+      break;
+    case LegendKind::ArcsOfB:
+      swatch.dashes(2.5, kArcOfB);
+      break;
+    case LegendKind::Crossing:
+      swatch.dot(0, 4.8, kAxis);
+      break;
+    case LegendKind::BestAxis:
+      swatch.dot(0, 3.6, kAxisText);
+      swatch.dot(6.2, 8.2, kAxisText);
+      break;
     case LegendKind::TreeMiss:
       swatch.face(with_alpha(kDropped, 0), kDropped, 1.5, true);
       break;

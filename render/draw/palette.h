@@ -18,6 +18,9 @@ constexpr Color with_alpha(Color color, float alpha) {
 inline constexpr Color kShapeA = rgb(0xDDE3EA);
 inline constexpr Color kShapeB = rgb(0xEDE6DA);
 inline constexpr Color kShapeEdge = rgb(0x4A5058);
+// The greys of the shapes as ink, for their arcs on the Gauss map.
+inline constexpr Color kArcOfA = rgb(0x4F6076);
+inline constexpr Color kArcOfB = rgb(0x94764A);
 inline constexpr Color kReferenceFace = rgb(0x0072B2);
 inline constexpr Color kSidePlane = rgb(0x56B4E9);
 inline constexpr Color kIncidentFace = rgb(0xE69F00);

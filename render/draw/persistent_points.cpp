@@ -5,9 +5,14 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr double kLeastAnchors = 12;  // pixels
+
 // Where the two places that met when the point was found are now.
 void draw_anchors(const Scene& scene, const trace::PersistentPoint& point, Sketch& sketch) {
   const double factor = scene.scales.drift;
+  // As long as the dot is wide, they say nothing.
+  const double pixels = scene.camera.pixels_per_metre(point.point.position);
+  if (factor * pixels * (point.on_b - point.on_a).norm() < kLeastAnchors) return;
   const Vec3d middle = 0.5 * (point.on_a + point.on_b);
   const Vec3d from = middle + factor * (point.on_a - middle);
   const Vec3d to = middle + factor * (point.on_b - middle);

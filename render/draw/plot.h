@@ -7,7 +7,7 @@ namespace contactscope::draw {
 
 /// Work-precision diagram of a study: error against run time, both axes logarithmic, a line a
 /// method, a panel for the mean error and one for the worst where the study has it. Where the series
-/// belong to panels, these are drawn instead, of the mean error, with the same axes.
+/// belong to panels, these are drawn instead, of the mean error, over the same ranges.
 ///
 /// Lines run through the parameters in order, with the least and greatest time of a call as a thin
 /// band, and are labelled at their ends. Methods that no other beats in both time and error are

@@ -67,4 +67,27 @@ std::string spell_area(double square_metres) {
   return "0 m²";
 }
 
+Prefix prefix_for(double value) {
+  constexpr std::array<Prefix, 7> kPrefixes{
+      {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};
+  if (value == 0) return {};
+  for (const Prefix& prefix : kPrefixes) {
+    // From 0.1 of the plain unit on, what a person would say.
+    const double least = prefix.size == 1 ? 0.1 : prefix.size;
+    if (std::abs(value) >= least * (1 - 1e-9)) return prefix;
+  }
+  return kPrefixes.back();
+}
+
+std::string spell_quantity(double value, const std::string& unit, int digits) {
+  // Rounded first, so that 999.9 m becomes 1 k and not 1000.
+  const double rounded = std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
+  const Prefix prefix = prefix_for(rounded);
+  const double scaled = rounded / prefix.size;
+  int whole = std::abs(scaled) >= 1 * (1 - 1e-9) || scaled == 0 ? 1 : 0;
+  for (double left = std::abs(scaled); left >= 10 * (1 - 1e-9); left /= 10) ++whole;
+  return with_minus_sign(printed("%.*f", std::max(0, digits - whole), scaled)) + " " + prefix.name +
+         unit;
+}
+
 }  // namespace contactscope::draw

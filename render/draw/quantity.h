@@ -14,4 +14,14 @@ std::string spell_length(double metres);
 /// Signed areas have a real minus sign.
 std::string spell_area(double square_metres);
 
+/// A power of a thousand that suits a value, from nano to giga; of 0, and from 0.1 to 1000, none.
+struct Prefix {
+  double size = 1;
+  const char* name = "";
+};
+Prefix prefix_for(double value);
+
+/// A number with unit and prefix, with at most so many significant digits: "12.3 mN s".
+std::string spell_quantity(double value, const std::string& unit, int digits = 3);
+
 }  // namespace contactscope::draw

@@ -7,6 +7,7 @@
 
 #include "core/view.h"
 #include "draw/camera.h"
+#include "draw/sequence_scales.h"
 #include "draw/sketch.h"
 #include "trace/trace.h"
 
@@ -56,6 +57,7 @@ struct Scene {
   std::vector<PlacedShape> shapes;
   const Camera& camera;
   double depth_factor = 1;  // overlaps are drawn this many times as long
+  SequenceScales scales{};
 
   bool shows(const char* layer) const;
   const PlacedShape* find(const std::string& name) const;
@@ -72,6 +74,9 @@ std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
 /// as half the size of the other shapes around them, or whole where it is alone.
 std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes);
 
+/// Faces, silhouette and edges of a polyhedron: hidden lines are faint.
+void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
+
 // The layers, one file each, named after what they show.
 void draw_shapes(const Scene& scene, Sketch& sketch);
 void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
@@ -85,5 +90,17 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// What a scenario calls the pair, above its shapes.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_coherent_points(const trace::Pair& pair, Sketch& sketch);
+/// The points of an incremental manifold by what became of them, and how far their places drifted.
+void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// The outline of both shapes without their margins.
+void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// What a body stands on, and about what it turns where that does not hold it.
+void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// Centres of mass of bodies, and the projection of the pair's into the contact plane.
+void draw_centers_of_mass(const Scene& scene, Sketch& sketch);
+/// The points on both shapes that GJK's simplex, or EPA's nearest face, comes from.
+void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_velocities(const Scene& scene, Sketch& sketch);
+void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 
 }  // namespace contactscope::draw

@@ -102,7 +102,7 @@ std::string spell_impulse_scale(double metres_per_newton_second) {
   while (metres_per_newton_second * newton_seconds > 1) newton_seconds /= 10;
   while (metres_per_newton_second * newton_seconds < 0.1) newton_seconds *= 10;
   return spell_quantity(newton_seconds, "N s", 1) + " = " +
-         spell_length(metres_per_newton_second * newton_seconds);
+         spell_quantity(metres_per_newton_second * newton_seconds, "m", 1);
 }
 
 }  // namespace contactscope::draw

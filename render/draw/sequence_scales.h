@@ -30,7 +30,7 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
 /// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0.
 double round_down(double value);
 
-/// "1 N s = 0.2 m", or of small impulses "0.01 N s = 50 mm".
+/// "1 N s = 0.2 m", or of small impulses "10 mN s = 50 mm".
 std::string spell_impulse_scale(double metres_per_newton_second);
 
 }  // namespace contactscope::draw

@@ -9,13 +9,12 @@
 #include "draw/palette.h"
 #include "draw/plot_canvas.h"
 #include "draw/quantity.h"
-#include "draw/sequence_scales.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kChartHeading = 19;  // pixels at 720 lines, above the curves
+constexpr double kChartHeading = 22;  // pixels at 720 lines, above the curves
 constexpr double kChartHeadroom = 1.08;
 
 struct ValueSpan {
@@ -41,11 +40,35 @@ std::string plain_number(double value) {
   return (value < 0 ? "−" : "") + std::string(text.data());
 }
 
-std::string newest_value(const SeriesChart& chart, const std::vector<double>& curve,
-                         std::size_t moment) {
-  if (std::isnan(curve[moment])) return "none";
-  if (chart.unit.empty()) return plain_number(curve[moment]);
-  return curve[moment] == 0 ? "0 " + chart.unit : spell_quantity(curve[moment], chart.unit);
+/// 1, 2, 3, 4, 5, 6 or 8 times a power of ten: the largest up to `value` > 0.
+double tick_below(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0}) {
+    if (step * decade <= value * (1 + 1e-9)) return step * decade;
+  }
+  return decade;
+}
+
+/// In the axis' unit: numbers that follow each other in one place should not change theirs.
+std::string newest_value(const SeriesChart& chart, double value, const Prefix& prefix) {
+  if (std::isnan(value)) return "none";
+  if (chart.unit.empty()) return plain_number(value);
+  const double scaled = value / prefix.size;
+  std::array<char, 32> text{};
+  if (std::abs(scaled) < 0.0005) {
+    std::snprintf(text.data(), text.size(), "%s", "0");
+  } else {
+    const int decimals = std::abs(scaled) >= 99.95 ? 0 : std::abs(scaled) >= 9.995 ? 1 : 2;
+    std::snprintf(text.data(), text.size(), "%.*f", std::abs(scaled) < 0.0995 ? 3 : decimals,
+                  std::abs(scaled));
+  }
+  return (scaled <= -0.0005 ? "−" : "") + std::string(text.data()) + " " + prefix.name + chart.unit;
+}
+
+/// Lengths below a metre are millimetres, as overlaps and margins are spoken of.
+Prefix axis_prefix(const std::string& unit, double largest) {
+  if (unit.empty()) return {};
+  return unit == "m" && largest < 1 && largest >= 1e-4 ? Prefix{1e-3, "m"} : prefix_for(largest);
 }
 
 class ChartPainter {
@@ -62,22 +85,21 @@ class ChartPainter {
 
   void run() {
     if (frames_ == 0) return;
-    const Prefix prefix =
-        chart_.unit.empty() ? Prefix{} : prefix_for(std::max(span_.high, -span_.low));
+    const Prefix prefix = axis_prefix(chart_.unit, std::max(span_.high, -span_.low));
     head(prefix);
     fill_ground();
     tick(0, "0");
-    const double top = round_down(span_.high > 0 ? span_.high : -span_.low);
+    const double top = tick_below(span_.high > 0 ? span_.high : -span_.low);
     const double at = span_.high > 0 ? top : -top;
     tick(at, plain_number(at / prefix.size));
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
-      curve(chart_.curves[i], curve_style(i));
+      curve(chart_.curves[i], series_style(i));
     }
     draw_moment(area_, frames_, moment_, pixel_, out_);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
       if (std::isnan(chart_.curves[i][moment_])) continue;
       out_.primitives.push_back(
-          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, curve_style(i).color});
+          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, series_style(i).color});
     }
   }
 
@@ -104,16 +126,16 @@ class ChartPainter {
   }
 
   void head(const Prefix& prefix) {
-    const auto baseline = static_cast<float>(rect_.y + pixel_ * (kChartHeading - 6));
+    const auto baseline = static_cast<float>(rect_.y + pixel_ * (kChartHeading - 8));
     std::string name = chart_.name;
     if (!chart_.unit.empty()) name += ", " + (prefix.name + chart_.unit);
     // The newest_value values stand above the newest_value end of the axis, each in its curve's colour.
     double right = area_.x + area_.width;
     for (std::size_t i = chart_.curves.size(); i-- > 0;) {
-      const std::string text = newest_value(chart_, chart_.curves[i], moment_);
+      const std::string text = newest_value(chart_, chart_.curves[i][moment_], prefix);
       const float size = pixel_ * static_cast<float>(kChartText);
       const double width = text_width(text, size, FontWeight::Bold);
-      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, curve_style(i).color,
+      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, series_style(i).color,
                  pixel_, out_, Weight::Bold);
       right -= width + 10 * pixel_;
     }
@@ -134,10 +156,11 @@ class ChartPainter {
     const bool strong = value == 0 && chart_.baseline;
     line({left, y}, {right, y}, strong ? 1.6 : 1.0, strong ? kText : kPlotBorder, 0, 0);
     const float size = pixel_ * static_cast<float>(kChartText - 1);
+    if (value != 0 && std::abs(y - y_of(0)) < 0.9f * size) return;  // no room beside the zero
     chart_text(text, {left - 6 * pixel_, y + 0.34f * size}, Align::Right, kQuietText, pixel_, out_);
   }
 
-  void curve(const std::vector<double>& values, const CurveStyle& style) {
+  void curve(const std::vector<double>& values, const SeriesStyle& style) {
     std::vector<Point2> points;
     const auto finish = [&] {
       float run = 0;
@@ -153,7 +176,7 @@ class ChartPainter {
         continue;
       }
       const Point2 at = place(f, values[f]);
-      if (chart_.steps && !points.empty()) {
+      if (chart_.steps && !points.empty() && points.back().y != at.y) {
         const float middle = 0.5f * (points.back().x + at.x);
         points.push_back({middle, points.back().y});
         points.push_back({middle, at.y});
@@ -174,8 +197,8 @@ class ChartPainter {
 
 }  // namespace
 
-CurveStyle curve_style(std::size_t index) {
-  constexpr std::array<CurveStyle, 4> kStyles{
+SeriesStyle series_style(std::size_t index) {
+  constexpr std::array<SeriesStyle, 4> kStyles{
       {{kContact, 0}, {kReferenceFace, 8}, {kText, 2.5f}, {kClipPolygon, 14}}};
   return kStyles[index % kStyles.size()];
 }

@@ -9,11 +9,11 @@
 namespace contactscope::draw {
 
 /// How one of a few curves of a chart looks.
-struct CurveStyle {
+struct SeriesStyle {
   Color color;
   float dash = 0;  // pixels at 720 lines; solid when 0
 };
-CurveStyle curve_style(std::size_t index);
+SeriesStyle series_style(std::size_t index);
 
 /// A small chart of values over frames: what it shows and its newest value above it, ticks at zero
 /// and at one round value to its left.

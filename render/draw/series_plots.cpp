@@ -11,12 +11,12 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kLeastPlot = 44;
+constexpr double kLeastPlot = 46;
 constexpr double kMostPlot = 120;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
 constexpr double kStripHeading = 19;
-constexpr double kMostIdStrip = 84;
+constexpr double kMostIdStrip = 72;
 constexpr double kIdRow = 6;
 constexpr double kLeastIdRow = 2.6;
 
@@ -51,7 +51,7 @@ void draw_names(const std::vector<TimeSeries>& series, double x, double y, float
                 Drawing& drawing) {
   const auto middle = static_cast<float>(y + 0.45 * pixel * kNamesRow);
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const CurveStyle style = curve_style(i);
+    const SeriesStyle style = series_style(i);
     Stroke swatch{{static_cast<float>(x), middle},
                   {static_cast<float>(x) + 22 * pixel, middle},
                   2.4f * pixel,
@@ -86,10 +86,10 @@ void draw_series_plots(const std::vector<TimeSeries>& series, std::size_t moment
     ids.insert(ids.end(), rows.begin(), rows.end());
   }
   const double least = pixel * kLeastPlot;
-  const double wanted =
-      std::min(pixel * kMostIdStrip, pixel * kIdRow * static_cast<double>(ids.size()));
+  const double wanted = std::min(
+      {pixel * kMostIdStrip, 0.16 * room, pixel * kIdRow * static_cast<double>(ids.size())});
   double strip = pixel * kStripHeading +
-                 std::max(wanted, std::min(0.25 * room,
+                 std::max(wanted, std::min(0.16 * room,
                                            pixel * kLeastIdRow * static_cast<double>(ids.size())));
   if (ids.empty() || room - strip < least * static_cast<double>(charts.size())) strip = 0;
   while (charts.size() > 1 && room - strip < least * static_cast<double>(charts.size())) {

@@ -9,6 +9,8 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr std::size_t kMostNames = 5;  // of one role in the legend
+
 constexpr LineStyle kSilhouette{2.0f, kShapeEdge, false, LineStyle::Hidden::Faint};
 constexpr LineStyle kFeature{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
 constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyle::Hidden::Faint};
@@ -35,17 +37,19 @@ void draw_round(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   for (const Vec3d& point : body.core()) sketch.marks.push_back({MarkKind::Core, point, kCore});
 }
 
-void draw_hull(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
+}  // namespace
+
+void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   const trace::Shape& solid = *shape.mesh->shape;
-  const Vec3d light = key_light(scene.camera);
+  const Vec3d light = key_light(camera);
   std::vector<bool> front(solid.faces.size());
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const std::vector<Vec3d> polygon = shape.polygon(static_cast<int>(f));
     const Vec3d normal = shape.normal(static_cast<int>(f));
-    front[f] = scene.camera.faces(polygon.front(), normal);
+    front[f] = camera.faces(polygon.front(), normal);
     if (!front[f]) continue;
     sketch.occluders.push_back(polygon);
-    sketch.surfaces.push_back({polygon, toned(shape.is_a ? kShapeA : kShapeB, normal.dot(light))});
+    sketch.surfaces.push_back({polygon, toned(fill, normal.dot(light))});
   }
   for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
     const bool left = front[static_cast<std::size_t>(edge.left)];
@@ -60,6 +64,23 @@ void draw_hull(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   }
 }
 
+namespace {
+
+// By name; a whole stack as one entry.
+void explain_shapes(const Scene& scene, bool of_a, Sketch& sketch) {
+  std::vector<std::string> names;
+  for (const PlacedShape& shape : scene.shapes) {
+    if (shape.is_a == of_a) names.push_back(shape.mesh->shape->name);
+  }
+  const LegendKind kind = of_a ? LegendKind::ShapeA : LegendKind::ShapeB;
+  const std::string role = of_a ? "A: " : "B: ";
+  if (names.size() > kMostNames) {
+    sketch.explain(kind, role + names.front() + " to " + names.back());
+    return;
+  }
+  for (const std::string& name : names) sketch.explain(kind, role + name);
+}
+
 }  // namespace
 
 void draw_shapes(const Scene& scene, Sketch& sketch) {
@@ -72,11 +93,11 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     } else if (solid.radius > 0) {
       draw_round(scene, shape, sketch);
     } else {
-      draw_hull(scene, shape, sketch);
+      draw_solid(scene.camera, shape, shape.is_a ? kShapeA : kShapeB, sketch);
     }
-    sketch.explain(shape.is_a ? LegendKind::ShapeA : LegendKind::ShapeB,
-                   (shape.is_a ? "A: " : "B: ") + solid.name);
   }
+  explain_shapes(scene, true, sketch);
+  explain_shapes(scene, false, sketch);
 }
 
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -17,7 +17,7 @@ namespace contactscope::draw {
 
 struct LineStyle {
   float width = 1;  // pixels
-  Color color;
+  Color color{};
   bool dashed = false;
   enum class Hidden { Same, Faint, Gone } hidden = Hidden::Same;
 };
@@ -46,9 +46,24 @@ struct Arrow {
   float head = 9;  // pixels
   Color color;
   bool halo = true;
+  bool open = false;         // a head of two strokes
+  float head_share = 0.45f;  // largest share of the length that the head takes
+  bool may_leave = false;    // cut at the border of the view; others are left out there
 };
 
-enum class MarkKind { Dot, Hollow, Ring, Cross, SmallCross, Core };
+enum class MarkKind {
+  Dot,
+  Half,  // filled on its left
+  Hollow,
+  Ring,
+  Cross,
+  SmallCross,
+  Core,
+  Quartered,       // a centre of mass
+  SmallQuartered,  // and where it is projected to
+  Origin,          // of a space that has one
+  Node,            // where lines meet
+};
 
 /// Something of a fixed size on the screen.
 struct Mark {
@@ -73,24 +88,48 @@ struct Label {
 enum class LegendKind {
   ShapeA,
   ShapeB,
+  Core,
   ReferenceFace,
   SidePlane,
   IncidentFace,
   ClipPolygon,
+  Support,
   Dropped,
   Reduced,
   BeforeMove,
   Contact,
+  NewPoint,
+  PersistedPoint,
+  BrokenPoint,
+  Anchors,
   PlainPoint,
   Kept,
   LostArea,
   BestPolygon,
   KeptIds,
   Normal,
+  NormalImpulse,
+  WarmStart,
+  FrictionImpulse,
+  Velocity,
+  Spin,
+  CenterOfMass,
+  FreeAxis,
   Axis,
   TreeQuery,
   TreeBox,
   TreeMiss,
+  Difference,
+  Simplex,
+  Polytope,
+  SimplexPoints,
+  FacePoints,
+  NextOfSimplex,
+  NextOfPolytope,
+  ArcsOfA,
+  ArcsOfB,
+  Crossing,
+  BestAxis,
 };
 
 struct LegendEntry {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,7 +22,7 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kWordsLine = 19;
-constexpr double kMapReserve = 20;  // around what a map shows
+constexpr double kMapReserve = 15;  // around what a map shows
 constexpr double kLeastStabilityMap = 70;
 constexpr double kLeastMarginChart = 58;
 constexpr double kMostMarginChart = 120;
@@ -56,6 +57,15 @@ std::vector<trace::Pair> pairs_of(const std::vector<trace::Frame>& frames) {
   return pairs;
 }
 
+/// In millimetres, like the chart below, unless that would be a strange number of them.
+std::string spell_margin(double metres) {
+  const bool usual = metres >= 1e-4 && metres < 1;
+  std::array<char, 32> text{};
+  const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
+  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
+  return usual ? text.data() : spell_length(metres);
+}
+
 bool in_contact(const trace::Pair* pair) {
   return pair != nullptr && pair->stability && pair->stability->verdict != "no contact" &&
          !pair->manifolds.empty();
@@ -79,10 +89,10 @@ class StabilityPainter {
       return;
     }
     const bool named = pairs_.size() > 1;
-    const double words = px(kWordsLine) * (named ? 3 : 2);
+    const double words = px(kWordsLine) * (named ? 3 : 2) + px(8);
     const double rows =
         px(kVerdictRow) * static_cast<double>(kVerdictRows.size() * pairs_.size()) + px(6);
-    double chart = std::clamp(0.30 * rect_.height, px(kLeastMarginChart), px(kMostMarginChart));
+    double chart = std::clamp(0.26 * rect_.height, px(kLeastMarginChart), px(kMostMarginChart));
     double band = rows;
     // The map says most; over time comes next, and the verdicts' rows last.
     const auto map_height = [&] { return rect_.height - words - chart - band; };
@@ -163,7 +173,7 @@ class StabilityPainter {
         const std::string name = label.empty() ? pairs_[p].a + ", " + pairs_[p].b : label;
         const auto size = static_cast<float>(px(kChartText));
         text(fitted(name, size, FontWeight::Bold, static_cast<float>(rect.width)), rect.x,
-             rect_.y + 0.75 * px(kWordsLine), curve_style(p).color, Weight::Bold);
+             rect_.y + 0.75 * px(kWordsLine), series_style(p).color, Weight::Bold);
       }
       if (maps[p] && in_contact(pair)) {
         maps[p]->show(centers[p], scale);
@@ -186,18 +196,18 @@ class StabilityPainter {
     write(touching ? pair->stability->verdict : "no contact", first, Weight::Bold);
     if (!touching) return;
     const double margin = pair->stability->margin;
-    const char* const side = pairs_.size() > 1 ? ""
-                             : margin < 0      ? " outside of the support"
-                                               : " inside of the support";
-    write("margin " + spell_length(margin) + side, first + px(kWordsLine), Weight::Regular);
+    std::string side = margin < 0 ? " outside" : " inside";
+    if (pairs_.size() == 1) side += " of the support";
+    write(margin == 0 ? "on the border of the support" : spell_margin(std::abs(margin)) + side,
+          first + px(kWordsLine), Weight::Regular);
   }
 
   void draw_scale_bar(double scale, const Rect& rect) {
     if (!std::isfinite(scale) || scale > 1e299) return;
-    const double length = round_down(0.3 * rect.width / scale);
+    const double length = round_down(0.25 * rect.width / scale);
     const auto right = static_cast<float>(rect.x + rect.width - px(2));
     const auto left = right - static_cast<float>(length * scale);
-    const auto y = static_cast<float>(rect.y + rect.height - px(4));
+    const auto y = static_cast<float>(rect.y + rect.height + px(0.5 * kWordsLine));
     const auto end = static_cast<float>(px(3));
     const auto line = [&](const Point2& from, const Point2& to) {
       out_.primitives.push_back(Stroke{from, to, 1.5f * pixel_, kQuietText});
@@ -205,7 +215,7 @@ class StabilityPainter {
     line({left, y}, {right, y});
     line({left, y - end}, {left, y + end});
     line({right, y - end}, {right, y + end});
-    chart_text(spell_length(length),
+    chart_text(spell_quantity(length, "m", 1),
                {left - static_cast<float>(px(6)), y + static_cast<float>(px(4))}, Align::Right,
                kQuietText, pixel_, out_);
   }
@@ -240,11 +250,18 @@ class StabilityPainter {
                    {static_cast<float>(left - px(6)), static_cast<float>(y + 0.78 * row)},
                    Align::Right, kQuietText, pixel_, out_);
         fill(left, left + column * frames, with_alpha(kQuietText, 0.10f));
-        for (std::size_t f = 0; f <= moment_ && f < frames_.size(); ++f) {
+        const auto holds = [&](std::size_t f) {
           const trace::Pair* pair = same_pair(frames_[f], pairs_[p]);
-          if (!in_contact(pair) || pair->stability->verdict != known.verdict) continue;
-          const double x = left + column * static_cast<double>(f);
-          fill(x, x + column, pairs_.size() > 1 ? curve_style(p).color : kClipPolygon);
+          return in_contact(pair) && pair->stability->verdict == known.verdict;
+        };
+        const std::size_t end = std::min(moment_ + 1, frames_.size());
+        for (std::size_t f = 0; f < end; ++f) {
+          if (!holds(f)) continue;
+          const std::size_t from = f;
+          while (f + 1 < end && holds(f + 1)) ++f;
+          fill(left + column * static_cast<double>(from),
+               left + column * static_cast<double>(f + 1),
+               pairs_.size() > 1 ? series_style(p).color : kClipPolygon);
         }
         y += row;
       }

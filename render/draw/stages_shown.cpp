@@ -23,7 +23,18 @@ trace::Stages stages_shown(const std::vector<View>& views) {
                   names_any(view.layers, {"reference_face", "incident_face", "side_planes",
                                           "clip_polygons", "dropped", "coherent"}) ||
                   names_any(view.panels, {"contact_plane"});
+    const bool minkowski = names_any(view.panels, {"minkowski"});
+    const bool gauss_map = names_any(view.panels, {"gauss_map"});
+    const bool steps = minkowski || view.story == Story::GjkSteps ||
+                       view.story == Story::EpaSteps || names_any(view.layers, {"simplex"});
+    stages.minkowski = stages.minkowski || minkowski;
+    stages.gjk = stages.gjk || steps;
+    stages.penetration = stages.penetration || steps;
+    stages.gauss_map = stages.gauss_map || gauss_map;
+    stages.sat = stages.sat || gauss_map;
     stages.tree = stages.tree || names_any(view.layers, {"tree"});
+    stages.stability = stages.stability || names_any(view.layers, {"center_of_mass", "support"}) ||
+                       names_any(view.panels, {"stability"});
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane ||
                        names_any(view.layers, {"contacts", "reduced", "ids", "coherent"}) ||
                        names_any(view.panels, {"summary", "contact_plane"});

@@ -8,6 +8,7 @@
 
 #include "draw/illustrate.h"
 #include "draw/plane_patch.h"
+#include "draw/view_fit.h"
 
 namespace contactscope::draw {
 namespace {
@@ -39,15 +40,6 @@ struct Subject {
   std::vector<Vec3d> points;
   Vec3d normal = Vec3d::Zero();  // of the contact, to the viewer's side; zero when there is none
 };
-
-Vec3d center_of(const std::vector<Vec3d>& points) {
-  Vec3d low = points.front(), high = points.front();
-  for (const Vec3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return 0.5 * (low + high);
-}
 
 // The contact's normal, to the side from which it is looked at; either one, unless a half-space
 // would then hide everything.
@@ -135,52 +127,6 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   return std::cos(radians(kElevation)) * along + std::sin(radians(kElevation)) * normal;
 }
 
-// Axes of a camera that looks against `direction`.
-struct Frame3 {
-  Vec3d right, up, towards_eye;
-
-  Frame3(const Vec3d& direction, const Vec3d& world_up) : towards_eye(direction) {
-    right = world_up.cross(direction);
-    right = right.norm() > 1e-6 ? Vec3d(right.normalized()) : any_perpendicular(direction);
-    up = direction.cross(right);
-  }
-};
-
-struct Fit {
-  Vec3d target;
-  double distance;  // of the eye from the target
-};
-
-// The nearest eye from which the points fill at most `share` of the view both ways, with the points
-// in the middle unless the target is given. A point at (x, y, z) in the camera's axes is seen at
-// x / (distance - z), so each asks for distance >= z + |x| / (share * tangent of the half angle).
-Fit fit(const std::vector<Vec3d>& points, const Frame3& axes, const std::optional<Vec3d>& target,
-        double half_height, double aspect, double share) {
-  Fit result{target.value_or(center_of(points)), 0};
-  for (int round = 0; round < 4; ++round) {
-    double distance = 0;
-    for (const Vec3d& p : points) {
-      const Vec3d q = p - result.target;
-      const double side = std::max(std::abs(q.dot(axes.up)) / half_height,
-                                   std::abs(q.dot(axes.right)) / (half_height * aspect));
-      distance = std::max(distance, q.dot(axes.towards_eye) + side / share);
-    }
-    result.distance = distance;
-    if (target || distance <= 0) return result;
-    double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
-    for (const Vec3d& p : points) {
-      const Vec3d q = p - result.target;
-      const double depth = std::max(distance - q.dot(axes.towards_eye), 1e-6 * distance);
-      low_x = std::min(low_x, q.dot(axes.right) / depth);
-      high_x = std::max(high_x, q.dot(axes.right) / depth);
-      low_y = std::min(low_y, q.dot(axes.up) / depth);
-      high_y = std::max(high_y, q.dot(axes.up) / depth);
-    }
-    result.target += 0.5 * distance * ((low_x + high_x) * axes.right + (low_y + high_y) * axes.up);
-  }
-  return result;
-}
-
 Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& frames,
                   const std::vector<ShapeMesh>& meshes, const View& view, const Rect& viewport) {
   const Subject everything = all_shapes(frames, meshes);
@@ -194,14 +140,15 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
   if (view.eye) {
     direction = (*view.eye - view.target.value_or(center_of(everything.points))).normalized();
   }
-  const Frame3 axes(direction, up_axis(header));
-  Fit best = fit(everything.points, axes, view.target, half_height, aspect, kShapesShare);
+  const ViewAxes axes(direction, up_axis(header));
+  ViewFit best = fit_view(everything.points, axes, view.target, half_height, aspect, kShapesShare);
   if (view.focus == Focus::Contact && !contact.points.empty()) {
-    Fit close = fit(contact.points, axes, view.target, half_height, aspect, kPatchShare);
+    ViewFit close = fit_view(contact.points, axes, view.target, half_height, aspect, kPatchShare);
     Subject whole = uncropped(frames, meshes);
     if (!whole.points.empty()) {
       whole.points.insert(whole.points.end(), contact.points.begin(), contact.points.end());
-      const Fit around = fit(whole.points, axes, view.target, half_height, aspect, kShapesShare);
+      const ViewFit around =
+          fit_view(whole.points, axes, view.target, half_height, aspect, kShapesShare);
       close = {around.target, std::max(around.distance, close.distance)};
     }
     // Not so near that the shapes are lost.
@@ -243,38 +190,46 @@ double fit_depth_factor(const std::vector<trace::Frame>& frames, const Camera& c
 }  // namespace
 
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& view, int width, int height) {
+              const View& asked, int width, int height) {
+  View view = asked;
+  const std::vector<std::string> insets = take_insets(view);
   std::vector<ShapeMesh> meshes;
   for (const trace::Shape& shape : header.shapes) meshes.push_back(make_mesh(shape));
   fit_patches(header, frames, meshes);
 
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
   // what each frame shows: sketch all frames with a camera that only has to exist.
-  const Layout without_legend = make_layout(width, height, !view.panels.empty(), {});
+  const Layout without_legend = make_layout(width, height, !view.panels.empty(), {}, insets.size());
   Staging staging{&header,
                   view,
                   meshes,
                   without_legend,
                   fit_camera(header, frames, meshes, view, without_legend.view),
                   1,
-                  nullptr};
+                  nullptr,
+                  {},
+                  {}};
   if (view.kind == ViewKind::ContactPlane) {
     staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
                                                    reduced(frames), view.choices, width, height);
     return staging;
   }
   staging.depth_factor = fit_depth_factor(frames, staging.camera, staging.layout.scale);
+  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout);
+  staging.insets = stage_insets(insets, staging, frames);
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {
     std::vector<float> entries;
-    for (const LegendEntry& entry : sketch_frame(staging, frame).legend) {
+    for (const LegendEntry& entry : legend_of(staging, frame)) {
       entries.push_back(legend_entry_width(entry, staging.layout.scale));
     }
     if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
   }
-  staging.layout = make_layout(width, height, !view.panels.empty(), widths);
+  staging.layout = make_layout(width, height, !view.panels.empty(), widths, insets.size());
   staging.camera = fit_camera(header, frames, meshes, view, staging.layout.view);
   staging.depth_factor = fit_depth_factor(frames, staging.camera, staging.layout.scale);
+  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout);
+  staging.insets = stage_insets(insets, staging, frames);
   return staging;
 }
 

@@ -6,6 +6,7 @@
 #include "core/view.h"
 #include "draw/camera.h"
 #include "draw/contact_cells.h"
+#include "draw/inset.h"
 #include "draw/layout.h"
 #include "draw/scene.h"
 #include "trace/trace.h"
@@ -22,6 +23,8 @@ struct Staging {
   Camera camera;
   double depth_factor = 1;
   std::shared_ptr<const ContactCells> cells;  // of a contact plane, which has no camera
+  SequenceScales scales{};
+  std::vector<Inset> insets{};  // of the view's panels; `view` names the others
 };
 
 /// Looks through all frames once. The view's own eye, target and lens are used where it names them;

@@ -10,9 +10,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFreeTurn = 0.9;       // radians that the curved arrow of a free axis shows
-constexpr double kFreeTurnRadius = 30;  // pixels
-constexpr double kBeyondAxis = 0.35;    // of an axis beyond its two points, of the body's radius
+constexpr double kFreeTurn = 0.9;         // of a whole one, by the curved arrow of a free axis
+constexpr double kFreeTurnRadius = 30;    // pixels, or
+constexpr double kFreeTurnShare = 0.085;  // of a small view
+constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
+constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
 
 // Which way gravity, or whatever presses the bodies together, turns the body.
 Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
@@ -31,21 +33,30 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const PlacedShape* body = scene.find(pair.stability->shape);
   const double radius =
       body != nullptr && std::isfinite(body->mesh->radius) ? body->mesh->radius : between.norm();
-  const double beyond = std::max(0.25 * between.norm(), kBeyondAxis * radius);
+  // The curved arrow stands clear of the points.
+  const double pixels = std::min(kFreeTurnRadius, kFreeTurnShare * scene.camera.viewport().height);
+  const double turn = pixels / scene.camera.pixels_per_metre(0.5 * (ends[0] + ends[1]));
+  const double beyond = std::max({0.25 * between.norm(), kBeyondAxis * radius, kClearTurns * turn});
   const Vec3d from = ends[0] - beyond * along, to = ends[1] + beyond * along;
   sketch.lines.push_back({from, to, {5.5f, with_alpha(kWhite, 0.85f)}, false});
   sketch.lines.push_back({from, to, {2.5f, kNormal, true}, true});
   // At the end that is farther from what else is drawn, so that the points stay free.
   const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
-  const Vec3d place = last ? Vec3d(to - 0.3 * beyond * along) : Vec3d(from + 0.3 * beyond * along);
-  draw_curved_arrow(scene.camera, place, turning(pair, ends[0], along),
-                    kFreeTurnRadius / scene.camera.pixels_per_metre(place),
-                    2 * std::numbers::pi * kFreeTurn, 2.5f, kNormal, sketch);
+  const double inset = std::min(0.3 * beyond, 0.5 * turn);
+  const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
+  const Vec3d axis = turning(pair, ends[0], along);
+  // In balance on its axis it may turn either way: heads at both ends.
+  for (const double way : {1.0, -1.0}) {
+    if (way < 0 && pair.stability->margin != 0) break;
+    draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
+                      kNormal, sketch);
+  }
   sketch.explain(LegendKind::FreeAxis, "axis about which the body turns");
 }
 
 std::string verdict_of(const trace::Stability& stability) {
   if (stability.support.size() < 3 || stability.verdict == "no contact") return stability.verdict;
+  if (stability.margin == 0) return stability.verdict + ", on the border";
   const std::string margin = spell_length(std::abs(stability.margin));
   return stability.verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
 }

@@ -18,6 +18,8 @@ enum class ViewKind {
 enum class Story {
   None,       // every frame shows all of its layers
   ClipSteps,  // frame k shows the first k side planes and what they cut
+  GjkSteps,   // frame k shows the simplex of GJK after step k
+  EpaSteps,   // frame k shows the polytope of EPA after k expansions
 };
 
 /// What the automatic camera frames.

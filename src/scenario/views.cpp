@@ -11,12 +11,15 @@ const std::vector<std::string>& known_layers() {
   static const std::vector<std::string> layers = {
       "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons",
       "dropped",  "contacts",       "reduced",       "normals",     "ids",
-      "sat_axes", "contact_axis",   "coherent",      "tree"};
+      "sat_axes", "contact_axis",   "coherent",      "tree",        "persistent",
+      "core",     "center_of_mass", "support",       "velocities",  "impulses",
+      "simplex"};
   return layers;
 }
 
 const std::vector<std::string>& known_panels() {
-  static const std::vector<std::string> panels = {"summary", "contact_plane", "axis_history"};
+  static const std::vector<std::string> panels = {
+      "summary", "contact_plane", "axis_history", "stability", "plots", "minkowski", "gauss_map"};
   return panels;
 }
 
@@ -54,6 +57,13 @@ std::vector<std::string> read_names(const Value& value, const std::vector<std::s
     names.push_back(std::move(name));
   }
   return names;
+}
+
+Story read_story(const Value& value) {
+  const std::string name = value.one_of({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story");
+  if (name == "clip_steps") return Story::ClipSteps;
+  if (name == "gjk_steps") return Story::GjkSteps;
+  return name == "epa_steps" ? Story::EpaSteps : Story::None;
 }
 
 /// A view of kind "contact_plane" has no camera, layers or panels of its own.
@@ -102,9 +112,7 @@ View read_view(const Value& value) {
   if (const auto focus = table.find("focus"))
     view.focus =
         focus->one_of({"contact", "shapes"}, "focus") == "shapes" ? Focus::Shapes : Focus::Contact;
-  if (const auto story = table.find("story"))
-    view.story = story->one_of({"none", "clip_steps"}, "story") == "clip_steps" ? Story::ClipSteps
-                                                                                : Story::None;
+  if (const auto story = table.find("story")) view.story = read_story(*story);
   if (const auto layers = table.find("layers"))
     view.layers = read_names(*layers, known_layers(), "layer");
   if (const auto panels = table.find("panels"))
