@@ -17,4 +17,8 @@ void heading(const char* text, float scale);
 /// Text centred at a point.
 void centered_text(ImDrawList* list, ImVec2 at, const draw::Color& color, const char* text);
 
+/// Paints a drawing of the picture's pixels through Dear ImGui: what stands in a panel can be made,
+/// and tested, without it.
+void paint(const draw::Drawing& drawing, ImDrawList* list);
+
 }  // namespace contactscope::overlay

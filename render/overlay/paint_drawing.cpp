@@ -41,11 +41,6 @@ class DrawingPainter {
     };
     if (stroke.gap <= 0) {
       piece(0, length);
-      if (stroke.cap == draw::Cap::Round && stroke.width > 1.5f) {
-        for (const draw::Point2& end : {stroke.from, stroke.to}) {
-          list_->AddCircleFilled({end.x, end.y}, 0.5f * stroke.width, packed(stroke.color), 12);
-        }
-      }
       return;
     }
     const float period = stroke.dash + stroke.gap;
@@ -92,11 +87,33 @@ class DrawingPainter {
   ImDrawList* list_;
 };
 
+bool continues(const draw::Stroke& next, const draw::Stroke& first, const ImVec2& at) {
+  return next.gap <= 0 && next.cap == draw::Cap::Round && next.width == first.width &&
+         packed(next.color) == packed(first.color) && next.from.x == at.x && next.from.y == at.y;
+}
+
 }  // namespace
 
 void paint(const draw::Drawing& drawing, ImDrawList* list) {
   const DrawingPainter painter(list);
-  for (const draw::Primitive& primitive : drawing.primitives) std::visit(painter, primitive);
+  const std::vector<draw::Primitive>& all = drawing.primitives;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const draw::Stroke* first = std::get_if<draw::Stroke>(&all[i]);
+    if (first == nullptr || first->gap > 0 || first->cap != draw::Cap::Round) {
+      std::visit(painter, all[i]);
+      continue;
+    }
+    // Strokes that go on from each other are one line: round ends of each would bead it.
+    std::vector<ImVec2> points = {{first->from.x, first->from.y}, {first->to.x, first->to.y}};
+    while (i + 1 < all.size()) {
+      const draw::Stroke* next = std::get_if<draw::Stroke>(&all[i + 1]);
+      if (next == nullptr || !continues(*next, *first, points.back())) break;
+      points.push_back({next->to.x, next->to.y});
+      ++i;
+    }
+    list->AddPolyline(points.data(), static_cast<int>(points.size()), packed(first->color),
+                      ImDrawFlags_None, first->width);
+  }
 }
 
 }  // namespace contactscope::overlay

@@ -60,6 +60,8 @@ void draw_panels(const PanelFacts& facts) {
     const float inner = height - 2 * ImGui::GetStyle().WindowPadding.y;
     if (name == "contact_plane") contact_plane_panel(facts, inner);
     if (name == "axis_history") axis_history_panel(facts, inner);
+    if (name == "stability") stability_panel(facts, inner);
+    if (name == "plots") plots_panel(facts, inner);
     ImGui::End();
     y += height + gap;
   }

@@ -27,6 +27,8 @@ void draw_panels(const PanelFacts& facts);
 void summary_panel(const PanelFacts& facts);
 void contact_plane_panel(const PanelFacts& facts, float height);
 void axis_history_panel(const PanelFacts& facts, float height);
+void stability_panel(const PanelFacts& facts, float height);
+void plots_panel(const PanelFacts& facts, float height);
 
 /// Height in pixels that the summary needs.
 float summary_height(const PanelFacts& facts);

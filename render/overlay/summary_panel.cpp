@@ -65,6 +65,12 @@ Rows rows_of(const trace::Pair& pair) {
   rows.emplace_back(pair.separation > 0 ? "gap" : "separation",
                     draw::spell_length(pair.separation));
   if (pair.state != "separated") rows.emplace_back("points", counted(pair));
+  if (pair.incremental) {
+    const trace::Incremental& incremental = *pair.incremental;
+    rows.emplace_back(
+        "cores", incremental.query == "gjk" ? "apart, by gjk" : "overlap, by " + incremental.query);
+    rows.emplace_back("confirmed", "by " + incremental.confirm);
+  }
   if (pair.degenerate) {
     rows.emplace_back("no normal",
                       pair.degenerate->geometry + "; " + answered(pair.degenerate->answer));

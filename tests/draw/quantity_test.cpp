@@ -38,5 +38,15 @@ TEST(SpellNumber, HasARealMinusSign) {
   EXPECT_EQ(spell_number(0.5), "0.5");
 }
 
+TEST(Quantity, PrefixesSuitTheValue) {
+  EXPECT_EQ(spell_quantity(0.5, "m/s"), "0.500 m/s");
+  EXPECT_EQ(spell_quantity(0.0123, "N s"), "12.3 mN s");
+  EXPECT_EQ(spell_quantity(12.34, "J"), "12.3 J");
+  EXPECT_EQ(spell_quantity(-999.9, "J"), "−1.00 kJ");
+  EXPECT_EQ(spell_quantity(0, "J"), "0.00 J");
+  EXPECT_EQ(spell_quantity(0.2, "s", 1), "0.2 s");
+  EXPECT_EQ(spell_quantity(4.2e-6, "J"), "4.20 µJ");
+}
+
 }  // namespace
 }  // namespace contactscope::draw

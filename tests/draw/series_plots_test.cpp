@@ -1,0 +1,236 @@
+// The panels "stability" and "plots", from facts by hand.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crate_on_slab.h"
+#include "draw/palette.h"
+#include "draw/series_plots.h"
+#include "draw/stability_plot.h"
+
+namespace contactscope::draw {
+namespace {
+
+using ::testing::Contains;
+using testing::CrateOnSlab;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::same;
+using testing::texts;
+
+/// Five frames: in the air, then on one, two, four points; the last one has slid off.
+std::vector<trace::Frame> settling() {
+  CrateOnSlab scene;
+  std::vector<trace::Frame> frames(5, scene.frames[0]);
+  const char* const verdicts[] = {"no contact", "turns about a point", "turns about a line",
+                                  "stable", "turns about a line"};
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    frames[f].frame = static_cast<int>(f);
+    frames[f].time = 0.25 * static_cast<double>(f);
+    trace::Pair& pair = frames[f].pairs[0];
+    trace::Stability& stability = pair.stability.emplace();
+    stability.shape = "crate";
+    stability.verdict = verdicts[f];
+    stability.margin = 0.1 * static_cast<double>(f) - 0.25;
+    if (f == 0) {
+      pair.manifolds.clear();
+    } else {
+      stability.support = {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}};
+    }
+    trace::Solver& solver = frames[f].solver.emplace();
+    solver.bodies = {
+        {"crate", 1, Vec3d::Zero(), Vec3d::Zero(), Vec3d::Zero(), static_cast<double>(f), 0}};
+    for (trace::Manifold& manifold : pair.manifolds) {
+      for (trace::Point& point : manifold.points) {
+        point.separation = -0.001 * static_cast<double>(f);
+        point.impulse = trace::Impulse{0.5 * static_cast<double>(f), Vec3d::Zero(), 0};
+      }
+    }
+  }
+  return frames;
+}
+
+const Rect kPanel{900, 80, 330, 520};
+
+Camera any_camera() {
+  return Camera::perspective({0, 3, 4}, {0, 0, 0}, Vec3d::UnitY(), 0.5, {0, 0, 880, 600});
+}
+
+Drawing stability_panel(const std::vector<trace::Frame>& frames, std::size_t moment,
+                        const Rect& rect = kPanel, float pixel = 1) {
+  Drawing drawing;
+  draw_stability(frames, moment, any_camera(), rect, pixel, drawing);
+  return drawing;
+}
+
+/// Everything that the primitives cover is inside of the rectangle.
+void expect_inside(const Drawing& drawing, const Rect& rect) {
+  const auto inside = [&](const Point2& p, double slack) {
+    return p.x >= rect.x - slack && p.x <= rect.x + rect.width + slack && p.y >= rect.y - slack &&
+           p.y <= rect.y + rect.height + slack;
+  };
+  for (const Primitive& primitive : drawing.primitives) {
+    if (const Fill* fill = std::get_if<Fill>(&primitive)) {
+      for (const Point2& p : fill->polygon) EXPECT_TRUE(inside(p, 1)) << p.x << " " << p.y;
+    } else if (const Stroke* stroke = std::get_if<Stroke>(&primitive)) {
+      EXPECT_TRUE(inside(stroke->from, 2.5) && inside(stroke->to, 2.5))
+          << stroke->to.x << " " << stroke->to.y;
+    } else if (const Text* text = std::get_if<Text>(&primitive)) {
+      const FontWeight weight =
+          text->weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
+      const float width = text_width(text->text, text->size, weight);
+      const float left = text->at.x - (text->align == Align::Left     ? 0
+                                       : text->align == Align::Center ? 0.5f * width
+                                                                      : width);
+      EXPECT_TRUE(inside({left, text->at.y}, 1) && inside({left + width, text->at.y}, 1))
+          << text->text;
+      EXPECT_TRUE(inside({left, text->at.y - 0.7f * text->size}, 1)) << text->text;
+    }
+  }
+}
+
+TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
+  const std::vector<trace::Frame> frames = settling();
+  EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("stable"));
+  EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("50.0 mm inside of the support"));
+  EXPECT_THAT(texts(stability_panel(frames, 2)), Contains("turns about a line"));
+  EXPECT_THAT(texts(stability_panel(frames, 2)), Contains("50.0 mm outside of the support"));
+  EXPECT_THAT(texts(stability_panel(frames, 0)), Contains("no contact"));
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    expect_inside(stability_panel(frames, f), kPanel);
+  }
+}
+
+TEST(StabilityPanel, VerdictsFillTheirRowsUpToTheCurrentFrame) {
+  const std::vector<trace::Frame> frames = settling();
+  const auto cells = [&](std::size_t moment) {
+    std::vector<float> tops;
+    for (const Primitive& primitive : stability_panel(frames, moment).primitives) {
+      const Fill* fill = std::get_if<Fill>(&primitive);
+      if (fill != nullptr && same(fill->color, kClipPolygon) && fill->color.a == 1) {
+        tops.push_back(fill->polygon[0].y);
+      }
+    }
+    return tops;
+  };
+  EXPECT_THAT(cells(0), IsEmpty());
+  EXPECT_EQ(cells(1).size(), 1u);
+  std::vector<float> all = cells(4);
+  ASSERT_EQ(all.size(), 4u);
+  std::ranges::sort(all);
+  EXPECT_LT(all[0], all[1]) << "stable once, above";
+  EXPECT_EQ(all[1], all[2]) << "twice about a line";
+  EXPECT_LT(all[2], all[3]) << "about a point once";
+}
+
+TEST(StabilityPanel, SmallPanelsKeepTheMapAndStayInside) {
+  const std::vector<trace::Frame> frames = settling();
+  for (const double height : {200.0, 120.0, 80.0}) {
+    const Rect rect{10, 10, 240, height};
+    const Drawing drawing = stability_panel(frames, 3, rect, 0.72f);
+    expect_inside(drawing, rect);
+    EXPECT_THAT(texts(drawing), Contains("stable"));
+  }
+}
+
+TEST(StabilityPanel, WithoutTheFactItSaysSo) {
+  const CrateOnSlab scene;
+  EXPECT_THAT(texts(stability_panel(scene.frames, 0)),
+              ElementsAre("no stability in this sequence"));
+}
+
+TEST(TimeSeries, HoldsWhatTheFramesSay) {
+  const std::vector<TimeSeries> all = time_series(settling());
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THAT(all[0].penetration, ElementsAre(0, 0.001, 0.002, 0.003, 0.004));
+  EXPECT_THAT(all[0].points, ElementsAre(0, 2, 2, 2, 2));
+  EXPECT_THAT(all[0].energy, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(all[0].impulse, ElementsAre(0, 1, 2, 3, 4));
+  ASSERT_EQ(all[0].ids.size(), 2u);
+  EXPECT_EQ(all[0].ids[0][0], IdState::Absent);
+  EXPECT_EQ(all[0].ids[1][4], IdState::Kept);
+}
+
+TEST(TimeSeries, ReducedPointsAreInTheStripAndPairsWithLabelsAreSeriesOfTheirOwn) {
+  std::vector<trace::Frame> frames = settling();
+  for (trace::Frame& frame : frames) {
+    frame.pairs[0].label = "one-shot";
+    frame.pairs.push_back(frame.pairs[0]);
+    frame.pairs[1].label = "incremental";
+    frame.pairs[1].b = "other crate";
+    if (frame.frame == 0) continue;
+    trace::Reduction& reduction = frame.pairs[1].reduction.emplace();
+    reduction.points = frame.pairs[1].manifolds[0].points;
+    reduction.points.push_back({{0, 0, 0}, -0.5, "b:v6"});
+  }
+  const std::vector<TimeSeries> all = time_series(frames);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].name, "one-shot");
+  EXPECT_THAT(all[0].energy, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(all[1].energy, Each(0)) << "the crate has no pair of that label";
+  ASSERT_EQ(all[1].ids.size(), 3u);
+  EXPECT_EQ(all[1].ids[2][1], IdState::Dropped);
+  EXPECT_THAT(all[1].penetration, ElementsAre(0, 0.001, 0.002, 0.003, 0.004));
+}
+
+Drawing plots_panel(std::size_t moment, const Rect& rect = kPanel, float pixel = 1) {
+  Drawing drawing;
+  draw_series_plots(time_series(settling()), moment, 1, rect, pixel, drawing);
+  return drawing;
+}
+
+TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
+  const std::vector<std::string> all = texts(plots_panel(3));
+  EXPECT_THAT(all, Contains("penetration, mm"));
+  EXPECT_THAT(all, Contains("3.00 mm"));
+  EXPECT_THAT(all, Contains("kinetic energy, J"));
+  EXPECT_THAT(all, Contains("3.00 J"));
+  EXPECT_THAT(all, Contains("normal impulses, N s"));
+  EXPECT_THAT(all, Contains("contact points"));
+  EXPECT_THAT(all, Contains("contact ids, a row each"));
+  EXPECT_THAT(all, Contains("4")) << "tick of the largest value";
+  EXPECT_THAT(all, Contains("1.00 s")) << "the whole sequence is on the axis";
+  for (std::size_t f = 0; f < 5; ++f) expect_inside(plots_panel(f), kPanel);
+}
+
+TEST(PlotsPanel, CurvesEndAtTheCurrentFrame) {
+  const auto strokes = [](std::size_t moment) {
+    return std::ranges::count_if(plots_panel(moment).primitives, [](const Primitive& primitive) {
+      const Stroke* stroke = std::get_if<Stroke>(&primitive);
+      return stroke != nullptr && same(stroke->color, kContact);
+    });
+  };
+  EXPECT_EQ(strokes(0), 0);
+  EXPECT_EQ(strokes(1), 3 + 3) << "a step of the points is three";
+  EXPECT_EQ(strokes(4), 3 * 4 + 6);
+}
+
+TEST(PlotsPanel, WithoutASolverNeitherEnergyNorImpulses) {
+  std::vector<trace::Frame> frames = settling();
+  for (trace::Frame& frame : frames) frame.solver.reset();
+  Drawing drawing;
+  draw_series_plots(time_series(frames), 2, 1, kPanel, 1, drawing);
+  EXPECT_THAT(texts(drawing), Contains("penetration, mm"));
+  EXPECT_THAT(texts(drawing), Not(Contains(HasSubstr("energy"))));
+  EXPECT_THAT(texts(drawing), Not(Contains(HasSubstr("impulses"))));
+}
+
+TEST(PlotsPanel, SmallPanelsGiveUpTheStripAndLastCharts) {
+  const Rect low{10, 10, 240, 110};
+  const Drawing drawing = plots_panel(3, low, 0.72f);
+  expect_inside(drawing, low);
+  EXPECT_THAT(texts(drawing), Contains("penetration, mm"));
+  EXPECT_THAT(texts(drawing), Not(Contains("contact points")));
+  const Rect usual{10, 10, 240, 205};
+  expect_inside(plots_panel(3, usual, 0.72f), usual);
+  EXPECT_THAT(texts(plots_panel(3, usual, 0.72f)), Contains("contact points"));
+}
+
+}  // namespace
+}  // namespace contactscope::draw

@@ -1,0 +1,274 @@
+// Pictures of incremental manifolds, of stability, and of what a solver does, from facts by hand.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crate_on_slab.h"
+#include "draw/palette.h"
+#include "draw/stages_shown.h"
+
+namespace contactscope::draw {
+namespace {
+
+using ::testing::Contains;
+using testing::CrateOnSlab;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::same;
+using ::testing::StartsWith;
+
+std::vector<MarkKind> marks(const Sketch& sketch) {
+  std::vector<MarkKind> kinds;
+  for (const Mark& mark : sketch.marks) kinds.push_back(mark.kind);
+  return kinds;
+}
+
+std::vector<std::string> labels(const Sketch& sketch) {
+  std::vector<std::string> texts;
+  for (const Label& label : sketch.labels) texts.push_back(label.text);
+  return texts;
+}
+
+std::vector<std::string> legend(const Sketch& sketch) {
+  std::vector<std::string> texts;
+  for (const LegendEntry& entry : sketch.legend) texts.push_back(entry.text);
+  return texts;
+}
+
+TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsReason) {
+  CrateOnSlab scene;
+  scene.persist();
+  scene.view.layers = {"persistent"};
+  const Sketch sketch = scene.sketch();
+  std::vector<MarkKind> states = marks(sketch);
+  std::erase(states, MarkKind::Core);  // of the anchors
+  EXPECT_THAT(states, ElementsAre(MarkKind::Half, MarkKind::Dot, MarkKind::Hollow));
+  EXPECT_THAT(labels(sketch), ElementsAre("7", "new", "slid"));
+  EXPECT_THAT(legend(sketch), Contains("new point"));
+  EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
+}
+
+TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHidesIt) {
+  CrateOnSlab scene;
+  scene.persist();
+  for (trace::PersistentPoint& point : scene.pair().incremental->points) {
+    point.on_a = point.on_b = point.point.position;
+  }
+  trace::PersistentPoint& drifted = scene.pair().incremental->points[0];
+  drifted.on_a.x() += 0.002;
+  scene.view.layers = {"persistent"};
+  const Staging staging = scene.staged();
+  EXPECT_GT(staging.scales.drift, 1);
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  ASSERT_EQ(sketch.lines.size(), 2u);  // a halo and the line, of one point alone
+  EXPECT_NEAR((sketch.lines[1].to - sketch.lines[1].from).norm(), 0.002 * staging.scales.drift,
+              1e-12);
+  EXPECT_THAT(legend(sketch), Contains(HasSubstr("× ")));
+}
+
+TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
+  CrateOnSlab scene;
+  scene.persist();
+  scene.pair().incremental->margin_a = 0;
+  scene.view.layers = {"core"};
+  const Sketch sketch = scene.sketch();
+  ASSERT_EQ(sketch.lines.size(), 12u);
+  for (const Line& line : sketch.lines) {
+    EXPECT_TRUE(line.style.dashed);
+    EXPECT_NEAR((line.to - line.from).norm(), 0.8, 1e-12);
+    EXPECT_NEAR(line.from.x() * line.from.x(), 0.16, 1e-12);
+    EXPECT_NEAR(line.from.z() * line.from.z(), 0.16, 1e-12);
+  }
+  EXPECT_THAT(legend(sketch), ElementsAre("core, 0.100 m within the surface"));
+}
+
+TEST(IncrementalPicture, WithoutThoseFactsTheirLayersDrawNothing) {
+  CrateOnSlab scene;
+  scene.view.layers = {"persistent", "core", "center_of_mass", "support", "velocities", "impulses"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_TRUE(sketch.lines.empty() && sketch.marks.empty() && sketch.arrows.empty());
+  EXPECT_TRUE(sketch.labels.empty() && sketch.curves.empty() && sketch.surfaces.empty());
+  EXPECT_TRUE(sketch.legend.empty());
+}
+
+TEST(StabilityPicture, CentreOfMassIsQuarteredAndDashedDownToItsProjection) {
+  CrateOnSlab scene;
+  scene.balance("stable");
+  scene.view.layers = {"center_of_mass"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(marks(sketch), ElementsAre(MarkKind::Quartered, MarkKind::SmallQuartered));
+  ASSERT_EQ(sketch.lines.size(), 2u);
+  EXPECT_TRUE(sketch.lines[1].style.dashed);
+  EXPECT_EQ(sketch.lines[1].to, scene.pair().stability->projection);
+  EXPECT_THAT(legend(sketch), ElementsAre("centre of mass, and its projection"));
+}
+
+TEST(StabilityPicture, BodiesWithoutContactHaveACentreOfMassToo) {
+  CrateOnSlab scene;
+  scene.solve(1);
+  scene.view.layers = {"center_of_mass"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(marks(sketch), ElementsAre(MarkKind::Quartered));
+  EXPECT_THAT(legend(sketch), ElementsAre("centre of mass"));
+}
+
+TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
+  CrateOnSlab scene;
+  scene.balance("stable");
+  scene.view.layers = {"support"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(labels(sketch), ElementsAre("stable, 0.250 m inside"));
+  EXPECT_TRUE(sketch.curves.empty());
+  EXPECT_THAT(legend(sketch), ElementsAre("support: hull of the contact points"));
+}
+
+TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
+  CrateOnSlab scene;
+  scene.balance("turns about a line");
+  scene.view.layers = {"support"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(labels(sketch), ElementsAre("turns about a line"));
+  EXPECT_THAT(legend(sketch), Contains("axis about which the body turns"));
+  // The crate's centre lies at smaller z than the axis, so that it sinks there.
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  const Arrow& tip = sketch.arrows[0];
+  const std::vector<Vec3d>& arc = sketch.curves.back().points;
+  const Vec3d center = 0.5 * (arc.front() + arc[arc.size() / 2]);
+  const Vec3d turn = (tip.from - center).cross(*tip.to - tip.from);
+  EXPECT_LT(turn.x(), 0) << "the top towards smaller z is a negative turn about x";
+  EXPECT_NEAR(turn.normalized().x(), -1, 0.1);
+}
+
+TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
+  CrateOnSlab scene;
+  scene.solve(2);
+  scene.view.layers = {"velocities", "impulses"};
+  const Staging staging = scene.staged();
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  const SequenceScales& scales = staging.scales;
+  int normal = 0, friction = 0, velocity = 0;
+  for (const Arrow& arrow : sketch.arrows) {
+    const Vec3d way = *arrow.to - arrow.from;
+    if (same(arrow.color, kContact)) {
+      ++normal;
+      EXPECT_NEAR((way - Vec3d(0, 2 * scales.impulse, 0)).norm(), 0, 1e-12);
+    } else if (arrow.open) {
+      ++friction;
+      EXPECT_NEAR((way - Vec3d(-0.5 * scales.impulse, 0, 0)).norm(), 0, 1e-12);
+    } else if (arrow.head_share < 1) {
+      ++velocity;
+      EXPECT_NEAR((way - Vec3d(0.5 * scales.velocity, 0, 0)).norm(), 0, 1e-12);
+    }
+  }
+  EXPECT_EQ(normal, 2);
+  EXPECT_EQ(friction, 2);
+  EXPECT_EQ(velocity, 1);
+  EXPECT_THAT(legend(sketch), Contains("normal impulse, " + spell_impulse_scale(scales.impulse)));
+  EXPECT_THAT(legend(sketch), Contains("kept of the step before"));
+  EXPECT_THAT(legend(sketch), Contains(StartsWith("spin, turn in ")));
+  EXPECT_THAT(labels(sketch), Contains("0.500 m/s"));
+  EXPECT_THAT(labels(sketch), Contains("2.00 N s"));
+}
+
+TEST(DynamicsPicture, SpinTurnsByItsAngleInTheStatedTime) {
+  CrateOnSlab scene;
+  scene.solve(1);
+  scene.frames[0].solver->bodies[0].velocity = Vec3d::Zero();
+  scene.view.layers = {"velocities"};
+  const Staging staging = scene.staged();
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  const Vec3d center = scene.frames[0].solver->bodies[0].center_of_mass;
+  const Vec3d from = sketch.curves.back().points.front() - center;
+  const Vec3d to = *sketch.arrows[0].to - center;
+  EXPECT_NEAR(from.y(), 0, 1e-12) << "across the axis";
+  const double angle = 0.5 * staging.scales.spin;
+  EXPECT_NEAR(from.normalized().dot(to.normalized()), std::cos(angle), 1e-9);
+  EXPECT_NEAR(from.normalized().cross(to.normalized()).y(), std::sin(angle), 1e-9);
+}
+
+TEST(DynamicsPicture, ImpulsesAreThoseOnTheBodyThatMoves) {
+  CrateOnSlab scene;
+  scene.solve(2);
+  std::swap(scene.pair().a, scene.pair().b);
+  scene.manifold().normal = -Vec3d::UnitY();
+  scene.view.layers = {"impulses"};
+  for (const Arrow& arrow : scene.sketch().arrows) {
+    EXPECT_GE(arrow.to->y(), arrow.from.y());
+  }
+}
+
+TEST(DynamicsPicture, AnImpactIsCutAndMarkedSoThatRestingImpulsesStayLegible) {
+  CrateOnSlab scene;
+  scene.solve(1);
+  for (int i = 0; i < 4; ++i) scene.frames.push_back(scene.frames[0]);
+  for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) {
+    point.impulse->normal = 100;
+    point.impulse->friction = {100, 0, 0};
+    point.impulse->warm_start = 0;
+  }
+  scene.view.layers = {"impulses"};
+  const Staging staging = scene.staged();
+  const Sketch resting = sketch_frame(staging, scene.frames[0]);
+  const Sketch impact = sketch_frame(staging, scene.frames[1]);
+  const auto longest = [](const Sketch& sketch) {
+    double length = 0;
+    for (const Arrow& arrow : sketch.arrows) {
+      length = std::max(length, (*arrow.to - arrow.from).norm());
+    }
+    return length;
+  };
+  EXPECT_NEAR(longest(resting), staging.scales.impulse, 1e-12);
+  EXPECT_NEAR(longest(impact), staging.scales.longest_impulse, 1e-12);
+  EXPECT_GT(staging.camera.pixels_per_metre({0, 0, 0}) * longest(resting), 40);
+  EXPECT_EQ(impact.lines.size(), 16u) << "two strokes with halos across each of four arrows";
+}
+
+TEST(DynamicsPicture, RoundScales) {
+  EXPECT_EQ(round_down(0.0499), 0.02);
+  EXPECT_EQ(round_down(0.05), 0.05);
+  EXPECT_EQ(round_down(199), 100);
+  EXPECT_EQ(spell_impulse_scale(0.2), "1 N s = 0.2 m");
+  EXPECT_EQ(spell_impulse_scale(5), "0.1 N s = 0.5 m");
+  EXPECT_EQ(spell_impulse_scale(0.005), "100 N s = 0.5 m");
+}
+
+TEST(DynamicsPicture, LabelsAndLegendStayInsideOfTheFrameAtBothSizes) {
+  CrateOnSlab scene;
+  scene.persist();
+  scene.balance("turns about a line");
+  scene.solve(2);
+  scene.view.layers = {"shapes",     "support",  "persistent", "center_of_mass",
+                       "velocities", "impulses", "core"};
+  for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
+    const Drawing drawing = illustrate(scene.staged(width, height), scene.frames[0]);
+    for (const Primitive& primitive : drawing.primitives) {
+      const Text* text = std::get_if<Text>(&primitive);
+      if (text == nullptr || text->align != Align::Left) continue;
+      const FontWeight weight =
+          text->weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
+      EXPECT_GE(text->at.x, 0) << text->text;
+      EXPECT_LE(text->at.x + text_width(text->text, text->size, weight), width) << text->text;
+      EXPECT_LE(text->at.y, height) << text->text;
+      EXPECT_GE(text->size, 10) << text->text;
+    }
+  }
+}
+
+TEST(StagesShown, StabilityIsRecordedForWhatShowsIt) {
+  View view;
+  EXPECT_FALSE(stages_shown({view}).stability);
+  view.panels = {"stability"};
+  EXPECT_TRUE(stages_shown({view}).stability);
+  view.panels.clear();
+  for (const char* layer : {"support", "center_of_mass"}) {
+    view.layers = {layer};
+    EXPECT_TRUE(stages_shown({view}).stability) << layer;
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::draw
