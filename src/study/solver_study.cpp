@@ -12,7 +12,7 @@ namespace contactscope {
 namespace {
 
 constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
-constexpr int kHeights[] = {2, 3, 4, 6, 9, 14, 20};  // boxes, nearly even on a logarithmic axis
+constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the upper row of a map
 constexpr int kRatioSteps = 13;                      // two a decade, from 1 to 10^6
 constexpr int kCases = 4;                            // stacks a point of a curve
 constexpr int kMapCases = 2;                         // stacks a cell
@@ -37,18 +37,25 @@ constexpr SolverMethod kSolverMethods[] = {
     {"baumgarte, cold", PositionCorrection::Baumgarte, false, "baumgarte, cold: 16 sweeps", 16, 1},
 };
 
+struct CurveStack {
+  const char* suffix;  // of the measure's name
+  const char* title;   // follows the measure's
+  int boxes;
+  double ratio;
+};
+constexpr CurveStack kCurveStacks[] = {
+    {"", ": ten equal boxes", 10, 1},
+    {"_heavy", ": two boxes under a hundred times their mass", 3, 100},
+};
+
 struct CurvePanel {
   const char* name;
   const char* parameter;
-  int boxes;
-  double ratio;
   bool substeps;
 };
 constexpr CurvePanel kCurvePanels[] = {
-    {"10 equal boxes: iterations", "iterations", 10, 1, false},
-    {"10 equal boxes: sub-steps", "sub-steps", 10, 1, true},
-    {"3 boxes, the highest 100 times as heavy: iterations", "iterations", 3, 100, false},
-    {"3 boxes, the highest 100 times as heavy: sub-steps", "sub-steps", 3, 100, true},
+    {"More iterations, no sub-steps", "iterations", false},
+    {"More sub-steps, an iteration each", "sub-steps", true},
 };
 
 /// One number of an outcome, and how it is called.
@@ -58,22 +65,26 @@ struct StackMeasure {
   const char* error;
   const char* unit;
   double StackOutcome::*value;
+  bool of_all_stacks;  // else of the first alone
 };
 constexpr StackMeasure kStackMeasures[] = {
     {"penetration", "How far boxes sink into each other", "deepest overlap after 3 s", "m",
-     &StackOutcome::penetration},
-    {"worst", "How far boxes have ever been in each other", "deepest overlap of any frame", "m",
-     &StackOutcome::worst_penetration},
+     &StackOutcome::penetration, true},
+    {"worst", "How deep boxes have been in each other", "deepest overlap of any frame", "m",
+     &StackOutcome::worst_penetration, false},
     {"drift", "How far the top of a stack drifts", "way of the highest box after 3 s", "m",
-     &StackOutcome::drift},
+     &StackOutcome::drift, false},
     {"jitter", "How still a stack stands", "speed of the fastest box, third second", "m/s",
-     &StackOutcome::jitter},
+     &StackOutcome::jitter, true},
     {"load", "How well contacts carry what is above them",
-     "force less weight / weight, worst contact, third second", "", &StackOutcome::load_error},
+     "force less weight / weight, worst contact, third second", "", &StackOutcome::load_error,
+     false},
     {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
-     &StackOutcome::ids_changed},
+     &StackOutcome::ids_changed, false},
 };
 constexpr std::size_t kMeasureCount = std::size(kStackMeasures);
+// Floats cannot tell a box's place ten metres up from the next one a millionth of a metre above.
+constexpr double kStackResolution = 1e-6;
 
 /// What the stacks of one point came to.
 struct StackCell {
@@ -116,32 +127,33 @@ struct FaultCounts {
     ++counts[static_cast<std::size_t>(fault)];
   }
   std::string spelled() const {
-    std::string text = std::to_string(of) + " stacks, of which";
-    for (const StackFault fault : {StackFault::NotFinite, StackFault::Energy, StackFault::Fallen}) {
-      const char* how = fault == StackFault::NotFinite ? "became no numbers"
-                        : fault == StackFault::Energy  ? "gained energy"
-                                                       : "fell";
-      text += std::string(fault == StackFault::NotFinite ? " " : ", ") +
-              std::to_string(counts[static_cast<std::size_t>(fault)]) + ' ' + how;
-    }
-    return text;
+    const auto count = [&](StackFault fault) {
+      return std::to_string(counts[static_cast<std::size_t>(fault)]);
+    };
+    return std::to_string(of) + " stacks, of which " + count(StackFault::Fallen) + " fell, " +
+           count(StackFault::Energy) + " gained energy, " + count(StackFault::NotFinite) +
+           " lost their numbers";
   }
 };
 
 class SolverStudy {
  public:
-  SolverStudy(const StudyOptions& options, const StudyProgress& progress)
-      : options_(options), progress_(progress) {}
+  SolverStudy(const StudyOptions& options, const StudyProgress& progress, int frames)
+      : options_(options), progress_(progress), frames_(frames) {}
 
   std::vector<trace::Study> run() {
-    std::vector<trace::Study> result = curves();
+    std::vector<trace::Study> result;
+    for (const CurveStack& stack : kCurveStacks) {
+      for (trace::Study& study : curves(stack)) result.push_back(std::move(study));
+    }
     for (trace::Study& map : maps()) result.push_back(std::move(map));
     return result;
   }
 
  private:
-  static constexpr int kSteps = static_cast<int>(std::size(kCurvePanels) + std::size(kHeights)) *
-                                static_cast<int>(std::size(kSolverMethods));
+  static constexpr int kSteps =
+      static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *
+      static_cast<int>(std::size(kSolverMethods));
 
   void step(const std::string& what) { progress_(++done_, kSteps, what); }
 
@@ -151,7 +163,7 @@ class SolverStudy {
     StackCell cell;
     for (int i = 0; i < cases; ++i) {
       std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
-      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings);
+      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings, frames_);
       faults.add(outcome.fault);
       cell.add(outcome);
     }
@@ -169,12 +181,18 @@ class SolverStudy {
     return study;
   }
 
-  std::vector<trace::Study> curves() {
+  std::vector<trace::Study> curves(const CurveStack& stack) {
     const int cases = options_.cases.value_or(kCases);
     std::vector<trace::Study> studies;
-    for (const StackMeasure& measure : kStackMeasures) {
-      studies.push_back(described(measure));
-      studies.back().parameter = "iterations or sub-steps";
+    std::vector<std::size_t> measures;  // of each
+    for (std::size_t m = 0; m < kMeasureCount; ++m) {
+      if (&stack != kCurveStacks && !kStackMeasures[m].of_all_stacks) continue;
+      measures.push_back(m);
+      trace::Study& study = studies.emplace_back(described(kStackMeasures[m]));
+      study.measure += stack.suffix;
+      study.title += stack.title;
+      study.parameter = "iterations or sub-steps";
+      study.resolution = kStackResolution;
     }
     FaultCounts faults;
     for (const CurvePanel& panel : kCurvePanels) {
@@ -187,9 +205,9 @@ class SolverStudy {
           settings.warm_start = method.warm_start;
           settings.iterations = panel.substeps ? 1 : count;
           settings.substeps = panel.substeps ? count : 1;
-          const StackCell cell = judge(panel.boxes, panel.ratio, settings, cases, faults);
-          for (std::size_t m = 0; m < kMeasureCount; ++m)
-            studies[m].series.back().points.push_back(cell.point(count, m));
+          const StackCell cell = judge(stack.boxes, stack.ratio, settings, cases, faults);
+          for (std::size_t s = 0; s < studies.size(); ++s)
+            studies[s].series.back().points.push_back(cell.point(count, measures[s]));
         }
         step(std::string(method.name) + ", " + panel.parameter);
       }
@@ -212,17 +230,17 @@ class SolverStudy {
       study.title += ", by height and mass";
       study.error = kErrors[i];
       study.unit = {};
-      study.parameter = "mass on top / mass of the others";
-      study.row = "boxes";
+      study.parameter = "top mass / others";
+      study.row = "stack";
       study.form = trace::StudyForm::Map;
     }
     FaultCounts faults;
     for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
       const SolverMethod& method = kSolverMethods[turn];
       for (const int boxes : kHeights) {
+        const std::string row = std::to_string(boxes) + " boxes";
         for (trace::Study& study : studies)
-          study.series.push_back(
-              {method.map_name, {}, method.map_name, study.parameter, double(boxes)});
+          study.series.push_back({row, {}, method.map_name, study.parameter});
         for (int i = 0; i < kRatioSteps; ++i) {
           const double ratio = std::pow(10.0, 0.5 * i);
           SolverSettings settings;
@@ -238,7 +256,7 @@ class SolverStudy {
             studies[s].series.back().points.push_back(point);
           }
         }
-        step(std::string(method.name) + ", " + std::to_string(boxes) + " boxes");
+        step(std::string(method.name) + ", " + row);
       }
     }
     for (trace::Study& study : studies) study.reference = reference(faults);
@@ -246,18 +264,25 @@ class SolverStudy {
   }
 
   std::string reference(const FaultCounts& faults) const {
-    return "the static solution, seed " + std::to_string(options_.seed) + "; " + faults.spelled();
+    return "the static solution; a call is a frame; " + faults.spelled() + "; seed " +
+           std::to_string(options_.seed);
   }
 
   const StudyOptions& options_;
   const StudyProgress& progress_;
+  int frames_;
   int done_ = 0;
 };
 
 }  // namespace
 
+std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress,
+                                       int frames) {
+  return SolverStudy(options, progress, frames).run();
+}
+
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
-  return SolverStudy(options, progress).run();
+  return study_solver(options, progress, kStackFrames);
 }
 
 }  // namespace contactscope

@@ -132,6 +132,43 @@ TEST(Plot, WithoutWorstErrorsThereIsOnePanel) {
   EXPECT_THAT(all, Not(Contains("worst")));
 }
 
+/// The crowded study as two panels, the second ten times as slow.
+trace::Study panelled() {
+  trace::Study study = crowded(3);
+  std::vector<trace::StudySeries> slow = study.series;
+  for (trace::StudySeries& series : study.series) series.panel = "swift";
+  for (trace::StudySeries& series : slow) {
+    series.panel = "slow";
+    for (trace::StudyPoint& p : series.points) {
+      for (double* time : {&p.nanoseconds.min, &p.nanoseconds.median, &p.nanoseconds.max})
+        *time *= 10;
+    }
+    study.series.push_back(series);
+  }
+  return study;
+}
+
+TEST(Plot, PanelsHaveTheirNamesTheirLinesAndTheirFailures) {
+  const std::vector<std::string> all = words(plot(panelled(), 1280, 720));
+  for (const char* text : {"swift", "slow"}) EXPECT_EQ(std::ranges::count(all, text), 1) << text;
+  for (const char* text : {"method_0", "exact", "never_works: 100 of 100"})
+    EXPECT_EQ(std::ranges::count(all, text), 2) << text;
+  EXPECT_THAT(all, Contains(HasSubstr("mean lost area")));
+}
+
+TEST(PlotGeometry, APanelHasTheTimeAxisOfTheWhole) {
+  const trace::Study whole = panelled();
+  trace::Study swift = whole, slow = whole;
+  std::erase_if(swift.series, [](const auto& series) { return series.panel != "swift"; });
+  std::erase_if(slow.series, [](const auto& series) { return series.panel != "slow"; });
+  const Rect area{50, 40, 500, 400};
+  const PlotGeometry left = plot_geometry(swift, ErrorKind::Mean, area, 1, whole);
+  const PlotGeometry right = plot_geometry(slow, ErrorKind::Mean, area, 1, whole);
+  EXPECT_EQ(left.x.at(500), right.x.at(500));
+  EXPECT_LT(left.courses[0].points[0].x + 20, right.courses[0].points[0].x);
+  EXPECT_EQ(left.courses[0].points[0].y, right.courses[0].points[0].y);
+}
+
 TEST(Plot, AStudyWithNothingInItIsStillAPicture) {
   trace::Study study;
   study.title = "Empty";

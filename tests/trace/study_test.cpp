@@ -121,6 +121,18 @@ TEST(StudyJson, CurvesAndMapsSayWhereTheirSeriesStand) {
   EXPECT_THAT(rows[3], testing::EndsWith(",float,,size (m),"));
 }
 
+TEST(StudyJson, WorkPrecisionInPanelsSaysToWhichEachSeriesBelongs) {
+  Study study = sample_study();
+  EXPECT_FALSE(has_panels(study));
+  study.series[1].panel = "sub-steps";
+  EXPECT_TRUE(has_panels(study));
+  const auto json = nlohmann::ordered_json::parse(to_json(study));
+  EXPECT_EQ(json["form"], "work_precision");
+  EXPECT_EQ(json["series"][0]["panel"], "");
+  EXPECT_EQ(json["series"][1]["panel"], "sub-steps");
+  EXPECT_THAT(lines(to_csv(study)).back(), testing::EndsWith(",sub-steps,,"));
+}
+
 TEST(Study, NumbersThatAreNotFiniteAreRefusedByName) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
