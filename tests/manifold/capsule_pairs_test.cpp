@@ -189,7 +189,7 @@ TYPED_TEST(CapsulePairs, RandomPairsAgreeWithASearchInBothParameters) {
   test::Random random(4);
   int one = 0;
   int two = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const PlacedShapes pair = test::rounded<S>(random_capsules(random));
     const test::Core a = test::core_of(pair.a, pair.pose_a);
     const test::Core b = test::core_of(pair.b, pair.pose_b);
@@ -217,8 +217,8 @@ TYPED_TEST(CapsulePairs, RandomPairsAgreeWithASearchInBothParameters) {
       ASSERT_NEAR(test::surface_distance(position + half_way, b), 0, 2 * rounding + parting);
     }
   }
-  EXPECT_GT(one, 1500);
-  EXPECT_GT(two, 500);
+  EXPECT_GT(one, 500);
+  EXPECT_GT(two, 160);
 }
 
 TYPED_TEST(CapsulePairs, TwoPointsLieAtTheEndsOfTheSharedStretch) {
