@@ -12,13 +12,17 @@ constexpr double kLeastImpulse = 3;         // pixels
 constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
 
 // Impulses are drawn on the body that they move: b, unless only a is moved.
-double side_of(const Scene& scene, const trace::Pair& pair) {
-  if (!scene.frame.solver) return 1;
+struct Moved {
+  bool a = false, b = false;
+};
+
+Moved moved_of(const Scene& scene, const trace::Pair& pair) {
+  if (!scene.frame.solver) return {false, true};
   const auto moved = [&](const std::string& name) {
     return std::ranges::any_of(scene.frame.solver->bodies,
                                [&](const trace::Body& body) { return body.name == name; });
   };
-  return moved(pair.a) && !moved(pair.b) ? -1 : 1;
+  return {moved(pair.a), moved(pair.b)};
 }
 
 Arrow impulse_arrow(const Vec3d& from, const Vec3d& way, float width, float head,
@@ -73,7 +77,8 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
 // Gregorius 2015, "Recap: Solving Contact": what the solver gave each point in the step from here.
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.impulse == 0) return;
-  const double side = side_of(scene, pair);
+  const Moved moved = moved_of(scene, pair);
+  const double side = moved.a && !moved.b ? -1 : 1;
   std::size_t points = 0;
   for (const trace::Pair& other : scene.frame.pairs) {
     for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
@@ -82,7 +87,11 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     const Vec3d out = side * manifold.normal;
     for (const trace::Point& point : manifold.points) {
       if (!point.impulse) continue;
+      if (!scene.shows("contacts")) {
+        sketch.marks.push_back({MarkKind::Core, point.position, kContact});
+      }
       draw_normal_impulse(scene, point, out, sketch);
+      if (moved.a && moved.b && points == 1) draw_normal_impulse(scene, point, -out, sketch);
       const double length = scene.scales.impulse * point.impulse->normal;
       // Cut as the normal's arrow is, so that the two still make the angle that they do.
       const double share = std::min(1.0, scene.scales.longest_impulse / std::max(length, 1e-300));

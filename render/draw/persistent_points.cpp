@@ -30,34 +30,42 @@ std::string state_of(const trace::PersistentPoint& point) {
   return std::to_string(point.age);
 }
 
+void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& point,
+                           Sketch& sketch) {
+  const bool broken = point.state == "broken";
+  const bool is_new = point.state == "new";
+  draw_anchors(scene, point, sketch);
+  sketch.marks.push_back({broken   ? MarkKind::Hollow
+                          : is_new ? MarkKind::Dot
+                                   : MarkKind::Half,
+                          point.point.position, kContact});
+  if (broken) {
+    sketch.explain(LegendKind::BrokenPoint, "taken out, and why");
+  } else if (is_new) {
+    sketch.explain(LegendKind::NewPoint, "new point");
+  } else {
+    sketch.explain(LegendKind::PersistedPoint, "kept point, its age in frames");
+  }
+  if (scene.shows("ids") && !broken) return;  // its id stands there
+  sketch.labels.push_back({.at = point.point.position,
+                           .text = state_of(point),
+                           .color = broken ? kDropped : kContact,
+                           .size = broken ? 16.0f : 18.0f,
+                           .bold = !broken,
+                           .clearance = 12,
+                           .direction = std::nullopt});
+}
+
 }  // namespace
 
 // Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame.
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.incremental) return;
-  for (const trace::PersistentPoint& point : pair.incremental->points) {
-    const bool broken = point.state == "broken";
-    const bool is_new = point.state == "new";
-    draw_anchors(scene, point, sketch);
-    sketch.marks.push_back({broken   ? MarkKind::Hollow
-                            : is_new ? MarkKind::Dot
-                                     : MarkKind::Half,
-                            point.point.position, kContact});
-    if (broken) {
-      sketch.explain(LegendKind::BrokenPoint, "taken out, and why");
-    } else if (is_new) {
-      sketch.explain(LegendKind::NewPoint, "new point");
-    } else {
-      sketch.explain(LegendKind::PersistedPoint, "kept point, its age in frames");
+  // One that was taken out is often where the new one is: what holds now is drawn over it.
+  for (const bool broken : {true, false}) {
+    for (const trace::PersistentPoint& point : pair.incremental->points) {
+      if ((point.state == "broken") == broken) draw_persistent_point(scene, point, sketch);
     }
-    if (scene.shows("ids") && !broken) continue;  // its id stands there
-    sketch.labels.push_back({.at = point.point.position,
-                             .text = state_of(point),
-                             .color = broken ? kDropped : kContact,
-                             .size = broken ? 16.0f : 18.0f,
-                             .bold = !broken,
-                             .clearance = 12,
-                             .direction = std::nullopt});
   }
 }
 

@@ -17,7 +17,7 @@ constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
 constexpr double kStripHeading = 19;
 constexpr double kMostIdStrip = 72;
-constexpr double kIdRow = 6;
+constexpr double kIdRow = 9;
 constexpr double kLeastIdRow = 2.6;
 
 std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series) {

@@ -103,7 +103,15 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d up = scene.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
   const PlacedShape* highest = nullptr;
-  for (const std::string& name : {pair.a, pair.b}) {
+  std::vector<std::string> names = {pair.a, pair.b};
+  if (scene.frame.solver) {  // above the body that moves, also when it has fallen below the other
+    const auto rests = [&](const std::string& name) {
+      return std::ranges::none_of(scene.frame.solver->bodies,
+                                  [&](const trace::Body& body) { return body.name == name; });
+    };
+    if (rests(pair.a) != rests(pair.b)) std::erase_if(names, rests);
+  }
+  for (const std::string& name : names) {
     const PlacedShape* shape = scene.find(name);
     if (shape == nullptr || shape->vertices.empty()) continue;
     if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0) {

@@ -45,8 +45,8 @@ TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsRea
   const Sketch sketch = scene.sketch();
   std::vector<MarkKind> states = marks(sketch);
   std::erase(states, MarkKind::Core);  // of the anchors
-  EXPECT_THAT(states, ElementsAre(MarkKind::Half, MarkKind::Dot, MarkKind::Hollow));
-  EXPECT_THAT(labels(sketch), ElementsAre("7", "new", "slid"));
+  EXPECT_THAT(states, ElementsAre(MarkKind::Hollow, MarkKind::Half, MarkKind::Dot));
+  EXPECT_THAT(labels(sketch), ElementsAre("slid", "7", "new"));
   EXPECT_THAT(legend(sketch), Contains("new point"));
   EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
 }
@@ -199,6 +199,45 @@ TEST(DynamicsPicture, ImpulsesAreThoseOnTheBodyThatMoves) {
   for (const Arrow& arrow : scene.sketch().arrows) {
     EXPECT_GE(arrow.to->y(), arrow.from.y());
   }
+}
+
+TEST(DynamicsPicture, TwoBodiesThatMeetAtOnePointHaveEqualAndOppositeArrows) {
+  CrateOnSlab scene;
+  scene.manifold().points.pop_back();
+  scene.solve(2);
+  trace::Body slab;
+  slab.name = "slab";
+  scene.frames[0].solver->bodies.push_back(slab);
+  for (trace::Point& point : scene.manifold().points) point.impulse->friction = Vec3d::Zero();
+  scene.view.layers = {"impulses"};
+  const Sketch sketch = scene.sketch();
+  ASSERT_EQ(sketch.arrows.size(), 2u);
+  const Vec3d on_b = *sketch.arrows[0].to - sketch.arrows[0].from;
+  EXPECT_GT(on_b.y(), 0);
+  EXPECT_EQ(*sketch.arrows[1].to - sketch.arrows[1].from, Vec3d(-on_b));
+  EXPECT_THAT(marks(sketch), ElementsAre(MarkKind::Core)) << "where they meet";
+}
+
+TEST(DynamicsPicture, AStackIsOneEntryOfTheLegend) {
+  CrateOnSlab scene;
+  for (const char* name : {"crate 2", "crate 3", "crate 4", "crate 5", "crate 6"}) {
+    scene.header.shapes.push_back(testing::cuboid(name, {0.5, 0.5, 0.5}));
+    scene.frames[0].poses.push_back({name, {}});
+    scene.frames[0].pairs.push_back(scene.pair());
+    scene.frames[0].pairs.back().a = "crate";
+    scene.frames[0].pairs.back().b = name;
+  }
+  scene.view.layers = {"shapes"};
+  EXPECT_THAT(legend(scene.sketch()), ElementsAre("A: slab", "B: crate to crate 6"));
+}
+
+TEST(DynamicsPicture, LabelStandsAboveTheBodyThatMovesAlsoBelowTheGround) {
+  CrateOnSlab scene;
+  scene.pair().label = "fallen";
+  scene.frames[0].poses[1].second.position = {0, -5, 0};
+  EXPECT_NEAR(scene.sketch().labels.at(0).at.y(), 0, 1e-12) << "top of the slab";
+  scene.solve(1);
+  EXPECT_NEAR(scene.sketch().labels.at(0).at.y(), -4.5, 1e-12) << "top of the crate";
 }
 
 TEST(DynamicsPicture, AnImpactIsCutAndMarkedSoThatRestingImpulsesStayLegible) {
