@@ -10,13 +10,20 @@
 namespace contactscope::app {
 namespace {
 
+/// Whether both fit into one table, which has a column for each parameter.
+bool share_table(const trace::StudySeries& one, const trace::StudySeries& other) {
+  return one.panel == other.panel &&
+         std::ranges::equal(one.points, other.points, {}, &trace::StudyPoint::parameter,
+                            &trace::StudyPoint::parameter);
+}
+
 /// Series of one panel stand together; without panels all are one.
 using SeriesRange = std::span<const trace::StudySeries>;
 std::vector<SeriesRange> by_panel(const trace::Study& result) {
   std::vector<SeriesRange> panels;
   const SeriesRange all(result.series);
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-    while (end < all.size() && all[end].panel == all[begin].panel) ++end;
+    while (end < all.size() && share_table(all[begin], all[end])) ++end;
     panels.push_back(all.subspan(begin, end - begin));
   }
   return panels;

@@ -6,10 +6,12 @@
 #include <sstream>
 
 #include "app/program.h"
+#include "app/study_tables.h"
 
 namespace contactscope::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -89,6 +91,18 @@ TEST(Study, PrintsATableForEachMeasureAndOneOfTimes) {
   char error[32];
   std::snprintf(error, sizeof error, "%.2g / ", first["error"].get<double>());
   EXPECT_THAT(tables[0][2], HasSubstr(std::string("  ") + error));
+}
+
+TEST(Study, MethodsWithOtherParametersHaveATableOfTheirOwn) {
+  trace::Study result;
+  result.error = "depth";
+  result.parameter = "effort";
+  result.series = {{"few", {{1, 0.5, {}, {}, 0, 10}}},
+                   {"many", {{2, 0.25, {}, {}, 0, 10}, {4, 0.125, {}, {}, 3, 10}}}};
+  std::ostringstream out;
+  app::print_tables({result}, out);
+  EXPECT_THAT(out.str(), ContainsRegex("method +1 +failed\nfew +0.5 +0\n"));
+  EXPECT_THAT(out.str(), ContainsRegex("method +2 +4 +failed\nmany +0.25 +0.12 +3\n"));
 }
 
 TEST(Study, JsonPrintsTheResultsOneALineAndQuietSilencesTheRest) {
