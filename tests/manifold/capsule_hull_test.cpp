@@ -362,42 +362,5 @@ TYPED_TEST(CapsuleHull, TouchingAnEdgeOrAVertexOnlyFallsBackOrIsSkipped) {
   EXPECT_TRUE(test::collide<S>(on_edge, skip).points.empty());
 }
 
-// Real engines were wrong on these; see the reports.
-
-TYPED_TEST(CapsuleHull, Reactphysics3d347ParallelToAnEdgeOfAThinHullTouches) {
-  // No contact was reported for a capsule parallel to a triangle's edge.
-  const RoundHull pair{{Vec3d(-0.5, 0, 0), Vec3d(0.5, 0, 0)},
-                       0.25,
-                       at(0, 0.2, 1.1),
-                       make_box(Vec3d(2, 1e-4, 1)),
-                       at(0, 0, 0)};
-  const auto manifold = this->collide(pair);
-  ASSERT_EQ(manifold.points.size(), 2u);
-  EXPECT_NEAR(this->deepest(manifold), std::hypot(0.2 - 1e-4, 0.1) - 0.25, 16 * this->kEpsilon);
-}
-
-TYPED_TEST(CapsuleHull, Jolt2065FiveCentimetresInANearlyFlatHullOfEightyFourMetres) {
-  // Half-height 0.5, radius 0.25, upright on a plate of 84 m; its lower end 0.2 above.
-  const RoundHull pair{{Vec3d(0, -0.5, 0), Vec3d(0, 0.5, 0)},
-                       0.25,
-                       at(30.1, 0.7 + 0.001, -12.3),
-                       make_box(Vec3d(42, 0.001, 42)),
-                       at(0, 0, 0)};
-  Random random(8);
-  for (int i = 0; i < 100; ++i) {
-    RoundHull turned = pair;
-    if (i > 0) {
-      const Pose<double> by = random.pose(10);
-      turned.round_pose = compose(by, turned.round_pose);
-      turned.hull_pose = compose(by, turned.hull_pose);
-    }
-    const auto manifold = this->collide(turned);
-    ASSERT_EQ(manifold.points.size(), 1u);
-    ASSERT_NEAR(this->deepest(manifold), -0.05, 32 * this->kEpsilon * turned.scale());
-    const Vec3d down = turned.hull_pose.rotate(-Vec3d::UnitY());
-    ASSERT_LT((this->normal(manifold) - down).norm(), 16 * this->kEpsilon);
-  }
-}
-
 }  // namespace
 }  // namespace contactscope

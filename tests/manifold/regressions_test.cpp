@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "round_hull_cases.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
@@ -203,6 +204,41 @@ TYPED_TEST(Regressions, Jolt1488NormalIsThatOfTheLargeFace) {
     if (manifold.points.empty()) continue;  // tilted out of the floor by rounding of the corners
     EXPECT_EQ(manifold.axis, AxisKind::FaceA);
     EXPECT_EQ(manifold.normal, Vec3<S>::UnitY());
+  }
+}
+
+TYPED_TEST(Regressions, Reactphysics3d347ParallelToAnEdgeOfAThinHullTouches) {
+  // No contact was reported for a capsule parallel to a triangle's edge.
+  const test::RoundHull pair{{Vec3d(-0.5, 0, 0), Vec3d(0.5, 0, 0)},
+                             0.25,
+                             at(0, 0.2, 1.1),
+                             make_box(Vec3d(2, 1e-4, 1)),
+                             at(0, 0, 0)};
+  const Manifold<TypeParam> manifold = collide<TypeParam>(pair);
+  ASSERT_EQ(manifold.points.size(), 2u);
+  EXPECT_NEAR(deepest(manifold), std::hypot(0.2 - 1e-4, 0.1) - 0.25, 16 * TestFixture::kEpsilon);
+}
+
+TYPED_TEST(Regressions, Jolt2065FiveCentimetresInANearlyFlatHullOfEightyFourMetres) {
+  // Half-height 0.5, radius 0.25, upright on a plate of 84 m; its lower end 0.2 above.
+  const test::RoundHull pair{{Vec3d(0, -0.5, 0), Vec3d(0, 0.5, 0)},
+                             0.25,
+                             at(30.1, 0.7 + 0.001, -12.3),
+                             make_box(Vec3d(42, 0.001, 42)),
+                             at(0, 0, 0)};
+  test::Random random(8);
+  for (int i = 0; i < 100; ++i) {
+    test::RoundHull turned = pair;
+    if (i > 0) {
+      const Pose<double> by = random.pose(10);
+      turned.round_pose = compose(by, turned.round_pose);
+      turned.hull_pose = compose(by, turned.hull_pose);
+    }
+    const Manifold<TypeParam> manifold = collide<TypeParam>(turned);
+    ASSERT_EQ(manifold.points.size(), 1u);
+    ASSERT_NEAR(deepest(manifold), -0.05, 32 * TestFixture::kEpsilon * turned.scale());
+    const Vec3d down = turned.hull_pose.rotate(-Vec3d::UnitY());
+    ASSERT_LT((manifold.normal.template cast<double>() - down).norm(), 16 * TestFixture::kEpsilon);
   }
 }
 

@@ -1,0 +1,137 @@
+#include "draw/contact_cells.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/contact_cells_sample.h"
+
+namespace contactscope::draw {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// The octagon with how its four points were chosen.
+std::vector<ContactMoment> chosen() {
+  std::vector<ContactMoment> moments = moments_of(1, 1);
+  ContactCell& cell = moments[0].cells[0];
+  cell.choices.resize(4);
+  cell.choices[0].rule = "support";
+  cell.choices[0].direction = Vec3d(0.6, 0, 0.8);
+  cell.choices[1].rule = "farthest";
+  cell.choices[2].rule = "triangle";
+  cell.choices[3].rule = "outside";
+  for (int q = 0; q < 8; ++q) {
+    if (q == 1) continue;
+    cell.choices[1].measures.push_back({q, -1, -1, 1.234 + q});
+    if (q == 5) continue;
+    cell.choices[2].measures.push_back({q, 1, 5, q % 2 ? 0.5 : -0.25});
+    if (q == 3) continue;
+    cell.choices[3].measures.push_back({q, 1, 3, q == 0 ? -0.5 : -0.1});
+  }
+  cell.choices[3].measures.push_back({0, 3, 5, 0.75});
+  cell.choices[3].measures.push_back({0, 5, 1, 0.25});
+  return moments;
+}
+
+TEST(ContactCells, LabelsOfAChoiceKeepApart) {
+  for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}}) {
+    for (int choices = 1; choices <= 4; ++choices) {
+      const Drawing drawing = drawn(chosen(), 0, width, height, choices);
+      expect_on_canvas(drawing, std::to_string(choices) + " choices");
+      const std::vector<Text> list = all<Text>(drawing);
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const Rect a = box_of(list[i]);
+          const Rect b = box_of(list[j]);
+          EXPECT_FALSE(a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+                       b.y < a.y + a.height)
+              << width << " wide, " << choices << " choices: " << list[i].text << " on "
+              << list[j].text;
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
+  EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 1)), Contains("fixed direction"));
+  const std::vector<std::string> second = words(drawn(chosen(), 0, 1280, 720, 2));
+  EXPECT_EQ(std::ranges::count_if(second, [](const std::string& s) { return s.ends_with(" m"); }),
+            7);
+  const std::vector<std::string> third = words(drawn(chosen(), 0, 1280, 720, 3));
+  EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
+  const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
+  EXPECT_EQ(
+      std::ranges::count_if(fourth, [](const std::string& s) { return s.ends_with("skipped"); }),
+      2);
+  EXPECT_THAT(fourth, Contains(HasSubstr("edge 3–2: +")));
+  // Rings of the choices so far, and the legend's.
+  for (int choices = 1; choices <= 4; ++choices) {
+    EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, choices)).size(),
+              static_cast<std::size_t>(choices) + 1);
+  }
+}
+
+TEST(ContactCells, MoreChoicesThanWereMadeShowTheLast) {
+  EXPECT_EQ(rings(drawn(chosen(), 0, 1280, 720, 64)).size(), 4u + 1);
+}
+
+TEST(Explored, HasACellForEachReducerInTheOrderAsked) {
+  trace::Exploration exploration;
+  exploration.frame = 7;
+  exploration.a = "crate";
+  exploration.b = "floor";
+  exploration.points = octagon();
+  exploration.normal = Vec3d::UnitY();
+  exploration.best = {0, 2, 4, 6};
+  for (const char* name : {"area", "first"}) {
+    trace::ReducerAnswer answer;
+    answer.name = name;
+    answer.kept = {3, 1};
+    exploration.reducers.push_back(answer);
+  }
+  exploration.reducers[1].deepest_kept = exploration.reducers[1].supports_center_of_mass = true;
+  const std::vector<ContactMoment> moments = explored({exploration}, {"first", "area"});
+  ASSERT_EQ(moments.size(), 1u);
+  EXPECT_EQ(moments[0].frame, 7);
+  EXPECT_THAT(moments[0].caption, HasSubstr("crate and floor"));
+  ASSERT_EQ(moments[0].cells.size(), 2u);
+  EXPECT_EQ(moments[0].cells[0].name, "first");
+  EXPECT_EQ(moments[0].cells[1].name, "area");
+  EXPECT_THAT(moments[0].cells[1].kept, testing::ElementsAre(3, 1));
+  EXPECT_EQ(moments[0].cells[0].points.size(), 8u);
+  EXPECT_FALSE(moments[0].cells[0].rows.back().strong);
+  EXPECT_TRUE(moments[0].cells[1].rows.back().strong);
+}
+
+TEST(Reduced, HasACellForEachPairThatIsReducedInAnyFrame) {
+  trace::Pair touching{"crate", "floor", "", "hull-hull", "touching", -0.01, {}, {}, {}, {}};
+  touching.manifolds.push_back({Vec3d::UnitY(), "face_a", {}, {}});
+  touching.reduction = trace::Reduction{"area", octagon(), {1, 5, 3, 0}, 1, 2, {0, 2, 4, 6}, {}};
+  trace::Pair apart{"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}};
+  trace::Pair labelled = touching;
+  labelled.label = "by hand";
+  std::vector<trace::Frame> frames(2);
+  frames[0].frame = 4;
+  frames[0].pairs = {apart, labelled};
+  frames[1].frame = 5;
+  frames[1].pairs = {touching, labelled};
+  const std::vector<ContactMoment> moments = reduced(frames);
+  ASSERT_EQ(moments.size(), 2u);
+  EXPECT_EQ(moments[1].frame, 5);
+  for (const ContactMoment& moment : moments) {
+    ASSERT_EQ(moment.cells.size(), 2u);
+    EXPECT_EQ(moment.cells[0].name, "by hand");
+    EXPECT_EQ(moment.cells[1].name, "area");
+  }
+  EXPECT_TRUE(moments[0].cells[1].points.empty());
+  EXPECT_EQ(moments[1].cells[1].points.size(), 8u);
+  EXPECT_EQ(moments[1].cells[1].best.size(), 4u);
+}
+
+}  // namespace
+}  // namespace contactscope::draw
