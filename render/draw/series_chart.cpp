@@ -15,6 +15,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kChartHeading = 22;  // pixels at 720 lines, above the curves
+constexpr double kNothing = 1e-9;     // of any unit: what is left of zero by rounding
 constexpr double kChartHeadroom = 1.08;
 
 struct ValueSpan {
@@ -30,6 +31,7 @@ ValueSpan span_of(const SeriesChart& chart) {
       span.high = std::max(span.high, value);
     }
   }
+  if (!chart.unit.empty() && span.high < kNothing && span.low > -kNothing) span = {};
   if (span.high == span.low) span.high = 1;  // nothing but zeros
   return span;
 }

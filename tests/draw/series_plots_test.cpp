@@ -211,6 +211,15 @@ TEST(PlotsPanel, CurvesEndAtTheCurrentFrame) {
   EXPECT_EQ(strokes(4), 3 * 4 + 6);
 }
 
+TEST(PlotsPanel, WhatRoundingLeavesOfZeroIsZero) {
+  std::vector<trace::Frame> frames = settling();
+  for (trace::Frame& frame : frames) frame.solver->bodies[0].kinetic_energy *= 1e-15;
+  Drawing drawing;
+  draw_series_plots(time_series(frames), 3, 1, kPanel, 1, drawing);
+  EXPECT_THAT(texts(drawing), Contains("kinetic energy, J"));
+  EXPECT_THAT(texts(drawing), Contains("0 J"));
+}
+
 TEST(PlotsPanel, WithoutASolverNeitherEnergyNorImpulses) {
   std::vector<trace::Frame> frames = settling();
   for (trace::Frame& frame : frames) frame.solver.reset();
