@@ -40,8 +40,9 @@ std::string subtitle(const trace::Study& study) {
     line += (first ? "" : ", ") + spell_number(parameter);
     first = false;
   }
-  return line + " " + study.parameter +
-         ". Strong: at half of these or more, nothing else is both as fast and as close.";
+  line += " " + study.parameter;
+  if (trace::has_panels(study)) return line + ". Strong: unbeaten at half of these or more.";
+  return line + ". Strong: at half of these or more, nothing else is both as fast and as close.";
 }
 
 bool has_worst(const trace::Study& study) {

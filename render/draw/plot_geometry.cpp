@@ -14,6 +14,7 @@ constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
 constexpr float kMargin = 16;
 constexpr float kMostLabelShare = 0.2f;  // of the width, kept free on the right
+constexpr float kMostCountShare = 0.4f;  // likewise, where counts of failures have no place else
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -36,7 +37,7 @@ class Mapping {
  public:
   Mapping(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
           const trace::Study& whole)
-      : study_(study), kind_(kind), area_(area), scale_(scale) {
+      : study_(study), whole_(whole), kind_(kind), area_(area), scale_(scale) {
     for (const trace::StudySeries& series : study.series) {
       bool in_zero_row = false;
       widest_ = std::max(widest_, text_width(series.method, px(kPlotText), FontWeight::Bold));
@@ -63,10 +64,13 @@ class Mapping {
     const float right = static_cast<float>(area_.x + area_.width);
     const float top = static_cast<float>(area_.y);
     const float bottom = static_cast<float>(area_.y + area_.height);
-    const float room =
-        std::min(widest_ + px(kMargin), kMostLabelShare * static_cast<float>(area_.width));
     const Range times = times_.or_else(1);
-    const LogAxis x(times.low, times.high, left, right, px(kMargin), room);
+    const auto axis = [&](float widest, float share) {
+      const float room = std::min(widest + px(kMargin), share * static_cast<float>(area_.width));
+      return LogAxis(times.low, times.high, left, right, px(kMargin), room);
+    };
+    LogAxis x = axis(widest_, kMostLabelShare);
+    if (!failures_fit(x, left, right)) x = axis(widest_count(), kMostCountShare);
 
     std::vector<Course> courses = failure_rows(x, left, right, top);
     float failures_end = top;
@@ -89,6 +93,38 @@ class Mapping {
  private:
   float px(float at_720) const { return scale_ * at_720; }
   bool is_zero(double error) const { return error <= study_.resolution; }
+
+  /// Of the longest text beside crosses.
+  float widest_count() const {
+    float widest = 0;
+    for (const trace::StudySeries& series : whole_.series)
+      widest = std::max(widest, count_width(series));
+    return widest;
+  }
+  float count_width(const trace::StudySeries& series) const {
+    int failed = 0, of = 0;
+    for (const trace::StudyPoint& point : series.points) {
+      failed += point.failed;
+      of += point.of;
+    }
+    return text_width(counted(series, failed, of), px(kPlotText), FontWeight::Regular);
+  }
+
+  /// Whether each count of failures, in all panels, has room before its first cross or after its
+  /// last.
+  bool failures_fit(const LogAxis& x, float left, float right) const {
+    for (const trace::StudySeries& series : whole_.series) {
+      float first = right, last = left;
+      for (const trace::StudyPoint& point : series.points) {
+        if (point.failed == 0) continue;
+        first = std::min(first, x.at(point.nanoseconds.median));
+        last = std::max(last, x.at(point.nanoseconds.median));
+      }
+      const float width = count_width(series) + px(2 * kCross);
+      if (first <= last && first - width < left + px(2) && last + width > right) return false;
+    }
+    return true;
+  }
 
   // A row for each method that failed; two share one where they do not meet.
   std::vector<Course> failure_rows(const LogAxis& x, float left, float right, float top) const {
@@ -155,6 +191,7 @@ class Mapping {
   }
 
   const trace::Study& study_;
+  const trace::Study& whole_;
   ErrorKind kind_;
   Rect area_;
   float scale_;

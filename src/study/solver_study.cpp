@@ -77,8 +77,7 @@ constexpr StackMeasure kStackMeasures[] = {
     {"jitter", "How still a stack stands", "speed of the fastest box, third second", "m/s",
      &StackOutcome::jitter, true},
     {"load", "How well contacts carry what is above them",
-     "force less weight / weight, worst contact, third second", "", &StackOutcome::load_error,
-     false},
+     "force / weight − 1, worst contact, third second", "", &StackOutcome::load_error, false},
     {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
      &StackOutcome::ids_changed, false},
 };
