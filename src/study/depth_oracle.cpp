@@ -15,7 +15,7 @@ struct Edge {
   Vec normal1, normal2;  // of the faces beside it
 };
 
-struct Body {
+struct PosedHull {
   std::vector<Vec> vertices;
   std::vector<Vec> normals;
   std::vector<Vec> on_faces;
@@ -37,10 +37,10 @@ Vec face_normal(const std::vector<Vec>& vertices, const std::vector<int>& loop) 
   return sum / sum.norm();
 }
 
-Body make_body(const Hull<double>& hull, const Pose<double>& pose) {
+PosedHull make_body(const Hull<double>& hull, const Pose<double>& pose) {
   const Quat<Real> rotation = pose.rotation.cast<Real>().normalized();
   const Mat3<Real> turn = rotation.toRotationMatrix();
-  Body body;
+  PosedHull body;
   for (const Vec3d& vertex : hull.vertices) {
     const Vec placed = turn * vertex.cast<Real>() + pose.position.cast<Real>();
     body.vertices.push_back(placed);
@@ -75,7 +75,7 @@ struct Axis {
   }
 };
 
-Axis best_face(const Body& body, const Body& other) {
+Axis best_face(const PosedHull& body, const PosedHull& other) {
   Axis best;
   for (std::size_t f = 0; f < body.normals.size(); ++f) {
     Real least = std::numeric_limits<Real>::infinity();
@@ -102,8 +102,8 @@ bool is_minkowski_face(const Edge& a, const Edge& b) {
 }  // namespace
 
 OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
-  const Body body_a = make_body(a, {});
-  const Body body_b = make_body(b, b_in_a);
+  const PosedHull body_a = make_body(a, {});
+  const PosedHull body_b = make_body(b, b_in_a);
   Axis best = best_face(body_a, body_b);
   const Axis of_b = best_face(body_b, body_a);
   best.offer(of_b.separation, Vec(-of_b.normal));
