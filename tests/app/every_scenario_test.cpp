@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "app/catalogue.h"
 #include "scenario/expect.h"
 #include "scenario/run.h"
+#include "snapshot/store.h"
 #include "trace/json.h"
 
 namespace contactscope::test {
@@ -55,6 +59,18 @@ TEST_P(EveryScenario, MeetsItsExpectationsInEveryFrame) {
       ADD_FAILURE() << sentence;
     }
   }
+}
+
+// What is stored was written by a release build: debug and sanitized builds prove here that they give
+// the same bytes, solver and all.
+TEST_P(EveryScenario, GivesTheStoredTraceByteForByte) {
+  const Scenario scenario = load_scenario(GetParam());
+  const Runner runner(scenario);
+  trace::Trace given{runner.header(), {}};
+  for (const int number : scenario.snapshots.frames) given.frames.push_back(runner.frame(number));
+  std::ifstream file(snapshot::trace_path(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name));
+  const std::string stored{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(snapshot::to_json_lines(given), stored);
 }
 
 TEST_P(EveryScenario, NamesItsSource) {
