@@ -1,5 +1,7 @@
 #include "trace/dynamics_json.h"
 
+#include <algorithm>
+
 namespace contactscope::trace {
 namespace {
 
@@ -19,6 +21,30 @@ Json body(const Body& b) {
           {"angular_velocity", vector(b.angular_velocity, "angular_velocity")},
           {"kinetic_energy", number(b.kinetic_energy, "kinetic_energy")},
           {"potential_energy", number(b.potential_energy, "potential_energy")}};
+}
+
+Json totals(const Frame& frame) {
+  double penetration = 0, impulse = 0, kinetic = 0, potential = 0;
+  int points = 0;
+  for (const Pair& pair : frame.pairs) {
+    for (const Manifold& manifold : pair.manifolds) {
+      for (const Point& point : manifold.points) {
+        if (!point.impulse) continue;
+        penetration = std::max(penetration, -point.separation);
+        impulse += point.impulse->normal;
+        ++points;
+      }
+    }
+  }
+  for (const Body& b : frame.solver->bodies) {
+    kinetic += b.kinetic_energy;
+    potential += b.potential_energy;
+  }
+  return {{"penetration", number(penetration, "penetration")},
+          {"normal_impulse", number(impulse, "normal_impulse")},
+          {"points", points},
+          {"kinetic_energy", number(kinetic, "kinetic_energy")},
+          {"potential_energy", number(potential, "potential_energy")}};
 }
 
 }  // namespace
@@ -88,13 +114,15 @@ Stability read_stability(const Node& node) {
   return s;
 }
 
-Json solver(const Solver& s) {
+Json solver(const Frame& frame) {
+  const Solver& s = *frame.solver;
   Json bodies = Json::object();
   for (const Body& b : s.bodies) bodies[b.name] = body(b);
   return {{"position_correction", s.position_correction},
           {"iterations", s.iterations},
           {"substeps", s.substeps},
           {"warm_start", s.warm_start},
+          {"totals", totals(frame)},
           {"bodies", std::move(bodies)}};
 }
 

@@ -198,7 +198,7 @@ std::string to_json_line(const Frame& frame) {
                {"time", number(frame.time, "time")},
                {"poses", std::move(poses)},
                {"pairs", std::move(pairs)}};
-  if (frame.solver) json["solver"] = solver(*frame.solver);
+  if (frame.solver) json["solver"] = solver(frame);
   return json.dump();
 }
 

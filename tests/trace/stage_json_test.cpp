@@ -151,13 +151,27 @@ TEST(StageJson, StabilityComesBackWithAnAxisOnlyWhereItTurnsAboutOne) {
 TEST(StageJson, TheSolverComesBackWithItsBodiesInOrder) {
   const Frame frame = sample_frame();
   const ordered_json line = written(frame);
-  EXPECT_THAT(key_names(line["solver"]),
-              ElementsAre("position_correction", "iterations", "substeps", "warm_start", "bodies"));
+  EXPECT_THAT(key_names(line["solver"]), ElementsAre("position_correction", "iterations",
+                                                     "substeps", "warm_start", "totals", "bodies"));
   EXPECT_THAT(key_names(line["solver"]["bodies"]), ElementsAre("zebra", "apple"));
   EXPECT_THAT(key_names(line["solver"]["bodies"]["zebra"]),
               ElementsAre("mass", "center_of_mass", "velocity", "angular_velocity",
                           "kinetic_energy", "potential_energy"));
   EXPECT_EQ(frame_read(line).solver, frame.solver);
+}
+
+TEST(StageJson, TheSolverTotalsAreOfPointsWithAnImpulseAndOfAllBodies) {
+  Frame frame = sample_frame();
+  for (Pair& pair : frame.pairs) pair.manifolds.clear();
+  Manifold manifold;
+  manifold.points = {{{0, 0, 0}, -0.5, "", Impulse{2, {9, 9, 9}, 0}},
+                     {{0, 0, 0}, 0.25, "", Impulse{0.75, {0, 0, 0}, 0}},
+                     {{0, 0, 0}, -3, "", {}}};
+  frame.pairs[0].manifolds = {manifold};
+  frame.solver->bodies[1].kinetic_energy = 0.25;
+  const ordered_json totals = written(frame)["solver"]["totals"];
+  EXPECT_EQ(totals.dump(), R"({"penetration":0.5,"normal_impulse":2.75,"points":2,)"
+                           R"("kinetic_energy":0.75,"potential_energy":-9.81})");
 }
 
 TEST(StageJson, AFrameWithoutASolverHasNoKeyForIt) {
