@@ -86,8 +86,7 @@ bool measure(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a,
 /// Gregorius 2015, QueryEdgeDirection, on the Gauss map (see gauss_map.h).
 ///
 /// Steps, for each edge of A:
-/// 1. its arc runs from the region of one support vertex of B to that of another; when it is one
-/// and
+/// 1. its arc runs from the region of one support vertex of B to that of another; when it is one and
 ///    the same, the arc crosses nothing;
 /// 2. leave out arcs that cannot hold a larger separation than the best so far;
 /// 3. walk the arc, and measure each crossing.
