@@ -7,7 +7,7 @@ namespace contactscope::peers {
 namespace {
 
 const char* to_string(Aspect aspect) {
-  constexpr const char* kNames[] = {"touching", "normal", "depth"};
+  constexpr const char* kNames[] = {"touching", "normal", "depth", "deepest"};
   return kNames[static_cast<int>(aspect)];
 }
 
@@ -89,6 +89,11 @@ void Tally::add(const Comparison& comparison) {
     }
   }
   if (agrees) ++agreed_;
+}
+
+void Tally::add(Aspect aspect, const Comparison& comparison) {
+  ++compared_;
+  explain(aspect, comparison);
 }
 
 int Tally::count(const std::string& rule) const {

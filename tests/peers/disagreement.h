@@ -17,6 +17,7 @@ enum class Aspect {
   Touching,  // contact or none
   Normal,    // the overlap along the normal is not the least
   Depth,     // the reported depth is not the overlap along the reported normal
+  Deepest,   // of a mesh: the deepest point is on another triangle, or deeper than any
 };
 
 struct Comparison {
@@ -49,6 +50,8 @@ class Tally {
   explicit Tally(std::span<const Rule> rules) : rules_(rules) {}
 
   void add(const Comparison& comparison);
+  /// For what add() does not see: an answer that differs in this aspect.
+  void add(Aspect aspect, const Comparison& comparison);
 
   int compared() const { return compared_; }
   int agreed() const { return agreed_; }

@@ -4,138 +4,227 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "bench/workload.h"
 #include "manifold/dispatch.h"
+#include "peers/disagreement.h"
+#include "peers/mesh_pair.h"
 #include "peers/peer.h"
+#include "peers/rules.h"
 #include "support/brute_force_sat.h"
-#include "support/random_geometry.h"
 
-// Boxes and hulls on a mesh of 10,000 triangles through Bullet, ODE, FCL and our own pipeline:
-// whether they touch. Exhaustion over the triangles nearby says who is right.
+// Boxes, hulls, spheres and capsules on a mesh of 10,000 triangles through Bullet, ODE, FCL and our
+// own pipeline. Exhaustion over the triangles nearby says who is right: about touching, and about
+// the depth and the normal of the deepest point.
 namespace contactscope::peers {
 namespace {
 
 using bench::Workload;
 
+constexpr int kPairs = 120;
+
 /// Metres. Nearer than this a library may say either: Bullet's GJK has this tolerance.
 constexpr double kNearlyTouching = 1e-4;
 
-struct OnMesh {
-  std::shared_ptr<const Shape<double>> hull;
-  std::shared_ptr<const Shape<double>> mesh;
-  bench::Placement placed;
+/// Metres. Bullet rounds coordinates of up to 30 m to float, and its GJK stops at a tenth of a
+/// millimetre; the others iterate to a millionth.
+double tolerance_on_mesh(const Peer& peer) {
+  return peer.epsilon() > 1e-10 ? 1e-4 : 1e-6;
+}
 
-  const Hull<double>& the_hull() const { return std::get<Hull<double>>(*hull); }
-  const Mesh<double>& the_mesh() const { return std::get<Mesh<double>>(*mesh); }
+Comparison compare_with(const WithTriangle& triangle, const PeerContact& answer, double tolerance) {
+  if (const auto* hulls = std::get_if<test::PairCase<double>>(&triangle.pair)) {
+    return compare(*hulls, {triangle.separation, triangle.normal}, answer, tolerance);
+  }
+  return compare(std::get<RoundPair>(triangle.pair), triangle.separation, answer, tolerance);
+}
+
+bool explains(std::span<const Rule> rules, const Comparison& comparison) {
+  Tally alone(rules);
+  alone.add(comparison);
+  return alone.unexplained().empty();
+}
+
+/// An answer against the triangle that it is right about, the deepest that there is; where that is
+/// not the deepest of all, this too must be explained.
+void judge(const std::vector<WithTriangle>& triangles, const PeerContact& answer, double tolerance,
+           std::span<const Rule> rules, Tally& tally) {
+  const Comparison deepest = compare_with(triangles.front(), answer, tolerance);
+  if (deepest.separation > 0 || !answer.touching()) return tally.add(deepest);
+  for (const WithTriangle& triangle : triangles) {
+    if (triangle.separation > 0) break;
+    const Comparison comparison = compare_with(triangle, answer, tolerance);
+    if (!explains(rules, comparison)) continue;
+    const bool less = triangle.separation > triangles.front().separation + tolerance &&
+                      deepest.reported < deepest.depth() - tolerance;
+    return less ? tally.add(Aspect::Deepest, deepest) : tally.add(comparison);
+  }
+  tally.add(deepest);
+}
+
+/// The gap along a direction to the triangle for which it is nearest to `separation`.
+double nearest_gap(const std::vector<WithTriangle>& triangles, const Vec3d& direction,
+                   double separation) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const WithTriangle& triangle : triangles) {
+    const auto* hulls = std::get_if<test::PairCase<double>>(&triangle.pair);
+    const double gap =
+        hulls != nullptr
+            ? test::separation_along(direction, hulls->a, hulls->pose_a, hulls->b, hulls->pose_b)
+            : separation_along(direction, std::get<RoundPair>(triangle.pair));
+    if (std::abs(gap - separation) < std::abs(best - separation)) best = gap;
+  }
+  return best;
+}
+
+/// Contact or none; each triangle by itself, the depth of the deepest point and a normal along which
+/// that is the overlap. Where edges within the surface are known, what leans on one gives way to a
+/// contact on a face: no less deep, and little deeper where the surface is nearly flat.
+void expect_right(const OnMesh& pair, const std::vector<WithTriangle>& triangles) {
+  const double separation = triangles.front().separation;
+  constexpr double kRounding = 1e-13;  // metres: 16 ulps of coordinates of up to 30 m
+  CollideOptions<double> options;
+  options.preference = Preference::None;
+  for (const bool internal_edges : {false, true}) {
+    options.internal_edges = internal_edges;
+    Manifolds<double> manifolds;
+    collide<double>(*pair.shape, pair.pose, *pair.mesh, pair.mesh_pose, options, manifolds);
+    EXPECT_EQ(manifolds.empty(), separation > 0) << separation;
+    double deepest = std::numeric_limits<double>::infinity();
+    Vec3d normal = Vec3d::Zero();
+    for (const Manifold<double>& manifold : manifolds) {
+      for (const ContactPoint<double>& point : manifold.points) {
+        if (point.separation >= deepest) continue;
+        deepest = point.separation;
+        normal = manifold.normal;
+      }
+    }
+    if (manifolds.empty()) continue;
+    EXPECT_LE(deepest, separation + kRounding);
+    EXPECT_GE(deepest, (internal_edges ? 1.1 * separation : separation) - kRounding);
+    if (internal_edges) continue;
+    EXPECT_NEAR(nearest_gap(triangles, normal, separation), separation, kRounding);
+  }
+}
+
+struct Tallies {
+  Tally bullet;
+  Tally ode;
+  Tally fcl;
 };
 
-/// A triangle as a flat hull with a face on either side.
-Hull<double> flat_hull(const Mesh<double>& mesh, int triangle) {
-  Hull<double> result;
-  for (int k = 0; k < 3; ++k) {
-    result.vertices.push_back(mesh.corner(triangle, k));
-    // Forwards around the front, and backwards around the back.
-    result.half_edges.push_back({k, 2 * ((k + 1) % 3), 0});
-    result.half_edges.push_back({(k + 1) % 3, 2 * ((k + 2) % 3) + 1, 1});
-  }
-  const Vec3d& normal = mesh.normal(triangle);
-  const double offset = normal.dot(mesh.corner(triangle, 0));
-  result.planes = {{normal, offset}, {-normal, -offset}};
-  result.face_edges = {0, 1};
-  return result;
+std::span<const Rule> rules_on_mesh(const Peer& peer, const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  if (hull == nullptr) return round_mesh_rules_of(peer);
+  return mesh_rules_of(peer, std::holds_alternative<Box>(shape_of(*hull)));
 }
 
-/// The largest gap along any axis to the nearest triangle: metres, negative where they overlap.
-double separation_by_exhaustion(const OnMesh& pair) {
-  const Hull<double>& hull = pair.the_hull();
-  const Mesh<double>& mesh = pair.the_mesh();
-  const Vec3d centre = pair.placed.b.inverse_transform(pair.placed.a.transform(hull.centroid));
-  double least = std::numeric_limits<double>::infinity();
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    if ((mesh.corner(t, 0) - centre).norm() > hull.radius + 0.8) continue;
-    least = std::min(
-        least,
-        test::brute_force_sat(hull, pair.placed.a, flat_hull(mesh, t), pair.placed.b).separation);
-  }
-  return least;
-}
-
-/// Pairs of W7, every other one lifted off by 5 to 20 mm.
-std::vector<OnMesh> pairs_of(Workload workload, int count) {
-  test::Random random(20150308);
-  std::vector<OnMesh> result;
-  const std::vector<bench::WorkloadPair> made = bench::make_workload(workload, count);
-  for (const bench::WorkloadPair& pair : made) {
-    OnMesh on{pair.a, pair.b, pair.steps.front()};
-    const Vec3d up = on.placed.b.rotate(Vec3d::UnitY());
-    if (result.size() % 2 == 1) on.placed.a.position += random.uniform(0.005, 0.020) * up;
-    result.push_back(on);
-  }
-  return result;
-}
-
-bool ours_touches(const OnMesh& pair) {
-  Manifolds<double> manifolds;
-  collide<double>(*pair.hull, pair.placed.a, *pair.mesh, pair.placed.b, {}, manifolds);
-  return !manifolds.empty();
-}
-
-struct Count {
-  int asked = 0;
-  int phantom = 0;
-  int missed = 0;
-};
-
-std::vector<Count> count_wrong(Workload workload) {
+Tallies compare_all(const std::vector<OnMesh>& pairs) {
   const std::vector<std::unique_ptr<Peer>> peers = make_peers();
-  std::vector<Count> counts(peers.size());
+  std::vector<Tally> tallies;
+  for (const auto& peer : peers) tallies.emplace_back(rules_on_mesh(*peer, *pairs.front().shape));
   int touching = 0;
   int apart = 0;
-  for (const OnMesh& pair : pairs_of(workload, 300)) {
-    const double separation = separation_by_exhaustion(pair);
+  for (const OnMesh& pair : pairs) {
+    const std::vector<WithTriangle> triangles = triangles_near(pair);
+    const double separation = triangles.front().separation;
     if (std::abs(separation) < kNearlyTouching) continue;
     (separation > 0 ? apart : touching) += 1;
-    EXPECT_EQ(ours_touches(pair), separation < 0) << separation;
+    expect_right(pair, triangles);
+    const std::shared_ptr<const Mesh<double>> mesh(pair.mesh, &pair.the_mesh());
     for (std::size_t i = 0; i < peers.size(); ++i) {
-      const std::shared_ptr<const Mesh<double>> mesh(pair.mesh, &pair.the_mesh());
-      const auto prepared = peers[i]->pair(shape_of(pair.the_hull()), mesh);
+      const auto prepared = peers[i]->pair(shape_of(*pair.shape), mesh);
       if (!prepared) continue;
-      prepared->place(pair.placed.a, pair.placed.b);
-      ++counts[i].asked;
-      const bool found = prepared->collide().touching();
-      if (found && separation > 0) ++counts[i].phantom;
-      if (!found && separation < 0) ++counts[i].missed;
+      prepared->place(pair.pose, pair.mesh_pose);
+      const PeerContact answer = prepared->collide();
+      EXPECT_FALSE(answer.failed);
+      judge(triangles, answer, tolerance_on_mesh(*peers[i]), rules_on_mesh(*peers[i], *pair.shape),
+            tallies[i]);
     }
   }
-  EXPECT_GT(touching, 100);
-  EXPECT_GT(apart, 50);
+  EXPECT_GT(touching, 50);
+  EXPECT_GT(apart, 25);
   for (std::size_t i = 0; i < peers.size(); ++i) {
-    std::printf("%-6s %d asked, %d phantom, %d missed\n", peers[i]->name(), counts[i].asked,
-                counts[i].phantom, counts[i].missed);
+    EXPECT_EQ(tallies[i].unexplained(), "") << peers[i]->name();
+    std::printf("%-6s %s\n", peers[i]->name(), tallies[i].summary().c_str());
   }
-  return counts;
+  return {tallies[0], tallies[1], tallies[2]};
 }
 
-// Bullet's clipping to a face's plane, as in rules.cpp, leaves nothing of some contacts of an edge
-// or a vertex of the mesh. Bounds are a third above what Debian 12 gives.
-TEST(MeshPairs, BoxesTouchWhereTheyDo) {
-  const std::vector<Count> counts = count_wrong(Workload::BoxMesh);
-  for (const Count& count : counts) EXPECT_EQ(count.phantom, 0);
-  EXPECT_LE(counts[0].missed, 3);
-  EXPECT_EQ(counts[1].missed, 0);
-  EXPECT_EQ(counts[2].missed, 0);
-  EXPECT_GT(counts[1].asked, 250);
+TEST(MeshPairs, BoxesDifferByNamedRules) {
+  const Tallies tallies = compare_all(hulls_on_mesh(Workload::BoxMesh, kPairs));
+  EXPECT_GE(tallies.bullet.agreed(), kPairs - 20);
+  EXPECT_GE(tallies.ode.agreed(), kPairs - 40);
+  EXPECT_GT(tallies.ode.count(kEdgeFactorOnMesh), 0);
+  EXPECT_GE(tallies.fcl.agreed(), kPairs - 10);
 }
 
-TEST(MeshPairs, HullsTouchWhereTheyDo) {
-  const std::vector<Count> counts = count_wrong(Workload::HullMesh);
-  for (const Count& count : counts) EXPECT_EQ(count.phantom, 0);
-  EXPECT_LE(counts[0].missed, 11);
-  EXPECT_EQ(counts[1].asked, 0) << "ODE has no such pair";
-  EXPECT_EQ(counts[2].missed, 0);
+TEST(MeshPairs, HullsDifferByNamedRules) {
+  const Tallies tallies = compare_all(hulls_on_mesh(Workload::HullMesh, kPairs));
+  EXPECT_GE(tallies.bullet.agreed(), kPairs - 20);
+  EXPECT_EQ(tallies.ode.compared(), 0) << "ODE has no such pair";
+  EXPECT_GE(tallies.fcl.agreed(), kPairs - 10);
+}
+
+TEST(MeshPairs, SpheresDifferByNamedRules) {
+  const Tallies tallies = compare_all(rounds_on_mesh(ShapeKind::Sphere, kPairs));
+  EXPECT_GE(tallies.bullet.agreed(), kPairs - 10);
+  EXPECT_EQ(tallies.ode.agreed(), kPairs);
+  EXPECT_EQ(tallies.fcl.count(kSphereSign), kPairs / 2) << "all that touch";
+}
+
+TEST(MeshPairs, CapsulesDifferByNamedRules) {
+  const Tallies tallies = compare_all(rounds_on_mesh(ShapeKind::Capsule, kPairs));
+  EXPECT_GE(tallies.bullet.agreed(), kPairs - 10);
+  EXPECT_EQ(tallies.ode.agreed(), tallies.ode.compared());
+  EXPECT_GE(tallies.fcl.agreed(), kPairs - 20);
+}
+
+TEST(MeshPairs, NoRuleExplainsAWrongAnswer) {
+  const std::vector<std::unique_ptr<Peer>> peers = make_peers();
+  const std::vector<OnMesh> drawn[] = {
+      hulls_on_mesh(Workload::BoxMesh, 12), hulls_on_mesh(Workload::HullMesh, 12),
+      rounds_on_mesh(ShapeKind::Sphere, 12), rounds_on_mesh(ShapeKind::Capsule, 12)};
+  for (const std::vector<OnMesh>& pairs : drawn) {
+    int judged = 0;
+    for (const OnMesh& pair : pairs) {
+      const std::vector<WithTriangle> triangles = triangles_near(pair);
+      if (triangles.front().separation > -0.003) continue;
+      ++judged;
+      for (const auto& peer : peers) {
+        const std::shared_ptr<const Mesh<double>> mesh(pair.mesh, &pair.the_mesh());
+        const auto prepared = peer->pair(shape_of(*pair.shape), mesh);
+        if (!prepared) continue;
+        prepared->place(pair.pose, pair.mesh_pose);
+        const PeerContact right = prepared->collide();
+        const std::span<const Rule> rules = rules_on_mesh(*peer, *pair.shape);
+        const auto judged_as = [&](const PeerContact& answer) {
+          Tally tally(rules);
+          judge(triangles, answer, tolerance_on_mesh(*peer), rules, tally);
+          return tally;
+        };
+        const auto unexplained = [&](const PeerContact& answer) {
+          return judged_as(answer).unexplained();
+        };
+        if (judged_as(right).agreed() == 0) continue;  // its habits show here
+        EXPECT_NE(unexplained({}), "") << peer->name() << " finds nothing";
+        PeerContact wrong = right;
+        for (PeerPoint& point : wrong.points) point.normal = -point.normal;
+        EXPECT_NE(unexplained(wrong), "") << peer->name() << " has the normal reversed";
+        wrong = right;
+        for (PeerPoint& point : wrong.points) point.separation *= 8;
+        EXPECT_NE(unexplained(wrong), "") << peer->name() << " is too deep";
+        // Another triangle may well be half as deep.
+        if (triangles.size() > 1 && triangles[1].separation <= 0) continue;
+        wrong = right;
+        for (PeerPoint& point : wrong.points) point.separation *= 0.5;
+        EXPECT_NE(unexplained(wrong), "") << peer->name() << " is not deep enough";
+      }
+    }
+    EXPECT_GT(judged, 2);
+  }
 }
 
 }  // namespace

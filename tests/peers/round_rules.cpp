@@ -4,6 +4,7 @@
 
 #include "geometry/primitives.h"
 #include "peers/rules.h"
+#include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
 
 namespace contactscope::peers {
@@ -76,6 +77,42 @@ bool within_epa_accuracy(const Comparison& c) {
   return cores_overlap(c) && off(c) <= kEpaMetres;
 }
 
+/// Where the shape without its radius and the triangle are closest, on the triangle, world.
+Vec3d closest_on_triangle(const RoundPair& pair) {
+  const auto* capsule = std::get_if<Capsule<double>>(&pair.a);
+  const test::Features core =
+      capsule == nullptr
+          ? test::features_of_point(Vec3d::Zero(), pair.pose_a)
+          : test::features_of_segment(capsule->points[0], capsule->points[1], pair.pose_a);
+  const auto& triangle = std::get<Hull<double>>(pair.b);
+  return test::brute_force_distance(core, test::features_of(triangle, pair.pose_b))
+      .on_b.cast<double>();
+}
+
+/// As in rules.cpp: 0.02 of the largest distance of a point of the shape from its origin, bounded by
+/// its box for a capsule. Points are between the surfaces, so the depth comes to it.
+bool replaced_by_a_neighbour(const Comparison& c) {
+  const auto* capsule = std::get_if<Capsule<double>>(&c.round->a);
+  const double radius = radius_of(c.round->a);
+  Vec3d half = Vec3d::Constant(radius);
+  if (capsule != nullptr) half += capsule->points[1].cwiseAbs();
+  const double threshold = 0.02 * (capsule == nullptr ? radius : half.norm());
+  const Vec3d lost = closest_on_triangle(*c.round);
+  return std::ranges::any_of(c.answer.points, [&](const PeerPoint& point) {
+    return (point.position - lost).norm() <= threshold + c.depth();
+  });
+}
+
+/// fcl::detail::sphereTriangleIntersect gives the distance less the radius, negative in overlap, as
+/// the depth. The deepest point is then the one that seems farthest apart.
+bool has_its_sign_reversed(const Comparison& c) {
+  if (!std::holds_alternative<Sphere<double>>(c.round->a) || c.answer.points.empty()) return false;
+  const PeerPoint& deepest = *std::ranges::max_element(c.answer.points, {}, &PeerPoint::separation);
+  const double overlap = -separation_along(deepest.normal.normalized(), *c.round);
+  return std::abs(deepest.separation - c.depth()) <= c.tolerance &&
+         overlap <= c.depth() + c.tolerance;
+}
+
 constexpr Rule kBulletRules[] = {
     {Aspect::Normal, kEpaAccuracy, within_epa_accuracy},
     {Aspect::Depth, kEpaAccuracy, within_epa_accuracy},
@@ -93,7 +130,23 @@ constexpr Rule kFclRules[] = {
     {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
 };
 
+constexpr Rule kBulletMeshRules[] = {
+    {Aspect::Deepest, kReplaced, replaced_by_a_neighbour},
+};
+
+constexpr Rule kFclMeshRules[] = {
+    {Aspect::Touching, kSphereSign, has_its_sign_reversed},
+    {Aspect::Normal, kWayOut, on_the_way_out<mean_of_vertices>},
+    {Aspect::Depth, kWayOut, nearest_on_triangle<mean_of_vertices>},
+};
+
 }  // namespace
+
+std::span<const Rule> round_mesh_rules_of(const Peer& peer) {
+  const std::string_view name = peer.name();
+  if (name == "Bullet") return kBulletMeshRules;
+  return name == "FCL" ? std::span<const Rule>(kFclMeshRules) : std::span<const Rule>();
+}
 
 std::span<const Rule> round_rules_of(const Peer& peer) {
   const std::string_view name = peer.name();

@@ -25,11 +25,24 @@ inline constexpr const char* kFacePlane = "depth below a face plane of a coarse 
 inline constexpr const char* kClamped =
     "depth below a face plane clamped by the breaking threshold";
 
+// Meshes.
+inline constexpr const char* kEdgeFactorOnMesh = "edge axis must win by a factor 1.5";
+inline constexpr const char* kClippedPart = "depth of what clipping leaves of the triangle";
+inline constexpr const char* kSphereSign = "depth of a sphere on a triangle has its sign reversed";
+inline constexpr const char* kReplaced = "a neighbour's point within the breaking threshold stays";
+
 /// For a library by name; `boxes` for two boxes, else for hulls.
 std::span<const Rule> rules_of(const Peer& peer, bool boxes);
 
+/// For a box (`box`) or another hull, A, and the triangle of a mesh that its deepest point is on, B,
+/// as a flat hull.
+std::span<const Rule> mesh_rules_of(const Peer& peer, bool box);
+
 /// For spheres and capsules, with each other or with hulls.
 std::span<const Rule> round_rules_of(const Peer& peer);
+
+/// The same for a sphere or a capsule on a mesh.
+std::span<const Rule> round_mesh_rules_of(const Peer& peer);
 
 /// Metres, for a pair of this extent. Within it an answer agrees.
 double tolerance_of(const Peer& peer, double length_scale);
