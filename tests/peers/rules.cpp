@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 namespace contactscope::peers {
@@ -102,20 +101,7 @@ bool deeper_by_cosine_fudge(const Comparison& c) {
   return c.reported >= c.overlap && c.reported <= c.overlap + growth + c.tolerance;
 }
 
-/// btCollisionShape::getContactBreakingThreshold of the less extended shape: by default the
-/// dispatcher takes 0.02 of the largest distance that a point of the shape may have from its origin,
-/// bounded by its box.
-double breaking_threshold(const Hull<double>& hull) {
-  Vec3d low = hull.vertices[0];
-  Vec3d high = low;
-  for (const Vec3d& vertex : hull.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  return 0.02 * (0.5 * (high - low).norm() + 0.5 * (high + low).norm());
-}
-
-double breaking_threshold(const Comparison& c) {
+double least_threshold(const Comparison& c) {
   return std::min(breaking_threshold(c.hulls->a), breaking_threshold(c.hulls->b));
 }
 
@@ -128,7 +114,7 @@ bool replaced_by_a_neighbour(const Comparison& c) {
   const Vec3d corner_b = extreme(c.hulls->b, c.hulls->pose_b, Vec3d(-point.normal));
   const double nearest =
       std::min((corner_a - point.position).norm(), (corner_b - point.position).norm());
-  return nearest <= breaking_threshold(c) + c.overlap;
+  return nearest <= least_threshold(c) + c.overlap;
 }
 
 /// Where ODE puts the origin of a hull: see ode.cpp.
@@ -223,84 +209,7 @@ bool measured_to_a_face_plane(const Comparison& c) {
 
 /// It lets no depth exceed the one that GJK and EPA found by more than the threshold.
 bool clamped_by_threshold(const Comparison& c) {
-  return std::abs(c.reported - c.overlap - breaking_threshold(c)) <= kEpaAccuracyMetres;
-}
-
-/// collision_trimesh_box.cpp: fDepth * 1.5f < m_fBestDepth.
-bool wins_by_edge_factor_on_mesh(const Comparison& c) {
-  constexpr double kFactor = 1.5;
-  return c.overlap <= kFactor * c.depth() + c.tolerance;
-}
-
-/// As in round_rules.cpp: or where a face of the polytope is too thin for float, which leaves about
-/// ten times that; triangles make thin ones.
-bool within_epa_accuracy_on_mesh(const Comparison& c) {
-  return c.overlap - c.depth() <= 15 * kEpaAccuracyMetres;
-}
-
-/// The triangle is clipped to the box or the box's face to the triangle, and what is left may be less
-/// deep than the whole along that normal, but not less deep than the least overlap.
-bool deepest_of_what_is_left(const Comparison& c) {
-  return c.reported <= c.overlap && c.reported >= c.depth() - c.tolerance;
-}
-
-/// What is left of a polygon within the planes through a face's edges across it, hull's frame.
-std::vector<Vec3d> within_sides(std::vector<Vec3d> polygon, const Hull<double>& hull, int face) {
-  const std::vector<int> loop = face_vertices(hull, face);
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3d& from = hull.vertices[static_cast<std::size_t>(loop[k])];
-    const Vec3d& to = hull.vertices[static_cast<std::size_t>(loop[(k + 1) % loop.size()])];
-    const Vec3d outward =
-        (to - from).cross(hull.planes[static_cast<std::size_t>(face)].normal).normalized();
-    std::vector<Vec3d> left;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3d& point = polygon[i];
-      const Vec3d& next = polygon[(i + 1) % polygon.size()];
-      const double here = outward.dot(point - from);
-      const double there = outward.dot(next - from);
-      if (here <= 0) left.push_back(point);
-      if ((here < 0) != (there < 0)) left.push_back(point + here / (here - there) * (next - point));
-    }
-    polygon = left;
-  }
-  return polygon;
-}
-
-/// What btPolyhedralContactClipping::clipFaceAgainstHull leaves of the triangle B: it clips to the
-/// sides of the face of the hull A that looks most along the normal that GJK and EPA found.
-struct ClippedTriangle {
-  double depth = 0;              // of the deepest point, below that face; 0 if nothing is left
-  std::optional<Vec3d> deepest;  // world
-};
-
-ClippedTriangle clipped_triangle(const Comparison& c) {
-  const Hull<double>& hull = c.hulls->a;
-  const Pose<double>& pose = c.hulls->pose_a;
-  std::vector<Vec3d> triangle;
-  for (const Vec3d& corner : c.hulls->b.vertices) {
-    triangle.push_back(pose.inverse_transform(c.hulls->pose_b.transform(corner)));
-  }
-  const test::BruteForceAxis truth = test::brute_force_sat(hull, pose, c.hulls->b, c.hulls->pose_b);
-  const Vec3d along = pose.inverse_rotate(truth.normal);
-  const auto facing = std::ranges::max_element(
-      hull.planes, {}, [&](const Plane<double>& plane) { return plane.normal.dot(along); });
-  ClippedTriangle result;
-  for (const Vec3d& point :
-       within_sides(triangle, hull, static_cast<int>(facing - hull.planes.begin()))) {
-    if (-facing->distance(point) <= result.depth) continue;
-    result = {-facing->distance(point), pose.transform(point)};
-  }
-  return result;
-}
-
-/// As replaced_by_a_neighbour, of a point in the midst of a face.
-bool replaced_by_another_triangle(const Comparison& c) {
-  const ClippedTriangle clipped = clipped_triangle(c);
-  if (!clipped.deepest) return false;
-  const double reach = breaking_threshold(c.hulls->a) + clipped.depth;
-  return std::ranges::any_of(c.answer.points, [&](const PeerPoint& point) {
-    return (point.position - *clipped.deepest).norm() <= reach;
-  });
+  return std::abs(c.reported - c.overlap - least_threshold(c)) <= kEpaAccuracyMetres;
 }
 
 constexpr Rule kBoxRules[] = {
@@ -336,28 +245,16 @@ constexpr Rule kBulletHullRules[] = {
     {Aspect::Depth, kMinDistance, within_min_distance},
 };
 
-constexpr Rule kOdeBoxOnMeshRules[] = {
-    {Aspect::Normal, kEdgeFactorOnMesh, wins_by_edge_factor_on_mesh},
-    {Aspect::Depth, kClippedPart, deepest_of_what_is_left},
-};
-
-constexpr Rule kBulletOnMeshRules[] = {
-    {Aspect::Touching, kMinDistance, within_min_distance},
-    {Aspect::Touching, kFacePlane, measured_to_a_face_plane},
-    {Aspect::Deepest, kReplaced, replaced_by_another_triangle},
-    {Aspect::Normal, kMinDistance, normal_near_min_distance},
-    {Aspect::Normal, kEpaAccuracy, within_epa_accuracy_on_mesh},
-    {Aspect::Depth, kFacePlane, measured_to_a_face_plane},
-    {Aspect::Depth, kMinDistance, within_min_distance},
-};
-
 }  // namespace
 
-std::span<const Rule> mesh_rules_of(const Peer& peer, bool box) {
-  const std::string_view name = peer.name();
-  if (name == "Bullet") return kBulletOnMeshRules;
-  if (name == "ODE" && box) return kOdeBoxOnMeshRules;
-  return rules_of(peer, false);
+double breaking_threshold(const Hull<double>& hull) {
+  Vec3d low = hull.vertices[0];
+  Vec3d high = low;
+  for (const Vec3d& vertex : hull.vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  return 0.02 * (0.5 * (high - low).norm() + 0.5 * (high + low).norm());
 }
 
 std::span<const Rule> rules_of(const Peer& peer, bool boxes) {

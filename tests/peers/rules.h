@@ -44,6 +44,11 @@ std::span<const Rule> round_rules_of(const Peer& peer);
 /// The same for a sphere or a capsule on a mesh.
 std::span<const Rule> round_mesh_rules_of(const Peer& peer);
 
+/// btCollisionShape::getContactBreakingThreshold of the less extended shape: by default the
+/// dispatcher takes 0.02 of the largest distance that a point of the shape may have from its origin,
+/// bounded by its box.
+double breaking_threshold(const Hull<double>& hull);
+
 /// Metres, for a pair of this extent. Within it an answer agrees.
 double tolerance_of(const Peer& peer, double length_scale);
 
