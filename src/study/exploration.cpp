@@ -2,35 +2,51 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
-#include <set>
+#include <optional>
 #include <tuple>
 
 #include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "scenario/run.h"
+#include "study/patch_motion.h"
 #include "study/reduction_quality.h"
 
 namespace contactscope {
 namespace {
 
-using PairName = std::tuple<std::string, std::string, std::string>;
+/// Names of both shapes, the label, and the triangle of a mesh or -1.
+using ManifoldName = std::tuple<std::string, std::string, std::string, int>;
 
-PairName name_of(const trace::Pair& pair) {
-  return {pair.a, pair.b, pair.label};
+ManifoldName name_of(const trace::Exploration& exploration) {
+  return {exploration.a, exploration.b, exploration.label, exploration.triangle.value_or(-1)};
 }
 
-/// The scenario without reduction, each pair of shapes once for each setting but the reducer that
-/// changes what is kept.
+/// The scenario without reduction, each pair of shapes once for each setting but the reducer. What
+/// then stands for several pairs goes by no label of one of them, unless it needs one.
 Scenario unreduced(const Scenario& scenario) {
   Scenario result = scenario;
-  std::set<std::tuple<int, int, int, double, Preference>> seen;
-  std::erase_if(result.pairs, [&](const ScenarioPair& pair) {
-    const PipelineSettings& settings = pair.pipeline;
-    return !seen.emplace(pair.a, pair.b, settings.max_points, settings.margin, settings.preference)
-                .second;
-  });
-  for (ScenarioPair& pair : result.pairs) pair.pipeline.reducer = "none";
+  result.pairs.clear();
+  for (ScenarioPair pair : scenario.pairs) {
+    pair.pipeline.reducer = "none";
+    const auto same_shapes = [&](const ScenarioPair& other) {
+      return other.a == pair.a && other.b == pair.b;
+    };
+    const bool is_known = std::ranges::any_of(result.pairs, [&](const ScenarioPair& other) {
+      return same_shapes(other) && other.pipeline == pair.pipeline;
+    });
+    if (!is_known) result.pairs.push_back(pair);
+  }
+  for (ScenarioPair& pair : result.pairs) {
+    const auto of_these = [&](const ScenarioPair& other) {
+      return other.a == pair.a && other.b == pair.b;
+    };
+    if (std::ranges::count_if(result.pairs, of_these) == 1 &&
+        std::ranges::count_if(scenario.pairs, of_these) > 1) {
+      pair.label.clear();
+    }
+  }
   return result;
 }
 
@@ -50,7 +66,7 @@ class Ids {
 /// What a reducer kept in the last frame.
 struct Memory {
   std::vector<FeatureId> ids;
-  Vec3d middle = Vec3d::Zero();
+  std::vector<NamedPlace> places;
 };
 
 template <class S>
@@ -61,29 +77,31 @@ class Explorer {
     for (const std::string& name : names) reducers_.push_back(find_reducer<S>(name));
   }
 
-  /// `load`: a place that the weight of the resting body goes through.
-  void answer(const trace::Manifold& manifold, const Vec3d& load, bool measure_time,
+  /// All but whether the centre of mass is supported, which takes all manifolds of a pair.
+  void answer(int frame, const trace::Manifold& manifold, bool measure_time,
               trace::Exploration& result) {
+    if (frame != last_frame_ + 1) forget();
+    last_frame_ = frame;
     set_points(manifold);
     const std::vector<Reduction> reductions = reduce_all();
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      result.reducers.push_back(describe(i, reductions[i].kept, manifold.normal, load));
+      result.reducers.push_back(describe(i, reductions[i].kept, manifold));
     }
     result.best_area = best_convex_area(manifold.normal);
     const Reduction best = run(find_reducer<S>("optimal"), {});
     result.best.assign(best.kept.begin(), best.kept.end());
     if (measure_time && points_.size() > static_cast<std::size_t>(max_points_)) time_all(result);
-    for (std::size_t i = 0; i < names_.size(); ++i) remember(i, reductions[i].kept);
-    started_ = true;
-  }
-
-  /// Nothing touches: what was kept is gone.
-  void forget() {
-    for (Memory& memory : memories_) memory.ids.clear();
-    started_ = false;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      memories_[i] = {ids_of(reductions[i].kept), places_of(reductions[i].kept, manifold)};
+    }
   }
 
  private:
+  /// Nothing touched: what was kept is gone.
+  void forget() {
+    for (Memory& memory : memories_) memory = {};
+  }
+
   void set_points(const trace::Manifold& manifold) {
     points_.clear();
     exact_.clear();
@@ -117,23 +135,23 @@ class Explorer {
     return contactscope::best_convex_area(places, normal, max_points_);
   }
 
-  trace::ReducerAnswer describe(std::size_t i, const KeptIndices& kept, const Vec3d& normal,
-                                const Vec3d& load) const {
+  trace::ReducerAnswer describe(std::size_t i, const KeptIndices& kept,
+                                const trace::Manifold& manifold) const {
     trace::ReducerAnswer answer;
     answer.name = names_[i];
     answer.kept.assign(kept.begin(), kept.end());
     // `none` keeps more than max_points: it is measured against itself.
     const int allowed = std::max(max_points_, static_cast<int>(kept.size()));
-    const ReductionQuality quality = measure_reduction(exact_, normal, answer.kept, allowed);
+    const ReductionQuality quality =
+        measure_reduction(exact_, manifold.normal, answer.kept, allowed);
     answer.area = quality.area;
     answer.area_ratio = quality.area_ratio;
     answer.deepest_kept = quality.deepest_kept;
     answer.wrench_error = quality.wrench_error;
     answer.depth_error = quality.depth_error;
-    answer.supports_center_of_mass = supports(exact_, normal, answer.kept, load);
-    if (started_) {
+    if (!memories_[i].ids.empty()) {
       answer.ids_changed = changed(memories_[i].ids, ids_of(kept));
-      answer.patch_moved = (middle_of(kept) - memories_[i].middle).norm();
+      answer.patch_moved = patch_move(memories_[i].places, places_of(kept, manifold));
     }
     return answer;
   }
@@ -144,10 +162,14 @@ class Explorer {
     return ids;
   }
 
-  Vec3d middle_of(const KeptIndices& kept) const {
-    Vec3d sum = Vec3d::Zero();
-    for (const int index : kept) sum += exact_[static_cast<std::size_t>(index)].position;
-    return sum / static_cast<double>(std::max<std::size_t>(1, kept.size()));
+  static std::vector<NamedPlace> places_of(const KeptIndices& kept,
+                                           const trace::Manifold& manifold) {
+    std::vector<NamedPlace> places;
+    for (const int index : kept) {
+      const trace::Point& point = manifold.points[static_cast<std::size_t>(index)];
+      places.push_back({point.id, point.position});
+    }
+    return places;
   }
 
   static int changed(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
@@ -156,10 +178,6 @@ class Explorer {
           from, [&](const FeatureId& id) { return std::ranges::find(in, id) == in.end(); });
     };
     return static_cast<int>(missing(before, now) + missing(now, before));
-  }
-
-  void remember(std::size_t i, const KeptIndices& kept) {
-    memories_[i] = {ids_of(kept), middle_of(kept)};
   }
 
   void time_all(trace::Exploration& result) const {
@@ -191,7 +209,7 @@ class Explorer {
   std::vector<Reducer<S>> reducers_;
   std::vector<Memory> memories_;
   int max_points_;
-  bool started_ = false;
+  int last_frame_ = -2;
   Ids ids_;
   std::vector<ContactPoint<S>> points_;
   std::vector<ContactPoint<double>> exact_;
@@ -204,34 +222,54 @@ const Pose<double>& pose_of(const trace::Frame& frame, const std::string& shape)
       ->second;
 }
 
+Vec3d up_of(const trace::Header& header) {
+  return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+}
+
+const trace::Shape& shape_of(const trace::Header& header, const std::string& name) {
+  return *std::ranges::find(header.shapes, name, &trace::Shape::name);
+}
+
 /// The centre of mass, in the world, of the body of a pair that is higher up: the one that rests.
 Vec3d resting_center(const trace::Header& header, const trace::Frame& frame,
                      const trace::Pair& pair) {
-  const Vec3d up = header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
   const auto center = [&](const std::string& name) -> Vec3d {
-    const auto shape = std::ranges::find(header.shapes, name, &trace::Shape::name);
-    return pose_of(frame, name).transform(shape->center_of_mass);
+    return pose_of(frame, name).transform(shape_of(header, name).center_of_mass);
   };
   const Vec3d a = center(pair.a);
   const Vec3d b = center(pair.b);
-  return a.dot(up) > b.dot(up) ? a : b;
+  return a.dot(up_of(header)) > b.dot(up_of(header)) ? a : b;
 }
 
-/// How far what each body has at a point moved since the frame before, at most.
-double moved(const trace::Frame& before, const trace::Frame& now, const trace::Pair& pair,
-             const std::vector<trace::Point>& points) {
+double bodies_move(const trace::Header& header, const trace::Frame& before, const trace::Frame& now,
+                   const trace::Pair& pair, const std::vector<trace::Point>& points) {
   double most = 0;
   for (const std::string& name : {pair.a, pair.b}) {
-    const Pose<double>& from = pose_of(before, name);
-    const Pose<double>& to = pose_of(now, name);
-    // There and back through the local frame would leave rounding.
-    if (from.position == to.position && from.rotation.coeffs() == to.rotation.coeffs()) continue;
-    for (const trace::Point& point : points) {
-      const Vec3d then = from.transform(to.inverse_transform(point.position));
-      most = std::max(most, (point.position - then).norm());
-    }
+    most = std::max(most, surface_move(shape_of(header, name), pose_of(before, name),
+                                       pose_of(now, name), points));
   }
   return most;
+}
+
+/// A weight goes straight down, whichever way the contact leans, and rests on what is kept of all
+/// the pair's manifolds together: a triangle of a floor alone holds few boxes.
+void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Exploration> manifolds) {
+  std::vector<ContactPoint<double>> points;
+  for (const trace::Exploration& manifold : manifolds) {
+    for (const trace::Point& point : manifold.points)
+      points.push_back({point.position, point.separation, FeatureId()});
+  }
+  for (std::size_t i = 0; i < manifolds.front().reducers.size(); ++i) {
+    std::vector<int> kept;
+    int first = 0;
+    for (const trace::Exploration& manifold : manifolds) {
+      for (const int index : manifold.reducers[i].kept) kept.push_back(first + index);
+      first += static_cast<int>(manifold.points.size());
+    }
+    const bool supported = supports(points, up, kept, load);
+    for (trace::Exploration& manifold : manifolds)
+      manifold.reducers[i].supports_center_of_mass = supported;
+  }
 }
 
 template <class S>
@@ -241,32 +279,35 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
   const Scenario source = unreduced(scenario);
   const Runner runner(source);
   const trace::Header header = runner.header();
-  std::map<PairName, Explorer<S>> explorers;
+  std::map<ManifoldName, Explorer<S>> explorers;
   std::vector<trace::Exploration> result;
   trace::Frame before;
   for (int f = 0; f <= last_frame; ++f) {
     const trace::Frame frame = runner.frame_unrecorded(f);
     for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
       const trace::Pair& pair = frame.pairs[i];
-      Explorer<S>& explorer =
-          explorers.try_emplace(name_of(pair), names, source.pairs[i].pipeline.max_points)
-              .first->second;
-      if (pair.manifolds.empty()) {
-        explorer.forget();
-        continue;
+      const std::size_t first = result.size();
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        if (manifold.points.empty()) continue;
+        trace::Exploration exploration;
+        exploration.scenario = scenario.name;
+        exploration.frame = f;
+        exploration.a = pair.a;
+        exploration.b = pair.b;
+        exploration.label = pair.label;
+        exploration.triangle = manifold.triangle;
+        exploration.points = manifold.points;
+        exploration.normal = manifold.normal;
+        if (f > 0)
+          exploration.bodies_moved = bodies_move(header, before, frame, pair, manifold.points);
+        explorers.try_emplace(name_of(exploration), names, source.pairs[i].pipeline.max_points)
+            .first->second.answer(f, manifold, measure_time, exploration);
+        result.push_back(std::move(exploration));
       }
-      const trace::Manifold& manifold = pair.manifolds.front();
-      trace::Exploration exploration;
-      exploration.scenario = scenario.name;
-      exploration.frame = f;
-      exploration.a = pair.a;
-      exploration.b = pair.b;
-      exploration.label = pair.label;
-      exploration.points = manifold.points;
-      exploration.normal = manifold.normal;
-      if (f > 0) exploration.bodies_moved = moved(before, frame, pair, manifold.points);
-      explorer.answer(manifold, resting_center(header, frame, pair), measure_time, exploration);
-      result.push_back(std::move(exploration));
+      if (result.size() > first) {
+        find_supported(up_of(header), resting_center(header, frame, pair),
+                       std::span(result).subspan(first));
+      }
     }
     before = frame;
   }
@@ -295,9 +336,8 @@ std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& exp
     ReducerSummary row;
     row.name = explorations.front().reducers[i].name;
     row.mean_area_ratio = row.deepest_kept = row.supported = 0;
-    double patch = 0;
-    double bodies = 0;
     std::vector<double> medians;
+    std::vector<double> quarters;
     std::vector<double> least;
     const double share = 1.0 / static_cast<double>(explorations.size());
     for (const trace::Exploration& exploration : explorations) {
@@ -310,14 +350,20 @@ std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& exp
       row.deepest_kept += answer.deepest_kept ? share : 0;
       row.supported += answer.supports_center_of_mass ? share : 0;
       row.ids_changed += answer.ids_changed;
-      patch += answer.patch_moved;
-      bodies += exploration.bodies_moved;
+      if (answer.patch_moved > 0 || exploration.bodies_moved > 0) {
+        const double moves = exploration.bodies_moved > 0
+                                 ? answer.patch_moved / exploration.bodies_moved
+                                 : std::numeric_limits<double>::infinity();
+        row.moves = std::max(row.moves.value_or(0), moves);
+      }
       if (answer.median) medians.push_back(*answer.median);
+      if (answer.quarter) quarters.push_back(*answer.quarter);
       if (answer.min) least.push_back(*answer.min);
     }
-    row.moves = bodies > 0 ? patch / bodies : 0;
     std::ranges::sort(medians);
+    std::ranges::sort(quarters);
     if (!medians.empty()) row.median = medians[medians.size() / 2];
+    if (!quarters.empty()) row.quarter = quarters[quarters.size() / 2];
     if (!least.empty()) row.min = std::ranges::min(least);
     rows.push_back(row);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,12 @@ struct ExploreOptions {
 };
 
 /// Runs every reducer on the unreduced manifolds of frames 0 to `last_frame` of a scenario, in its
-/// scalar, with each pair's own max_points. One entry for each frame and pair that touches, frames
-/// in order; reducers in the order asked for. A reducer that goes by the frame before is given its
-/// own answer there. A pair of the same shapes that differs in its reducer alone is left out.
+/// scalar, with each pair's own max_points. One entry for each frame, pair that touches, and of a
+/// mesh each triangle that does, frames in order; reducers in the order asked for. A reducer that
+/// goes by the frame before is given its own answer there. Of pairs of the same shapes that differ
+/// in the reducer alone the first stands for all, without its label unless others of the same
+/// shapes are left. The weight of the body on top goes straight down through its centre of mass,
+/// and is supported by what is kept of all manifolds of the pair together.
 ///
 /// Times are of single calls with the input at hand, all reducers in turn, so that what else the
 /// machine does falls on all of them.
@@ -34,8 +38,11 @@ struct ReducerSummary {
   double deepest_kept = 1;       // share of the frames
   double supported = 1;          // share of the frames in which the centre of mass is
   int ids_changed = 0;           // over the sequence
-  double moves = 0;              // metres the patch moved over metres the bodies moved; 0 at rest
-  double median = 0;             // nanoseconds, over the frames; 0 when not measured
+  /// Metres that the patch moved from one frame to the next over metres that the bodies did, at
+  /// most. Infinite where a patch moved on bodies at rest, empty where nothing ever moved.
+  std::optional<double> moves;
+  double median = 0;   // nanoseconds, over the frames; 0 when not measured
+  double quarter = 0;  // the median of the upper quartiles
   double min = 0;
 };
 

@@ -34,6 +34,7 @@ std::string to_json_line(const Exploration& e) {
                {"a", e.a},
                {"b", e.b}};
   if (!e.label.empty()) line["label"] = e.label;
+  if (e.triangle) line["triangle"] = *e.triangle;
   line["points"] = points(e.points);
   line["normal"] = vector(e.normal, "normal");
   line["best_area"] = number(e.best_area, "best_area");

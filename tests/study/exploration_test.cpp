@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -17,8 +18,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A unit crate turned by 45 degrees, 5 mm deep in a floor of half its width: an octagon of contact.
-/// `crate` and `rest` go into the shape's table and to the end.
+/// A unit crate turned by 45 degrees, 5 mm deep in a floor of half its width: an octagon of
+/// contact. `crate` and `rest` go into the shape's table and to the end.
 Scenario octagon(const std::string& scalar, const std::string& crate, const std::string& rest = "",
                  int frames = 4) {
   return parse_scenario("title = \"Octagon\"\n[time]\nframes = " + std::to_string(frames) +
@@ -122,17 +123,143 @@ TEST_P(Explore, BodiesMoveAsTheScriptSays) {
   }
 }
 
-TEST_P(Explore, ATurningBodyMovesMostAtItsOutermostPoint) {
+TEST_P(Explore, ATurningBodyMovesMostAtItsCorners) {
   const std::string turning =
       std::string(kAtRest) + "\nmotion = { angular_velocity = [0, 0.01, 0] }";
   const auto explorations = explore(octagon(GetParam(), turning), 1, untimed());
   ASSERT_THAT(explorations, SizeIs(2));
-  double reach = 0;
-  for (const trace::Point& point : explorations[1].points) {
-    reach = std::max(reach, std::hypot(point.position.x(), point.position.z()));
+  // Also where the corners hang over and touch nothing.
+  EXPECT_NEAR(explorations[1].bodies_moved, 2 * std::sin(0.0025) * std::sqrt(0.5), 1e-6);
+}
+
+/// A bar of two metres that leans a milliradian on one end, then on the other, then rests: the
+/// corners of its ends are 9 and 11 mm deep.
+Scenario rocking_bar(const std::string& scalar) {
+  return parse_scenario(
+      "title = \"Bar\"\n[time]\nframes = 3\ndt = 1.0\n[pipeline]\nscalar = \"" + scalar +
+          "\"\nmax_points = 2\n[shapes.floor]\ntype = \"box\"\nhalf_extents = [3, 0.5, 3]\n"
+          "position = [0, -0.5, 0]\n[shapes.bar]\ntype = \"box\"\nhalf_extents = [1, 0.1, 0.25]\n"
+          "[shapes.bar.motion]\nkeyframes = [\n"
+          "{ time = 0, position = [0, 0.09, 0], rotation = { axis = [0, 0, 1], degrees = 0.0573 } "
+          "},\n"
+          "{ time = 1, position = [0, 0.09, 0], rotation = { axis = [0, 0, -1], degrees = 0.0573 } "
+          "},\n"
+          "{ time = 2, position = [0, 0.09, 0], rotation = { axis = [0, 0, -1], degrees = 0.0573 } "
+          "} ]\n",
+      "hull/bar.toml");
+}
+
+TEST_P(Explore, PointsThatGiveWayToOthersHaveMovedThere) {
+  const auto explorations =
+      explore(rocking_bar(GetParam()), 2, untimed({"deepest", "optimal_deepest"}));
+  ASSERT_THAT(explorations, SizeIs(3));
+  const trace::ReducerAnswer& over = answer_of(explorations[1], "deepest");
+  EXPECT_EQ(over.ids_changed, 4);
+  // From the left corner below to the right one, a decimetre under the middle.
+  const double lean = 0.0573 * std::numbers::pi / 180;
+  EXPECT_NEAR(over.patch_moved, 2 * std::cos(lean) - 0.2 * std::sin(lean), 1e-6);
+  // Two milliradians at the corner farthest from the middle.
+  const double corner = 2 * std::sin(lean) * std::hypot(1.0, 0.1);
+  EXPECT_NEAR(explorations[1].bodies_moved, corner, 1e-6);
+  const trace::ReducerAnswer& still = answer_of(explorations[2], "deepest");
+  EXPECT_EQ(still.ids_changed, 0);
+  EXPECT_EQ(still.patch_moved, 0);
+  EXPECT_EQ(explorations[2].bodies_moved, 0);
+  EXPECT_NEAR(summarize(explorations).back().moves.value(), 2 / corner, 1);
+}
+
+/// Half the side of a unit square that another one, turned about the same middle, leaves of it is
+/// between these two: where the other's sides cross the line y = 1/2.
+std::pair<double, double> cut(double turn) {
+  return {(0.5 - 0.5 * std::sin(turn)) / std::cos(turn),
+          (0.5 - 0.5 * std::cos(turn)) / std::sin(turn)};
+}
+
+// The middle of a square of contacts stays where it is when the other square of the octagon takes
+// its place: a measure by the middle alone sees nothing.
+TEST_P(Explore, ASquareThatGivesWayToTheOtherHasMoved) {
+  const std::string turning =
+      "position = [0, 0.495, 0]\n[shapes.crate.motion]\nkeyframes = [\n"
+      "{ time = 0.0, rotation = { axis = [0, 1, 0], degrees = 43 } },\n"
+      "{ time = 0.5, rotation = { axis = [0, 1, 0], degrees = 47 } } ]\n";
+  const auto explorations =
+      explore(octagon(GetParam(), turning, "", 2), 1, untimed({"optimal", "coherent"}));
+  ASSERT_THAT(explorations, SizeIs(2));
+  const trace::ReducerAnswer& optimal = answer_of(explorations[1], "optimal");
+  EXPECT_EQ(optimal.ids_changed, 8);
+  // Of the two points on one side of the fixed square the far one is kept before, the near one
+  // after.
+  const double degree = std::numbers::pi / 180;
+  const auto before = cut(43 * degree), after = cut(47 * degree);
+  const double way_along =
+      std::min(std::abs(before.first + after.second), std::abs(before.second + after.first));
+  EXPECT_NEAR(optimal.patch_moved, way_along, 0.03);
+  EXPECT_GT(optimal.patch_moved, 0.35);
+  const trace::ReducerAnswer& coherent = answer_of(explorations[1], "coherent");
+  EXPECT_EQ(coherent.ids_changed, 0);
+  // Each point slides along its side.
+  EXPECT_LT(coherent.patch_moved, 0.05);
+}
+
+/// A tower one metre high on a base of 0.2 by 0.2, square on a ramp.
+std::set<bool> tower_held(const std::string& scalar, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  const std::string turn =
+      "rotation = { axis = [0, 0, 1], degrees = " + std::to_string(degrees) + " }\n";
+  const auto explorations = explore(
+      parse_scenario("title = \"Ramp\"\n[pipeline]\nscalar = \"" + scalar +
+                         "\"\n[shapes.ramp]\ntype = \"box\"\nhalf_extents = [2, 0.5, 2]\n" + turn +
+                         "[shapes.tower]\ntype = \"box\"\nhalf_extents = [0.1, 0.5, 0.1]\n" + turn +
+                         "position = [" + std::to_string(-0.999 * std::sin(angle)) + ", " +
+                         std::to_string(0.999 * std::cos(angle)) + ", 0]\n",
+                     "hull/ramp.toml"),
+      0, untimed());
+  std::set<bool> verdicts;
+  for (const trace::ReducerAnswer& answer : explorations.at(0).reducers)
+    verdicts.insert(answer.supports_center_of_mass);
+  return verdicts;
+}
+
+// It tips where the tangent is more than half its base over half its height: at 11.3 degrees.
+TEST_P(Explore, ATowerOnARampTipsWherePlumbBelowItsMiddleIsNoBase) {
+  EXPECT_THAT(tower_held(GetParam(), 0), ElementsAre(true));
+  EXPECT_THAT(tower_held(GetParam(), 11), ElementsAre(true));
+  EXPECT_THAT(tower_held(GetParam(), 11.6), ElementsAre(false));
+  EXPECT_THAT(tower_held(GetParam(), -30), ElementsAre(false));
+}
+
+/// A box of 0.8 by 0.8 at a place on a flat mesh of triangles with sides of half a metre, which
+/// reaches from -2 to 2 m.
+std::vector<trace::Exploration> box_on_mesh(const std::string& scalar, const std::string& x) {
+  return explore(parse_scenario("title = \"Mesh\"\n[pipeline]\nscalar = \"" + scalar +
+                                    "\"\n[shapes.crate]\ntype = \"box\"\n"
+                                    "half_extents = [0.4, 0.3, 0.4]\nposition = [" +
+                                    x +
+                                    ", 0.29, 0.07]\n[shapes.floor]\ntype = \"mesh\"\n"
+                                    "grid = { size = [4, 4], cells = [8, 8] }\n",
+                                "mesh/crate.toml"),
+                 0, untimed({"none", "first", "area"}));
+}
+
+TEST_P(Explore, EveryTriangleOfAMeshIsReduced) {
+  const auto explorations = box_on_mesh(GetParam(), "0.05");
+  std::set<int> triangles;
+  double covered = 0;
+  for (const trace::Exploration& exploration : explorations) {
+    ASSERT_TRUE(exploration.triangle);
+    triangles.insert(*exploration.triangle);
+    covered += answer_of(exploration, "none").area;
+    // A triangle bears a corner of the box at most, the box rests on all of them.
+    for (const trace::ReducerAnswer& answer : exploration.reducers)
+      EXPECT_TRUE(answer.supports_center_of_mass) << answer.name;
   }
-  EXPECT_GT(reach, 0.5);
-  EXPECT_NEAR(explorations[1].bodies_moved, 2 * std::sin(0.0025) * reach, 1e-6);
+  EXPECT_EQ(triangles.size(), explorations.size());
+  EXPECT_GE(triangles.size(), 8u);
+  EXPECT_NEAR(covered, 0.8 * 0.8, 1e-5);
+  for (const trace::Exploration& exploration : box_on_mesh(GetParam(), "2.1")) {
+    for (const trace::ReducerAnswer& answer : exploration.reducers)
+      EXPECT_FALSE(answer.supports_center_of_mass) << answer.name;
+  }
 }
 
 TEST_P(Explore, EveryReducerHoldsASlabInTheMiddleAndNoneOneThatHangsOver) {
@@ -202,6 +329,33 @@ TEST_P(Explore, PairsThatDifferInTheReducerAloneAppearOnce) {
   EXPECT_THAT(answer_of(explorations.at(1), "area").kept, SizeIs(3));
 }
 
+TEST_P(Explore, PairsThatDifferInAnyOtherSettingAllAppear) {
+  const std::string pair = "[[pairs]]\na = \"floor\"\nb = \"crate\"\nlabel = ";
+  const std::string settings[] = {"margin = 0.01",         "preference = \"none\"",
+                                  "penetration = \"epa\"", "manifold = \"incremental\"",
+                                  "degenerate = \"skip\"", "internal_edges = false",
+                                  "cache = false"};
+  std::string pairs = pair + "\"one\"\n" + pair + "\"two\"\nreducer = \"first\"\n";
+  std::vector<std::string> expected = {"one"};
+  for (const std::string& setting : settings) {
+    expected.push_back(setting.substr(0, setting.find(' ')));
+    pairs += pair + "\"" + expected.back() + "\"\n" + setting + "\n";
+  }
+  std::vector<std::string> labels;
+  for (const trace::Exploration& exploration :
+       explore(octagon(GetParam(), kAtRest, pairs), 0, untimed({"area"}))) {
+    labels.push_back(exploration.label);
+  }
+  EXPECT_EQ(labels, expected);
+  // What stands for several reducers bears the label of none.
+  const auto alone = explore(octagon(GetParam(), kAtRest,
+                                     pair + "\"bullet\"\nreducer = \"bullet\"\n" + pair +
+                                         "\"first\"\nreducer = \"first\"\n"),
+                             0, untimed({"area"}));
+  ASSERT_THAT(alone, SizeIs(1));
+  EXPECT_EQ(alone[0].label, "");
+}
+
 TEST_P(Explore, AnswersOnlyTheReducersAskedForInThatOrder) {
   const auto explorations =
       explore(octagon(GetParam(), kAtRest), 0, untimed({"optimal", "none", "area"}));
@@ -265,7 +419,7 @@ TEST(Summarize, RowsHaveMeansExtremesSharesAndSums) {
   EXPECT_DOUBLE_EQ(rows[0].deepest_kept, 1);
   EXPECT_DOUBLE_EQ(rows[0].supported, 0.5);
   EXPECT_EQ(rows[0].ids_changed, 3);
-  EXPECT_DOUBLE_EQ(rows[0].moves, 3);
+  EXPECT_DOUBLE_EQ(rows[0].moves.value(), 3);
   EXPECT_EQ(rows[0].median, 50);
   EXPECT_EQ(rows[0].min, 30);
 }
@@ -279,11 +433,22 @@ TEST(Summarize, TheLeastErrorStandsFirst) {
   EXPECT_THAT(order, ElementsAre("best", "y", "z", "a", "worst"));
 }
 
+TEST(Summarize, MovesAreTheWorstFrameAndInfiniteOnBodiesAtRest) {
+  std::vector<trace::Exploration> frames(3);
+  for (trace::Exploration& frame : frames) frame.reducers = {answer("only", 1, 0)};
+  frames[0].bodies_moved = 1;
+  frames[1].bodies_moved = 0.25;
+  frames[1].reducers[0].patch_moved = 0.5;
+  EXPECT_EQ(summarize(frames).at(0).moves, 2);
+  frames[2].reducers[0].patch_moved = 1e-3;
+  EXPECT_EQ(summarize(frames).at(0).moves, std::numeric_limits<double>::infinity());
+}
+
 TEST(Summarize, OfNothingThereAreNoRowsAndAtRestNothingMoves) {
   EXPECT_THAT(summarize({}), IsEmpty());
   trace::Exploration exploration;
   exploration.reducers = {answer("only", 1, 0)};
-  EXPECT_EQ(summarize({exploration}).at(0).moves, 0);
+  EXPECT_FALSE(summarize({exploration}).at(0).moves);
   EXPECT_EQ(summarize({exploration}).at(0).median, 0);
 }
 

@@ -99,6 +99,9 @@ TEST(ExplorationJson, HasALabelOnlyWhereOneIsSet) {
   EXPECT_THAT(keys(line), testing::IsSupersetOf({"a", "b", "label"}));
   EXPECT_EQ(keys(line)[5], "label");
   EXPECT_EQ(to_json_line(exploration).find('\n'), std::string::npos);
+  exploration.triangle = 12;
+  EXPECT_EQ(keys(parsed(exploration))[6], "triangle");
+  EXPECT_EQ(parsed(exploration)["triangle"], 12);
 }
 
 TEST(ExplorationJson, HasNanosecondsOnlyWhereMeasured) {
