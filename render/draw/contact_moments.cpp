@@ -30,9 +30,10 @@ std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
   rows.push_back({area, answer.median ? spelled("%.0f ns", *answer.median) : "", area, false});
   if (answer.wrench_error > 1e-6) {
     const double lost = 100 * answer.wrench_error;
-    rows.push_back({spelled("moments −%.1f %%", lost), "", spelled("mom. −%.0f %%", lost), false});
+    rows.push_back(
+        {spelled("lost arm %.1f %% of r", lost), "", spelled("arm −%.0f %%", lost), false});
   } else {
-    rows.push_back({"moments whole", "", "mom. whole", false});
+    rows.push_back({"no arm lost", "", "arm whole", false});
   }
   std::string verdict = answer.deepest_kept ? "deepest kept" : "deepest lost";
   if (!answer.supports_center_of_mass) verdict += ", tips over";
@@ -75,6 +76,9 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
     moment.frame = exploration.frame;
     moment.caption = exploration.a + " and " + exploration.b;
     if (!exploration.label.empty()) moment.caption += " (" + exploration.label + ")";
+    if (exploration.triangle) {
+      moment.caption += ", triangle " + std::to_string(*exploration.triangle);
+    }
     moment.caption += ", frame " + std::to_string(exploration.frame);
     for (const std::string& name : order) {
       const trace::ReducerAnswer& answer =

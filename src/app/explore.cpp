@@ -19,19 +19,27 @@ namespace contactscope::app {
 namespace {
 
 void print_table(const std::vector<trace::Exploration>& explorations, std::ostream& out) {
-  Table table({"reducer", "area %", "worst", "moment lost %", "worst", "depth error mm",
-               "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least"});
+  Table table({"reducer", "area %", "worst", "lost arm % of radius", "worst", "depth error mm",
+               "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least",
+               "upper quartile"});
+  const auto time = [](double ns) { return ns > 0 ? spelled("%.0f", ns) : std::string("-"); };
   for (const ReducerSummary& row : summarize(explorations)) {
-    table.add(
-        {row.name, spelled("%.2f", 100 * row.mean_area_ratio),
-         spelled("%.2f", 100 * row.worst_area_ratio), spelled("%.2f", 100 * row.mean_wrench_error),
-         spelled("%.2f", 100 * row.worst_wrench_error),
-         spelled("%.3g", 1000 * row.worst_depth_error), spelled("%.0f", 100 * row.deepest_kept),
-         spelled("%.0f", 100 * row.supported), std::to_string(row.ids_changed),
-         spelled("%.3g", row.moves), row.median > 0 ? spelled("%.0f", row.median) : "-",
-         row.min > 0 ? spelled("%.0f", row.min) : "-"});
+    table.add({row.name, spelled("%.2f", 100 * row.mean_area_ratio),
+               spelled("%.2f", 100 * row.worst_area_ratio),
+               spelled("%.2f", 100 * row.mean_wrench_error),
+               spelled("%.2f", 100 * row.worst_wrench_error),
+               spelled("%.3g", 1000 * row.worst_depth_error),
+               spelled("%.0f", 100 * row.deepest_kept), spelled("%.0f", 100 * row.supported),
+               std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
+               time(row.median), time(row.min), time(row.quarter)});
   }
   table.print(out);
+}
+
+std::size_t most_points(const std::vector<trace::Exploration>& explorations) {
+  std::size_t most = 0;
+  for (const trace::Exploration& e : explorations) most = std::max(most, e.points.size());
+  return most;
 }
 
 // What a reader must know about the numbers, once and on standard error.
@@ -41,8 +49,7 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
               << ": nothing touches in these frames, so there is nothing to reduce\n";
     return;
   }
-  std::size_t most = 0;
-  for (const trace::Exploration& e : explorations) most = std::max(most, e.points.size());
+  const std::size_t most = most_points(explorations);
   std::cerr << scenario.name << ": " << explorations.size()
             << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
             << " points";
@@ -51,29 +58,31 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
   std::cerr << '\n';
 }
 
-/// The explorations of each pair, frames in order.
-std::vector<std::vector<trace::Exploration>> by_pair(
-    const std::vector<trace::Exploration>& explorations) {
-  std::vector<std::vector<trace::Exploration>> pairs;
+using Sequence = std::vector<trace::Exploration>;
+
+/// The explorations of each pair, and of each triangle of a mesh, frames in order.
+std::vector<Sequence> by_manifold(const std::vector<trace::Exploration>& explorations) {
+  std::vector<Sequence> sequences;
   for (const trace::Exploration& exploration : explorations) {
-    const auto same = [&](const std::vector<trace::Exploration>& pair) {
-      const trace::Exploration& first = pair.front();
+    const auto same = [&](const Sequence& sequence) {
+      const trace::Exploration& first = sequence.front();
       return first.a == exploration.a && first.b == exploration.b &&
-             first.label == exploration.label;
+             first.label == exploration.label && first.triangle == exploration.triangle;
     };
-    auto found = std::ranges::find_if(pairs, same);
-    if (found == pairs.end()) found = pairs.emplace(pairs.end());
+    auto found = std::ranges::find_if(sequences, same);
+    if (found == sequences.end()) found = sequences.emplace(sequences.end());
     found->push_back(exploration);
   }
-  return pairs;
+  return sequences;
 }
 
-// OUT/explore/<group>/<idea>/[<a>-<b>[-<label>]/]frame_0000.png
+// OUT/explore/<group>/<idea>/[<a>-<b>[-<label>][-triangle_<k>]/]frame_0000.png
 std::filesystem::path folder_of(const Options& options, const trace::Exploration& first,
                                 bool several) {
   std::filesystem::path folder = std::filesystem::path(options.out) / "explore" / first.scenario;
   if (several) {
-    folder /= first.a + "-" + first.b + (first.label.empty() ? "" : "-" + first.label);
+    folder /= first.a + "-" + first.b + (first.label.empty() ? "" : "-" + first.label) +
+              (first.triangle ? "-triangle_" + std::to_string(*first.triangle) : "");
   }
   return folder;
 }
@@ -84,42 +93,82 @@ std::vector<std::string> order_of(const std::vector<trace::Exploration>& explora
   return names;
 }
 
+/// Tall where there are many cells, so that a patch, its marks and its numbers can be told apart.
+Size roomy(std::size_t cells) {
+  constexpr std::size_t kCellsOfOneScreen = 9;
+  Size size;
+  if (cells > kCellsOfOneScreen) size.height *= 2;
+  return size;
+}
+
+/// Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
+/// large mesh's are kept whole by all.
+std::vector<Sequence> pictured(const std::vector<trace::Exploration>& explorations,
+                               int max_points) {
+  std::vector<Sequence> sequences = by_manifold(explorations);
+  std::erase_if(sequences, [&](const Sequence& sequence) {
+    return sequence.front().triangle && static_cast<int>(most_points(sequence)) <= max_points;
+  });
+  return sequences;
+}
+
+void print_pictures(std::size_t pictures, std::size_t left_out,
+                    const std::filesystem::path& folder) {
+  if (pictures > 0) {
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << folder.string()
+              << '\n';
+  }
+  if (left_out > 0) {
+    std::cerr << "no picture of " << left_out << (left_out == 1 ? " manifold" : " manifolds")
+              << " on triangles of which every reducer keeps all points\n";
+  }
+}
+
+void print_left_out(const std::vector<std::string>& left_out, const Size& size) {
+  if (left_out.empty()) return;
+  std::cerr << size.width << 'x' << size.height << " leaves out ";
+  for (const std::string& what : left_out) {
+    std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
+  }
+  std::cerr << "; a larger --size has room for it\n";
+}
+
 void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
                     const Options& options, Ledger& ledger) {
-  const Size size = options.size.value_or(Size{});
-  const std::vector<std::vector<trace::Exploration>> pairs = by_pair(explorations);
-  Studio studio(options.backend, ledger);
-  EncoderPool encoders(options.jobs);
+  const Size size = options.size.value_or(roomy(explorations.front().reducers.size()));
+  const std::vector<Sequence> sequences =
+      pictured(explorations, scenario.pairs.front().pipeline.max_points);
+  const bool several = by_manifold(explorations).size() > 1;
+  std::size_t pictures = 0;
+  for (const Sequence& sequence : sequences) pictures += sequence.size();
   std::vector<std::string> left_out;
-  {
-    Progress progress(static_cast<int>(explorations.size()), options.quiet);
-    for (const std::vector<trace::Exploration>& pair : pairs) {
-      const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
-                                     draw::explored(pair, order_of(pair)), 0, size.width,
-                                     size.height);
-      left_out = cells.left_out();
-      const std::filesystem::path folder = folder_of(options, pair.front(), pairs.size() > 1);
-      std::filesystem::create_directories(folder);
-      for (std::size_t i = 0; i < pair.size(); ++i) {
-        std::array<char, 32> name{};
-        std::snprintf(name.data(), name.size(), "frame_%04d.png", pair[i].frame);
-        encoders.submit((folder / name.data()).string(), studio.paint(cells.frame(pair[i].frame)));
-        progress.advance(scenario.name);
+  if (pictures > 0) {
+    Studio studio(options.backend, ledger);
+    EncoderPool encoders(options.jobs);
+    {
+      Progress progress(static_cast<int>(pictures), options.quiet);
+      for (const Sequence& sequence : sequences) {
+        const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
+                                       draw::explored(sequence, order_of(sequence)), 0, size.width,
+                                       size.height);
+        left_out = cells.left_out();
+        const std::filesystem::path folder = folder_of(options, sequence.front(), several);
+        std::filesystem::create_directories(folder);
+        for (const trace::Exploration& exploration : sequence) {
+          std::array<char, 32> name{};
+          std::snprintf(name.data(), name.size(), "frame_%04d.png", exploration.frame);
+          encoders.submit((folder / name.data()).string(),
+                          studio.paint(cells.frame(exploration.frame)));
+          progress.advance(scenario.name);
+        }
       }
-    }
-    encoders.finish();
-  }
-  if (!options.quiet) {
-    std::cerr << explorations.size() << (explorations.size() == 1 ? " picture" : " pictures")
-              << " in " << folder_of(options, explorations.front(), false).string() << '\n';
-    if (!left_out.empty()) {
-      std::cerr << size.width << 'x' << size.height << " leaves out ";
-      for (const std::string& what : left_out) {
-        std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
-      }
-      std::cerr << "; a larger --size has room for it\n";
+      encoders.finish();
     }
   }
+  if (options.quiet) return;
+  print_pictures(pictures, explorations.size() - pictures,
+                 folder_of(options, explorations.front(), false));
+  print_left_out(left_out, size);
 }
 
 }  // namespace

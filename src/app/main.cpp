@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include "app/options.h"
+#include "app/usage.h"
 #include "app/verbs.h"
 #include "core/input_error.h"
 
@@ -56,6 +58,25 @@ void choose_backend(Command& command) {
   }
 }
 
+std::vector<VerbOptions> verbs_of(CLI::App& program) {
+  std::vector<VerbOptions> verbs;
+  for (CLI::App* verb : program.get_subcommands({})) {
+    VerbOptions& entry = verbs.emplace_back();
+    entry.verb = verb->get_name();
+    for (const CLI::Option* option : verb->get_options()) {
+      for (const std::string& name : option->get_lnames()) entry.options.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) entry.options.push_back("-" + name);
+    }
+  }
+  return verbs;
+}
+
+/// What was printed must have arrived, help and version too.
+void flush_output() {
+  std::cout.flush();
+  if (!std::cout) throw UsageError("standard output could not be written; is the disk full?");
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Draws and checks contact manifolds of physics engines, without a display.",
                    "contactscope");
@@ -66,11 +87,21 @@ int run(int argc, char** argv) {
 
   CLI::App* render_verb = program.add_subcommand("render", "Write PNG sequences");
   render_verb
-      ->add_option("SCENARIO", options.scenarios, "Files, folders, or names as hull/face_contact")
+      ->add_option("SCENARIO", options.scenarios,
+                   "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too")
       ->required();
   render_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  render_verb
+      ->add_option("--layers", options.layers,
+                   "Layers to draw instead of the views' own, as shapes,contacts")
+      ->delimiter(',');
+  render_verb
+      ->add_option("--panels", options.panels,
+                   "Panels to draw instead of the views' own, as summary,contact_plane")
+      ->delimiter(',');
   render_verb->add_flag("--timing", options.timing,
                         "Show the measured time of the pipeline in the summary panel");
+  render_verb->add_flag("--json", options.json, "Print the paths of the pictures as JSON");
   add_selection(*render_verb, command);
   add_rendering(*render_verb, command);
   add_common(*render_verb, command);
@@ -97,10 +128,24 @@ int run(int argc, char** argv) {
 
   CLI::App* explore_verb =
       program.add_subcommand("explore", "Compare all reducers on a scenario's manifolds");
+  explore_verb->footer(
+      "area: of the best that as many points can span. lost arm: how much shorter the lever of "
+      "the\n"
+      "kept points is than that of all, about the worst axis, as a share of the patch's radius "
+      "(130 %\n"
+      "when they are all on one side). depth error: of the plane through the kept depths. weight "
+      "held:\n"
+      "plumb below the centre of mass is the kept patch. ids changed: those that came or went.\n"
+      "patch/bodies: the largest move of a kept point, or of their middle, from frame to frame "
+      "over the\n"
+      "largest move of the bodies' surfaces; inf where the bodies are at rest, - where nothing "
+      "moves.\n"
+      "ns: the median, the least, and the upper quartile of a call.");
   explore_verb->add_option("SCENARIO", options.scenarios, "A file or a name")
       ->required()
       ->expected(1);
-  explore_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  explore_verb->add_option("--size", command.size,
+                           "WxH, default 1280x720, and 1280x1440 for more than 9 reducers");
   explore_verb->add_flag("--table", options.tables_only, "Write no pictures, and open no OpenGL");
   explore_verb->add_flag("--json", options.json, "Print JSON lines, one a frame and pair");
   add_selection(*explore_verb, command);
@@ -122,7 +167,11 @@ int run(int argc, char** argv) {
   add_common(*study_verb, command);
 
   CLI::App* doctor_verb = program.add_subcommand("doctor", "Say what each route to OpenGL answers");
+  doctor_verb->add_option("FILE", options.scenarios,
+                          "Scenarios and traces to look through as well: what they hold, or what "
+                          "is wrong with them");
   doctor_verb->add_flag("--json", options.json, "Print as JSON");
+  add_common(*doctor_verb, command);
 
   CLI::App* list_verb = program.add_subcommand("list", "List what a scenario may name");
   list_verb->add_option("WHAT", options.what, "scenarios, reducers, layers, panels or studies")
@@ -130,11 +179,14 @@ int run(int argc, char** argv) {
   list_verb->add_flag("--json", options.json, "Print as JSON");
   add_common(*list_verb, command);
 
+  check_usage(verbs_of(program), {argv + std::min(argc, 1), argv + argc});
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version come through here too, with code 0.
-    return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Trouble);
+    if (program.exit(error) != 0) return static_cast<int>(ExitCode::Trouble);
+    flush_output();
+    return static_cast<int>(ExitCode::Same);
   }
   finish(command);
   if (*render_verb || *check_verb || *explore_verb || *study_verb) choose_backend(command);
@@ -146,8 +198,7 @@ int run(int argc, char** argv) {
   if (*study_verb) code = study(options);
   if (*doctor_verb) code = doctor(options);
   if (*list_verb) code = list(options);
-  std::cout.flush();
-  if (!std::cout) throw UsageError("standard output could not be written; is the disk full?");
+  flush_output();
   return static_cast<int>(code);
 }
 

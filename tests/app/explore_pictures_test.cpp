@@ -28,6 +28,34 @@ TEST(ExplorePictures, StandUnderExploreGroupAndIdea) {
   EXPECT_EQ(image.height, 360);
 }
 
+TEST(ExplorePictures, AreTallWhereManyReducersStandSideBySide) {
+  const TemporaryFolder folder;
+  const std::string arguments =
+      "explore hull/eight_points_to_four --frames 4 --quiet --out '" + (folder / "out") + "'";
+  const std::string picture = folder / "out/explore/hull/eight_points_to_four/frame_0004.png";
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  EXPECT_EQ(read_png(picture).width, 1280);
+  EXPECT_EQ(read_png(picture).height, 1440);
+  ASSERT_EQ(run(arguments + " --reducer area").exit_code, 0);
+  EXPECT_EQ(read_png(picture).height, 720);
+}
+
+TEST(ExplorePictures, TrianglesOfAMeshHaveFoldersWhereSomethingIsReduced) {
+  const TemporaryFolder folder;
+  folder.write("g/mesh.toml",
+               "title = \"Mesh\"\n[pipeline]\nmax_points = 3\n[shapes.crate]\ntype = \"box\"\n"
+               "half_extents = [0.4, 0.3, 0.4]\nposition = [0.05, 0.29, 0.07]\n"
+               "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = [4, 4], cells = [8, 8] }\n");
+  const ProgramRun result = run("explore '" + (folder / "g/mesh.toml") +
+                                "' --reducer area --size 320x180 --out '" + (folder / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto files = files_below(folder / "out");
+  EXPECT_GE(files.size(), 1u);
+  for (const auto& file : files)
+    EXPECT_THAT(file, HasSubstr("explore/g/mesh/crate-floor-triangle_"));
+  EXPECT_THAT(result.err, HasSubstr("of which every reducer keeps all points"));
+}
+
 TEST(ExplorePictures, SeveralPairsHaveFoldersOfTheirOwn) {
   const TemporaryFolder folder;
   folder.write("g/two.toml", small_scenario() +

@@ -43,7 +43,8 @@ TEST(ExploreVerb, TableHasARowForEachReducerAndWritesNothing) {
   EXPECT_THAT(rows_of(result.out), testing::UnorderedElementsAreArray(listed));
   const std::vector<std::string> lines = lines_of(result.out);
   EXPECT_THAT(lines.at(0), StartsWith("reducer "));
-  for (const char* head : {"area %", "moment lost %", "deepest kept %", "ids changed", "ns"}) {
+  for (const char* head :
+       {"area %", "lost arm % of radius", "deepest kept %", "ids changed", "upper quartile"}) {
     EXPECT_THAT(lines[0], HasSubstr(head));
   }
   for (const std::string& line : lines) EXPECT_EQ(line.size(), lines[0].size()) << line;
