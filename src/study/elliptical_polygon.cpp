@@ -44,4 +44,22 @@ ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count) {
   return polygon;
 }
 
+ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
+                                  std::mt19937_64& engine) {
+  Vec3d middle = Vec3d::Zero();
+  for (const ContactPoint<float>& point : polygon.points) middle += point.position.cast<double>();
+  middle /= static_cast<double>(polygon.points.size());
+  const Vec3d normal = polygon.normal.cast<double>().normalized();
+  ContactPolygon result = polygon;
+  for (ContactPoint<float>& point : result.points) {
+    const Vec3d arm = point.position.cast<double>() - middle;
+    const Vec3d across = normal.cross(arm);
+    const double outwards = uniform(engine, -0.7 * part, 0.7 * part);
+    const double around = uniform(engine, -0.7 * part, 0.7 * part);
+    point.position = Vec3d(middle + (1 + outwards) * arm + around * across).cast<float>();
+    point.separation *= static_cast<float>(1 + uniform(engine, -part, part));
+  }
+  return result;
+}
+
 }  // namespace contactscope

@@ -21,4 +21,9 @@ struct ContactPolygon {
 /// its mean of 1 to 10 mm, plus noise of a twentieth of the mean.
 ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count);
 
+/// The same contacts a frame before or after: each point moves in the plane by up to `part` of its
+/// distance from their middle, its depth by up to `part` of itself; ids stay.
+ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
+                                  std::mt19937_64& engine);
+
 }  // namespace contactscope
