@@ -125,4 +125,19 @@ double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pos
   return oracle_axis(a, b, b_in_a).separation;
 }
 
+double separation_along(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a,
+                        const Vec3d& normal) {
+  const Mat3<Real> turn = b_in_a.rotation.cast<Real>().normalized().toRotationMatrix();
+  const Vec along = normal.cast<Real>().normalized();
+  Real most_of_a = -std::numeric_limits<Real>::infinity();
+  Real least_of_b = std::numeric_limits<Real>::infinity();
+  for (const Vec3d& vertex : a.vertices)
+    most_of_a = std::max(most_of_a, along.dot(vertex.cast<Real>()));
+  for (const Vec3d& vertex : b.vertices) {
+    const Vec placed = turn * vertex.cast<Real>() + b_in_a.position.cast<Real>();
+    least_of_b = std::min(least_of_b, along.dot(placed));
+  }
+  return static_cast<double>(least_of_b - most_of_a);
+}
+
 }  // namespace contactscope

@@ -24,4 +24,9 @@ OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<
 /// That of oracle_axis().
 double oracle_separation(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
 
+/// The separation along one axis, metres, in extended precision: from what A reaches farthest along
+/// `normal` (from A to B, in A's frame; made unit here) to what B reaches least.
+double separation_along(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a,
+                        const Vec3d& normal);
+
 }  // namespace contactscope
