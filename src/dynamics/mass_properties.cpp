@@ -1,6 +1,10 @@
 #include "dynamics/mass_properties.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+
+#include <Eigen/Eigenvalues>
 
 // Sphere and capsule by the formulas of every textbook. A hull is cut into tetrahedra from one of
 // its vertices (Tonon 2004, "Explicit exact formulas for the 3-D tetrahedron inertia tensor"), here
@@ -117,6 +121,14 @@ MassProperties with_mass(const MassProperties& properties, double mass) {
   scaled.mass = mass;
   scaled.inertia *= mass / properties.mass;
   return scaled;
+}
+
+double shortest_edge(double mass, const Mat3<double>& inertia) {
+  // A box with the edges p <= q <= r has the moments m/12 (q^2 + r^2), m/12 (p^2 + r^2) and
+  // m/12 (p^2 + q^2), the first of which is the largest.
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(inertia, Eigen::EigenvaluesOnly);
+  const Vec3d moments = solver.eigenvalues();  // rising
+  return std::sqrt(std::max(0.0, 6 / mass * (moments.x() + moments.y() - moments.z())));
 }
 
 template std::optional<MassProperties> mass_properties(const Shape<float>&, double);

@@ -23,4 +23,8 @@ std::optional<MassProperties> mass_properties(const Shape<S>& shape, double dens
 /// The same body of another mass (kilograms, > 0): the density differs, the form does not.
 MassProperties with_mass(const MassProperties& properties, double mass);
 
+/// Metres: how thin a body is, whatever its form and its frame: the shortest edge of the box that has
+/// its mass (kilograms, > 0) and its inertia (kg m^2, about its centre). Of a ball 1.55 radii.
+double shortest_edge(double mass, const Mat3<double>& inertia);
+
 }  // namespace contactscope

@@ -35,7 +35,7 @@ PositionBias<S> speculative(S separation, S h) {
 /// circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1.
 template <class S>
 PositionBias<S> baumgarte(S separation, const SolverSettings& settings, S h) {
-  const S overlap = std::min(separation + static_cast<S>(settings.slop), S(0));
+  const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
   return {static_cast<S>(settings.baumgarte) / h * overlap, S(1), S(0)};
 }
 
@@ -50,11 +50,12 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
   const S a1 = S(2) * static_cast<S>(settings.damping_ratio) + h * omega;
   const S a2 = h * omega * a1;
   const S a3 = S(1) / (S(1) + a2);
-  const S overlap = std::min(separation + static_cast<S>(settings.slop), S(0));
+  const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
   return {omega / a1 * overlap, a2 * a3, a3};
 }
 
-/// Of a point at `separation` in a sub-step of `h` seconds. Off, overlap is let be.
+/// Of a point at `separation` in a sub-step of `h` seconds. Off, overlap is let be. `settings` are
+/// settled().
 template <class S>
 PositionBias<S> position_bias(S separation, bool on, bool against_static,
                               const SolverSettings& settings, S h) {

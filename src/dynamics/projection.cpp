@@ -29,7 +29,8 @@ void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
     SolverBody<S>& a = bodies[static_cast<std::size_t>(contact.a)];
     SolverBody<S>& b = bodies[static_cast<std::size_t>(contact.b)];
     for (ConstraintPoint<S>& point : contact.points) {
-      const S error = separation_now(a, b, point, contact.normal) + static_cast<S>(settings.slop);
+      const S error =
+          separation_now(a, b, point, contact.normal) + static_cast<S>(settings.slop.value_or(0));
       const S whole = std::max(point.position_impulse - point.normal_mass * error, S(0));
       const S change = whole - point.position_impulse;
       point.position_impulse = whole;

@@ -48,7 +48,8 @@ void end_substep(std::vector<ContactConstraint<S>>& contacts) {
 template <class S>
 void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
-                const SolverSettings& settings, S dt) {
+                const SolverSettings& given, S dt) {
+  const SolverSettings settings = settled(given, bodies);
   std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   impulses.resize(pairs.size());

@@ -7,10 +7,17 @@
 
 namespace contactscope {
 
+/// With lengths that were not given by the smallest dynamic body, see solver_settings.h.
+template <class S>
+SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>>& bodies) {
+  if (settings.slop && settings.speculative_margin) return settings;
+  return settled(settings, smallest_size(bodies));
+}
+
 /// Moves `bodies` by `dt` seconds (> 0), so that the contacts hold. `pairs` are what the pipeline
 /// found where the bodies are now; `impulses` (one a pair) holds what the points got in the step
 /// before and after the call what they got in this one, in the order of manifolds and points.
-/// Gravity in metres a second, a second.
+/// Gravity in metres a second, a second. What `settings` leave open is settled().
 ///
 /// Contacts are found once, at the beginning; between sub-steps their anchors move with the bodies,
 /// and the normal stays. Nothing is random and nothing depends on addresses: the same input gives the

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/vec3.h"
 
 namespace contactscope {
@@ -28,11 +30,25 @@ struct SolverSettings {
   int substeps = 1;     // of each frame
   PositionCorrection position_correction = PositionCorrection::Baumgarte;
   bool warm_start = true;
-  double baumgarte = 0.1;         // share of the overlap that a (sub-)step works off
-  double slop = 0;                // metres of overlap that are let be
-  double hertz = 30;              // of soft contacts
-  double damping_ratio = 10;      // of soft contacts
-  double speculative_margin = 0;  // metres: points that far apart keep bodies from passing
+  double baumgarte = 0.1;     // share of the overlap that a (sub-)step works off
+  double hertz = 30;          // of soft contacts
+  double damping_ratio = 10;  // of soft contacts
+  // Metres of overlap that are let be. A point that is pushed out all the way is lost in the next
+  // frame, with the impulse that held it: the body drops back, and wanders.
+  std::optional<double> slop{};
+  // Metres: points that far apart are kept, so that they do not come and go where a body rocks, and
+  // keep bodies from passing each other.
+  std::optional<double> speculative_margin{};
 };
+
+/// With the lengths that were not given: 1/200 of `size` for the slop and four times that for the
+/// speculative margin, 5 mm and 2 cm for a metre, as Box2D has them. `size` is that of the smallest
+/// body, see shortest_edge() in mass_properties.h and smallest_size() in body.h.
+constexpr SolverSettings settled(SolverSettings settings, double size) {
+  constexpr double kSlop = 0.005, kSpeculativeMargin = 0.02;
+  if (!settings.slop) settings.slop = kSlop * size;
+  if (!settings.speculative_margin) settings.speculative_margin = kSpeculativeMargin * size;
+  return settings;
+}
 
 }  // namespace contactscope

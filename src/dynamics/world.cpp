@@ -28,12 +28,13 @@ template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
   contacts.resize(world.pairs.size());
+  const double speculative = *settled(settings, world.bodies).speculative_margin;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     WorldPair<S>& pair = world.pairs[i];
     const auto a = static_cast<std::size_t>(pair.a);
     const auto b = static_cast<std::size_t>(pair.b);
     CollideOptions<S> options = pair.options;
-    options.margin = std::max(options.margin, static_cast<S>(settings.speculative_margin));
+    options.margin = std::max(options.margin, static_cast<S>(speculative));
     options.reduction.previous = pair.kept;
     collide(shapes[a], world.bodies[a].pose(), shapes[b], world.bodies[b].pose(), options,
             contacts[i], pair.cached ? &pair.cache : nullptr);

@@ -33,7 +33,7 @@ template <class S>
 void pair_all(World<S>& world, const CollideOptions<S>& options, S friction, S restitution);
 
 /// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
-/// larger of the pair's margin and the speculative margin are kept.
+/// larger of the pair's margin and the speculative margin, settled(), are kept.
 template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts);

@@ -1,5 +1,8 @@
 #include "scenario/dynamics_keys.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "dynamics/mass_properties.h"
 #include "scenario/placement.h"
 
@@ -67,6 +70,43 @@ PositionCorrection read_correction(const Value& value) {
   return name == "soft" ? PositionCorrection::Soft : PositionCorrection::Baumgarte;
 }
 
+SolverSettings read_solver_keys(const Value& value) {
+  const Table table =
+      value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
+                   "slop", "hertz", "damping_ratio", "speculative_margin"});
+  SolverSettings solver;
+  if (const auto iterations = table.find("iterations"))
+    solver.iterations = iterations->integer(1, kMostIterations);
+  if (const auto substeps = table.find("substeps"))
+    solver.substeps = substeps->integer(1, kMostSubsteps);
+  if (const auto correction = table.find("position_correction"))
+    solver.position_correction = read_correction(*correction);
+  if (const auto warm_start = table.find("warm_start")) solver.warm_start = warm_start->boolean();
+  if (const auto baumgarte = table.find("baumgarte")) solver.baumgarte = read_share(*baumgarte);
+  if (const auto slop = table.find("slop"))
+    solver.slop = read_at_most(*slop, kLargestLength, "metres");
+  if (const auto hertz = table.find("hertz")) {
+    solver.hertz = hertz->positive("hertz");
+    read_at_most(*hertz, kMostHertz, "hertz");
+  }
+  if (const auto damping = table.find("damping_ratio"))
+    solver.damping_ratio = read_at_most(*damping, kMostHertz, nullptr);
+  if (const auto margin = table.find("speculative_margin"))
+    solver.speculative_margin = read_at_most(*margin, kLargestLength, "metres");
+  return solver;
+}
+
+/// Metres: the least shortest_edge() of all dynamic shapes; 0 where there is none.
+double smallest_size(const std::vector<ScenarioShape>& shapes) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ScenarioShape& shape : shapes) {
+    if (!shape.body) continue;
+    const MassProperties filled = *mass_properties(*shape.geometry);
+    least = std::min(least, shortest_edge(filled.mass, filled.inertia));
+  }
+  return least < std::numeric_limits<double>::infinity() ? least : 0;
+}
+
 }  // namespace
 
 bool is_dynamic(const Value& motion) {
@@ -107,30 +147,9 @@ WorldSettings read_world(const Value& value, const std::string& up) {
   return world;
 }
 
-SolverSettings read_solver(const Value& value) {
-  const Table table =
-      value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
-                   "slop", "hertz", "damping_ratio", "speculative_margin"});
-  SolverSettings solver;
-  if (const auto iterations = table.find("iterations"))
-    solver.iterations = iterations->integer(1, kMostIterations);
-  if (const auto substeps = table.find("substeps"))
-    solver.substeps = substeps->integer(1, kMostSubsteps);
-  if (const auto correction = table.find("position_correction"))
-    solver.position_correction = read_correction(*correction);
-  if (const auto warm_start = table.find("warm_start")) solver.warm_start = warm_start->boolean();
-  if (const auto baumgarte = table.find("baumgarte")) solver.baumgarte = read_share(*baumgarte);
-  if (const auto slop = table.find("slop"))
-    solver.slop = read_at_most(*slop, kLargestLength, "metres");
-  if (const auto hertz = table.find("hertz")) {
-    solver.hertz = hertz->positive("hertz");
-    read_at_most(*hertz, kMostHertz, "hertz");
-  }
-  if (const auto damping = table.find("damping_ratio"))
-    solver.damping_ratio = read_at_most(*damping, kMostHertz, nullptr);
-  if (const auto margin = table.find("speculative_margin"))
-    solver.speculative_margin = read_at_most(*margin, kLargestLength, "metres");
-  return solver;
+SolverSettings read_solver(const std::optional<Value>& value,
+                           const std::vector<ScenarioShape>& shapes) {
+  return settled(value ? read_solver_keys(*value) : SolverSettings(), smallest_size(shapes));
 }
 
 double read_friction(const Value& value) {

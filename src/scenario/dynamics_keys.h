@@ -16,7 +16,9 @@ ScenarioBody read_body(const toml_reader::Value& motion, const ScenarioShape& sh
 WorldSettings default_world(const std::string& up);
 WorldSettings read_world(const toml_reader::Value& value, const std::string& up);
 
-SolverSettings read_solver(const toml_reader::Value& value);
+/// Nothing: the default. Settled by the smallest dynamic one of `shapes`.
+SolverSettings read_solver(const std::optional<toml_reader::Value>& value,
+                           const std::vector<ScenarioShape>& shapes);
 
 /// A coefficient of Coulomb's friction, 0 to 1000.
 double read_friction(const toml_reader::Value& value);

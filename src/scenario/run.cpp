@@ -205,7 +205,8 @@ Manifolds<S> Runner::collide_pair(const std::vector<Shape<S>>& shapes, const Sce
   const Pose<S>& pose_b = mirrored ? of_a : of_b;
   CollideOptions<S> options = options_of<S>(pair.pipeline);
   if (scenario_->shapes[a].body || scenario_->shapes[b].body)
-    options.margin = std::max(options.margin, static_cast<S>(scenario_->solver.speculative_margin));
+    options.margin =
+        std::max(options.margin, static_cast<S>(scenario_->solver.speculative_margin.value_or(0)));
   options.reduction.previous = memory.kept;
   PairCache<S>* const cache =
       pair.pipeline.cache ? std::get_if<PairCache<S>>(&memory.cache) : nullptr;

@@ -80,7 +80,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
 
   scenario.world = default_world(scenario.up);
   if (const auto world = file.find("world")) scenario.world = read_world(*world, scenario.up);
-  if (const auto solver = file.find("solver")) scenario.solver = read_solver(*solver);
+  scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   if (const auto views = file.find("views"))
     scenario.views = read_views(*views);
   else

@@ -81,14 +81,18 @@
 ///     position_correction = "baumgarte"  # or "projection", "soft"
 ///     warm_start = true
 ///     baumgarte  = 0.1                 # share of the overlap that a sub-step works off
-///     slop       = 0.0                 # metres of overlap that are let be
 ///     hertz      = 30.0                # of soft contacts, and damping_ratio = 10.0
-///     speculative_margin = 0.0         # metres: points up to that far apart are kept, and keep
-///                                      # bodies from passing through each other
+///     slop       = 0.005               # metres of overlap that are let be; default 1/200 of the
+///                                      # smallest dynamic shape, 5 mm of a crate of a metre
+///     speculative_margin = 0.02        # metres: points up to that far apart are kept, and keep
+///                                      # bodies from passing through each other; default 1/50
 ///
 ///     [[expect]]
 ///     load = 98.1                      # newtons: normal impulses of the frame over its time;
 ///                                      # `tolerance` is a share of it
+///
+/// The smallest shape is the one of which the box that has its mass and inertia has the shortest
+/// edge; with slop = 0.0 and speculative_margin = 0.0 contacts come and go, and nothing rests.
 ///
 /// Where shapes are dynamic, frame k shows them before step k, the contacts found there, and the
 /// impulses that the step then gives; pairs of which no shape is dynamic are left out by default. Of
@@ -203,7 +207,7 @@ struct Scenario {
   Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
   std::vector<ScenarioPair> pairs;
   WorldSettings world;
-  SolverSettings solver;
+  SolverSettings solver;    // settled
   std::vector<View> views;  // at least one
   std::vector<Expectation> expectations;
   SnapshotSettings snapshots;

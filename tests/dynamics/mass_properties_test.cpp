@@ -123,6 +123,26 @@ TEST(MassProperties, AnotherMassScalesTheInertiaAlone) {
   EXPECT_LT(difference(heavy.inertia, diagonal(16, 16, 16)), 1e-14);  // m (4 + 4) / 12
 }
 
+TEST(MassProperties, TheShortestEdgeIsThatOfABoxHoweverItLies) {
+  Random random(12);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3d half(random.decade(-4, 3), random.decade(-4, 3), random.decade(-4, 3));
+    const Mat3<double> axes = random.rotation().toRotationMatrix();
+    const Vec3d square = half.cwiseProduct(half);
+    const double mass = random.decade(-9, 9);
+    const Mat3<double> inertia =
+        mass / 3 * axes *
+        diagonal(square.y() + square.z(), square.x() + square.z(), square.x() + square.y()) *
+        axes.transpose();
+    const double found = shortest_edge(mass, inertia);
+    const double expected = 2 * half.minCoeff();
+    // The square of an edge is a difference of what the longest ones make.
+    EXPECT_NEAR(found * found, expected * expected, 1e-14 * half.squaredNorm());
+  }
+  const MassProperties ball = *mass_properties(Shape<double>(Sphere<double>{2}));
+  EXPECT_NEAR(shortest_edge(ball.mass, ball.inertia), 2 * std::sqrt(2.4), 1e-12);
+}
+
 TEST(MassProperties, PlanesAndMeshesHaveNone) {
   EXPECT_FALSE(mass_properties(Shape<double>(HalfSpace<double>{{Vec3d::UnitY(), 0}})));
   EXPECT_FALSE(mass_properties(Shape<double>(Mesh<double>{})));

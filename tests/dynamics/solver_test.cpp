@@ -213,6 +213,7 @@ Scene<double> two_balls(PositionCorrection correction) {
   Scene<double> scene;
   scene.world.gravity.setZero();
   scene.settings.position_correction = correction;
+  scene.settings.slop = scene.settings.speculative_margin = 0;
   scene.add_sphere(0.5, {0, 0, 0}, 1);
   scene.add_sphere(0.5, {0.98, 0, 0}, 1);
   return scene;
@@ -253,6 +254,7 @@ TEST(Correction, SoftContactsRelaxWhatTheyPushed) {
 // A body that rests on a floor works its overlap off by the same share in each step.
 TEST(Correction, BaumgarteDecaysByTheSameShareInEachStep) {
   Scene<double> scene;
+  scene.settings.slop = 0;
   scene.add_plane();
   const int ball = scene.add_sphere(0.5, {0, 0.49, 0}, 1);
   double overlap = 0.01;
@@ -269,6 +271,7 @@ TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
     Scene<double> scene;
     scene.settings.position_correction = PositionCorrection::Projection;
     scene.settings.iterations = 200;
+    scene.settings.slop = 0;
     scene.add_plane();
     scene.add_box({0.5, 0.5, 0.5}, {about({1, 0, 2}, tilt), {0, 0.48, 0}}, 1);
     scene.advance();

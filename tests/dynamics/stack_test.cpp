@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/scene.h"
+#include "geometry/hull_builder.h"
 
 namespace contactscope::test {
 namespace {
@@ -110,6 +111,92 @@ TEST(WarmStarting, FewSweepsCarryAStackOfTenOnlyIfTheyGoOnFromTheLast) {
   }
   EXPECT_GT(sunk[false], 0.04);
   EXPECT_LT(sunk[true], 0.015);
+}
+
+/// Equal cubes of 1 kg, one exactly on another, and nothing set but the method.
+template <class S>
+Scene<S> plain_stack(PositionCorrection correction, int boxes, double size = 1) {
+  Scene<S> scene;
+  scene.settings.position_correction = correction;
+  scene.add_plane();
+  for (int i = 0; i < boxes; ++i)
+    scene.add_box(Vec3d::Constant(0.5 * size), at(0, (i + 0.5) * size, 0), 1);
+  return scene;
+}
+
+/// Metres: how far the farthest body has come from `places`.
+template <class S>
+double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
+  double most = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3<S> way = scene.world.bodies[i].center - places[i].center;
+    most = std::max(most, static_cast<double>(way.norm()));
+  }
+  return most;
+}
+
+// Edges that lie on each other, places without an overlap: a stack as anybody would write it.
+TEST_P(Stack, EqualBoxesThatJustTouchStandStillByDefault) {
+  // Soft contacts yield.
+  const double sinks = GetParam().correction == PositionCorrection::Soft ? 0.01 : 0.005;
+  for (const int boxes : {1, 2, 3}) {
+    Scene<float> scene = plain_stack<float>(GetParam().correction, boxes);
+    const std::vector<Body<float>> places = scene.world.bodies;
+    scene.advance(600);
+    // The slop is 5 mm: so far each box may sink into the one below.
+    EXPECT_LT(farthest_way(scene, places), sinks * boxes) << boxes;
+    const std::vector<Body<float>> settled_down = scene.world.bodies;
+    for (int i = 0; i < 60; ++i) {
+      scene.advance();
+      // A thousandth of what gravity adds to one box in a step.
+      ASSERT_LT(scene.kinetic(), 1e-6 * 0.5 * std::pow(kGravity / 60, 2)) << boxes;
+    }
+    EXPECT_LT(farthest_way(scene, settled_down), 1e-5) << boxes;
+    for (int box = 1; box <= boxes; ++box) {
+      const double weight = (boxes - box + 1) * kGravity;
+      EXPECT_NEAR(scene.load(box - 1, box) * 60, weight, 0.01 * weight) << boxes;
+    }
+  }
+}
+
+// Ten are more than ten sweeps can hold still: what they leave over of a sway needs hundreds of them.
+// Soft contacts damp it.
+TEST(TenEqualBoxes, ComeToRestOnSoftContactsInSubSteps) {
+  Scene<float> scene = plain_stack<float>(PositionCorrection::Soft, 10);
+  scene.settings.substeps = 4;
+  scene.advance(600);
+  EXPECT_LT(scene.kinetic(), 1e-6);
+  for (int box = 1; box <= 10; ++box) {
+    EXPECT_LT(std::hypot(scene.body(box).center.x(), scene.body(box).center.z()), 0.03);
+    const double weight = (11 - box) * kGravity;
+    EXPECT_NEAR(scene.load(box - 1, box) * 60, weight, 0.01 * weight);
+  }
+}
+
+TEST_P(Stack, ALopsidedHullStaysWhereItWasPutByDefault) {
+  const std::vector<Vec3d> points{{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5},
+                                  {-0.5, 0, 0.5},  {0, 0.8, 0},    {0.2, 0.7, 0.3}};
+  Scene<float> scene;
+  scene.settings.position_correction = GetParam().correction;
+  scene.add_plane();
+  scene.add(build_hull(points), {}, 2);
+  const std::vector<Body<float>> places = scene.world.bodies;
+  scene.advance(1200);
+  EXPECT_LT(farthest_way(scene, places), 0.005);
+}
+
+// A thousandth of the size, the time and so the gravity the same: a thousandth of every way.
+TEST_P(Stack, TheDefaultsAreOfTheSizeOfTheBodies) {
+  Scene<double> large = plain_stack<double>(GetParam().correction, 3);
+  Scene<double> small = plain_stack<double>(GetParam().correction, 3, 1e-3);
+  small.world.gravity *= 1e-3;
+  for (Scene<double>* scene : {&large, &small}) {
+    const double size = scene == &large ? 1 : 1e-3;
+    scene->body(3).center += Vec3d(0.1, 0.3, 0.2) * size;
+    scene->advance(100);
+  }
+  for (int box = 1; box <= 3; ++box)
+    EXPECT_LT((1000 * small.body(box).center - large.body(box).center).norm(), 1e-9) << box;
 }
 
 template <class S>
