@@ -23,7 +23,7 @@ namespace {
 
 using bench::Workload;
 
-constexpr int kPairs = 120;
+constexpr int kPairs = 100;
 
 /// Metres. Nearer than this a library may say either: Bullet's GJK has this tolerance.
 constexpr double kNearlyTouching = 1e-4;
@@ -144,8 +144,8 @@ Tallies compare_all(const std::vector<OnMesh>& pairs) {
             tallies[i]);
     }
   }
-  EXPECT_GT(touching, 50);
-  EXPECT_GT(apart, 25);
+  EXPECT_GT(touching, kPairs / 3);
+  EXPECT_GT(apart, kPairs / 4);
   for (std::size_t i = 0; i < peers.size(); ++i) {
     EXPECT_EQ(tallies[i].unexplained(), "") << peers[i]->name();
     std::printf("%-6s %s\n", peers[i]->name(), tallies[i].summary().c_str());
@@ -185,8 +185,8 @@ TEST(MeshPairs, CapsulesDifferByNamedRules) {
 TEST(MeshPairs, NoRuleExplainsAWrongAnswer) {
   const std::vector<std::unique_ptr<Peer>> peers = make_peers();
   const std::vector<OnMesh> drawn[] = {
-      hulls_on_mesh(Workload::BoxMesh, 12), hulls_on_mesh(Workload::HullMesh, 12),
-      rounds_on_mesh(ShapeKind::Sphere, 12), rounds_on_mesh(ShapeKind::Capsule, 12)};
+      hulls_on_mesh(Workload::BoxMesh, 10), hulls_on_mesh(Workload::HullMesh, 10),
+      rounds_on_mesh(ShapeKind::Sphere, 10), rounds_on_mesh(ShapeKind::Capsule, 10)};
   for (const std::vector<OnMesh>& pairs : drawn) {
     int judged = 0;
     for (const OnMesh& pair : pairs) {
@@ -223,7 +223,7 @@ TEST(MeshPairs, NoRuleExplainsAWrongAnswer) {
         EXPECT_NE(unexplained(wrong), "") << peer->name() << " is not deep enough";
       }
     }
-    EXPECT_GT(judged, 2);
+    EXPECT_GE(judged, 2);
   }
 }
 
