@@ -123,6 +123,17 @@ TEST(RegressionScenarios, Genesis3245TremblingCylindersKeepTheirPatchesByCoheren
   }
 }
 
+TEST(RegressionScenarios, Bullet889DistancesFallByATenthOfAMillimetreAFrame) {
+  const Sequence sequence = sequence_of(regression("bullet_889_normal_to_the_kiss"));
+  ASSERT_EQ(sequence.frames.size(), 101u);
+  for (const trace::Frame& frame : sequence.frames) {
+    ASSERT_EQ(frame.pairs.size(), 3u);
+    for (const trace::Pair& pair : frame.pairs) {
+      EXPECT_NEAR(pair.separation, 0.01 - 1e-4 * frame.frame, 1e-7) << pair.b << frame.frame;
+    }
+  }
+}
+
 TEST(RegressionScenarios, Mujoco2356ATremblingPegKeepsItsFourIds) {
   const Sequence sequence = sequence_of(regression("mujoco_2356_peg_on_cube"));
   const Wander wander = wander_of(sequence, "");
