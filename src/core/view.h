@@ -36,6 +36,8 @@ struct View {
   std::optional<Vec3d> target;
   std::optional<double> fov_degrees;
   std::optional<double> orthographic_height;  // metres
+  /// Metres of an arrow for one newton second, where loads are shown for one newton; default: fitted.
+  std::optional<double> impulse_scale;
   Focus focus = Focus::Contact;
   Story story = Story::None;
   std::vector<std::string> layers;

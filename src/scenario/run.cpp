@@ -59,14 +59,19 @@ bool remembers(const std::string& reducer) {
   return found != reducers().end() && found->remembers;
 }
 
+bool names(const std::vector<std::string>& list, const char* name) {
+  return std::ranges::find(list, name) != list.end();
+}
+
 bool shows_stability(const std::vector<View>& views) {
-  const auto names = [](const std::vector<std::string>& list, const char* name) {
-    return std::ranges::find(list, name) != list.end();
-  };
-  return std::ranges::any_of(views, [&](const View& view) {
+  return std::ranges::any_of(views, [](const View& view) {
     return names(view.layers, "center_of_mass") || names(view.layers, "support") ||
            names(view.panels, "stability");
   });
+}
+
+bool shows_plots(const std::vector<View>& views) {
+  return std::ranges::any_of(views, [](const View& view) { return names(view.panels, "plots"); });
 }
 
 /// Also what is too large to be recorded where no view of the scenario shows it.
@@ -160,6 +165,7 @@ Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
     : scenario_(&scenario),
       stages_(with_insets(stages, scenario.views)),
       shows_stability_(shows_stability(scenario.views)),
+      shows_plots_(shows_plots(scenario.views)),
       memories_(scenario.pairs.size()),
       dynamic_(std::ranges::any_of(
           scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); })),
@@ -362,7 +368,10 @@ CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
 
 trace::Frame Runner::frame(int frame) const {
-  return std::visit([&](const auto& shapes) { return run(shapes, frame, true); }, shapes_);
+  trace::Frame result =
+      std::visit([&](const auto& shapes) { return run(shapes, frame, true); }, shapes_);
+  if (result.solver || shows_plots_) result.totals = trace::totals_of(result);
+  return result;
 }
 
 trace::Frame Runner::frame_unrecorded(int frame) const {

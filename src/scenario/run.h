@@ -100,6 +100,7 @@ class Runner {
   const Scenario* scenario_;
   trace::Stages stages_;
   bool shows_stability_;                                                        // some view
+  bool shows_plots_;                                                            // some view
   std::variant<std::vector<Shape<float>>, std::vector<Shape<double>>> shapes_;  // one a shape
   mutable std::mutex mutex_;
   /// One a pair, guarded by mutex_: of the frame that ran last, so that the next one need not run

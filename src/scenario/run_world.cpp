@@ -52,6 +52,8 @@ trace::Solver facts_of(const Scenario& scenario, const std::vector<Body<S>>& bod
   facts.iterations = scenario.solver.iterations;
   facts.substeps = scenario.solver.substeps;
   facts.warm_start = scenario.solver.warm_start;
+  facts.slop = scenario.solver.slop.value_or(0);
+  facts.speculative_margin = scenario.solver.speculative_margin.value_or(0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body<S>& body = bodies[i];
     if (!body.dynamic()) continue;
@@ -65,6 +67,38 @@ trace::Solver facts_of(const Scenario& scenario, const std::vector<Body<S>>& bod
     fact.potential_energy = potential_energy(body, scenario.world.gravity);
   }
   return facts;
+}
+
+/// How fast `b` moves against `a` at a place of both, by the arms that it had from their centres.
+template <class S>
+Vec3d relative_velocity(const Body<S>& a, const Body<S>& b, const Vec3d& arm_a,
+                        const Vec3d& arm_b) {
+  const auto at = [](const Body<S>& body, const Vec3d& arm) -> Vec3d {
+    const Vec3d turning = body.angular_velocity.template cast<double>();
+    return body.velocity.template cast<double>() + turning.cross(arm);
+  };
+  return at(b, arm_b) - at(a, arm_a);
+}
+
+/// What became of a pair's points that got an impulse, where the step has gone from `before` to
+/// `after`. The script of a body that is not dynamic is the same all through the step.
+template <class S>
+void record_relative_velocities(const ScenarioPair& pair, const std::vector<Body<S>>& before,
+                                const std::vector<Body<S>>& after, trace::Pair& record) {
+  const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+  const auto began = [&](std::size_t i) -> const Body<S>& {
+    return before[i].dynamic() ? before[i] : after[i];
+  };
+  for (trace::Manifold& manifold : record.manifolds) {
+    for (trace::Point& point : manifold.points) {
+      if (!point.impulse) continue;
+      const Vec3d arm_a = point.position - before[a].center.template cast<double>();
+      const Vec3d arm_b = point.position - before[b].center.template cast<double>();
+      point.relative_velocity =
+          trace::RelativeVelocity{relative_velocity(began(a), began(b), arm_a, arm_b),
+                                  relative_velocity(after[a], after[b], arm_a, arm_b)};
+    }
+  }
 }
 
 /// Impulses stand in the order of manifolds and points; a point that the solver left out has none.
@@ -188,11 +222,13 @@ trace::Frame Runner::run_world(const std::vector<Shape<S>>& shapes, int frame,
                                 poses[static_cast<std::size_t>(pair.b)], recorded,
                                 state.memories[i], result));
   }
+  const std::vector<Body<S>> before = state.bodies;
   solve(state, contacts);
   put(state);
-  if (recorded)
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-      record_impulses(contacts[i], state.impulses[i], result.pairs[i]);
+  for (std::size_t i = 0; recorded && i < contacts.size(); ++i) {
+    record_impulses(contacts[i], state.impulses[i], result.pairs[i]);
+    record_relative_velocities(scenario_->pairs[i], before, state.bodies, result.pairs[i]);
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "trace/dynamics_json.h"
 
 #include <algorithm>
+#include <set>
 
 namespace contactscope::trace {
 namespace {
@@ -11,6 +12,9 @@ Point read_point(const Node& node) {
   if (const auto impulse = node.find("impulse"))
     point.impulse = Impulse{impulse->at("normal").number(), impulse->vector_or_zero("friction"),
                             impulse->number_or_zero("warm_start")};
+  if (const auto velocity = node.find("relative_velocity"))
+    point.relative_velocity =
+        RelativeVelocity{velocity->at("before").vector(), velocity->at("after").vector()};
   return point;
 }
 
@@ -21,30 +25,6 @@ Json body(const Body& b) {
           {"angular_velocity", vector(b.angular_velocity, "angular_velocity")},
           {"kinetic_energy", number(b.kinetic_energy, "kinetic_energy")},
           {"potential_energy", number(b.potential_energy, "potential_energy")}};
-}
-
-Json totals(const Frame& frame) {
-  double penetration = 0, impulse = 0, kinetic = 0, potential = 0;
-  int points = 0;
-  for (const Pair& pair : frame.pairs) {
-    for (const Manifold& manifold : pair.manifolds) {
-      for (const Point& point : manifold.points) {
-        if (!point.impulse) continue;
-        penetration = std::max(penetration, -point.separation);
-        impulse += point.impulse->normal;
-        ++points;
-      }
-    }
-  }
-  for (const Body& b : frame.solver->bodies) {
-    kinetic += b.kinetic_energy;
-    potential += b.potential_energy;
-  }
-  return {{"penetration", number(penetration, "penetration")},
-          {"normal_impulse", number(impulse, "normal_impulse")},
-          {"points", points},
-          {"kinetic_energy", number(kinetic, "kinetic_energy")},
-          {"potential_energy", number(potential, "potential_energy")}};
 }
 
 }  // namespace
@@ -114,15 +94,15 @@ Stability read_stability(const Node& node) {
   return s;
 }
 
-Json solver(const Frame& frame) {
-  const Solver& s = *frame.solver;
+Json solver(const Solver& s) {
   Json bodies = Json::object();
   for (const Body& b : s.bodies) bodies[b.name] = body(b);
   return {{"position_correction", s.position_correction},
           {"iterations", s.iterations},
           {"substeps", s.substeps},
           {"warm_start", s.warm_start},
-          {"totals", totals(frame)},
+          {"slop", number(s.slop, "slop")},
+          {"speculative_margin", number(s.speculative_margin, "speculative_margin")},
           {"bodies", std::move(bodies)}};
 }
 
@@ -132,11 +112,51 @@ Solver read_solver(const Node& node) {
   s.iterations = node.at("iterations").integer();
   s.substeps = node.at("substeps").integer();
   s.warm_start = node.at("warm_start").boolean();
+  s.slop = node.number_or_zero("slop");
+  s.speculative_margin = node.number_or_zero("speculative_margin");
   for (const auto& [name, item] : node.at("bodies").members())
     s.bodies.push_back({name, item.at("mass").number(), item.at("center_of_mass").vector(),
                         item.at("velocity").vector(), item.at("angular_velocity").vector(),
                         item.at("kinetic_energy").number(), item.at("potential_energy").number()});
   return s;
+}
+
+Totals totals_of(const Frame& frame) {
+  Totals totals;
+  for (const Pair& pair : frame.pairs) {
+    std::set<std::pair<int, std::string>> ids;
+    for (const Manifold& manifold : pair.manifolds) {
+      for (const Point& point : manifold.points) {
+        if (frame.solver && !point.impulse) continue;
+        totals.penetration = std::max(totals.penetration, -point.separation);
+        if (point.impulse) totals.normal_impulse += point.impulse->normal;
+        ++totals.points;
+        ids.emplace(manifold.triangle.value_or(-1), point.id);
+      }
+    }
+    totals.ids += static_cast<int>(ids.size());
+  }
+  if (!frame.solver) return totals;
+  for (const Body& b : frame.solver->bodies) {
+    totals.kinetic_energy += b.kinetic_energy;
+    totals.potential_energy += b.potential_energy;
+  }
+  return totals;
+}
+
+Json totals(const Totals& t) {
+  return {{"penetration", number(t.penetration, "penetration")},
+          {"normal_impulse", number(t.normal_impulse, "normal_impulse")},
+          {"points", t.points},
+          {"ids", t.ids},
+          {"kinetic_energy", number(t.kinetic_energy, "kinetic_energy")},
+          {"potential_energy", number(t.potential_energy, "potential_energy")}};
+}
+
+Totals read_totals(const Node& node) {
+  return {node.at("penetration").number(),    node.at("normal_impulse").number(),
+          node.at("points").integer(),        node.at("ids").integer(),
+          node.at("kinetic_energy").number(), node.at("potential_energy").number()};
 }
 
 }  // namespace contactscope::trace

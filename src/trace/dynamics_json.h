@@ -17,11 +17,11 @@ Incremental read_incremental(const Node& node);
 Json stability(const Stability& s);
 Stability read_stability(const Node& node);
 
-/// Of a frame that has a solver. "bodies" by name, as "poses" are. "totals" are columns for plots, of
-/// what else the frame holds, and are not read back: of all points that have an impulse the deepest
-/// penetration in metres, the sum of normal impulses in newton seconds and their number; of all bodies
-/// the energies in joules.
-Json solver(const Frame& frame);
+/// "bodies" by name, as "poses" are.
+Json solver(const Solver& s);
 Solver read_solver(const Node& node);
+
+Json totals(const Totals& t);
+Totals read_totals(const Node& node);
 
 }  // namespace contactscope::trace

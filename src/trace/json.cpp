@@ -198,7 +198,8 @@ std::string to_json_line(const Frame& frame) {
                {"time", number(frame.time, "time")},
                {"poses", std::move(poses)},
                {"pairs", std::move(pairs)}};
-  if (frame.solver) json["solver"] = solver(frame);
+  if (frame.solver) json["solver"] = solver(*frame.solver);
+  if (frame.totals) json["totals"] = totals(*frame.totals);
   return json.dump();
 }
 

@@ -43,6 +43,9 @@ inline Json point(const Point& p) {
                {"separation", number(p.separation, "separation")},
                {"id", p.id}};
   if (p.impulse) json["impulse"] = impulse(*p.impulse);
+  if (p.relative_velocity)
+    json["relative_velocity"] = {{"before", vector(p.relative_velocity->before, "before")},
+                                 {"after", vector(p.relative_velocity->after, "after")}};
   return json;
 }
 

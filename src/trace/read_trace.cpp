@@ -226,6 +226,7 @@ Frame read_frame(const Node& node) {
   }
   for (const Node& pair : node.at("pairs").items()) frame.pairs.push_back(read_pair(pair));
   if (const auto solver = node.find("solver")) frame.solver = read_solver(*solver);
+  if (const auto totals = node.find("totals")) frame.totals = read_totals(*totals);
   return frame;
 }
 

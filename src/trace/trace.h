@@ -48,12 +48,21 @@ struct Impulse {
   friend bool operator==(const Impulse&, const Impulse&) = default;
 };
 
+/// How fast b moves against a where they touch: metres a second, world.
+struct RelativeVelocity {
+  Vec3d before = Vec3d::Zero();  // when the step begins; its gravity is not in it yet
+  Vec3d after = Vec3d::Zero();   // when it ends, at the places of both bodies that met
+
+  friend bool operator==(const RelativeVelocity&, const RelativeVelocity&) = default;
+};
+
 /// A contact point: separation in metres along the normal, negative = overlap.
 struct Point {
   Vec3d position = Vec3d::Zero();
   double separation = 0;
   std::string id;  // "a:e3 b:e7"
   std::optional<Impulse> impulse{};
+  std::optional<RelativeVelocity> relative_velocity{};  // where there is an impulse
 };
 
 struct Manifold {
@@ -350,9 +359,24 @@ struct Solver {
   int iterations = 0;
   int substeps = 0;
   bool warm_start = false;
+  double slop = 0;                // metres of overlap that are let be, as settled by the bodies
+  double speculative_margin = 0;  // metres, likewise
   std::vector<Body> bodies;
 
   friend bool operator==(const Solver&, const Solver&) = default;
+};
+
+/// Columns for plots: sums over a frame. Of the points that the solver took, of all where there is
+/// no solver.
+struct Totals {
+  double penetration = 0;       // metres, of the deepest point, 0 without an overlap
+  double normal_impulse = 0;    // newton seconds, sum over the points
+  int points = 0;               // of all manifolds
+  int ids = 0;                  // different names among them; each pair has its own
+  double kinetic_energy = 0;    // joules, of all bodies
+  double potential_energy = 0;  // joules
+
+  friend bool operator==(const Totals&, const Totals&) = default;
 };
 
 struct Frame {
@@ -361,7 +385,11 @@ struct Frame {
   std::vector<std::pair<std::string, Pose<double>>> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
   std::optional<Solver> solver{};
+  std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
 };
+
+/// Of what else the frame holds.
+Totals totals_of(const Frame& frame);
 
 struct Header {
   std::string scenario;  // "hull/face_contact"

@@ -151,8 +151,9 @@ TEST(StageJson, StabilityComesBackWithAnAxisOnlyWhereItTurnsAboutOne) {
 TEST(StageJson, TheSolverComesBackWithItsBodiesInOrder) {
   const Frame frame = sample_frame();
   const ordered_json line = written(frame);
-  EXPECT_THAT(key_names(line["solver"]), ElementsAre("position_correction", "iterations",
-                                                     "substeps", "warm_start", "totals", "bodies"));
+  EXPECT_THAT(key_names(line["solver"]),
+              ElementsAre("position_correction", "iterations", "substeps", "warm_start", "slop",
+                          "speculative_margin", "bodies"));
   EXPECT_THAT(key_names(line["solver"]["bodies"]), ElementsAre("zebra", "apple"));
   EXPECT_THAT(key_names(line["solver"]["bodies"]["zebra"]),
               ElementsAre("mass", "center_of_mass", "velocity", "angular_velocity",
@@ -160,24 +161,57 @@ TEST(StageJson, TheSolverComesBackWithItsBodiesInOrder) {
   EXPECT_EQ(frame_read(line).solver, frame.solver);
 }
 
-TEST(StageJson, TheSolverTotalsAreOfPointsWithAnImpulseAndOfAllBodies) {
+TEST(StageJson, RelativeVelocitiesStandWithTheirPoints) {
+  Frame frame = sample_frame();
+  std::vector<Point>& points = frame.pairs[0].manifolds[0].points;
+  points[1].relative_velocity = RelativeVelocity{{1, -2.5, 1e-300}, {0.125, -0.0, 4}};
+  const ordered_json line = written(frame);
+  const ordered_json& json = line["pairs"][0]["manifolds"][0]["points"];
+  EXPECT_FALSE(json[0].contains("relative_velocity"));
+  EXPECT_THAT(key_names(json[1]["relative_velocity"]), ElementsAre("before", "after"));
+  const std::vector<Point> after = frame_read(line).pairs[0].manifolds[0].points;
+  EXPECT_EQ(after[0].relative_velocity, std::nullopt);
+  EXPECT_EQ(after[1].relative_velocity, points[1].relative_velocity);
+}
+
+/// Two points that the solver took, with one name, and one that it left out.
+Frame frame_with_three_points() {
   Frame frame = sample_frame();
   for (Pair& pair : frame.pairs) pair.manifolds.clear();
   Manifold manifold;
-  manifold.points = {{{0, 0, 0}, -0.5, "", Impulse{2, {9, 9, 9}, 0}},
-                     {{0, 0, 0}, 0.25, "", Impulse{0.75, {0, 0, 0}, 0}},
-                     {{0, 0, 0}, -3, "", {}}};
+  manifold.points = {{{0, 0, 0}, -0.5, "a:v1", Impulse{2, {9, 9, 9}, 0}},
+                     {{0, 0, 0}, 0.25, "a:v1", Impulse{0.75, {0, 0, 0}, 0}},
+                     {{0, 0, 0}, -3, "a:v2", {}}};
   frame.pairs[0].manifolds = {manifold};
   frame.solver->bodies[1].kinetic_energy = 0.25;
-  const ordered_json totals = written(frame)["solver"]["totals"];
-  EXPECT_EQ(totals.dump(), R"({"penetration":0.5,"normal_impulse":2.75,"points":2,)"
-                           R"("kinetic_energy":0.75,"potential_energy":-9.81})");
+  return frame;
+}
+
+TEST(StageJson, TotalsAreOfPointsWithAnImpulseAndOfAllBodies) {
+  Frame frame = frame_with_three_points();
+  frame.totals = totals_of(frame);
+  const ordered_json line = written(frame);
+  EXPECT_EQ(line["totals"].dump(), R"({"penetration":0.5,"normal_impulse":2.75,"points":2,"ids":1,)"
+                                   R"("kinetic_energy":0.75,"potential_energy":-9.81})");
+  EXPECT_EQ(frame_read(line).totals, frame.totals);
+}
+
+TEST(StageJson, WithoutASolverTotalsAreOfAllPointsAndAPairHasNamesOfItsOwn) {
+  Frame frame = frame_with_three_points();
+  frame.solver.reset();
+  frame.pairs[1].manifolds = frame.pairs[0].manifolds;
+  const Totals totals = totals_of(frame);
+  EXPECT_EQ(totals.penetration, 3);
+  EXPECT_EQ(totals.points, 6);
+  EXPECT_EQ(totals.ids, 4);
+  EXPECT_EQ(totals.kinetic_energy, 0);
 }
 
 TEST(StageJson, AFrameWithoutASolverHasNoKeyForIt) {
   Frame frame = sample_frame();
   frame.solver.reset();
   EXPECT_FALSE(written(frame).contains("solver"));
+  EXPECT_FALSE(written(frame).contains("totals"));
   EXPECT_EQ(frame_read(written(frame)).solver, std::nullopt);
 }
 
