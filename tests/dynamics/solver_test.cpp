@@ -280,6 +280,24 @@ TEST(Correction, ProjectionDoesNotLiftABoxHigherThanItsCornersNeed) {
   }
 }
 
+// 80 cm deep, and 20 cm: each corner alone would turn the box, all of them together do not.
+TEST(Correction, ProjectionTurnsNothingThatLiesLevel) {
+  for (const double depth : {0.2, 0.8}) {
+    for (const double yaw : {0.0, 0.3, 1.0}) {
+      Scene<double> scene;
+      scene.settings.position_correction = PositionCorrection::Projection;
+      scene.settings.iterations = 30;
+      scene.add_plane();
+      const Quatd turn = about(Vec3d::UnitY(), yaw);
+      const int box = scene.add_box({0.4, 0.6, 0.4}, {turn, {0, 0.6 - depth, 0}}, 10);
+      scene.advance(10);
+      EXPECT_LT(scene.body(box).rotation.angularDistance(turn), 1e-4) << depth;
+      EXPECT_NEAR(scene.body(box).center.y(), 0.6 - 0.004, 1e-4) << depth;
+      EXPECT_LT(scene.body(box).velocity.norm(), 1e-3);
+    }
+  }
+}
+
 // A thin wall and a ball that crosses it within one step.
 TEST(Speculative, AFastBallIsStoppedByWhatItWouldPass) {
   for (const double margin : {0.0, 3.0}) {
