@@ -8,6 +8,10 @@
 namespace contactscope {
 namespace {
 
+// Bodies at rest meet with what gravity adds in one sub-step, and must not bounce from that; as much
+// again for what the sweeps leave over.
+constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
+
 /// The two bodies of a contact.
 template <class S>
 struct BodyPair {
@@ -45,6 +49,16 @@ void solve_friction(const BodyPair<S>& bodies, const ContactConstraint<S>& conta
   point.friction_u = u;
   point.friction_v = v;
   bodies.push(point, impulse);
+}
+
+/// How fast the bodies would meet where they are now, see apply_restitution; `closing` in metres a
+/// second, a second.
+template <class S>
+S met_velocity(const ConstraintPoint<S>& point, S closing, S h) {
+  const S half_step = S(0.5) * closing * h;
+  const S began = -point.approach - half_step;
+  const S lift = point.separation - point.separation_began;
+  return std::sqrt(std::max(began * began - 2 * closing * lift, S(0))) + half_step;
 }
 
 template <class S>
@@ -99,14 +113,18 @@ void note_approach(std::span<const SolverBody<S>> bodies,
 
 template <class S>
 void apply_restitution(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
-                       S threshold) {
+                       const Vec3<S>& gravity, S h) {
+  const S threshold = static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;
   for (ContactConstraint<S>& contact : contacts) {
     if (contact.restitution == 0) continue;
     const BodyPair<S> pair(bodies, contact);
+    const S closing =
+        (static_cast<S>(pair.a.body.dynamic()) - static_cast<S>(pair.b.body.dynamic())) *
+        gravity.dot(contact.normal);
     for (ConstraintPoint<S>& point : contact.points) {
       if (!(point.approach < -threshold) || point.total_normal == 0) continue;
       const S velocity = pair.velocity_at(point).dot(contact.normal);
-      const S target = -contact.restitution * point.approach;
+      const S target = contact.restitution * met_velocity(point, closing, h);
       const S change = point.normal_mass * (target - velocity);
       const S total = std::max(point.total_normal + change, S(0));
       pair.push(point, Vec3<S>((total - point.total_normal) * contact.normal));
@@ -120,7 +138,8 @@ void apply_restitution(std::span<SolverBody<S>> bodies, std::vector<ContactConst
   template void solve_velocities(std::span<SolverBody<S>>, std::vector<ContactConstraint<S>>&,     \
                                  const SolverSettings&, bool, S);                                  \
   template void note_approach(std::span<const SolverBody<S>>, std::vector<ContactConstraint<S>>&); \
-  template void apply_restitution(std::span<SolverBody<S>>, std::vector<ContactConstraint<S>>&, S);
+  template void apply_restitution(std::span<SolverBody<S>>, std::vector<ContactConstraint<S>>&,    \
+                                  const Vec3<S>&, S);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

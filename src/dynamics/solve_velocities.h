@@ -29,10 +29,20 @@ template <class S>
 void note_approach(std::span<const SolverBody<S>> bodies,
                    std::vector<ContactConstraint<S>>& contacts);
 
-/// One sweep: points that were hit faster than `threshold` (metres a second) and pushed back leave
-/// with their share of that velocity.
+/// One sweep over points that were hit faster than bodies at rest are, and pushed back: they leave
+/// with their share of the velocity that they would have met with where they are now.
+///
+/// A step meets late, deep inside, or by a speculative point early; and then it lifts what overlaps.
+/// With the share of the approaching velocity itself the bodies would keep that lift as height: each
+/// bounce of an elastic ball would end higher. So let u close a contact, c be the acceleration that
+/// closes it and l the way that the step has opened it by: sqrt(u^2 - 2 c l) is what free motion
+/// would leave of u there. Semi-implicit Euler moves along a parabola whose velocity at the ends of
+/// a sub-step is c h / 2 beside the one that it holds, and that much is taken off before and added
+/// after: an elastic bounce keeps the energy of a ball, whatever worked its overlap off.
+///
+/// `gravity` in metres a second, a second, `h` the sub-step in seconds; separations are up to date.
 template <class S>
 void apply_restitution(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
-                       S threshold);
+                       const Vec3<S>& gravity, S h);
 
 }  // namespace contactscope

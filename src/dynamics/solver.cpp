@@ -7,10 +7,6 @@
 namespace contactscope {
 namespace {
 
-// Bodies at rest meet with what gravity adds in one sub-step, and must not bounce from that; as much
-// again for what the sweeps leave over.
-constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
-
 template <class S>
 std::vector<SolverBody<S>> solver_bodies(const std::vector<Body<S>>& bodies) {
   std::vector<SolverBody<S>> result(bodies.size());
@@ -75,8 +71,8 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
       for (int i = 0; i < settings.iterations; ++i) project_positions(all, contacts, settings);
     end_substep(contacts);
   }
-  const S threshold = static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;
-  for (int i = 0; i < settings.iterations; ++i) apply_restitution(all, contacts, threshold);
+  update_separations<S>(all, contacts);
+  for (int i = 0; i < settings.iterations; ++i) apply_restitution(all, contacts, gravity, h);
 
   for (PairImpulses<S>& kept : impulses) kept.clear();
   for (const ContactConstraint<S>& contact : contacts)
