@@ -63,6 +63,27 @@ TEST_P(EveryMethod, ABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
   }
 }
 
+// What the correction lifts must not let go of what friction holds: at default settings, as far as a
+// tenth of a degree below the critical angle.
+TEST_P(EveryMethod, ABoxThatHoldsDoesNotCreep) {
+  const double friction = 0.5, critical = std::atan(friction) / kDegree;
+  for (const double degrees : {10.0, critical - 1, critical - 0.1}) {
+    Scene<double> slope = scene();
+    slope.friction = friction;
+    const Quatd turn = about(Vec3d::UnitZ(), -degrees * kDegree);
+    slope.add_plane(-degrees * kDegree);
+    const Vec3d start = turn * Vec3d(0, 0.1, 0);
+    const int box = slope.add_box({0.5, 0.1, 0.5}, {turn, start}, 3);
+    slope.advance(30);
+    const Vec3d at_rest = slope.body(box).center;
+    EXPECT_LT((at_rest - start).norm(), 0.005) << degrees;
+    slope.advance(270);
+    // Soft contacts go on sinking for a while.
+    const double creep = GetParam().correction == PositionCorrection::Soft ? 5e-4 : 1e-5;
+    EXPECT_LT((slope.body(box).center - at_rest).norm(), creep) << degrees;
+  }
+}
+
 // Without slip a ball rolls with g sin / (1 + 2/5).
 TEST_P(EveryMethod, ABallRollsDownASlope) {
   Scene<double> rolling = scene();
