@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -75,27 +76,45 @@ TEST(MassRatio, AHundredKilogramsStandOnOne) {
   EXPECT_GT(scene.deepest_overlap(), -0.04);
 }
 
-// Ten thousand steps at rest: nothing may shake itself loose, and no energy may come from nowhere.
-TEST_P(Stack, EnergyNeverGrowsInTenThousandStepsAtRest) {
-  Scene<double> scene = stack<double>({1, 1, 1}, GetParam().correction);
-  scene.settings.iterations = GetParam().correction == PositionCorrection::Soft ? 2 : 12;
-  // It begins with sweeps that know nothing; what they leave over must die away.
-  scene.advance(500);
-  const double energy = scene.energy();
-  const double of_one_step = 0.5 * 3 * std::pow(kGravity * scene.dt, 2);
-  double last = 1e-6 * of_one_step;
-  for (int thousand = 0; thousand < 10; ++thousand) {
-    double most = 0;
-    for (int i = 0; i < 1000; ++i) {
+// Three boxes of 1 kg, two slops deep in what is below them or just touching: what works the overlap
+// off may lift them to where one slop is left, and no energy may come from anywhere else. Then nothing
+// may shake itself loose.
+TEST_P(Stack, EnergyNeverGrowsInTenThousandSteps) {
+  const double of_one_step = 0.5 * 3 * std::pow(kGravity / 60, 2);
+  struct Start {
+    double overlap;
+    std::optional<double> slop;
+    int thousands;
+  };
+  for (const Start start :
+       {Start{0.002, 0.001, 4}, Start{0.01, std::nullopt, 3}, Start{0, std::nullopt, 3}}) {
+    Scene<double> scene = stack<double>({1, 1, 1}, GetParam().correction, start.overlap);
+    scene.settings.slop = start.slop;
+    scene.settings.iterations = GetParam().correction == PositionCorrection::Soft ? 2 : 12;
+    const double slop = start.slop.value_or(0.0049);  // of the box with 98 cm
+    double most_energy = scene.energy();
+    if (start.overlap > slop) most_energy += (1 + 2 + 3) * kGravity * (start.overlap - slop);
+    // A box is lifted before the one above it is, so that a few hundredths go too far.
+    most_energy += 0.05 * std::max(most_energy - scene.energy(), 0.0);
+    for (int i = 0; i < 500; ++i) {
       scene.advance();
-      most = std::max(most, scene.kinetic());
-      ASSERT_LT(scene.energy(), energy + 1e-6 * of_one_step) << thousand;
+      ASSERT_LT(scene.energy(), most_energy + 1e-6 * of_one_step) << start.overlap;
     }
-    EXPECT_LE(most, std::max(last, 1e-20 * of_one_step)) << thousand;
-    last = most;
+    const double settled_energy = scene.energy();
+    double last = 1e-6 * of_one_step;
+    for (int thousand = 0; thousand < start.thousands; ++thousand) {
+      double most = 0;
+      for (int i = 0; i < 1000; ++i) {
+        scene.advance();
+        most = std::max(most, scene.kinetic());
+        ASSERT_LT(scene.energy(), settled_energy + 1e-6 * of_one_step) << thousand;
+      }
+      EXPECT_LE(most, std::max(last, 1e-20 * of_one_step)) << thousand;
+      last = most;
+    }
+    for (int box = 1; box <= 3; ++box)
+      EXPECT_LT(scene.body(box).center.cwiseProduct(Vec3d(1, 0, 1)).norm(), 2e-3);
   }
-  for (int box = 1; box <= 3; ++box)
-    EXPECT_LT(scene.body(box).center.cwiseProduct(Vec3d(1, 0, 1)).norm(), 1e-3);
 }
 
 // With few sweeps a stack that begins anew in each step cannot carry itself.
@@ -165,7 +184,7 @@ TEST(TenEqualBoxes, ComeToRestOnSoftContactsInSubSteps) {
   Scene<float> scene = plain_stack<float>(PositionCorrection::Soft, 10);
   scene.settings.substeps = 4;
   scene.advance(600);
-  EXPECT_LT(scene.kinetic(), 1e-6);
+  EXPECT_LT(scene.kinetic(), 1e-5);
   for (int box = 1; box <= 10; ++box) {
     EXPECT_LT(std::hypot(scene.body(box).center.x(), scene.body(box).center.z()), 0.03);
     const double weight = (11 - box) * kGravity;
