@@ -231,6 +231,66 @@ TEST(DynamicRun, KeysOfTheSolverAreRead) {
   EXPECT_EQ(scenario.solver.speculative_margin, 0.02);
 }
 
+// 1/200 and 1/50 of the thinnest one: the upper box, whose shortest edge is 0.2 m.
+TEST(DynamicRun, LengthsOfTheSolverAreByDefaultThoseOfTheSmallestBody) {
+  const std::string upper =
+      "[shapes.thin]\ntype = \"box\"\nhalf_extents = [0.4, 0.1, 0.3]\nposition = [0, 0, 3]\n"
+      "motion = { dynamic = true, mass = 2 }\n";
+  std::string text = kResting + upper;
+  text.erase(text.find("slop = 0.001\n"), 13);
+  const auto solver_of = [&](const std::string& key) {
+    return parse_scenario(std::string(text).insert(text.find("[pipeline]"), key), "g/a.toml")
+        .solver;
+  };
+  EXPECT_NEAR(*solver_of("").slop, 0.001, 1e-12);
+  EXPECT_NEAR(*solver_of("").speculative_margin, 0.004, 1e-12);
+  EXPECT_EQ(solver_of("slop = 0.0\n").slop, 0);
+  EXPECT_NEAR(*solver_of("slop = 0.0\n").speculative_margin, 0.004, 1e-12);
+  EXPECT_EQ(solver_of("speculative_margin = 3\n").speculative_margin, 3);
+  const Scenario scenario = parse_scenario(text, "g/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  EXPECT_EQ(frame.solver->slop, scenario.solver.slop);
+  EXPECT_EQ(frame.solver->speculative_margin, scenario.solver.speculative_margin);
+}
+
+TEST(World, RelativeVelocityIsThatOfThePointBeforeAndAfterTheStepAndTotalsSumTheFrame) {
+  // A ball that spins on a platform that rises: at the contact it moves by spin x radius.
+  const Scenario scenario = parse_scenario(
+      "title = \"t\"\n[time]\nframes = 2\ndt = 0.01\n"
+      "[shapes.platform]\ntype = \"box\"\nhalf_extents = [1, 0.5, 1]\nposition = [0, -0.5, 0]\n"
+      "motion = { velocity = [0, 0.5, 0] }\n"
+      "[shapes.ball]\ntype = \"sphere\"\nradius = 0.25\nposition = [0, 0.25, 0]\n"
+      "motion = { dynamic = true, mass = 2, velocity = [1, -2, 0], angular_velocity = [0, 0, 3] }\n"
+      "[pipeline]\nscalar = \"double\"\n[world]\ngravity = [0, 0, 0]\nfriction = 0\n"
+      "[solver]\nslop = 0.0\n",
+      "g/a.toml");
+  const trace::Frame frame = run_frame(scenario, 0);
+  ASSERT_EQ(frame.pairs[0].manifolds.size(), 1u);
+  const trace::Point& point = frame.pairs[0].manifolds[0].points[0];
+  ASSERT_TRUE(point.relative_velocity.has_value());
+  // From the platform to the ball; spin x arm = (0, 0, 3) x (0, -0.25, 0) = (0.75, 0, 0).
+  const double sign = frame.pairs[0].a == "platform" ? 1 : -1;
+  EXPECT_NEAR((sign * point.relative_velocity->before - Vec3d(1.75, -2.5, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((sign * point.relative_velocity->after - Vec3d(1.75, 0, 0)).norm(), 0, 1e-12);
+  ASSERT_TRUE(frame.totals.has_value());
+  EXPECT_NEAR(frame.totals->normal_impulse, 5, 1e-12) << "2 kg, 2.5 m/s";
+  EXPECT_EQ(frame.totals->points, 1);
+  EXPECT_EQ(frame.totals->ids, 1);
+  EXPECT_NEAR(frame.totals->kinetic_energy, 0.5 * 2 * 5 + 0.5 * 0.4 * 2 * 0.0625 * 9, 1e-12);
+}
+
+TEST(World, WithoutASolverThereAreTotalsWherePlotsAreShown) {
+  const std::string text =
+      "title = \"t\"\n[shapes.a]\ntype = \"sphere\"\nradius = 1\n[shapes.b]\ntype = "
+      "\"sphere\"\nradius = 1\nposition = [0, 1.5, 0]\n";
+  EXPECT_FALSE(run_frame(parse_scenario(text, "g/a.toml"), 0).totals.has_value());
+  const trace::Frame frame =
+      run_frame(parse_scenario(text + "[[views]]\npanels = [\"plots\"]\n", "g/a.toml"), 0);
+  ASSERT_TRUE(frame.totals.has_value());
+  EXPECT_EQ(frame.totals->penetration, 0.5);
+  EXPECT_EQ(frame.totals->points, 1);
+}
+
 struct Numbered {
   int frame;
 };
