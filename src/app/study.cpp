@@ -16,6 +16,7 @@
 #include "draw/plot_map.h"
 #include "image/png.h"
 #include "image/whole_file.h"
+#include "scenario/nearest_word.h"
 #include "trace/study.h"
 
 namespace contactscope::app {
@@ -27,7 +28,11 @@ const StudyInfo& find_study(const std::string& name) {
     if (info.name == name) return info;
     names += (names.empty() ? "" : ", ") + info.name;
   }
-  throw UsageError("study '" + name + "' is not known; there is " + names);
+  std::vector<std::string_view> words;
+  for (const StudyInfo& info : studies()) words.push_back(info.name);
+  const std::string near = nearest(name, words);
+  throw UsageError("study '" + name + "' is not known; " +
+                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "There is " + names);
 }
 
 std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "core/vec3.h"
+#include "scenario/nearest_word.h"
 
 /// Typed access to a TOML file in which every complaint knows its line and column. All functions
 /// throw InputError when the file says something else than asked for; messages name the key, what
@@ -15,6 +16,8 @@
 namespace contactscope::toml_reader {
 
 using Keys = std::vector<std::string_view>;
+using contactscope::nearest;
+using contactscope::quoted_list;
 
 class Table;
 
@@ -89,11 +92,6 @@ class Table {
   Value value_;
 };
 
-/// The candidate that `word` is most likely a misspelling of; empty when none is near.
-std::string nearest(std::string_view word, const Keys& candidates);
-
-/// "'a', 'b' and 'c'".
-std::string quoted_list(const Keys& words);
 Keys as_keys(const std::vector<std::string>& words);
 
 /// Parses TOML; what is no TOML throws InputError.

@@ -2,13 +2,11 @@
 
 #include <vector>
 
+#include "scenario/default_view.h"
 #include "scenario/scenario.h"
 #include "scenario/toml_reader.h"
 
 namespace contactscope::scenario_file {
-
-/// The view of a file that names none: fitted, with the default layers and no panels.
-View default_view();
 
 /// [[views]], at least one.
 std::vector<View> read_views(const toml_reader::Value& value);

@@ -38,6 +38,29 @@ TEST(CommandLine, UsageErrorsNameTheRemedy) {
   EXPECT_THAT(run("trace nowhere").err, HasSubstr("list scenarios"));
 }
 
+TEST(CommandLine, MisspeltWordsAreNamedWithWhatIsMeant) {
+  EXPECT_THAT(run("rendr my.toml").err, HasSubstr("'rendr' is no verb; did you mean 'render'?"));
+  EXPECT_THAT(run("--quiet render").err, HasSubstr("stands before the verb"));
+  EXPECT_THAT(run("trace my.toml --frame 3").err,
+              HasSubstr("trace has no option --frame; did you mean --frames?"));
+  EXPECT_THAT(run("trace my.toml --out x").err,
+              HasSubstr("trace has no option --out; it is one of 'render'"));
+  EXPECT_THAT(run("trace hul/face_contact").err, HasSubstr("did you mean hull/face_contact?"));
+  EXPECT_THAT(run("study solvr").err, HasSubstr("did you mean 'solver'?"));
+  EXPECT_THAT(run("render hull/face_contact --layers shape").err,
+              HasSubstr("did you mean 'shapes'?"));
+}
+
+TEST(CommandLine, NumberBeyondADoubleIsNamedAsOne) {
+  const TemporaryFolder folder;
+  folder.write("big.toml", "title = \"x\"\n[shapes.a]\ntype = \"sphere\"\nradius = 1e400\n");
+  EXPECT_THAT(run("trace '" + (folder / "big.toml") + "'").err, HasSubstr("up to 1.8e308"));
+}
+
+TEST(CommandLine, HelpOnAFullDiskIsTrouble) {
+  EXPECT_EQ(run_on_full_disk("render --help"), 2);
+}
+
 TEST(CommandLine, BadScenarioIsTroubleWithFileLineAndColumn) {
   const TemporaryFolder folder;
   folder.write("bad.toml", "title = \"x\"\n[shapes.a]\ntype = \"bxo\"\n");

@@ -1,0 +1,53 @@
+#include "scenario/nearest_word.h"
+
+#include <algorithm>
+
+namespace contactscope {
+namespace {
+
+/// Edits that turn `a` into `b`: a letter changed, added, left out, or two neighbours swapped
+/// (Damerau 1964, each letter edited at most once). Both words are short.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) edits[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) edits[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
+    }
+  }
+  return edits[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
+  // Up to a third of the letters wrong: "half_extent" is near "half_extents", "foo" is near
+  // nothing. Long words are no misspelling of a key and would only cost time.
+  constexpr std::size_t kLongest = 64;
+  if (word.size() > kLongest) return {};
+  std::string best;
+  std::size_t best_distance = 0;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t allowed = std::max(word.size(), candidate.size()) / 3;
+    if (distance > allowed || (!best.empty() && distance >= best_distance)) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::string quoted_list(const std::vector<std::string_view>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+    list.append(1, '\'').append(words[i]).append(1, '\'');
+  }
+  return list;
+}
+
+}  // namespace contactscope

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace contactscope {
+
+/// The candidate that `word` is most likely a misspelling of: up to a third of its letters wrong,
+/// two swapped ones counting as one. Empty when none is near.
+std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// "'a', 'b' and 'c'".
+std::string quoted_list(const std::vector<std::string_view>& words);
+
+}  // namespace contactscope
