@@ -11,15 +11,19 @@ namespace contactscope::draw {
 namespace {
 
 constexpr float kJoin = 0.25f;    // pixels
+constexpr float kAvoided = 1.5f;   // pixels: labels keep off lines of this width
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
 constexpr double kDotBorder = 2.2;
+constexpr double kApartBorder = 1.2;
+constexpr float kApartFill = 0.3f;
 constexpr double kCenterRadius = 9.5;
 constexpr double kFootRadius = 6.5;
 constexpr double kCoreRadius = 2.4;
 constexpr double kOriginRadius = 7.0;
 constexpr double kNodeRadius = 4.0;
+constexpr double kSquare = 5.0;
 constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
@@ -46,7 +50,10 @@ class Composer {
     for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
     // What is inside of a shape stays under what is said about it.
-    const auto is_core = [](const Mark& mark) { return mark.kind == MarkKind::Core; };
+    // So does a hollow origin under the arrow that begins there.
+    const auto is_core = [](const Mark& mark) {
+      return mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin;
+    };
     for (const Mark& mark : sketch_.marks) {
       if (is_core(mark)) draw_mark(mark);
     }
@@ -103,6 +110,10 @@ class Composer {
       if (style.hidden == LineStyle::Hidden::Gone) return;
       stroke(from, to, 1.0f, with_alpha(style.color, 0.38f * style.color.a), 5, 4, run, joined);
     } else {
+      if (style.width >= kAvoided) {
+        const std::optional<Segment2> seen = project_segment(camera_, from, to);
+        if (seen) placer_.avoid(seen->from, seen->to);
+      }
       const bool dashed = style.hidden == LineStyle::Hidden::Same && style.dashed;
       stroke(from, to, style.width, style.color, dashed ? 10.0f : 0.0f, dashed ? 6.0f : 0.0f, run,
              joined);
@@ -257,13 +268,32 @@ class Composer {
       case MarkKind::Origin:
         disc(0, kOriginRadius + kDotHalo, kWhite);
         disc(kOriginRadius - kDotHalo, kOriginRadius, mark.color);
-        disc(0, 0.5 * kOriginRadius, mark.color);
         placer_.block(*at, px(kOriginRadius + kDotHalo));
+        break;
+      case MarkKind::HeldOrigin:
+        disc(0, 0.7 * kOriginRadius + kDotHalo, kWhite);
+        disc(0, 0.7 * kOriginRadius, mark.color);
+        placer_.block(*at, px(kOriginRadius + kDotHalo));
+        break;
+      case MarkKind::Square:
+        draw_square(*at, px(kSquare), mark.color, out_);
+        placer_.block(*at, px(kSquare + kDotHalo));
         break;
       case MarkKind::Hollow:
         disc(0, kDotRadius + kDotHalo, kWhite);
         disc(kDotRadius - kDotBorder, kDotRadius, mark.color);
         placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::Apart:
+        disc(0, kDotRadius + kDotHalo, kWhite);
+        disc(0, kDotRadius, with_alpha(mark.color, kApartFill));
+        disc(kDotRadius - kApartBorder, kDotRadius, mark.color);
+        placer_.block(*at, px(kDotRadius + kDotHalo));
+        break;
+      case MarkKind::WideRing:
+        disc(kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
+        disc(kRingInner, kRingInner + 0.7 * kDotBorder, mark.color);
+        placer_.block(*at, px(kRingOuter));
         break;
       case MarkKind::Ring:
         disc(kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
@@ -314,10 +344,11 @@ class Composer {
         placer_.place(*at, text_width(label.text, size, weight), up, descent(size, weight),
                       px(label.clearance), wanted_direction(label, *at));
     if (!place) return;
-    if (place->needs_leader) {
+    if (place->needs_leader || label.leader) {
       out_.primitives.push_back(
           Stroke{*at, place->leader_end, px(3.5), with_alpha(kWhite, 0.8f), Cap::Butt});
       out_.primitives.push_back(Stroke{*at, place->leader_end, px(1), label.color, Cap::Butt});
+      placer_.block(*at, place->leader_end, px(2));
     }
     Text text;
     text.text = label.text;

@@ -4,6 +4,7 @@
 #include "draw/palette.h"
 #include "draw/quantity.h"
 #include "draw/scene.h"
+#include "draw/whisker.h"
 
 namespace contactscope::draw {
 namespace {
@@ -31,40 +32,59 @@ bool has_room(const Camera& camera, const Vec3d& from, const Vec3d& direction, d
   return seen && std::hypot(seen->to.x - a->x, seen->to.y - a->y) >= kLeastArrow;
 }
 
-// From the point to the surface that it overlaps: towards the incident face, or to both sides of an
-// edge contact's midpoint.
-void draw_whisker(const Scene& scene, const trace::Manifold& manifold, const trace::Point& point,
-                  Sketch& sketch) {
-  const Vec3d overlap = scene.depth_factor * point.separation * manifold.normal;
-  Vec3d from = point.position;
-  Vec3d to = point.position + overlap;
-  if (manifold.axis == "face_b") to = point.position - overlap;
-  if (manifold.axis == "edge_edge" || manifold.axis == "closest_points") {
-    from = point.position - 0.5 * overlap;
-    to = point.position + 0.5 * overlap;
+// From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
+void draw_whisker(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
+                  const trace::Point& point, Sketch& sketch) {
+  const auto [from, to] = whisker_at(scene, pair, manifold, point);
+  const float width = stands_off(point, scene.scales) ? 1.5f : 2.5f;
+  sketch.lines.push_back({from, to, {2 * width, with_alpha(kWhite, 0.85f)}, false});
+  sketch.lines.push_back({from, to, {width, kContact}, true});
+}
+
+void draw_point(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
+                const trace::Point& point, Sketch& sketch) {
+  // Points that have an age are drawn by it, with the way between the places that met. Beside them
+  // a filled dot means a new point, which those of a one-shot manifold all are and none is.
+  const bool ages = scene.shows("persistent");
+  if (ages && pair.incremental) return;
+  const bool apart = stands_off(point, scene.scales);
+  const std::string factor =
+      scene.depth_factor == 1 ? "" : " × " + spell_number(scene.depth_factor);
+  draw_whisker(scene, pair, manifold, point, sketch);
+  if (ages && !apart) {
+    sketch.marks.push_back({MarkKind::Square, point.position, kContact});
+    sketch.explain(LegendKind::OneShotPoint, "one-shot point, whisker = overlap" + factor);
+    return;
   }
-  sketch.lines.push_back({from, to, {5.0f, with_alpha(kWhite, 0.85f)}, false});
-  sketch.lines.push_back({from, to, {2.5f, kContact}, true});
+  sketch.marks.push_back({apart ? MarkKind::Apart : MarkKind::Dot, point.position, kContact});
+  if (apart) {
+    sketch.explain(LegendKind::ApartPoint,
+                   "point within the margin, not touching: line = gap" + factor);
+  } else {
+    sketch.explain(LegendKind::Contact, "contact point, whisker = overlap" + factor);
+  }
+}
+
+// The middle of the points. Of a single one, the arrow begins where a whisker that runs the same
+// way ends, for it would cover it.
+Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
+                      const trace::Manifold& manifold) {
+  const Vec3d middle = middle_of(manifold.points);
+  if (manifold.points.size() > 1 || !scene.shows("contacts")) return middle;
+  const Whisker whisker = whisker_at(scene, pair, manifold, manifold.points.front());
+  const double ahead = std::max((whisker.on_a - middle).dot(manifold.normal),
+                                (whisker.on_b - middle).dot(manifold.normal));
+  return middle + std::max(0.0, ahead) * manifold.normal;
 }
 
 }  // namespace
-
-void draw_id(const trace::Point& point, Sketch& sketch) {
-  sketch.labels.push_back({.at = point.position,
-                           .text = point.id,
-                           .color = kText,
-                           .size = 15,
-                           .bold = true,
-                           .clearance = 12,
-                           .direction = std::nullopt});
-}
 
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool many = pair.manifolds.size() > 2;  // a mesh's: arrows as long as usual would be a wood
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
     Arrow normal;
-    normal.from = middle_of(manifold.points);
+    normal.from = start_of_normal(scene, pair, manifold);
     normal.direction = manifold.normal;
     normal.pixels = many ? 44 : 78;
     normal.width = many ? 2 : 3;
@@ -78,18 +98,11 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 // Gregorius 2015, "Contact Points", "Contact Manifolds" and "Contact Point Reduction".
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::string factor = scene.depth_factor == 1
-                                 ? "whisker = overlap"
-                                 : "whisker = overlap × " + spell_number(scene.depth_factor);
   if (scene.shows("normals")) draw_normals(scene, pair, sketch);
   if (pair.manifolds.size() > 1) {  // each was reduced by itself, and the record holds one of these
     for (const trace::Manifold& manifold : pair.manifolds) {
       for (const trace::Point& point : manifold.points) {
-        if (scene.shows("contacts")) {
-          draw_whisker(scene, manifold, point, sketch);
-          sketch.marks.push_back({MarkKind::Dot, point.position, kContact});
-          sketch.explain(LegendKind::Contact, "contact point, " + factor);
-        }
+        if (scene.shows("contacts")) draw_point(scene, pair, manifold, point, sketch);
         if (scene.shows("ids")) draw_id(point, sketch);
       }
     }
@@ -110,18 +123,15 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       kept = found != chosen.end();
       choice = static_cast<std::size_t>(found - chosen.begin());
     }
-    if (reduced && !kept) {
+    if (!kept) {  // no contact
+      if (!reduced) continue;
       const bool crowded = all.size() - pair.reduction->kept.size() > kCrowd;
       sketch.marks.push_back(
           {crowded ? MarkKind::SmallCross : MarkKind::Cross, all[i].position, kDropped});
       sketch.explain(LegendKind::Reduced, "reduced away");
       continue;
     }
-    if (scene.shows("contacts")) {
-      draw_whisker(scene, manifold, all[i], sketch);
-      sketch.marks.push_back({MarkKind::Dot, all[i].position, kContact});
-      sketch.explain(LegendKind::Contact, "contact point, " + factor);
-    }
+    if (scene.shows("contacts")) draw_point(scene, pair, manifold, all[i], sketch);
     if (reduced) {
       sketch.marks.push_back({MarkKind::Ring, all[i].position, kContact});
       sketch.labels.push_back({.at = all[i].position,

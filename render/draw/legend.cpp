@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "draw/choice_steps.h"
 #include "draw/hatch.h"
 #include "draw/layout.h"
 #include "draw/marks.h"
@@ -116,6 +117,31 @@ class Swatch {
         Fill{{tip, {back.x + across.x, back.y + across.y}, {back.x - across.x, back.y - across.y}},
              color});
   }
+  // A length between two ticks.
+  void span(const Color& color) {
+    line(2, 20, 1.8, color);
+    for (const double at : {2.0, 20.0}) {
+      const float x = x_ + layout_.px(at);
+      out_.primitives.push_back(
+          Stroke{{x, y_ - layout_.px(4)}, {x, y_ + layout_.px(4)}, layout_.px(1.8), color});
+    }
+  }
+  void square(const Color& color) { draw_square(middle(), layout_.px(4.2), color, out_); }
+  void open_square(const Color& color) {
+    draw_deepest_mark(middle(), layout_, 0.72, color, out_);
+  }
+  // Two strokes across a line that goes on.
+  void breaks(const Color& color) {
+    line(0, 8.5, 3, color);
+    line(14, 22, 3, color);
+    for (const double at : {9.0, 13.0}) {
+      const float x = x_ + layout_.px(at);
+      out_.primitives.push_back(Stroke{{x - layout_.px(2), y_ + layout_.px(6)},
+                                       {x + layout_.px(2), y_ - layout_.px(6)},
+                                       layout_.px(1.8),
+                                       color});
+    }
+  }
   void upright(double width, const Color& color) {
     const Point2 m = middle();
     out_.primitives.push_back(
@@ -140,6 +166,12 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       break;
     case LegendKind::Core:
       swatch.face(with_alpha(kReferenceFace, 0), kReferenceFace, 1.8, true);
+      break;
+    case LegendKind::Rounded:
+      swatch.face(with_alpha(kReferenceFace, 0), kReferenceFace, 2, false);
+      break;
+    case LegendKind::Margins:
+      swatch.span(kReferenceFace);
       break;
     case LegendKind::ReferenceFace:
       swatch.face(with_alpha(kReferenceFace, 0.35f), kReferenceFace, 2.5, false);
@@ -182,9 +214,23 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       swatch.line(0, 21, 2.5, kIncidentFace);
       swatch.open_head(21, 9, 2.5, kIncidentFace);
       break;
+    case LegendKind::BreakMark:
+      swatch.breaks(kContact);
+      break;
     case LegendKind::Velocity:
       swatch.line(0, 14, 3.5, kReferenceFace);
       swatch.head(22, 11, kReferenceFace);
+      break;
+    case LegendKind::RelativeVelocity:
+      swatch.line(0, 21, 2, kClipPolygon);
+      swatch.open_head(21, 9, 2, kClipPolygon);
+      break;
+    case LegendKind::NormalVelocity:
+      swatch.line(0, 14, 4, kClipPolygon);
+      swatch.head(22, 11, kClipPolygon);
+      break;
+    case LegendKind::Ahead:
+      swatch.dashes(2, kDropped);
       break;
     case LegendKind::Spin:
       swatch.turn(kReferenceFace);
@@ -194,6 +240,13 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       break;
     case LegendKind::FreeAxis:
       swatch.dashes(2.5, kNormal);
+      break;
+    case LegendKind::SupportMargin:
+      swatch.line(0, 16, 2.2, kAxis);
+      swatch.head(22, 8, kAxis);
+      break;
+    case LegendKind::DecidingEdges:
+      swatch.line(0, 22, 4, kAxis);
       break;
     case LegendKind::Dropped:
     case LegendKind::Reduced:
@@ -206,12 +259,40 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       swatch.upright(2.5, kContact);
       swatch.dot(0, 4.8, kContact);
       break;
+    case LegendKind::OneShotPoint:
+      swatch.upright(2.5, kContact);
+      swatch.square(kContact);
+      break;
+    case LegendKind::ApartPoint:
+      swatch.upright(1.5, kContact);
+      swatch.dot(0, 4.8, kWhite);
+      swatch.dot(0, 4.8, with_alpha(kContact, 0.3f));
+      swatch.dot(3.7, 4.8, kContact);
+      break;
     case LegendKind::PlainPoint:
       swatch.dot(0, 4.8, kContact);
       break;
     case LegendKind::Kept:
       swatch.dot(0, 3.6, kContact);
       swatch.dot(6.2, 8.2, kContact);
+      break;
+    case LegendKind::KeptPolygon:
+      swatch.face(with_alpha(kContact, 0.16f), kContact, 2, false);
+      break;
+    case LegendKind::Deepest:
+      swatch.open_square(kNormal);
+      break;
+    case LegendKind::AxesBox:
+      swatch.face(with_alpha(kAxis, 0), kAxis, 2, true);
+      break;
+    case LegendKind::Candidate:
+      swatch.line(0, 22, 1.5, with_alpha(kDropped, 0.7f));
+      break;
+    case LegendKind::OutsideTriangle:
+      swatch.hatched(kContact);
+      break;
+    case LegendKind::InsideTriangle:
+      swatch.face(with_alpha(kReferenceFace, 0.12f), with_alpha(kReferenceFace, 0.6f), 1.2, true);
       break;
     case LegendKind::LostArea:
       swatch.hatched(kDropped);
@@ -230,6 +311,18 @@ void draw_swatch(LegendKind kind, Swatch swatch) {
       swatch.line(6, 16, 3, kAxis);
       swatch.head(22, 8, kAxis);
       swatch.head(0, -8, kAxis);
+      break;
+    case LegendKind::NarrowAxis:
+      swatch.line(0, 3, 3, kAxis);
+      swatch.head(10, 8, kAxis);
+      swatch.line(19, 22, 3, kAxis);
+      swatch.head(12, -8, kAxis);
+      break;
+    case LegendKind::ClosestPoints:
+      swatch.dot(0, 4.0, kAxisText);
+      break;
+    case LegendKind::LineOfCenters:
+      swatch.dashes(1.2, kShapeEdge);
       break;
     case LegendKind::TreeQuery:
       swatch.face(with_alpha(kNormal, 0), kNormal, 2, false);

@@ -81,13 +81,28 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 void draw_shapes(const Scene& scene, Sketch& sketch);
 void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// A corner that the side planes cut away and that was kept all the same, because nothing else was
+/// left: the contact point is above it on the reference face.
+bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped);
 void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+void draw_id(const trace::Point& point, Sketch& sketch);
+/// The names of the edges that the ids of the pair's points consist of, each beside its edge.
+void draw_edge_names(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// How far apart the shapes are, and where; of two spheres the line between their centres too.
+void draw_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// A length between two points: a two-headed arrow, or where that would be too short to be one, two
+/// that point at it from outside. Adds it to the legend as `text`.
+void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
+                  const std::string& text, Sketch& sketch);
 /// The best axis of every query, or only the one that was chosen.
 void draw_sat_axes(const Scene& scene, const trace::Pair& pair, bool all_queries, Sketch& sketch);
+/// The two edges of an edge contact, named by number: those of the separating axis test as far as the
+/// Gauss map is recorded, without that test those in the id of the point.
+void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// The boxes of a mesh's tree that the query looked at, and the triangles that it found.
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
-/// What a scenario calls the pair, above its shapes.
+/// What a scenario calls the pair, above its shapes where it covers none.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_coherent_points(const trace::Pair& pair, Sketch& sketch);
 /// The points of an incremental manifold by what became of them, and how far their places drifted.
@@ -96,11 +111,21 @@ void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch&
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// What a body stands on, and about what it turns where that does not hold it.
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// What the panel "stability" shows of the pair, for the legend.
+void explain_stability_panel(const trace::Pair& pair, Sketch& sketch);
 /// Centres of mass of bodies, and the projection of the pair's into the contact plane.
 void draw_centers_of_mass(const Scene& scene, Sketch& sketch);
 /// The points on both shapes that GJK's simplex, or EPA's nearest face, comes from.
 void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_velocities(const Scene& scene, Sketch& sketch);
+void draw_masses(const Scene& scene, Sketch& sketch);
+/// How fast the bodies of the pair move against each other at their points.
+void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+/// Where bodies would be a frame later if nothing stopped them, and gaps that contacts look ahead
+/// over.
+void draw_ahead(const Scene& scene, Sketch& sketch);
+/// How deep the pair is, measured beside its deepest point.
+void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 
 }  // namespace contactscope::draw

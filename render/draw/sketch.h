@@ -56,12 +56,16 @@ enum class MarkKind {
   Half,  // filled on its left
   Hollow,
   Ring,
+  WideRing,  // hollow, around what stands in the same place
+  Apart,     // a point that does not touch yet
   Cross,
   SmallCross,
   Core,
   Quartered,       // a centre of mass
   SmallQuartered,  // and where it is projected to
   Origin,          // of a space that has one
+  HeldOrigin,      // within what the picture is about
+  Square,          // a contact point that has no age
   Node,            // where lines meet
 };
 
@@ -82,6 +86,7 @@ struct Label {
   double clearance = 8;  // pixels between the point and the text
   // Places are tried starting in this direction (world); none: away from the sketch's centre.
   std::optional<Vec3d> direction;
+  bool leader = false;  // a line to the point also from near by
 };
 
 /// What the legend can explain, in drawing order.
@@ -89,6 +94,8 @@ enum class LegendKind {
   ShapeA,
   ShapeB,
   Core,
+  Rounded,
+  Margins,
   ReferenceFace,
   SidePlane,
   IncidentFace,
@@ -98,24 +105,41 @@ enum class LegendKind {
   Reduced,
   BeforeMove,
   Contact,
+  OneShotPoint,
   NewPoint,
   PersistedPoint,
   BrokenPoint,
   Anchors,
   PlainPoint,
+  ApartPoint,
   Kept,
+  KeptPolygon,
+  Deepest,
   LostArea,
   BestPolygon,
+  AxesBox,
+  Candidate,
+  OutsideTriangle,
+  InsideTriangle,
   KeptIds,
   Normal,
   NormalImpulse,
   WarmStart,
   FrictionImpulse,
+  BreakMark,
   Velocity,
+  RelativeVelocity,
+  NormalVelocity,
   Spin,
+  Ahead,
   CenterOfMass,
   FreeAxis,
+  SupportMargin,
+  DecidingEdges,
   Axis,
+  NarrowAxis,
+  ClosestPoints,
+  LineOfCenters,
   TreeQuery,
   TreeBox,
   TreeMiss,
