@@ -6,6 +6,7 @@
 
 #include "draw/compose.h"
 #include "draw/mesh_surface.h"
+#include "draw/panel_legend.h"
 #include "draw/scene.h"
 
 namespace contactscope::draw {
@@ -15,6 +16,10 @@ std::string moment(const trace::Frame& frame) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "frame %d, t = %.3f s", frame.frame, frame.time);
   return text.data();
+}
+
+bool shows_panel(const View& view, const char* panel) {
+  return std::find(view.panels.begin(), view.panels.end(), panel) != view.panels.end();
 }
 
 // Labels stand away from the middle of what touches.
@@ -56,19 +61,28 @@ void sort_legend(Sketch& sketch) {
                    [](const LegendEntry& a, const LegendEntry& b) { return a.kind < b.kind; });
 }
 
-// What both the shapes and an inset show is explained once.
-std::vector<LegendEntry> merged_legend(Sketch sketch, const std::vector<InsetPicture>& insets) {
+// What shapes, insets and panels show alike is explained once.
+std::vector<LegendEntry> merged_legend(const Staging& staging, const trace::Frame& frame,
+                                       Sketch sketch, const std::vector<InsetPicture>& insets) {
   for (const InsetPicture& inset : insets) {
     for (const LegendEntry& entry : inset.sketch.legend) sketch.explain(entry.kind, entry.text);
   }
+  explain_panels(staging, frame, sketch);
   sort_legend(sketch);
   return sketch.legend;
+}
+
+// Of several pairs that share a name the last one bears it: of a stack the uppermost.
+bool is_last_so_named(const trace::Frame& frame, const trace::Pair& pair) {
+  return std::none_of(&pair + 1, frame.pairs.data() + frame.pairs.size(),
+                      [&](const trace::Pair& later) { return later.label == pair.label; });
 }
 
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {
-  return merged_legend(sketch_frame(staging, frame), inset_pictures(staging, frame));
+  return merged_legend(staging, frame, sketch_frame(staging, frame),
+                       inset_pictures(staging, frame));
 }
 
 Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
@@ -84,20 +98,32 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
     draw_incident_face(scene, pair, sketch);  // its dashes leave an equal clip polygon visible
     if (scene.shows("tree")) draw_tree(scene, pair, sketch);
     if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
-    if (scene.shows("contact_axis")) draw_sat_axes(scene, pair, false, sketch);
+    if (scene.shows("contact_axis")) {
+      draw_sat_axes(scene, pair, false, sketch);
+      draw_deciding_edges(scene, pair, sketch);
+    }
     if (scene.shows("core")) draw_cores(scene, pair, sketch);
     if (scene.shows("simplex")) draw_simplex_points(scene, pair, sketch);
     if (scene.shows("support")) draw_support(scene, pair, sketch);
-    if (!pair.label.empty()) draw_pair_label(scene, pair, sketch);
+    if (shows_panel(staging.view, "stability")) explain_stability_panel(pair, sketch);
+    if (!pair.label.empty() && is_last_so_named(frame, pair)) draw_pair_label(scene, pair, sketch);
     const bool told = staging.view.story != Story::ClipSteps || !pair.clip ||
                       frame.frame > static_cast<int>(pair.clip->steps.size());
     if (!told) continue;  // the story has not come to the contacts yet
     if (scene.shows("coherent")) draw_coherent_points(pair, sketch);
     draw_contacts(scene, pair, sketch);
+    if (scene.shows("ids")) draw_edge_names(scene, pair, sketch);
+    const bool measured =
+        scene.shows("sat_axes") || scene.shows("contact_axis") || scene.shows("simplex");
+    if (scene.shows("contacts") && !measured) draw_gap(scene, pair, sketch);
     if (scene.shows("persistent")) draw_persistent_points(scene, pair, sketch);
     if (scene.shows("impulses")) draw_impulses(scene, pair, sketch);
+    if (scene.shows("overlap")) draw_overlap(scene, pair, sketch);
+    if (scene.shows("relative_velocity")) draw_relative_velocity(scene, pair, sketch);
   }
+  if (scene.shows("ahead")) draw_ahead(scene, sketch);
   if (scene.shows("velocities")) draw_velocities(scene, sketch);
+  if (scene.shows("masses")) draw_masses(scene, sketch);
   sort_legend(sketch);
   return sketch;
 }
@@ -112,7 +138,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   const std::vector<InsetPicture> insets = inset_pictures(staging, frame);
   for (std::size_t i = 0; i < insets.size(); ++i)
     draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
-  draw_legend(merged_legend(sketch, insets), staging.layout, drawing);
+  draw_legend(merged_legend(staging, frame, sketch, insets), staging.layout, drawing);
   draw_captions(staging.header->title, staging.header->source, moment(frame), staging.layout,
                 drawing);
   return drawing;

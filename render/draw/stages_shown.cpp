@@ -17,7 +17,7 @@ bool names_any(const std::vector<std::string>& names, std::initializer_list<cons
 trace::Stages stages_shown(const std::vector<View>& views) {
   trace::Stages stages = trace::Stages::none();
   for (const View& view : views) {
-    stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis"}) ||
+    stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis", "contacts"}) ||
                  names_any(view.panels, {"summary", "axis_history"});
     stages.clip = stages.clip || view.story == Story::ClipSteps ||
                   names_any(view.layers, {"reference_face", "incident_face", "side_planes",
@@ -26,9 +26,10 @@ trace::Stages stages_shown(const std::vector<View>& views) {
     const bool minkowski = names_any(view.panels, {"minkowski"});
     const bool gauss_map = names_any(view.panels, {"gauss_map"});
     const bool steps = minkowski || view.story == Story::GjkSteps ||
-                       view.story == Story::EpaSteps || names_any(view.layers, {"simplex"});
+                       view.story == Story::EpaSteps || names_any(view.layers, {"simplex", "core"});
     stages.minkowski = stages.minkowski || minkowski;
-    stages.gjk = stages.gjk || steps;
+    // Where shapes are apart, what kept them apart says where the gap is.
+    stages.gjk = stages.gjk || steps || names_any(view.layers, {"contacts"});
     stages.penetration = stages.penetration || steps;
     stages.gauss_map = stages.gauss_map || gauss_map;
     stages.sat = stages.sat || gauss_map;
