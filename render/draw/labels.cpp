@@ -8,6 +8,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr int kRings = 9;
+constexpr int kUncrossedRings = 14;
 constexpr int kDirections = 16;
 // Space around a label's letters that stays free, pixels.
 constexpr float kPadding = 2;
@@ -34,6 +35,16 @@ void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
   }
 }
 
+void LabelPlacer::avoid(const Point2& from, const Point2& to) {
+  lines_.push_back({from, to});
+}
+
+bool LabelPlacer::is_crossed(const Rect& box) const {
+  return std::ranges::any_of(lines_, [&](const Segment2& line) {
+    return clip_segment(box, line.from, line.to).has_value();
+  });
+}
+
 bool LabelPlacer::is_free(const Rect& box) const {
   if (box.x < view_.x || box.y < view_.y || box.x + box.width > view_.x + view_.width ||
       box.y + box.height > view_.y + view_.height) {
@@ -48,7 +59,9 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
                                                      const Point2& direction) {
   const float height = ascent + descent;
   const double wanted = std::atan2(direction.y, direction.x);
-  for (int ring = 0; ring < kRings; ++ring) {
+  for (int attempt = 0; attempt < kUncrossedRings + kRings; ++attempt) {
+    const bool uncrossed = attempt < kUncrossedRings;
+    const int ring = uncrossed ? attempt : attempt - kUncrossedRings;
     const double reach = clearance + ring * 0.75 * height;
     for (int i = 0; i < kDirections; ++i) {
       // 0, +1, -1, +2, -2, ... steps away from the wanted direction.
@@ -63,7 +76,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       const double cy = anchor.y + uy * (reach + 0.5 * height);
       Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding, width + 2 * kPadding,
                height + 2 * kPadding};
-      if (!is_free(box)) continue;
+      if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
       taken_.push_back(box);
       Place place;
       place.left_baseline = {static_cast<float>(cx - 0.5 * width),

@@ -11,8 +11,9 @@ namespace contactscope::draw {
 /// Finds places for labels: never over a mark, another label or the border of the view.
 ///
 /// Places are tried on rings around the anchor, nearest ring first and on each ring from the wanted
-/// direction outwards; the first free one is taken. A label that found no free place on any ring is
-/// left out rather than drawn over something.
+/// direction outwards; the first one is taken that is free and that no line crosses. Where there is
+/// none nearby, lines may cross it. A label that found no free place on any ring is left out rather
+/// than drawn over something.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rect& view) : view_(view) {}
@@ -20,6 +21,8 @@ class LabelPlacer {
   /// Keeps labels off a disc, or off a line of some width; pixels.
   void block(const Point2& center, float radius);
   void block(const Point2& from, const Point2& to, float width);
+  /// Keeps labels off a line where they can.
+  void avoid(const Point2& from, const Point2& to);
 
   struct Place {
     Point2 left_baseline;  // where the text begins
@@ -33,9 +36,11 @@ class LabelPlacer {
 
  private:
   bool is_free(const Rect& box) const;
+  bool is_crossed(const Rect& box) const;
 
   Rect view_;
   std::vector<Rect> taken_;
+  std::vector<Segment2> lines_;
 };
 
 }  // namespace contactscope::draw

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "draw/mesh_surface.h"
 #include "draw/palette.h"
@@ -66,11 +67,25 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 
 namespace {
 
+// Whether some of it is in the picture.
+bool in_view(const Camera& camera, const PlacedShape& shape) {
+  if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") return true;
+  for (const Vec3d& point : extent_points(shape)) {
+    const std::optional<Point2> at = camera.project(point);
+    if (at && camera.viewport().contains(*at)) return true;
+  }
+  for (std::size_t f = 0; f < shape.mesh->normals.size(); ++f) {
+    if (!project_polygon(camera, shape.polygon(static_cast<int>(f))).empty()) return true;
+  }
+  return false;
+}
+
 // By name; a whole stack as one entry.
 void explain_shapes(const Scene& scene, bool of_a, Sketch& sketch) {
   std::vector<std::string> names;
   for (const PlacedShape& shape : scene.shapes) {
-    if (shape.is_a == of_a) names.push_back(shape.mesh->shape->name);
+    if (shape.is_a != of_a || !in_view(scene.camera, shape)) continue;
+    names.push_back(shape.mesh->shape->name);
   }
   const LegendKind kind = of_a ? LegendKind::ShapeA : LegendKind::ShapeB;
   const std::string role = of_a ? "A: " : "B: ";
@@ -98,37 +113,6 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   }
   explain_shapes(scene, true, sketch);
   explain_shapes(scene, false, sketch);
-}
-
-void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const Vec3d up = scene.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-  const PlacedShape* highest = nullptr;
-  std::vector<std::string> names = {pair.a, pair.b};
-  if (scene.frame.solver) {  // above the body that moves, also when it has fallen below the other
-    const auto rests = [&](const std::string& name) {
-      return std::ranges::none_of(scene.frame.solver->bodies,
-                                  [&](const trace::Body& body) { return body.name == name; });
-    };
-    if (rests(pair.a) != rests(pair.b)) std::erase_if(names, rests);
-  }
-  for (const std::string& name : names) {
-    const PlacedShape* shape = scene.find(name);
-    if (shape == nullptr || shape->vertices.empty()) continue;
-    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0) {
-      highest = shape;
-    }
-  }
-  if (highest == nullptr) return;
-  const Vec3d middle = highest->pose.transform(highest->mesh->shape->center_of_mass);
-  double top = 0;
-  for (const Vec3d& v : extent_points(*highest)) top = std::max(top, up.dot(v - middle));
-  sketch.labels.push_back({.at = middle + top * up,
-                           .text = pair.label,
-                           .color = kText,
-                           .size = 20,
-                           .bold = true,
-                           .clearance = 18,
-                           .direction = up});
 }
 
 }  // namespace contactscope::draw
