@@ -38,6 +38,20 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Ske
 
 }  // namespace
 
+bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
+  const Vec3d& normal = pair.clip->reference.normal;
+  const trace::Polygon& face = pair.clip->incident.polygon;
+  double size = 0;
+  for (const Vec3d& p : face) size = std::max(size, (p - face.front()).norm());
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points) {
+      const Vec3d way = dropped.position - point.position;
+      if ((way - way.dot(normal) * normal).norm() < 1e-5 * size) return true;
+    }
+  }
+  return false;
+}
+
 // Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
 // the other. The polygon of the last shown step is at full strength, earlier ones fade.
 void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -52,17 +66,20 @@ void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     }
   }
   if (scene.shows("clip_polygons")) {
+    bool any = false;
     for (std::size_t k = 0; k < shown; ++k) {
       const trace::Polygon& polygon = clip.steps[k].polygon;
       if (polygon.empty()) continue;
+      any = true;
       const bool last = k + 1 == shown;
       if (last) sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
       sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     }
-    if (shown > 0) sketch.explain(LegendKind::ClipPolygon, "clip polygon");
+    if (any) sketch.explain(LegendKind::ClipPolygon, "clip polygon");
   }
   if (scene.shows("dropped") && shown == clip.steps.size()) {
     for (const trace::DroppedPoint& point : clip.dropped) {
+      if (is_kept(pair, point)) continue;
       sketch.marks.push_back({MarkKind::Cross, point.position, kDropped});
       sketch.explain(LegendKind::Dropped, point.reason);
     }

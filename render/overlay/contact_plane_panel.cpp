@@ -10,14 +10,18 @@
 #include <vector>
 
 #include "draw/palette.h"
+#include "draw/panel_legend.h"
 #include "draw/quantity.h"
+#include "draw/whisker.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
 
 namespace contactscope::overlay {
 namespace {
 
-constexpr float kReserve = 0.14f;  // of the map's size, free on every side
+constexpr float kReserve = 0.14f;    // of the map's size, free on every side
+constexpr float kLeastMapLines = 5;  // lines of text that the map and its scale are high
+constexpr float kCaptionLines = 2.4f;
 
 // The contact plane as the reader sees it: u to the right of the camera, v up, so that panel and 3D
 // view read alike.
@@ -34,13 +38,6 @@ struct PlaneFrame {
   }
   std::array<double, 2> map(const Vec3d& p) const { return {u.dot(p), v.dot(p)}; }
 };
-
-const trace::Pair* shown_pair(const trace::Frame& frame) {
-  for (const trace::Pair& pair : frame.pairs) {
-    if (!pair.manifolds.empty()) return &pair;
-  }
-  return nullptr;
-}
 
 // Shapes of the pair that are round, in one frame: their outline along the normal is context for
 // one or two points, which have no extent of their own.
@@ -77,7 +74,7 @@ class Map {
                               std::numeric_limits<double>::max()};
     std::array<double, 2> high{-low[0], -low[1]};
     for (const trace::Frame& frame : facts.frames) {
-      const trace::Pair* pair = shown_pair(frame);
+      const trace::Pair* pair = draw::pair_of_contact_plane(frame);
       if (pair == nullptr) continue;
       std::vector<Vec3d> points = patch_points(*pair);
       // The smaller round shape; a larger one is cut off like a floor.
@@ -181,10 +178,13 @@ class PlanePainter {
     }
   }
 
-  void dot(const Vec3d& at) {
-    const ImVec2 p = map_.at(at);
+  void dot(const trace::Point& point, const draw::SequenceScales& scales) {
+    const ImVec2 p = map_.at(point.position);
+    const bool apart = draw::stands_off(point, scales);
     list_->AddCircleFilled(p, 7.0f * px_, packed(draw::kWhite), 32);
-    list_->AddCircleFilled(p, 5.2f * px_, packed(draw::kContact), 32);
+    list_->AddCircleFilled(p, 5.2f * px_,
+                           packed(draw::with_alpha(draw::kContact, apart ? 0.3f : 1.0f)), 32);
+    if (apart) list_->AddCircle(p, 4.7f * px_, packed(draw::kContact), 32, 1.2f * px_);
   }
 
   void choice(const Vec3d& at, int number, const ImVec2& away_from) {
@@ -239,16 +239,21 @@ void scale_bar(const Map& map, ImVec2 corner, float width, float scale) {
 
 }  // namespace
 
+PanelNeed contact_plane_need(const PanelFacts& facts) {
+  const float lines = (kLeastMapLines + kCaptionLines) * ImGui::GetTextLineHeightWithSpacing();
+  const float least = panel_frame() + heading_height(facts.staging.layout.scale) + lines;
+  return {least, least, 0, 2};
+}
+
 void contact_plane_panel(const PanelFacts& facts, float height) {
   const float scale = facts.staging.layout.scale;
   const float top = ImGui::GetCursorPosY();
   heading("contact plane, seen along the normal", scale);
-  const trace::Pair* pair = shown_pair(facts.frames[facts.current]);
+  const trace::Pair* pair = draw::pair_of_contact_plane(facts.frames[facts.current]);
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float map_height = height - (ImGui::GetCursorPosY() - top) - 2.4f * line;
+  const float map_height = height - (ImGui::GetCursorPosY() - top) - kCaptionLines * line;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (pair != nullptr && map_height < 3 * line) return;  // no room for a map
   if (pair == nullptr) {
     ImGui::TextColored(ImColor(packed(draw::kQuietText)), "no contact in this frame");
     return;
@@ -266,11 +271,14 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
   if (pair->clip && pair->manifolds.size() == 1) {
     const trace::Clip& clip = *pair->clip;
     paint.polygon(clip.reference.polygon, draw::kReferenceFace, 0.18f, 2.5f, false);
-    paint.polygon(clip.incident.polygon, draw::kIncidentFace, 0.18f, 2.5f, true);
     if (!clip.steps.empty()) {
       paint.polygon(clip.steps.back().polygon, draw::kClipPolygon, 0.25f, 2.5f, false);
     }
-    for (const trace::DroppedPoint& dropped : clip.dropped) paint.cross(dropped.position);
+    // Its dashes leave an equal clip polygon visible.
+    paint.polygon(clip.incident.polygon, draw::kIncidentFace, 0.18f, 2.5f, true);
+    for (const trace::DroppedPoint& dropped : clip.dropped) {
+      if (!draw::is_kept(*pair, dropped)) paint.cross(dropped.position);
+    }
   }
 
   Vec3d middle = Vec3d::Zero();
@@ -281,12 +289,12 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
     // Each was reduced by itself, and the record holds one of these reductions.
     std::size_t points = 0;
     for (const trace::Manifold& one : pair->manifolds) {
-      for (const trace::Point& p : one.points) paint.dot(p.position);
+      for (const trace::Point& p : one.points) paint.dot(p, facts.staging.scales);
       points += one.points.size();
     }
     caption = std::to_string(points) + " points in " + std::to_string(pair->manifolds.size()) +
               " manifolds";
-  } else if (pair->reduction && (pair->reduction->points.size() > 2 || pair->kind == "hull-hull")) {
+  } else if (draw::reduction_in_contact_plane(*pair)) {
     const trace::Reduction& reduction = *pair->reduction;
     const bool fewer = reduction.kept.size() < reduction.points.size();
     for (std::size_t i = 0; i < reduction.points.size(); ++i) {
@@ -297,7 +305,7 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
         paint.cross(at);
         continue;
       }
-      paint.dot(at);
+      paint.dot(reduction.points[i], facts.staging.scales);
       if (fewer) {
         paint.choice(at, static_cast<int>(found - reduction.kept.begin()) + 1, map.at(middle));
       }
@@ -311,7 +319,7 @@ void contact_plane_panel(const PanelFacts& facts, float height) {
       caption += percent.data();
     }
   } else {
-    for (const trace::Point& p : manifold.points) paint.dot(p.position);
+    for (const trace::Point& p : manifold.points) paint.dot(p, facts.staging.scales);
     caption = std::to_string(manifold.points.size()) +
               (manifold.points.size() == 1 ? " point, no area" : " points");
     if (manifold.points.size() == 2) {
