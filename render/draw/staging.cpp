@@ -16,8 +16,10 @@ namespace {
 constexpr double kFieldOfView = 30;       // degrees; stronger perspective would bend right angles
 constexpr double kElevation = 30;         // degrees above the contact plane
 constexpr double kPatchShare = 0.46;      // of the view's smaller side
+constexpr double kLeastPatch = 0.345;     // of it, where all shapes can be seen
 constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
 constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
+constexpr double kLargeShape = 2.2;       // radii of the smallest: a floor, which may be cropped
 constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
@@ -118,6 +120,22 @@ Subject uncropped(const std::vector<trace::Frame>& frames, const std::vector<Sha
   return subject;
 }
 
+// All but what is large beside the smallest shape.
+Subject without_floors(const std::vector<trace::Frame>& frames,
+                       const std::vector<ShapeMesh>& meshes) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ShapeMesh& mesh : meshes) smallest = std::min(smallest, mesh.radius);
+  Subject subject;
+  for (const trace::Frame& frame : frames) {
+    for (const PlacedShape& shape : place_shapes(meshes, frame)) {
+      if (!(shape.mesh->radius <= kLargeShape * smallest)) continue;
+      const std::vector<Vec3d> points = extent_points(shape);
+      subject.points.insert(subject.points.end(), points.begin(), points.end());
+    }
+  }
+  return subject;
+}
+
 // Above the contact plane on the side of `normal`.
 Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   const Vec3d usual = default_direction(header);
@@ -150,6 +168,15 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
       const ViewFit around =
           fit_view(whole.points, axes, view.target, half_height, aspect, kShapesShare);
       close = {around.target, std::max(around.distance, close.distance)};
+    } else {  // whole bodies, as long as the patch stays a third of the view
+      const ViewFit least =
+          fit_view(contact.points, axes, view.target, half_height, aspect, kLeastPatch);
+      Subject bodies = without_floors(frames, meshes);
+      bodies.points.insert(bodies.points.end(), contact.points.begin(), contact.points.end());
+      const ViewFit seen =
+          fit_view(bodies.points, axes, view.target, half_height, aspect, kShapesShare);
+      if (seen.distance <= least.distance)
+        close = {seen.target, std::max(seen.distance, close.distance)};
     }
     // Not so near that the shapes are lost.
     if (close.distance < best.distance) {
@@ -166,13 +193,18 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
 }
 
 // 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible.
-double fit_depth_factor(const std::vector<trace::Frame>& frames, const Camera& camera,
-                        double scale) {
+double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& view,
+                        const Camera& camera, double scale) {
+  // These have no whiskers there.
+  const bool by_age = std::ranges::find(view.layers, "persistent") != view.layers.end();
   double deepest = 0;  // pixels
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
+      if (by_age && pair.incremental) continue;
       for (const trace::Manifold& manifold : pair.manifolds) {
         for (const trace::Point& point : manifold.points) {
+          const std::optional<Point2> at = camera.project(point.position);
+          if (!at || !camera.viewport().contains(*at)) continue;
           deepest = std::max(deepest, -point.separation * camera.pixels_per_metre(point.position));
         }
       }
@@ -214,8 +246,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
                                                    reduced(frames), view.choices, width, height);
     return staging;
   }
-  staging.depth_factor = fit_depth_factor(frames, staging.camera, staging.layout.scale);
-  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout);
+  staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
+  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout, view);
   staging.insets = stage_insets(insets, staging, frames);
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {
@@ -227,8 +259,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   }
   staging.layout = make_layout(width, height, !view.panels.empty(), widths, insets.size());
   staging.camera = fit_camera(header, frames, meshes, view, staging.layout.view);
-  staging.depth_factor = fit_depth_factor(frames, staging.camera, staging.layout.scale);
-  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout);
+  staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
+  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout, view);
   staging.insets = stage_insets(insets, staging, frames);
   return staging;
 }
