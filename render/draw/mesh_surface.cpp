@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
+#include "core/convex_polygon.h"
 #include "draw/palette.h"
 #include "draw/shading.h"
 
@@ -34,6 +37,38 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   if (count == 0) return 0;
   const double share = (sum / count - kFaded) / (kFull - kFaded);
   return kThinAlpha * static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+// How far apart two lines at least are on the screen, pixels, that both stay: closer ones make a
+// moiré.
+constexpr double kTooClose = 3;
+constexpr double kFarEnough = 11;
+
+// The share that is left of a line between triangles which stand closer and closer on the screen
+// towards the horizon.
+float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMesh::Edge& edge) {
+  const std::optional<Point2> from =
+      scene.camera.project(shape.vertices[static_cast<std::size_t>(edge.from)]);
+  const std::optional<Point2> to =
+      scene.camera.project(shape.vertices[static_cast<std::size_t>(edge.to)]);
+  if (!from || !to) return 1;
+  const Vec2d along(to->x - from->x, to->y - from->y);
+  const double length = along.norm();
+  if (length <= 0) return 0;
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const int face : {edge.left, edge.right}) {
+    if (face < 0) continue;
+    for (const int v : shape.mesh->shape->faces[static_cast<std::size_t>(face)]) {
+      if (v == edge.from || v == edge.to) continue;
+      const std::optional<Point2> apex =
+          scene.camera.project(shape.vertices[static_cast<std::size_t>(v)]);
+      if (!apex) continue;
+      const Vec2d way(apex->x - from->x, apex->y - from->y);
+      spacing = std::min(spacing, std::abs(cross(along, way)) / length);
+    }
+  }
+  const double share = (spacing / scene.scales.pixel - kTooClose) / (kFarEnough - kTooClose);
+  return static_cast<float>(std::clamp(share, 0.0, 1.0));
 }
 
 // What the other shapes reach: there triangles have to be parted exactly.
@@ -101,7 +136,13 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
     } else if (!edge.smooth && !many) {
       style = &crease;
     }
-    if (style == &thin && (thin.color.a <= 0 || (!left && !open))) continue;
+    LineStyle faded = thin;
+    if (style == &thin) {
+      if (thin.color.a <= 0 || (!left && !open)) continue;
+      if (many) faded.color.a *= distance_fade(scene, shape, edge);
+      if (faded.color.a < 0.01f) continue;
+      style = &faded;
+    }
     sketch.lines.push_back({shape.vertices[static_cast<std::size_t>(edge.from)],
                             shape.vertices[static_cast<std::size_t>(edge.to)], *style});
   }
@@ -151,7 +192,10 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
     const std::vector<Vec3d> polygon = mesh->polygon(triangle);
     const Color color = incident ? kIncidentFace : kReferenceFace;
     sketch.surfaces.push_back({polygon, with_alpha(color, 0.35f)});
-    sketch.outline(polygon, {width, color, incident});
+    // On a landscape what stands before a triangle hides it.
+    const bool many = mesh->mesh->shape->faces.size() > kFewTriangles;
+    sketch.outline(polygon, {width, color, incident,
+                             many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
     sketch.explain(incident ? LegendKind::IncidentFace : LegendKind::ReferenceFace,
                    incident ? "triangle touched, incident" : "triangle touched");
   }
