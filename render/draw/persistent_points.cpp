@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "draw/palette.h"
 #include "draw/quantity.h"
 #include "draw/scene.h"
@@ -6,6 +10,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastAnchors = 12;  // pixels
+constexpr double kCovered = 8;        // pixels
 
 // Where the two places that met when the point was found are now.
 void draw_anchors(const Scene& scene, const trace::PersistentPoint& point, Sketch& sketch) {
@@ -30,12 +35,23 @@ std::string state_of(const trace::PersistentPoint& point) {
   return std::to_string(point.age);
 }
 
-void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& point,
+// Whether a point that holds is drawn over this one.
+bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
+  const std::optional<Point2> here = scene.camera.project(at);
+  return here && std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
+           const std::optional<Point2> there = scene.camera.project(other.point.position);
+           return other.state != "broken" && there &&
+                  std::hypot(there->x - here->x, there->y - here->y) <
+                      kCovered * scene.scales.pixel;
+         });
+}
+
+void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& point, bool covered,
                            Sketch& sketch) {
   const bool broken = point.state == "broken";
   const bool is_new = point.state == "new";
   draw_anchors(scene, point, sketch);
-  sketch.marks.push_back({broken   ? MarkKind::Hollow
+  sketch.marks.push_back({broken   ? covered ? MarkKind::WideRing : MarkKind::Hollow
                           : is_new ? MarkKind::Dot
                                    : MarkKind::Half,
                           point.point.position, kContact});
@@ -61,10 +77,13 @@ void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& poi
 // Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame.
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.incremental) return;
-  // One that was taken out is often where the new one is: what holds now is drawn over it.
+  // One that was taken out is often where the new one is: what holds now is drawn over it, and it
+  // is a ring around that.
   for (const bool broken : {true, false}) {
     for (const trace::PersistentPoint& point : pair.incremental->points) {
-      if ((point.state == "broken") == broken) draw_persistent_point(scene, point, sketch);
+      if ((point.state == "broken") != broken) continue;
+      const bool covered = broken && is_covered(scene, pair, point.point.position);
+      draw_persistent_point(scene, point, covered, sketch);
     }
   }
 }
