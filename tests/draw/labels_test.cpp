@@ -66,5 +66,20 @@ TEST(LabelPlacer, FarPlacesGetALeader) {
   EXPECT_TRUE(place->needs_leader);
 }
 
+TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
+  LabelPlacer placer(kView);
+  placer.avoid({0, 90}, {300, 90});  // right above the anchor, where the label wants to be
+  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1});
+  ASSERT_TRUE(place);
+  const Rect b = box(*place);
+  EXPECT_TRUE(b.y > 90 || b.y + b.height < 90);
+}
+
+TEST(LabelPlacer, WhereLinesAreEverywhereTheLabelStandsOnThem) {
+  LabelPlacer placer(kView);
+  for (float y = 0; y < 200; y += 5) placer.avoid({0, y}, {300, y});
+  EXPECT_TRUE(placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1}));
+}
+
 }  // namespace
 }  // namespace contactscope::draw

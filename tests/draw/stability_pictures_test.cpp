@@ -8,6 +8,7 @@
 
 #include "crate_on_slab.h"
 #include "draw/palette.h"
+#include "draw/quantity.h"
 #include "draw/stages_shown.h"
 
 namespace contactscope::draw {
@@ -17,6 +18,7 @@ using ::testing::Contains;
 using testing::CrateOnSlab;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::same;
 using ::testing::StartsWith;
 
@@ -74,7 +76,8 @@ TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
   scene.persist();
   scene.pair().incremental->margin_a = 0;
   scene.view.layers = {"core"};
-  const Sketch sketch = scene.sketch();
+  const Staging staging = scene.staged();
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   ASSERT_EQ(sketch.lines.size(), 12u);
   for (const Line& line : sketch.lines) {
     EXPECT_TRUE(line.style.dashed);
@@ -82,7 +85,66 @@ TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
     EXPECT_NEAR(line.from.x() * line.from.x(), 0.16, 1e-12);
     EXPECT_NEAR(line.from.z() * line.from.z(), 0.16, 1e-12);
   }
-  EXPECT_THAT(legend(sketch), ElementsAre("core, 0.100 m within the surface"));
+  EXPECT_THAT(legend(sketch), ElementsAre("core, 0.100 m within the faces",
+                                          "core and margin: the surface that touches"));
+  // What touches is the outline of all that is 0.1 m about it: rays of the eye touch it there, and it
+  // is within the crate.
+  ASSERT_EQ(sketch.curves.size(), 1u);
+  const Vec3d center = scene.frames[0].poses[1].second.position;
+  for (const Vec3d& place : sketch.curves[0].points) {
+    const Vec3d local = place - center;
+    const Vec3d nearest = local.cwiseMax(Vec3d::Constant(-0.4)).cwiseMin(Vec3d::Constant(0.4));
+    EXPECT_NEAR((local - nearest).norm(), 0.1, 1e-9);
+    const Vec3d ray = staging.camera.to_eye(place);
+    EXPECT_NEAR((local - nearest).normalized().dot(ray), 0, 1e-6);
+    EXPECT_LE(local.lpNorm<Eigen::Infinity>(), 0.5 + 1e-9);
+  }
+}
+
+/// The cores of the crate and the slab by GJK, at the crate's first corner.
+void part_cores(CrateOnSlab& scene, double distance) {
+  scene.persist();
+  scene.pair().incremental->query = "gjk";
+  trace::Gjk& gjk = scene.pair().gjk.emplace();
+  gjk.status = "separated";
+  gjk.distance = distance;
+  gjk.point_a = Vec3d(-0.4, -0.05, 0.4);
+  gjk.point_b = gjk.point_a + Vec3d(0, distance, 0);
+  scene.view.layers = {"core"};
+}
+
+TEST(IncrementalPicture, DistanceOfTheCoresIsBothMarginsAndTheGapOrLessTheOverlap) {
+  for (const double distance : {0.35, 0.11}) {
+    CrateOnSlab scene;
+    part_cores(scene, distance);  // margins of 0.05 and 0.1
+    const Sketch sketch = scene.sketch();
+    ASSERT_EQ(sketch.arrows.size(), 2u);
+    EXPECT_NEAR((*sketch.arrows[0].to - sketch.arrows[0].from).norm(), distance, 1e-12);
+    EXPECT_TRUE(same(sketch.arrows[0].color, kAxis));
+    const Vec3d left = *sketch.arrows[1].to - sketch.arrows[1].from;
+    EXPECT_NEAR(left.y(), distance - 0.15, 1e-12);
+    EXPECT_TRUE(same(sketch.arrows[1].color, distance > 0.15 ? kAxis : kContact));
+    EXPECT_THAT(labels(sketch), ElementsAre("A's margin 50.0 mm", "B's margin 0.100 m",
+                                            distance > 0.15 ? "gap 0.200 m" : "overlap 40.0 mm",
+                                            "cores " + spell_length(distance) + " apart"));
+    EXPECT_THAT(legend(sketch), Contains("margins"));
+  }
+}
+
+TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
+  CrateOnSlab scene;
+  scene.persist();
+  scene.pair().incremental->query = "sat";
+  trace::PersistentPoint& deepest = scene.pair().incremental->points[1];
+  deepest.point.separation = -0.2;  // of which 0.15 are the margins
+  deepest.on_a = Vec3d(0.5, 0.1, 0.5);
+  deepest.on_b = Vec3d(0.5, -0.1, 0.5);
+  scene.view.layers = {"core"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by sat"));
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_NEAR((sketch.arrows[0].from - Vec3d(0.5, 0.05, 0.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((*sketch.arrows[0].to - Vec3d(0.5, 0, 0.5)).norm(), 0, 1e-12);
 }
 
 TEST(IncrementalPicture, WithoutThoseFactsTheirLayersDrawNothing) {
@@ -120,9 +182,24 @@ TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
   scene.balance("stable");
   scene.view.layers = {"support"};
   const Sketch sketch = scene.sketch();
-  EXPECT_THAT(labels(sketch), ElementsAre("stable, 0.250 m inside"));
+  EXPECT_THAT(labels(sketch), ElementsAre("stable, 250 mm inside"));
   EXPECT_TRUE(sketch.curves.empty());
   EXPECT_THAT(legend(sketch), ElementsAre("support: hull of the contact points"));
+}
+
+TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
+  CrateOnSlab scene;
+  scene.balance("turns about a line");
+  scene.view.panels = {"stability"};
+  EXPECT_THAT(legend(scene.sketch()),
+              ElementsAre("support: a line between two points", "axis about which the body turns",
+                          "margin: to the border of the support"));
+  scene.pair().stability->margin = 0;  // in balance: there is no such arrow
+  EXPECT_THAT(legend(scene.sketch()),
+              ElementsAre("support: a line between two points", "axis about which the body turns"));
+  scene.view.layers = {"support"};
+  EXPECT_THAT(legend(scene.sketch()),
+              ElementsAre("support: a line between two points", "axis about which the body turns"));
 }
 
 TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
@@ -231,13 +308,18 @@ TEST(DynamicsPicture, AStackIsOneEntryOfTheLegend) {
   EXPECT_THAT(legend(scene.sketch()), ElementsAre("A: slab", "B: crate to crate 6"));
 }
 
-TEST(DynamicsPicture, LabelStandsAboveTheBodyThatMovesAlsoBelowTheGround) {
+TEST(DynamicsPicture, LabelStandsAtTheBodyThatMovesAlsoBelowTheGround) {
   CrateOnSlab scene;
   scene.pair().label = "fallen";
+  scene.view.focus = Focus::Shapes;
   scene.frames[0].poses[1].second.position = {0, -5, 0};
-  EXPECT_NEAR(scene.sketch().labels.at(0).at.y(), 0, 1e-12) << "top of the slab";
+  const auto nearer_to_the_slab = [&] {
+    const Vec3d at = scene.sketch().labels.at(0).at;
+    return (at - Vec3d(0, -0.2, 0)).norm() < (at - Vec3d(0, -5, 0)).norm();
+  };
+  EXPECT_TRUE(nearer_to_the_slab());
   scene.solve(1);
-  EXPECT_NEAR(scene.sketch().labels.at(0).at.y(), -4.5, 1e-12) << "top of the crate";
+  EXPECT_FALSE(nearer_to_the_slab());
 }
 
 TEST(DynamicsPicture, AnImpactIsCutAndMarkedSoThatRestingImpulsesStayLegible) {
@@ -266,6 +348,78 @@ TEST(DynamicsPicture, AnImpactIsCutAndMarkedSoThatRestingImpulsesStayLegible) {
   EXPECT_EQ(impact.lines.size(), 16u) << "two strokes with halos across each of four arrows";
 }
 
+TEST(DynamicsPicture, LoadsAreForcesOverAFrameAndOneSumAPair) {
+  CrateOnSlab scene;
+  scene.solve(2);
+  scene.frames.push_back(scene.frames[0]);
+  scene.frames[1].frame = 1;
+  scene.frames[1].time = scene.frames[0].time + 0.01;
+  scene.view.layers = {"impulses", "loads"};
+  scene.view.impulse_scale = 0.002;  // metres for one newton
+  const Staging staging = scene.staged();
+  EXPECT_NEAR(staging.scales.step, 0.01, 1e-15);
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  EXPECT_THAT(labels(sketch), ElementsAre("400 N")) << "twice 2 N s in 10 ms";
+  EXPECT_THAT(legend(sketch), Contains("normal force, 100 N = 0.2 m"));
+  EXPECT_NEAR((*sketch.arrows[0].to - sketch.arrows[0].from).norm(), 0.4, 1e-12);
+}
+
+TEST(DynamicsPicture, FrictionAsASubjectHasAScaleOfItsOwn) {
+  CrateOnSlab scene;
+  scene.solve(2);
+  for (trace::Point& point : scene.manifold().points) point.impulse->friction = {0.02, 0, 0};
+  scene.view.layers = {"impulses"};
+  EXPECT_THAT(legend(scene.sketch()), Not(Contains(StartsWith("friction"))));
+  scene.view.layers = {"impulses", "friction"};
+  const Staging staging = scene.staged();
+  EXPECT_GT(staging.scales.friction, 10 * staging.scales.impulse);
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  EXPECT_THAT(legend(sketch),
+              Contains("friction, " + spell_impulse_scale(staging.scales.friction)));
+}
+
+TEST(DynamicsPicture, OfTheRelativeVelocityThePartAlongTheNormalIsNamed) {
+  CrateOnSlab scene;
+  scene.manifold().points.pop_back();
+  scene.solve(2);
+  trace::Point& point = scene.manifold().points[0];
+  point.relative_velocity = trace::RelativeVelocity{{0.5, -2.5, 0}, {0.5, 0, 0}};
+  scene.frames.push_back(scene.frames[0]);
+  scene.frames[1].pairs[0].manifolds[0].points[0].relative_velocity->before = {0.5, 0.004, 0};
+  scene.view.layers = {"relative_velocity"};
+  const Staging staging = scene.staged();
+  const Sketch sketch = sketch_frame(staging, scene.frames[0]);
+  EXPECT_THAT(labels(sketch), ElementsAre("−2.50 m/s"));
+  ASSERT_EQ(sketch.arrows.size(), 2u);
+  const double scale = staging.scales.velocity;
+  EXPECT_NEAR((*sketch.arrows[0].to - sketch.arrows[0].from - scale * Vec3d(0.5, -2.5, 0)).norm(),
+              0, 1e-12);
+  EXPECT_NEAR((*sketch.arrows[1].to - sketch.arrows[1].from - scale * Vec3d(0, -2.5, 0)).norm(), 0,
+              1e-12);
+  EXPECT_THAT(labels(sketch_frame(staging, scene.frames[1])), ElementsAre("0 m/s"));
+}
+
+TEST(DynamicsPicture, AheadIsWhereABodyWouldBeAFrameLaterAndTheGap) {
+  CrateOnSlab scene;
+  scene.manifold().points.pop_back();
+  scene.solve(2);
+  scene.manifold().points[0].separation = 0.25;
+  trace::Body& body = scene.frames[0].solver->bodies[0];
+  body.mass = 100;
+  body.velocity = {0, -30, 0};
+  body.angular_velocity = Vec3d::Zero();
+  scene.frames.push_back(scene.frames[0]);
+  scene.frames[1].frame = 1;
+  scene.frames[1].time = scene.frames[0].time + 0.01;
+  scene.view.layers = {"ahead", "masses"};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(labels(sketch), ElementsAre("0.250 m", "100 kg"));
+  ASSERT_GE(sketch.lines.size(), 5u) << "a silhouette, and the way";
+  const Line& way = sketch.lines.back();
+  EXPECT_NEAR((way.to - way.from - Vec3d(0, -0.3, 0)).norm(), 0, 1e-12);
+  for (const Line& line : sketch.lines) EXPECT_TRUE(line.style.dashed);
+}
+
 TEST(DynamicsPicture, RoundScales) {
   EXPECT_EQ(round_down(0.0499), 0.02);
   EXPECT_EQ(round_down(0.05), 0.05);
@@ -273,6 +427,7 @@ TEST(DynamicsPicture, RoundScales) {
   EXPECT_EQ(spell_impulse_scale(0.2), "1 N s = 0.2 m");
   EXPECT_EQ(spell_impulse_scale(5), "0.1 N s = 0.5 m");
   EXPECT_EQ(spell_impulse_scale(0.005), "100 N s = 0.5 m");
+  EXPECT_EQ(spell_impulse_scale(0.002, "N"), "100 N = 0.2 m");
 }
 
 TEST(DynamicsPicture, LabelsAndLegendStayInsideOfTheFrameAtBothSizes) {

@@ -1,0 +1,243 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/crate_on_slab.h"
+#include "draw/palette.h"
+
+namespace contactscope::draw {
+namespace {
+
+using ::testing::Contains;
+using testing::CrateOnSlab;
+using ::testing::HasSubstr;
+
+/// Ends of the whiskers, those on A first.
+std::vector<std::array<Vec3d, 2>> whiskers(const Sketch& sketch) {
+  std::vector<std::array<Vec3d, 2>> ends;
+  for (const Line& line : sketch.lines) {
+    if (line.keep_clear && testing::same(line.style.color, kContact))
+      ends.push_back({line.from, line.to});
+  }
+  return ends;
+}
+
+std::size_t marks(const Sketch& sketch, MarkKind kind) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(sketch.marks, [&](const Mark& mark) { return mark.kind == kind; }));
+}
+
+std::vector<std::string> explained(const Sketch& sketch) {
+  std::vector<std::string> all;
+  for (const LegendEntry& entry : sketch.legend) all.push_back(entry.text);
+  return all;
+}
+
+std::vector<Arrow> measures(const Sketch& sketch) {
+  std::vector<Arrow> found;
+  std::ranges::copy_if(sketch.arrows, std::back_inserter(found),
+                       [](const Arrow& arrow) { return testing::same(arrow.color, kAxis); });
+  return found;
+}
+
+/// A ball of 0.25 m whose lowest point is 0.2 m below the top of the slab, at its middle; the
+/// crate stays where it is and takes no part.
+struct BallInSlab : CrateOnSlab {
+  BallInSlab() {
+    trace::Shape ball;
+    ball.name = "ball";
+    ball.type = "sphere";
+    ball.radius = 0.25;
+    ball.vertices = {Vec3d::Zero()};
+    header.shapes.push_back(ball);
+    Pose<double> pose;
+    pose.position = {0, 0.05, 0};
+    frames[0].poses.emplace_back("ball", pose);
+    pair().b = "ball";
+    pair().kind = "hull-sphere";
+    manifold().points = {{Vec3d::Zero(), -0.2, "a:f2 b:v0"}};
+    view.layers = {"shapes", "contacts", "normals"};
+  }
+};
+
+TEST(Whisker, OfABallReachesFromTheFaceToItsDeepestPointShallowAndDeep) {
+  for (const char* axis : {"closest_points", "face_a"}) {
+    BallInSlab scene;
+    scene.manifold().axis = axis;
+    const auto ends = whiskers(scene.sketch());
+    ASSERT_EQ(ends.size(), 1u) << axis;
+    EXPECT_TRUE(ends[0][0].isZero(1e-12)) << axis;
+    EXPECT_TRUE(ends[0][1].isApprox(Vec3d(0, -0.2, 0))) << axis;
+  }
+}
+
+TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
+  BallInSlab scene;
+  std::swap(scene.pair().a, scene.pair().b);
+  scene.manifold().axis = "closest_points";
+  scene.manifold().normal = -Vec3d::UnitY();
+  const Sketch sketch = scene.sketch();
+  const auto ends = whiskers(sketch);
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_TRUE(ends[0][0].isApprox(Vec3d(0, -0.2, 0)));
+  EXPECT_TRUE(ends[0][1].isZero(1e-12));
+  // It runs along the normal, which begins where it ends.
+  const auto normal = std::ranges::find_if(
+      sketch.arrows, [](const Arrow& arrow) { return testing::same(arrow.color, kNormal); });
+  ASSERT_NE(normal, sketch.arrows.end());
+  EXPECT_TRUE(normal->from.isApprox(Vec3d(0, -0.2, 0)));
+}
+
+TEST(Whisker, OfACapsulePastAnEdgeReachesFromTheEdgeToItsSurface) {
+  BallInSlab scene;
+  // The edge at the origin, the capsule's axis 0.1 m below it: its surface is 0.35 m below.
+  scene.manifold().axis = "edge_edge";
+  scene.manifold().points = {{Vec3d(0, -0.05, 0), -0.35, "a:e1 b:e0"}};
+  const auto ends = whiskers(scene.sketch());
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_TRUE(ends[0][0].isZero(1e-12));
+  EXPECT_TRUE(ends[0][1].isApprox(Vec3d(0, -0.35, 0)));
+}
+
+TEST(Whisker, OfTwoHullsEdgesIsCentredOnTheirMiddle) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "contacts"};
+  scene.manifold().axis = "edge_edge";
+  scene.manifold().points = {{Vec3d(0, -0.1, 0), -0.2, "a:e1 b:e0"}};
+  const auto ends = whiskers(scene.sketch());
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_TRUE(ends[0][0].isZero(1e-12));
+  EXPECT_TRUE(ends[0][1].isApprox(Vec3d(0, -0.2, 0)));
+}
+
+TEST(Contacts, APointThatWasReducedAwayIsNoDot) {
+  CrateOnSlab scene;
+  trace::Reduction& reduction = scene.pair().reduction.emplace();
+  reduction.points = scene.manifold().points;
+  reduction.points.push_back({{0, 0, -0.5}, -0.002, "b:v6"});
+  reduction.kept = {1, 0};
+  scene.view.layers = {"shapes", "contacts"};
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 0u);
+  scene.view.layers = {"shapes", "contacts", "reduced"};
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 1u);
+}
+
+TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "contacts"};
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Apart), 0u);
+  scene.manifold().points[0].separation = 0.02;
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(marks(sketch, MarkKind::Apart), 1u);
+  EXPECT_EQ(marks(sketch, MarkKind::Dot), 1u);
+  EXPECT_THAT(explained(sketch), Contains(HasSubstr("within the margin")));
+}
+
+TEST(Gap, OfSeparatedHullsIsAsLongAsTheSeparationFromFaceToCorners) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "contacts"};
+  scene.frames[0].poses[1].second.position.y() = 0.8;
+  scene.pair().state = "separated";
+  scene.pair().separation = 0.3;
+  scene.pair().manifolds.clear();
+  trace::Sat& sat = scene.pair().sat.emplace();
+  sat.chosen = "face_a";
+  sat.face_a = trace::FaceAxis{2, 0.3, Vec3d::UnitY(), {-0.5, 0.3, -0.5}};
+  const Sketch sketch = scene.sketch();
+  const std::vector<Arrow> arrows = measures(sketch);
+  ASSERT_EQ(arrows.size(), 1u);
+  EXPECT_TRUE(arrows[0].double_headed);
+  EXPECT_TRUE(arrows[0].from.isZero(1e-12));  // in the middle of the four lowest corners
+  EXPECT_TRUE(arrows[0].to->isApprox(Vec3d(0, 0.3, 0)));
+  EXPECT_THAT(explained(sketch), Contains("gap"));
+  EXPECT_TRUE(
+      std::ranges::any_of(sketch.labels, [](const Label& l) { return l.text == "0.300 m"; }));
+}
+
+TEST(Gap, TooNarrowForAnArrowIsPointedAtFromBothSides) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "contacts"};
+  scene.frames[0].poses[1].second.position.y() = 0.51;
+  scene.pair().state = "separated";
+  scene.pair().separation = 0.01;
+  scene.pair().manifolds.clear();
+  trace::Sat& sat = scene.pair().sat.emplace();
+  sat.chosen = "face_a";
+  sat.face_a = trace::FaceAxis{2, 0.01, Vec3d::UnitY(), {-0.5, 0.01, -0.5}};
+  const std::vector<Arrow> arrows = measures(scene.sketch());
+  ASSERT_EQ(arrows.size(), 2u);
+  EXPECT_LT(arrows[0].from.y(), arrows[0].to->y());
+  EXPECT_GT(arrows[1].from.y(), arrows[1].to->y());
+  EXPECT_NEAR(arrows[1].to->y() - arrows[0].to->y(), 0.01, 1e-12);
+}
+
+TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
+  CrateOnSlab scene;
+  scene.pair().label = "a label";
+  scene.view.focus = Focus::Shapes;
+  scene.view.layers = {"shapes"};
+  const Staging staging = scene.staged();
+  const Drawing drawing = illustrate(staging, scene.frames[0]);
+  double top = 1e9;
+  for (const trace::Shape& shape : scene.header.shapes) {
+    if (shape.name != "crate") continue;
+    for (const Vec3d& v : shape.vertices)
+      top = std::min<double>(top, staging.camera.project(v + Vec3d(0, 0.498, 0))->y);
+  }
+  int found = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Text* text = std::get_if<Text>(&primitive);
+    if (text == nullptr || text->text != "a label") continue;
+    ++found;
+    EXPECT_LT(text->at.y, top);
+  }
+  EXPECT_EQ(found, 1);
+}
+
+TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "contacts"};
+  trace::Clip& clip = scene.pair().clip.emplace();
+  clip.reference = {"slab", 2, Vec3d::UnitY(), {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}}};
+  clip.incident = {"crate", 3, -Vec3d::UnitY(), {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}}};
+  clip.steps = {{Vec3d::UnitX(), 1, clip.incident.polygon}};
+  clip.dropped = {{{0.5, -0.002, 0.5}, "beside the face"}, {{0.5, 0, -0.5}, "above the face"}};
+  const auto of = [&] { return testing::texts(illustrate(scene.staged(), scene.frames[0])); };
+  for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
+    EXPECT_THAT(of(), ::testing::Not(Contains(name)));
+  scene.view.panels = {"contact_plane"};
+  for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
+    EXPECT_THAT(of(), Contains(name));
+  EXPECT_THAT(of(), ::testing::Not(Contains("beside the face")));  // a contact point, after all
+}
+
+TEST(Ids, EachEdgeThatNamesAPointBearsItsNameOnce) {
+  CrateOnSlab scene;
+  scene.header.shapes[0].edges = {{0, 1}, {1, 3}};
+  scene.header.shapes[1].edges = {{4, 5}};
+  scene.manifold().points[0].id = "a:e1 b:e0";
+  scene.manifold().points[1].id = "b:e0 b:v5";
+  scene.view.layers = {"shapes", "contacts", "ids"};
+  const std::vector<std::string> all = testing::texts(illustrate(scene.staged(), scene.frames[0]));
+  EXPECT_EQ(std::ranges::count(all, "a:e1"), 1);
+  EXPECT_EQ(std::ranges::count(all, "b:e0"), 1);
+  EXPECT_EQ(std::ranges::count(all, "a:e0"), 0);
+}
+
+TEST(PersistentPoints, OneThatWasTakenOutIsARingAroundTheOneInItsPlace) {
+  CrateOnSlab scene;
+  scene.view.layers = {"shapes", "persistent"};
+  scene.persist();
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::WideRing), 0u);
+  std::vector<trace::PersistentPoint>& points = scene.pair().incremental->points;
+  points[2].point.position = points[1].point.position;
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::WideRing), 1u);
+  EXPECT_EQ(marks(scene.sketch(), MarkKind::Hollow), 0u);
+}
+
+}  // namespace
+}  // namespace contactscope::draw
