@@ -34,7 +34,8 @@
 /// separation of a manifold's points may be up to that, or the margin if larger.
 namespace contactscope {
 
-/// More points than this are never kept, whatever the reducer; then the oldest goes.
+/// Without a reducer all points are kept, as of one-shot manifolds, up to so many; then the oldest
+/// goes.
 inline constexpr std::size_t kMaxPersistentPoints = 64;
 
 /// A point of the manifold as it is kept between frames: in both bodies.
@@ -73,7 +74,8 @@ struct IncrementalOptions {
 ///      is apart, has slid, or its features no longer face each other;
 ///   3. up to the margin there is one new point; it takes the place of an old one that has the same
 ///      features or is nearer than the breaking distance;
-///   4. the reducer leaves at most max_points; those stay in their order, the oldest first.
+///   4. the reducer leaves at most max_points (4, unless told otherwise) of those and the new one;
+///      they stay in their order, the oldest first.
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                          const Pose<S>& pose_b, const CollideOptions<S>& options,

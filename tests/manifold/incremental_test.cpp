@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geometry/core_hull.h"
+#include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
@@ -353,16 +354,78 @@ TEST(IncrementalManifold, AThinShapeHasASmallerMargin) {
   EXPECT_NEAR(told.manifolds.at(0).points.at(0).separation, -0.001, 1e-12);
 }
 
-TEST(IncrementalManifold, WithoutAReducerItKeepsTheNewest) {
+/// Level on the floor, 5 mm deep: every corner is as good as any.
+Pose<double> standing(double turn = 0) {
+  return {about(Vec3d::UnitY(), turn), Vec3d(0, 0.995, 0)};
+}
+
+TEST(IncrementalManifold, EveryReducerLeavesFourPointsOfAPrismWithManyCorners) {
+  for (const ReducerInfo& info : reducers()) {
+    Stepped<double> pair(make_cylinder(0.5, 0.5, 24), box(2, 0.5, 2),
+                         {Confirm::Distance, 0.02, 1e-3});
+    pair.options().reducer = find_reducer<double>(info.name);
+    ASSERT_EQ(pair.options().reducer == nullptr, info.name == "none");
+    if (info.name == "none") continue;
+    std::size_t reduced = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+      const trace::Pair told = pair.record(standing(), at(0, 0, 0));
+      std::set<std::string> standing_ids, reduced_ids;
+      for (const trace::PersistentPoint& point : told.incremental->points) {
+        if (point.state == "broken") {
+          EXPECT_EQ(point.reason, "reduced") << info.name << ", frame " << frame;
+          reduced_ids.insert(point.point.id);
+        } else {
+          standing_ids.insert(point.point.id);
+        }
+      }
+      EXPECT_LE(standing_ids.size(), std::min<std::size_t>(frame + 1, 4)) << info.name;
+      EXPECT_GE(standing_ids.size(), 1U) << info.name;
+      reduced += reduced_ids.size();
+      EXPECT_EQ(told.manifolds.at(0).points.size(), standing_ids.size()) << info.name;
+      for (const std::string& id : reduced_ids)
+        EXPECT_FALSE(standing_ids.contains(id)) << info.name;
+    }
+    EXPECT_EQ(pair.persistent().points.size(), 4U) << info.name;
+    EXPECT_GT(reduced, 0U) << info.name;
+  }
+}
+
+TEST(IncrementalManifold, WithoutAReducerAllCornersOfAPrismStay) {
+  Stepped<double> pair(make_cylinder(0.5, 0.5, 24), box(2, 0.5, 2),
+                       {Confirm::Distance, 0.02, 1e-3});
+  pair.options().reducer = nullptr;
+  for (int frame = 0; frame < 30; ++frame) {
+    EXPECT_EQ(pair.step(standing(), at(0, 0, 0)).points.size(),
+              static_cast<std::size_t>(std::min(frame + 1, 24)));
+  }
+}
+
+TEST(IncrementalManifold, WithoutAReducerTheNewestAreKeptUpToTheMostThatThereIsRoomFor) {
+  Stepped<double> pair(make_cylinder(0.5, 0.5, 100), box(2, 0.5, 2),
+                       {Confirm::Distance, 0.02, 1e-3});
+  pair.options().reducer = nullptr;
+  std::string first;
+  for (int frame = 0; frame < 65; ++frame) {
+    const trace::Pair told = pair.record(standing(), at(0, 0, 0));
+    const std::vector<trace::Point>& points = told.manifolds.at(0).points;
+    if (frame == 0) first = points.at(0).id;
+    ASSERT_EQ(points.size(), std::min<std::size_t>(frame + 1, kMaxPersistentPoints));
+    if (frame < 64) continue;
+    const trace::PersistentPoint& gone = told.incremental->points.back();
+    EXPECT_EQ(gone.point.id, first) << "the oldest";
+    EXPECT_EQ(gone.reason, "reduced");
+    EXPECT_EQ(told.incremental->points.at(63).state, "new");
+  }
+}
+
+TEST(IncrementalManifold, WithoutAReducerABoxThatTurnsKeepsItsFourCorners) {
   Stepped<double> pair(box(0.5, 0.5, 0.5), box(20, 0.5, 2), {Confirm::Distance, 0.02, 1e-3});
   pair.options().reducer = nullptr;
-  // Turning about a corner on the spot gives places that differ, and old ones hold on.
+  // Turning on the spot gives places that differ, and old ones hold on.
   std::size_t most = 0;
-  for (int frame = 0; frame < 400; ++frame) {
-    const Pose<double> pose{about(Vec3d::UnitY(), 1e-5 * frame), Vec3d(0, 0.995, 0)};
-    most = std::max(most, pair.step(pose, at(0, 0, 0)).points.size());
-  }
-  EXPECT_EQ(most, 4U);  // the corners: the same features are the same points
+  for (int frame = 0; frame < 400; ++frame)
+    most = std::max(most, pair.step(standing(1e-5 * frame), at(0, 0, 0)).points.size());
+  EXPECT_EQ(most, 4U);  // the same features are the same points
 }
 
 TEST(IncrementalManifold, EveryPenetrationMethodTellsItsNameAndAboutTheSameDepth) {

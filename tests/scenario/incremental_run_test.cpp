@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <map>
+#include <set>
+
 #include "scenario/run.h"
 #include "trace/json.h"
 
@@ -103,6 +106,61 @@ TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
       EXPECT_EQ(recorded.points[i].separation, other.points[i].separation);
     }
   }
+}
+
+/// A wheel of 64 flat sides that rolls, so that each side's corners take the places of the ones
+/// before; the solver moves it.
+constexpr const char* kRollingWheel = R"(title = "Rolling wheel"
+[time]
+frames = 60
+[shapes.floor]
+type = "box"
+half_extents = [2, 0.1, 0.5]
+position = [0, -0.1, 0]
+[shapes.wheel]
+type = "cylinder"
+radius = 0.2
+half_height = 0.12
+segments = 64
+position = [-0.5, 0.199, 0]
+rotation = { axis = [1, 0, 0], degrees = 90 }
+motion = { dynamic = true, mass = 5, velocity = [0.6, 0, 0], angular_velocity = [0, 0, -3] }
+[pipeline]
+manifold = "incremental"
+breaking_distance = 0.025
+[solver]
+slop = 0.001
+speculative_margin = 0.004
+)";
+
+TEST(IncrementalRun, AReplacedPointBeginsWithTheImpulseThatItsNameHad) {
+  const Scenario scenario = parse_scenario(kRollingWheel, "g/a.toml");
+  const Runner runner(scenario);
+  std::map<std::string, double> before;  // newton seconds, by id
+  int replaced = 0, kept = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const trace::Frame facts = runner.frame(frame);
+    const trace::Pair& pair = facts.pairs.at(0);
+    std::set<std::string> moved;
+    for (const trace::PersistentPoint& point : pair.incremental->points)
+      if (point.reason == "replaced") moved.insert(point.point.id);
+    std::map<std::string, double> now;
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      for (const trace::Point& point : manifold.points) {
+        ASSERT_TRUE(point.impulse) << frame;
+        now[point.id] = point.impulse->normal;
+        const auto old = before.find(point.id);
+        EXPECT_EQ(point.impulse->warm_start, old == before.end() ? 0 : old->second)
+            << frame << ": " << point.id;
+        if (old == before.end() || old->second == 0) continue;
+        ++kept;
+        if (moved.contains(point.id)) ++replaced;
+      }
+    }
+    before = now;
+  }
+  EXPECT_GT(replaced, 10);
+  EXPECT_GT(kept, replaced);
 }
 
 }  // namespace
