@@ -18,6 +18,27 @@ std::string spell(const Vec3d& v) {
   return std::string("[") + spell(v.x()) + ", " + spell(v.y()) + ", " + spell(v.z()) + "]";
 }
 
+/// A computed number in six digits; in all of them where six do not tell it from the expected one.
+std::string spell_got(double value, double expected) {
+  constexpr int kDigits = 6;
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, kDigits).ptr;
+  const std::string text(buffer, end);
+  return text == spell(expected) && value != expected ? spell(value) : text;
+}
+
+std::string spell_got(const Vec3d& v, const Vec3d& expected) {
+  return "[" + spell_got(v.x(), expected.x()) + ", " + spell_got(v.y(), expected.y()) + ", " +
+         spell_got(v.z(), expected.z()) + "]";
+}
+
+/// One thing that is not as it should be.
+struct Unmet {
+  std::string wanted;  // "expected 4 points"
+  std::string got;     // "2"; empty where the first says all
+};
+
 std::string spell_points(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " point" : " points");
 }
@@ -53,78 +74,120 @@ double load_of(const trace::Pair& pair, double dt) {
   return impulse / dt;
 }
 
-/// What `pair` does not meet, without the place that each sentence begins with.
-std::vector<std::string> unmet(const Expectation& expected, const trace::Pair& pair, double dt) {
-  std::vector<std::string> sentences;
+/// What `pair` does not meet.
+std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt) {
+  std::vector<Unmet> list;
   if (expected.state) {
     const std::string state = *expected.state == ExpectedState::Touching ? "touching" : "separated";
     if (pair.state != state)
-      sentences.push_back("expected " + state + ", got " + pair.state + " with separation " +
-                          spell(pair.separation) + " m");
+      list.push_back({"expected " + state,
+                      pair.state + " with separation " + spell_got(pair.separation, 0) + " m"});
   }
   if (expected.points) {
     std::size_t count = 0;
     for (const trace::Manifold& manifold : pair.manifolds) count += manifold.points.size();
     if (count != static_cast<std::size_t>(*expected.points))
-      sentences.push_back("expected " + spell_points(static_cast<std::size_t>(*expected.points)) +
-                          ", got " + std::to_string(count));
+      list.push_back({"expected " + spell_points(static_cast<std::size_t>(*expected.points)),
+                      std::to_string(count)});
   }
   const std::vector<Direction> directions = directions_of(pair);
-  if (expected.axis && directions.empty())
-    sentences.push_back("expected axis " + *expected.axis + ", got none");
-  if (expected.normal && directions.empty())
-    sentences.push_back("expected normal " + spell(*expected.normal) + ", got none");
+  const auto wants_axis = [&] { return "expected axis " + *expected.axis; };
+  const auto wants_normal = [&] { return "expected normal " + spell(*expected.normal); };
+  if (expected.axis && directions.empty()) list.push_back({wants_axis(), "none"});
+  if (expected.normal && directions.empty()) list.push_back({wants_normal(), "none"});
+  const std::string tolerance = " (tolerance " + spell(expected.tolerance);
   for (const Direction& direction : directions) {
     if (expected.axis && direction.axis != *expected.axis)
-      sentences.push_back("expected axis " + *expected.axis + ", got " + direction.axis);
+      list.push_back({wants_axis(), direction.axis});
     // Written so that nan is never within the tolerance.
     if (expected.normal &&
         !((direction.normal - *expected.normal).cwiseAbs().array() <= expected.tolerance).all())
-      sentences.push_back("expected normal " + spell(*expected.normal) + ", got " +
-                          spell(direction.normal) + " (tolerance " + spell(expected.tolerance) +
-                          ")");
+      list.push_back(
+          {wants_normal(), spell_got(direction.normal, *expected.normal) + tolerance + ")"});
   }
   if (expected.type && pair.manifolds.empty())
-    sentences.push_back("expected type " + *expected.type + ", got none");
+    list.push_back({"expected type " + *expected.type, "none"});
   for (const trace::Manifold& manifold : pair.manifolds)
     if (expected.type && manifold.type != *expected.type)
-      sentences.push_back("expected type " + *expected.type + ", got " + manifold.type);
+      list.push_back({"expected type " + *expected.type, manifold.type});
   if (expected.separation &&
       !(std::abs(pair.separation - *expected.separation) <= expected.tolerance))
-    sentences.push_back("expected separation " + spell(*expected.separation) + " m, got " +
-                        spell(pair.separation) + " m (tolerance " + spell(expected.tolerance) +
-                        ")");
+    list.push_back({"expected separation " + spell(*expected.separation) + " m",
+                    spell_got(pair.separation, *expected.separation) + " m" + tolerance + ")"});
   if (expected.load) {
     const double load = load_of(pair, dt);
     if (!(std::abs(load - *expected.load) <= expected.tolerance * *expected.load))
-      sentences.push_back("expected load " + spell(*expected.load) + " N, got " + spell(load) +
-                          " N (tolerance " + spell(expected.tolerance) + " of it)");
+      list.push_back({"expected load " + spell(*expected.load) + " N",
+                      spell_got(load, *expected.load) + " N" + tolerance + " of it)"});
+  }
+  return list;
+}
+
+/// What of one expectation a frame does not meet.
+std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
+                         const trace::Frame& frame) {
+  if (frame.frame < expected.first_frame || frame.frame > expected.last_frame) return {};
+  const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
+  const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
+  const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& p) {
+    return p.a == a && p.b == b && p.label == expected.label;
+  });
+  if (pair == frame.pairs.end()) return {{"the frame has no such pair", ""}};
+  return unmet(expected, *pair, scenario.dt);
+}
+
+/// "frame 3", "frames 0 to 2", "3 frames from 0 to 9". `frames` is in rising order.
+std::string spell_frames(const std::vector<int>& frames) {
+  const std::string first = std::to_string(frames.front()), last = std::to_string(frames.back());
+  if (frames.size() == 1) return "frame " + first;
+  const auto length = static_cast<std::size_t>(frames.back() - frames.front()) + 1;
+  return (frames.size() == length ? "frames " : std::to_string(frames.size()) + " frames from ") +
+         first + " to " + last;
+}
+
+/// The same thing unmet in several frames.
+struct Repeated {
+  Unmet first;
+  std::vector<int> frames;
+  bool alike = true;  // each frame got the same
+};
+
+}  // namespace
+
+std::vector<std::string> unmet_expectations(const Scenario& scenario,
+                                            const std::vector<trace::Frame>& frames) {
+  std::vector<std::string> sentences;
+  for (const Expectation& expected : scenario.expectations) {
+    std::vector<Repeated> list;
+    for (const trace::Frame& frame : frames) {
+      for (Unmet& one : unmet(scenario, expected, frame)) {
+        const auto known = std::ranges::find_if(
+            list, [&](const Repeated& other) { return other.first.wanted == one.wanted; });
+        if (known == list.end()) {
+          list.push_back({std::move(one), {frame.frame}});
+          continue;
+        }
+        known->alike = known->alike && known->first.got == one.got;
+        if (known->frames.back() != frame.frame) known->frames.push_back(frame.frame);
+      }
+    }
+    const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
+    const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
+    for (const Repeated& one : list) {
+      std::string sentence = scenario.path + ":" + std::to_string(expected.line) + ": " +
+                             spell_frames(one.frames) + ", " + a + "-" + b +
+                             (expected.label.empty() ? "" : " (" + expected.label + ")") + ": " +
+                             one.first.wanted;
+      if (!one.first.got.empty()) sentence += ", got " + one.first.got;
+      if (!one.alike) sentence += "; others differ";
+      sentences.push_back(std::move(sentence));
+    }
   }
   return sentences;
 }
 
-}  // namespace
-
 std::vector<std::string> unmet_expectations(const Scenario& scenario, const trace::Frame& frame) {
-  std::vector<std::string> sentences;
-  for (const Expectation& expected : scenario.expectations) {
-    if (frame.frame < expected.first_frame || frame.frame > expected.last_frame) continue;
-    const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
-    const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
-    const std::string place = scenario.path + ":" + std::to_string(expected.line) + ": frame " +
-                              std::to_string(frame.frame) + ", " + a + "-" + b +
-                              (expected.label.empty() ? "" : " (" + expected.label + ")") + ": ";
-    const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& p) {
-      return p.a == a && p.b == b && p.label == expected.label;
-    });
-    if (pair == frame.pairs.end()) {
-      sentences.push_back(place + "the frame has no such pair");
-      continue;
-    }
-    for (const std::string& sentence : unmet(expected, *pair, scenario.dt))
-      sentences.push_back(place + sentence);
-  }
-  return sentences;
+  return unmet_expectations(scenario, std::vector<trace::Frame>{frame});
 }
 
 }  // namespace contactscope

@@ -10,6 +10,8 @@ namespace contactscope {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// Frames 0 to 9 of crate and floor, with one [[expect]] on line 10 about frames 2 to 5.
@@ -45,6 +47,31 @@ trace::Frame separated() {
   pair.sat->chosen = "edge_edge";
   frame.pairs.push_back(pair);
   return frame;
+}
+
+TEST(Expect, FramesThatFailAlikeAreFoldedByWhatIsExpected) {
+  Scenario scenario = expecting("points = 4\nseparation = -0.1");
+  scenario.expectations[0].first_frame = 0;
+  scenario.expectations[0].last_frame = 9;
+  std::vector<trace::Frame> frames(3, touching());
+  for (int i = 0; i < 3; ++i) frames[static_cast<std::size_t>(i)].frame = i;
+  frames[1].pairs[0].separation = -0.10000002384185791;  // within the tolerance
+  EXPECT_THAT(unmet_expectations(scenario, frames),
+              ElementsAre("hull/a.toml:10: frames 0 to 2, crate-floor: expected 4 points, got 3",
+                          "hull/a.toml:10: 2 frames from 0 to 2, crate-floor: expected separation "
+                          "-0.1 m, got -0.005 m (tolerance 1e-05)"));
+  frames[2].pairs[0].manifolds[0].points.resize(1);
+  EXPECT_THAT(unmet_expectations(scenario, frames)[0],
+              EndsWith("expected 4 points, got 3; others differ"));
+}
+
+TEST(Expect, ComputedNumbersHaveSixDigitsUnlessThatHidesTheDifference) {
+  trace::Frame frame = touching();
+  frame.pairs[0].separation = -0.10000002384185791;
+  EXPECT_THAT(unmet_expectations(expecting("separation = -0.2"), frame)[0],
+              HasSubstr("got -0.1 m (tolerance"));
+  EXPECT_THAT(unmet_expectations(expecting("separation = -0.1\ntolerance = 0"), frame)[0],
+              HasSubstr("got -0.10000002384185791 m"));
 }
 
 TEST(Expect, WhatHoldsSaysNothing) {
