@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "manifold/dispatch.h"
 #include "scenario/pairs.h"
 
 namespace contactscope::scenario_file {
@@ -38,6 +39,13 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
   if (swapped)
     at.fail("the pair is a = " + name(expectation.b) + ", b = " + name(expectation.a) +
             "; swap them here, the normal points from a to b");
+  const auto geometry = [&](int shape) -> const Shape<double>& {
+    return *scenario.shapes[static_cast<std::size_t>(shape)].geometry;
+  };
+  if (!can_collide(kind_of(geometry(expectation.a)), kind_of(geometry(expectation.b))))
+    at.fail("nothing can be expected of " + both + ": " +
+            pair_kind(geometry(expectation.a), geometry(expectation.b)) +
+            " pairs are not collided; remove this entry");
   at.fail("the pair " + both + " is not run; list it in [[pairs]]");
 }
 

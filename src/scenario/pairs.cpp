@@ -177,19 +177,20 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
   return pairs;
 }
 
-std::vector<std::string> pairs_without_contact(const std::vector<ScenarioPair>& pairs,
-                                               const std::vector<ScenarioShape>& shapes) {
+std::vector<std::string> leave_out_uncollided(std::vector<ScenarioPair>& pairs,
+                                              const std::vector<ScenarioShape>& shapes) {
   std::vector<std::string> sentences;
   std::set<std::string> told;
-  for (const ScenarioPair& pair : pairs) {
+  std::erase_if(pairs, [&](const ScenarioPair& pair) {
     const ScenarioShape& a = shapes[static_cast<std::size_t>(pair.a)];
     const ScenarioShape& b = shapes[static_cast<std::size_t>(pair.b)];
-    if (can_collide(kind_of(*a.geometry), kind_of(*b.geometry))) continue;
+    if (can_collide(kind_of(*a.geometry), kind_of(*b.geometry))) return false;
     const std::string kind = pair_kind(*a.geometry, *b.geometry);
-    if (!told.insert(kind).second) continue;
-    sentences.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " + kind +
-                        " pairs are not collided; leave them out of [[pairs]], or use other types");
-  }
+    if (told.insert(kind).second)
+      sentences.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " + kind +
+                          " pairs are not collided, and left out");
+    return true;
+  });
   return sentences;
 }
 

@@ -18,9 +18,10 @@ std::vector<ScenarioPair> read_pairs(const toml_reader::Value& value,
                                      const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings);
 
-/// One sentence for each two kinds of shapes that are paired and make no contacts.
-std::vector<std::string> pairs_without_contact(const std::vector<ScenarioPair>& pairs,
-                                               const std::vector<ScenarioShape>& shapes);
+/// Takes out the pairs that make no contacts, planes and meshes with each other: where nothing was
+/// looked for, "separated" would be a lie. Returns one sentence for each two kinds of them.
+std::vector<std::string> leave_out_uncollided(std::vector<ScenarioPair>& pairs,
+                                              const std::vector<ScenarioShape>& shapes);
 
 /// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair of
 /// which one is. More than kMaxPairs throw, at `at`.

@@ -4,6 +4,7 @@
 
 #include "scenario/dynamics_keys.h"
 #include "scenario/expectations.h"
+#include "scenario/idle_keys.h"
 #include "scenario/pairs.h"
 #include "scenario/shapes.h"
 #include "scenario/text_checks.h"
@@ -75,12 +76,14 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   else
     scenario.pairs = every_pair(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
-  for (std::string& warning : pairs_without_contact(scenario.pairs, scenario.shapes))
+  for (std::string& warning : leave_out_uncollided(scenario.pairs, scenario.shapes))
     scenario.warnings.push_back(std::move(warning));
 
   scenario.world = default_world(scenario.up);
   if (const auto world = file.find("world")) scenario.world = read_world(*world, scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
+  for (std::string& warning : idle_keys(file, scenario))
+    scenario.warnings.push_back(std::move(warning));
   if (const auto views = file.find("views"))
     scenario.views = read_views(*views);
   else

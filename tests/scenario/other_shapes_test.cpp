@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "core/input_error.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
 
@@ -91,9 +92,19 @@ TEST(OtherShapes, PairsThatMakeNoContactAreWarnedOfOnce) {
   const Scenario scenario = parse_scenario(planes, "hull/a.toml");
   ASSERT_EQ(scenario.warnings.size(), 1u);
   EXPECT_THAT(scenario.warnings[0], HasSubstr("'ground' and 'wall' make no contacts: plane-plane"));
-  const trace::Frame frame = run_frame(scenario, 0);
-  EXPECT_EQ(frame.pairs.back().state, "separated");
-  EXPECT_THAT(frame.pairs.back().manifolds, IsEmpty());
+  EXPECT_THAT(run_frame(scenario, 0).pairs, IsEmpty());
+}
+
+TEST(OtherShapes, NothingCanBeExpectedOfAPairThatIsNotCollided) {
+  const std::string expecting = kShapes +
+                                "[shapes.wall]\ntype = \"plane\"\nnormal = [1, 0, 0]\noffset = 0\n"
+                                "[[expect]]\na = \"ground\"\nb = \"wall\"\nstate = \"separated\"\n";
+  try {
+    parse_scenario(expecting, "hull/a.toml");
+    FAIL() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("plane-plane pairs are not collided"));
+  }
 }
 
 const std::string kMeshes =
