@@ -6,6 +6,7 @@
 
 #include "app/options.h"
 #include "scenario/scenario.h"
+#include "trace/json.h"
 
 namespace contactscope::app {
 
@@ -18,6 +19,20 @@ std::vector<std::string> scenario_files(const std::string& root);
 /// anything is returned, so that a bad one leaves nothing half done. Throws InputError and
 /// UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
+
+/// What `render` draws: a scenario, which is run first, or a trace as it stands.
+struct Subject {
+  std::string name;                   // "<group>/<idea>"
+  std::vector<View> views;            // that --view leaves
+  bool several_views = false;         // of the file, so that each has a folder
+  std::vector<int> frames;            // to draw, by number
+  std::optional<Scenario> scenario;   // either this
+  std::optional<trace::Trace> trace;  // or this
+};
+
+/// The same of files that may be traces too, which have one view: fitted, with the default layers
+/// and the summary. Throws UsageError also where an option has no meaning for a trace.
+std::vector<Subject> load_subjects(const Options& options);
 
 /// The views that --view leaves.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);

@@ -1,8 +1,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/catalogue.h"
 #include "app/verbs.h"
 #include "image/font.h"
 
@@ -22,10 +24,48 @@ std::string eigen_version() {
          std::to_string(EIGEN_MINOR_VERSION);
 }
 
+/// One line on what a scenario or a trace holds; what is wrong with one has thrown InputError.
+std::string looked_through(const Subject& subject) {
+  if (subject.scenario) {
+    const Scenario& scenario = *subject.scenario;
+    return scenario.path + ": scenario " + scenario.name + ", frames " +
+           std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
+           ", pairs " + std::to_string(scenario.pairs.size());
+  }
+  const trace::Trace& trace = *subject.trace;
+  std::map<std::string, int> found;
+  for (const trace::Frame& frame : trace.frames) {
+    found["solver"] += frame.solver.has_value();
+    for (const trace::Pair& pair : frame.pairs) {
+      found["manifolds"] += static_cast<int>(pair.manifolds.size());
+      found["sat"] += pair.sat.has_value();
+      found["clip"] += pair.clip.has_value();
+      found["reduction"] += pair.reduction.has_value();
+      found["gjk"] += pair.gjk.has_value();
+      found["penetration"] += pair.penetration.has_value();
+      found["incremental"] += pair.incremental.has_value();
+      found["stability"] += pair.stability.has_value();
+    }
+  }
+  std::string text = "trace of " + subject.name + ", frames " +
+                     std::to_string(trace.frames.size()) + ", shapes " +
+                     std::to_string(trace.header.shapes.size());
+  for (const auto& [what, count] : found) {
+    if (count > 0) text += ", " + what + " " + std::to_string(count);
+  }
+  return text;
+}
+
 }  // namespace
 
 // What each route to OpenGL answers, and what to do where one does not.
 ExitCode doctor(const Options& options) {
+  std::vector<std::string> files;
+  for (const std::string& argument : options.scenarios) {
+    Options one = options;  // each by itself: here two may have one name
+    one.scenarios = {argument};
+    for (const Subject& subject : load_subjects(one)) files.push_back(looked_through(subject));
+  }
   const std::vector<gl::RouteReport> routes = gl::probe_routes();
   const bool any = std::any_of(routes.begin(), routes.end(),
                                [](const gl::RouteReport& route) { return route.works; });
@@ -46,9 +86,12 @@ ExitCode doctor(const Options& options) {
       }
       json["routes"].push_back(entry);
     }
+    if (!files.empty()) json["files"] = files;
     std::cout << json.dump() << '\n';
     return any ? ExitCode::Same : ExitCode::Trouble;
   }
+  if (options.quiet && any) return ExitCode::Same;
+  for (const std::string& file : files) std::cout << "ok  " << file << '\n';
   std::cout << "contactscope " << CONTACTSCOPE_VERSION << "\n"
             << "  compiler  " << compiler() << "\n"
             << "  Eigen     " << eigen_version() << "\n"

@@ -32,6 +32,10 @@ std::vector<int> FrameRange::select(int frames) const {
   return selected;
 }
 
+bool FrameRange::names(int frame) const {
+  return frame >= first && frame <= last && (frame - first) % step == 0;
+}
+
 FrameRange parse_frame_range(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
   std::vector<int> numbers;

@@ -18,6 +18,8 @@ struct FrameRange {
 
   /// The frames of a sequence of `frames` that the range names.
   std::vector<int> select(int frames) const;
+  /// Whether it names this one.
+  bool names(int frame) const;
 };
 
 /// Parses a --frames argument. Throws UsageError.
@@ -51,6 +53,8 @@ struct Options {
   std::optional<FrameRange> frames;
   std::string view;
   std::string reducer;
+  std::vector<std::string> layers;  // of every view, instead of its own; empty: its own
+  std::vector<std::string> panels;
   std::string what;  // of `list`
   Update update = Update::Never;
   int jobs = 0;              // 0: as many as there are processors

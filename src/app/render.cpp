@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
 #include "app/encoder_pool.h"
@@ -17,18 +18,17 @@
 namespace contactscope::app {
 namespace {
 
-std::vector<std::size_t> selected_frames(const Options& options, const Scenario& scenario) {
-  const FrameRange all{0, scenario.frames - 1, 1};
+// Where in the sequence the frames are that the subject names.
+std::vector<std::size_t> selected_frames(const Subject& subject, const Sequence& sequence) {
   std::vector<std::size_t> which;
-  for (const int frame : options.frames.value_or(all).select(scenario.frames)) {
-    which.push_back(static_cast<std::size_t>(frame));
+  for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+    if (std::ranges::binary_search(subject.frames, sequence.frames[i].frame)) which.push_back(i);
   }
   return which;
 }
 
-// Which stages left facts, which panels were drawn, and what this scene did without, for --verbose.
-void account(const Scenario& scenario, const std::vector<View>& views, const trace::Stages& stages,
-             const Sequence& sequence, Ledger& ledger) {
+// Which stages left facts, and which panels were drawn, for --verbose.
+void account_facts(const Subject& subject, const Sequence& sequence, Ledger& ledger) {
   int sat = 0, clip = 0, reduction = 0;
   for (const trace::Frame& frame : sequence.frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -37,18 +37,22 @@ void account(const Scenario& scenario, const std::vector<View>& views, const tra
       reduction += pair.reduction.has_value();
     }
   }
-  ledger.note(scenario.name + ": recorded sat " + std::to_string(sat) + ", clip " +
+  ledger.note(subject.name + ": recorded sat " + std::to_string(sat) + ", clip " +
               std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
-  for (const View& view : views) {
-    std::string what = scenario.name + ": view " + view.name + " paints";
+  for (const View& view : subject.views) {
+    std::string what = subject.name + ": view " + view.name + " paints";
     for (const std::string& layer : view.layers) what += " " + layer;
     what += view.panels.empty() ? "; no panels" : "; panels";
     for (const std::string& panel : view.panels) what += " " + panel;
     ledger.note(what);
     if (view.panels.empty()) {
-      ledger.left_out(scenario.name + ": Dear ImGui, for view " + view.name + " names no panel");
+      ledger.left_out(subject.name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
+}
+
+// What this scenario did without, for --verbose.
+void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledger& ledger) {
   for (const auto& [recorded, stage] : {std::pair{stages.sat, "sat"},
                                         {stages.clip, "clip"},
                                         {stages.reduction, "reduction"},
@@ -66,20 +70,34 @@ void account(const Scenario& scenario, const std::vector<View>& views, const tra
   if (!has_body) ledger.left_out("solver, for no shape is dynamic");
 }
 
+// Runs the scenario, or takes the trace.
+Sequence sequence_of(Subject& subject, const Options& options, Ledger& ledger) {
+  Sequence sequence;
+  if (subject.trace) {
+    sequence = {std::move(subject.trace->header), std::move(subject.trace->frames), {}};
+    ledger.left_out(subject.name + ": the pipeline, for its trace is drawn as it stands");
+  } else {
+    const trace::Stages stages = draw::stages_shown(subject.views);
+    sequence = run_sequence(*subject.scenario, stages, options.timing, ledger);
+    account_stages(*subject.scenario, stages, ledger);
+  }
+  account_facts(subject, sequence, ledger);
+  return sequence;
+}
+
 }  // namespace
 
 ExitCode render(const Options& options) {
   note_interrupts();
   Ledger total;
-  std::vector<Scenario> scenarios;
+  std::vector<Subject> subjects;
   {
     const Timed timed(total, "read scenarios");
-    scenarios = load_scenarios(options);
+    subjects = load_subjects(options);
   }
   int pictures = 0;
-  for (const Scenario& scenario : scenarios) {
-    pictures += static_cast<int>(selected_frames(options, scenario).size() *
-                                 selected_views(scenario, options).size());
+  for (const Subject& subject : subjects) {
+    pictures += static_cast<int>(subject.frames.size() * subject.views.size());
   }
 
   const auto begin = std::chrono::steady_clock::now();
@@ -87,26 +105,30 @@ ExitCode render(const Options& options) {
   EncoderPool encoders(options.jobs);
   {
     Progress progress(pictures, options.quiet);
-    for (const Scenario& scenario : scenarios) {
-      const trace::Stages stages = draw::stages_shown(selected_views(scenario, options));
-      const Sequence sequence = run_sequence(scenario, stages, options.timing, total);
-      account(scenario, selected_views(scenario, options), stages, sequence, total);
-      for (const View& view : selected_views(scenario, options)) {
+    nlohmann::ordered_json written;
+    for (Subject& subject : subjects) {
+      const Sequence sequence = sequence_of(subject, options, total);
+      const std::vector<std::size_t> which = selected_frames(subject, sequence);
+      for (const View& view : subject.views) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
-        studio.render(staging, sequence.frames, selected_frames(options, scenario),
-                      sequence.nanoseconds, [&](std::size_t frame, Image image) {
-                        const snapshot::PictureKey key{scenario.name, view_folder(scenario, view),
-                                                       static_cast<int>(frame)};
-                        const std::filesystem::path path = snapshot::picture_path(options.out, key);
-                        std::filesystem::create_directories(path.parent_path());
-                        encoders.submit(path.string(), std::move(image));
-                        progress.advance(scenario.name);
-                      });
+        const std::optional<std::string> folder =
+            subject.several_views ? std::optional(view.name) : std::nullopt;
+        studio.render(
+            staging, sequence.frames, which, sequence.nanoseconds,
+            [&](std::size_t index, Image image) {
+              const snapshot::PictureKey key{subject.name, folder, sequence.frames[index].frame};
+              const std::filesystem::path path = snapshot::picture_path(options.out, key);
+              std::filesystem::create_directories(path.parent_path());
+              written[subject.name].push_back(path.string());
+              encoders.submit(path.string(), std::move(image));
+              progress.advance(subject.name);
+            });
       }
     }
     encoders.finish();
+    if (options.json) std::cout << written.dump() << '\n';
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   total.add("encode, beside the rest",
@@ -118,7 +140,7 @@ ExitCode render(const Options& options) {
   }
   if (!options.quiet) {
     std::filesystem::path where = options.out;
-    if (scenarios.size() == 1) where /= scenarios.front().name;
+    if (subjects.size() == 1) where /= subjects.front().name;
     std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << where.string()
               << '\n';
   }

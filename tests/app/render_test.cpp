@@ -68,6 +68,82 @@ TEST(Render, VerboseSaysWhatRanAndWhatWasLeftOut) {
   EXPECT_THAT(panels.err, HasSubstr("start Dear ImGui"));
 }
 
+/// What a trace is drawn with where nobody says otherwise.
+std::string view_of_traces() {
+  return "[[views]]\nfocus = \"shapes\"\npanels = [\"summary\"]\nlayers = [\"shapes\", "
+         "\"reference_face\", \"incident_face\", \"clip_polygons\", \"contacts\", "
+         "\"reduced\", \"normals\"]\n";
+}
+
+TEST(Render, TraceGivesThePicturesOfItsScenario) {
+  const TemporaryFolder folder;
+  const std::string scenario = folder.write("group/idea.toml", small_scenario() + view_of_traces());
+  const std::string trace = folder.write("other/name.jsonl", run("trace '" + scenario + "'").out);
+  const std::string size = " --size 640x360 --out '";
+  ASSERT_EQ(run("render '" + scenario + "'" + size + (folder / "one") + "'").exit_code, 0);
+  const ProgramRun drawn = run("render '" + trace + "'" + size + (folder / "two") + "'");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_THAT(files_below(folder / "two"),
+              ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0001.png"));
+  for (const char* file : {"/group/idea/frame_0000.png", "/group/idea/frame_0001.png"})
+    EXPECT_TRUE(read_text(folder / "one" + file) == read_text(folder / "two" + file)) << file;
+}
+
+TEST(Render, FramesOfATraceAreChosenByNumber) {
+  const TemporaryFolder folder;
+  const std::string scenario = folder.write("group/idea.toml", small_scenario());
+  const std::string trace =
+      folder.write("late.jsonl", run("trace '" + scenario + "' --frames 1").out);
+  const std::string to = "' --size 64x64 --out '" + (folder / "out") + "'";
+  EXPECT_EQ(run("render '" + trace + to + " --frames 0").exit_code, 2);
+  EXPECT_EQ(run("render '" + trace + to + " --frames 1").exit_code, 0);
+  EXPECT_THAT(files_below(folder / "out"), ElementsAre("group/idea/frame_0001.png"));
+}
+
+TEST(Render, TraceThatDoesNotFitTogetherIsNamedByLine) {
+  const TemporaryFolder folder;
+  const std::string scenario = folder.write("group/idea.toml", small_scenario());
+  const std::string good = run("trace '" + scenario + "'").out;
+  struct Slip {
+    const char *from, *to, *told;
+  };
+  for (const Slip& slip :
+       {Slip{"\"a\":\"slab\"", "\"a\":\"slap\"",
+             ".jsonl:3:1: pairs[0].a: the header has no shape "
+             "'slap'; did you mean 'slab'?"},
+        Slip{"\"quat_wxyz\":[1.0,", "\"quat_wxyz\":[2.0,",
+             "'quat_wxyz' has length 2; it must be 1"},
+        Slip{"\"frame\":1,", "\"frame\":0,", "rising order"},
+        Slip{"\"state\":\"touching\"", "\"state\":\"touched\"", "'touching' or 'separated'"}}) {
+    std::string bad = good;
+    const std::size_t at = bad.rfind(slip.from);
+    ASSERT_NE(at, std::string::npos) << slip.from;
+    const std::string file =
+        folder.write("bad.jsonl", bad.replace(at, std::string(slip.from).size(), slip.to));
+    const ProgramRun result = run("render '" + file + "' --out '" + (folder / "out") + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr(slip.told));
+    EXPECT_EQ(run("doctor '" + file + "'").exit_code, 2);
+  }
+  EXPECT_THAT(files_below(folder / "out"), IsEmpty());
+}
+
+TEST(Render, WhatPanelsHaveNoRoomForIsNamed) {
+  const TemporaryFolder folder;
+  std::string scenario = "title = \"nine\"\n";
+  for (int i = 0; i < 9; ++i) {
+    scenario += "[shapes.s" + std::to_string(i) +
+                "]\ntype = \"sphere\"\nradius = 0.3\nposition = [" + std::to_string(0.5 * i) +
+                ", 0, 0]\n";
+  }
+  const std::string file = folder.write(
+      "group/idea.toml", scenario + "[[views]]\npanels = [\"summary\", \"contact_plane\"]\n");
+  const std::string to = "render '" + file + "' --verbose --out '" + (folder / "out") + "'";
+  EXPECT_THAT(run(to + " --size 1280x720").err,
+              testing::ContainsRegex("left out: .* pairs of panel summary"));
+  EXPECT_THAT(run(to + " --size 320x180").err, HasSubstr("panel contact_plane"));
+}
+
 TEST(Render, UnwritableFolderIsTroubleAndNamesTheFile) {
   const ProgramRun result = run("render hull/coherent_points --size 320x180 --out /proc/nowhere");
   EXPECT_EQ(result.exit_code, 2);
