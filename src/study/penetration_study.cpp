@@ -71,6 +71,7 @@ struct Effort {
 
 struct FoundDepth {
   bool has_depth;
+  bool converged;
   double depth;
   Vec3d normal;
 };
@@ -83,8 +84,8 @@ FoundDepth run_method(PenetrationMethod method, const Effort& effort, const Deep
   options.samples = effort.samples;
   const PenetrationResult<S> found =
       penetration(method, support_set(pair.a), support_set(pair.b), pair.b_in_a, options);
-  return {has_depth(found.status), static_cast<double>(found.depth),
-          found.normal.template cast<double>()};
+  return {has_depth(found.status), found.status == PenetrationStatus::Converged,
+          static_cast<double>(found.depth), found.normal.template cast<double>()};
 }
 
 struct DepthSeries {
@@ -148,7 +149,7 @@ std::vector<DepthSeries> every_series() {
 }
 
 struct DepthCell {
-  Errors depths, angles;
+  Errors depths, angles, unfinished;
   int failed = 0;
   PassTimes times;
 };
@@ -165,6 +166,7 @@ void judge_depths(const DepthSeries& series, const Effort& effort, const DeepCas
   for (std::size_t i = 0; i < cases.sizes.size(); ++i) {
     const FoundDepth found = series.run(effort, cases, i);
     const double truth = -cases.truth[i].separation;
+    cell.unfinished.add(found.converged ? 0 : 1);
     // Both hulls reach about their size from their frames; float rounds its input as well.
     const bool is_short = found.depth < truth - 64 * epsilon * cases.sizes[i];
     if (!found.has_depth || is_short) {
@@ -182,7 +184,8 @@ trace::Study study_of(const StudyOptions& options, int count) {
   study.context = study_context("float and double");
   study.reference = "extended precision, " + std::to_string(count) + " overlapping pairs, seed " +
                     std::to_string(options.seed) +
-                    "; effort: tolerance 0.1 to 0, 2 to 64 iterations, 8 to 8192 directions";
+                    "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
+                    "iterations; 8, 32, 128, 512, 2048, 8192 directions";
   study.parameter = "effort";
   return study;
 }
@@ -218,6 +221,7 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
   }
 
   trace::Study depths = study_of(options, count), angles = study_of(options, count);
+  trace::Study unfinished = study_of(options, count);
   depths.measure = "depth";
   depths.title = "The depth of two hulls by penetration algorithms";
   depths.error = "error of the depth / size of the hulls";
@@ -225,8 +229,13 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
   angles.title = "The normal of two hulls by penetration algorithms";
   angles.error = "angle to the normal of least depth";
   angles.unit = "rad";
+  unfinished.measure = "unfinished";
+  unfinished.title = "How many searches end before they converge";
+  unfinished.error = "share of the pairs whose status is not converged";
+  unfinished.resolution = 0.5 / count;
   for (std::size_t s = 0; s < list.size(); ++s) {
     trace::StudySeries of_depths{list[s].name, {}}, of_angles{list[s].name, {}};
+    trace::StudySeries of_unfinished{list[s].name, {}};
     for (std::size_t e = 0; e < cells[s].size(); ++e) {
       const DepthCell& cell = cells[s][e];
       const double parameter = list[s].efforts[e].parameter;
@@ -234,11 +243,13 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
           study_point(parameter, cell.depths, cell.times, cell.failed, count));
       of_angles.points.push_back(
           study_point(parameter, cell.angles, cell.times, cell.failed, count));
+      of_unfinished.points.push_back(study_point(parameter, cell.unfinished, cell.times, 0, count));
     }
     depths.series.push_back(std::move(of_depths));
     angles.series.push_back(std::move(of_angles));
+    unfinished.series.push_back(std::move(of_unfinished));
   }
-  return {std::move(depths), std::move(angles)};
+  return {std::move(depths), std::move(angles), std::move(unfinished)};
 }
 
 }  // namespace contactscope

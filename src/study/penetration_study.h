@@ -13,9 +13,14 @@ namespace contactscope {
 /// of it. The separating axis test is the same at every effort.
 ///
 /// Cases are those of `study hull_precision` with 32 vertices, every other one pushed together until
-/// centroids are half as far apart or less. Two measures, both against extended precision over all
-/// axes: the depth's error over the size of the hulls, and the angle between the normals in radians
-/// (where two axes are nearly as deep, a small error of the depth is a large one of the normal).
+/// centroids are half as far apart or less. Two measures against extended precision over all axes:
+/// the depth's error over the size of the hulls, and the angle between the normals in radians (where
+/// two axes are nearly as deep, a small error of the depth is a large one of the normal). A third,
+/// "unfinished", is the share of the pairs on which the status was not Converged.
+///
+/// The worst error of sampling need not fall with the number of directions: the search about the best
+/// one is local, so the worst pair is one whose best direction lies beside a wrong facet, and another
+/// number of directions finds another one. Without that search ("one round") it falls throughout.
 ///
 /// A call has failed when it finds no depth, or one that falls short of the true one by more than
 /// rounding, so that moving by it would not part the hulls. To end at the cap on iterations is no

@@ -34,7 +34,7 @@ TEST(PenetrationStudy, MoreEffortIsNeverWorseAndEpaIsAsExactAsTheSeparatingAxisT
   options.repetitions = 1;
   const std::vector<trace::Study> studies =
       study_penetration(options, [](int, int, const auto&) {});
-  ASSERT_EQ(studies.size(), 2u);
+  ASSERT_EQ(studies.size(), 3u);
   for (const trace::Study& study : studies) {
     ASSERT_EQ(study.series.size(), 11u);
     for (const trace::StudySeries& series : study.series) {
@@ -42,6 +42,7 @@ TEST(PenetrationStudy, MoreEffortIsNeverWorseAndEpaIsAsExactAsTheSeparatingAxisT
       for (std::size_t k = 0; k < 6; ++k) {
         const trace::StudyPoint& point = series.points[k];
         EXPECT_EQ(point.parameter, static_cast<double>(k + 1)) << series.method;
+        EXPECT_LE(*point.error_worst, study.measure == "unfinished" ? 1 : 4) << series.method;
         EXPECT_EQ(point.failed, 0) << series.method << " " << point.parameter;
         EXPECT_EQ(point.of, 12);
         EXPECT_GT(point.nanoseconds.min, 0);
@@ -60,6 +61,9 @@ TEST(PenetrationStudy, MoreEffortIsNeverWorseAndEpaIsAsExactAsTheSeparatingAxisT
     EXPECT_LE(*by_iterations[k].error, *by_iterations[k - 1].error + 1e-12);
   }
   EXPECT_LT(*by_iterations.back().error_worst, 1e-13);
+  // The cap on iterations is what ends a search that has one.
+  EXPECT_EQ(series_named(studies[2], "double, EPA by tolerance").points.back().error, 0);
+  EXPECT_GT(*series_named(studies[2], "double, EPA by iterations").points.front().error, 0.9);
   // MPR's normal is not that of least depth, however exact it is.
   EXPECT_GT(*series_named(depths, "double, MPR by tolerance").points.back().error_worst, 1e-4);
   const auto& sampled = series_named(depths, "double, sampling, one round").points;
