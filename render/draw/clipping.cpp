@@ -66,16 +66,14 @@ void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     }
   }
   if (scene.shows("clip_polygons")) {
-    bool any = false;
     for (std::size_t k = 0; k < shown; ++k) {
       const trace::Polygon& polygon = clip.steps[k].polygon;
       if (polygon.empty()) continue;
-      any = true;
       const bool last = k + 1 == shown;
+      if (last) sketch.explain(LegendKind::ClipPolygon, "clip polygon");
       if (last) sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
       sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     }
-    if (any) sketch.explain(LegendKind::ClipPolygon, "clip polygon");
   }
   if (scene.shows("dropped") && shown == clip.steps.size()) {
     for (const trace::DroppedPoint& point : clip.dropped) {

@@ -57,7 +57,7 @@ void draw_edge_names(const Scene& scene, const trace::Pair& pair, Sketch& sketch
                                 shape->vertices[static_cast<std::size_t>(ends[1])]);
     sketch.labels.push_back({.at = middle,
                              .text = (of_a ? "a:e" : "b:e") + std::to_string(index),
-                             .color = of_a ? kArcOfA : kArcOfB,
+                             .color = kQuietText,
                              .size = 15,
                              .bold = false,
                              .clearance = 5,
