@@ -7,6 +7,13 @@
 #include "reduce/optimal_choice.h"
 #include "reduce/steps.h"
 
+/// Hysteresis as between the axes of the separating axis test (Catto 2007, "Feature Flip-Flop"),
+/// for the choice of points. No engine that we know of does this; coherent.h has what it promises.
+///
+/// Steps: find the points of the ids of the frame before (find_previous); find the largest choice
+/// that is deep enough, the reference (find_reference); keep the old points if they are all there,
+/// large and deep enough; if not, choose anew with half of the freedom, as many old points as can
+/// be (most_coherent).
 namespace contactscope {
 namespace {
 
@@ -148,9 +155,6 @@ KeptIndices most_coherent(Points<S> points, const Patch<S>& patch, const Referen
 
 }  // namespace
 
-/// Steps: find the points of the ids of the frame before; find the largest choice that is deep
-/// enough; keep the old points if they are all there and large and deep enough; if not, choose anew
-/// with half of the freedom.
 template <class S>
 KeptIndices reduce_coherently(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                               const ReduceOptions& options) {

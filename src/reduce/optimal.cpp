@@ -5,6 +5,12 @@
 #include "reduce/steps.h"
 
 namespace contactscope {
+
+/// The talk grows four points one by one (Gregorius 2015, "Contact Point Reduction"); here they are
+/// chosen at once. Steps: project the points into the plane and take the corners of their convex
+/// hull, for no other point is a corner of the best polygon (Patch); four of them by rolling a line
+/// round the hull (Shamos 1978, see best_quadrilateral()), another number by the longest chain of
+/// edges (best_ring()), two by trying all pairs; go round from the deepest of them.
 template <class S>
 KeptIndices reduce_to_optimal(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                               const ReduceOptions& options) {

@@ -101,6 +101,51 @@ inline double largest_area(const std::vector<Place>& places, int size) {
   return largest_area(places, size, [](const std::vector<int>&) { return true; });
 }
 
+/// The largest area of four of the places, for too many of them to try all choices: each pair with
+/// the farthest place on either side of its line. (No choice has more than its best diagonal.)
+inline double largest_quadrilateral(const std::vector<Place>& places) {
+  double largest = 0;
+  for (const Place& a : places) {
+    for (const Place& b : places) {
+      double left = 0, right = 0;
+      for (const Place& c : places) {
+        left = std::max(left, turn(a, b, c));
+        right = std::max(right, -turn(a, b, c));
+      }
+      largest = std::max(largest, 0.5 * (left + right));
+    }
+  }
+  return largest;
+}
+
+/// The same of choices that hold place `through`: all triples beside it.
+inline double largest_quadrilateral_with(const std::vector<Place>& places, int through) {
+  const Place& p = places[static_cast<std::size_t>(through)];
+  double largest = 0;
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      for (std::size_t c = 0; c < b; ++c)
+        largest = std::max(largest, hull_area({p, places[a], places[b], places[c]}));
+    }
+  }
+  return largest;
+}
+
+/// Points on a circle for the oracle above, in order but for a swap of two in every third case; of
+/// even cases most crowded at one place, so that short diagonals matter too.
+inline std::vector<Place> crowd(Random& random, int count, int number) {
+  std::vector<double> angles;
+  for (int k = 0; k < count; ++k) {
+    const bool crowded = number % 2 == 0 && k > 5;
+    angles.push_back(crowded ? random.uniform(0, 0.2) : random.uniform(0, 6.28));
+  }
+  std::sort(angles.begin(), angles.end());
+  std::vector<Place> places;
+  for (const double angle : angles) places.push_back({std::cos(angle), std::sin(angle)});
+  if (number % 3 == 0) std::swap(places[3], places[11]);
+  return places;
+}
+
 /// What rounding to S may do to an area: an error of a few ulps of the coordinates, along the whole
 /// patch.
 template <class S>

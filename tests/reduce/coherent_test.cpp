@@ -123,6 +123,37 @@ TYPED_TEST(CoherentReducer, BoundsAreaAndDepthInEveryFrameOfAnyMotion) {
   EXPECT_GT(kept_frames, frames / 2);
 }
 
+// Of 16 to 64 points: the reference is the best choice through any of those that are deep enough.
+TYPED_TEST(CoherentReducer, BoundsAreaAndDepthOfManyPoints) {
+  using S = TypeParam;
+  test::Random random(35);
+  for (const int count : {16, 24, 40, 64}) {
+    for (int i = 0; i < 3; ++i) {
+      std::vector<ContactPoint<S>> points;
+      for (const Place& place : test::crowd(random, count, i)) {
+        const auto edge = static_cast<std::uint32_t>(points.size());
+        points.push_back({Vec3d(place.x, place.y, 0).cast<S>(), S(-0.1 * random.uniform(0.1, 0.9)),
+                          FeatureId::of({Owner::A, edge}, {Owner::B, edge})});
+      }
+      const int deep = random.index(count);
+      points[static_cast<std::size_t>(deep)].separation = S(-0.1);
+      const std::vector<Place> places = test::seen_along<S>(points, Vec3<S>::UnitZ());
+      // 5% of 0.1 m of slack: the others are above it.
+      const Promise promise = {test::largest_quadrilateral_with(places, deep),
+                               test::largest_quadrilateral(places), 0.005, -0.1};
+      std::vector<FeatureId> previous;
+      for (int frame = 0; frame < 3; ++frame) {
+        const std::vector<int> kept =
+            reduced<S>(&reduce_coherently<S>, points, Vec3<S>::UnitZ(), 4, previous);
+        expect_kept(promise, points, places, kept, 4);
+        previous = ids_of(points, kept);
+        previous[static_cast<std::size_t>(frame)] = points[static_cast<std::size_t>(frame)].id;
+      }
+      ASSERT_FALSE(testing::Test::HasFailure()) << count << " points, case " << i;
+    }
+  }
+}
+
 TYPED_TEST(CoherentReducer, BoundsAreaAndDepthWhateverWasKeptBefore) {
   using S = TypeParam;
   test::Random random(32);

@@ -140,36 +140,43 @@ TYPED_TEST(OptimalReducer, KeepsTheFarthestTwo) {
 
 TYPED_TEST(OptimalReducer, IsExactForManyPointsInAnyOrder) {
   using S = TypeParam;
-  // Half of the corners are crowded at one place, so that short diagonals matter too.
   test::Random random(24);
   for (const int count : {16, 24, 40, 64}) {
     for (int i = 0; i < 12; ++i) {
-      std::vector<double> angles;
-      const bool crowded = i % 2 == 0;
-      for (int k = 0; k < count; ++k) {
-        angles.push_back(crowded && k > 5 ? random.uniform(0, 0.2) : random.uniform(0, 6.28));
-      }
-      std::sort(angles.begin(), angles.end());
-      std::vector<Place> places;
-      for (const double angle : angles) places.push_back({std::cos(angle), std::sin(angle)});
-      if (i % 3 == 0) std::swap(places[3], places[11]);
-      const std::vector<ContactPoint<S>> points = points_at<S>(places);
-      places = test::seen_along<S>(points, Vec3<S>::UnitZ());
-      // Every diagonal with the farthest place on both sides.
-      double largest = 0;
-      for (const Place& a : places) {
-        for (const Place& b : places) {
-          double left = 0;
-          double right = 0;
-          for (const Place& c : places) {
-            left = std::max(left, test::turn(a, b, c));
-            right = std::max(right, -test::turn(a, b, c));
-          }
-          largest = std::max(largest, 0.5 * (left + right));
-        }
-      }
-      EXPECT_NEAR(test::hull_area(test::at(places, this->best(points, 4))), largest,
-                  test::area_rounding(points, places));
+      const std::vector<ContactPoint<S>> points = points_at<S>(test::crowd(random, count, i));
+      const std::vector<Place> places = test::seen_along<S>(points, Vec3<S>::UnitZ());
+      EXPECT_NEAR(test::hull_area(test::at(places, this->best(points, 4))),
+                  test::largest_quadrilateral(places), test::area_rounding(points, places));
+    }
+  }
+}
+
+// Twelve points are few enough to try all choices.
+TEST(LargestQuadrilateral, IsThatOfAllSubsets) {
+  test::Random random(25);
+  for (int i = 0; i < 6; ++i) {
+    const std::vector<Place> places = test::crowd(random, 12, i);
+    EXPECT_NEAR(test::largest_quadrilateral(places), test::largest_area(places, 4), 1e-12);
+  }
+}
+
+TYPED_TEST(OptimalReducer, WithTheDeepestIsExactForManyPoints) {
+  using S = TypeParam;
+  test::Random random(26);
+  for (const int count : {16, 24, 40, 64}) {
+    for (int i = 0; i < (count < 40 ? 12 : 3); ++i) {
+      std::vector<double> separations(static_cast<std::size_t>(count), 0);
+      const int first = random.index(count);
+      separations[static_cast<std::size_t>(first)] = -1;
+      const std::vector<ContactPoint<S>> points =
+          points_at<S>(test::crowd(random, count, i), separations);
+      const std::vector<Place> places = test::seen_along<S>(points, Vec3<S>::UnitZ());
+      const std::vector<int> kept = this->best_with_deepest(points, 4);
+      EXPECT_EQ(kept[0], first);
+      EXPECT_NEAR(test::hull_area(test::at(places, kept)),
+                  test::largest_quadrilateral_with(places, first),
+                  test::area_rounding(points, places))
+          << count << " points, case " << i;
     }
   }
 }
