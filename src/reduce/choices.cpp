@@ -19,6 +19,17 @@ bool among(std::span<const int> kept, int point) {
   return std::ranges::find(kept, point) != kept.end();
 }
 
+trace::Choice support_choice(Points points, const Vec3d& direction) {
+  trace::Choice choice;
+  choice.rule = "support";
+  choice.direction = direction;
+  for (int q = 0; q < steps::count(points); ++q) {
+    const Vec3d arm = steps::at(points, q) - steps::at(points, 0);
+    choice.measures.push_back({q, -1, -1, direction.dot(arm)});
+  }
+  return choice;
+}
+
 trace::Choice first_choice(std::string_view reducer, Points points, const Vec3d& normal) {
   trace::Choice choice;
   if (reducer == "area_deepest") {
@@ -28,13 +39,26 @@ trace::Choice first_choice(std::string_view reducer, Points points, const Vec3d&
     }
     return choice;
   }
-  choice.rule = "support";
-  choice.direction = fixed_direction(normal).normalized();
-  for (int q = 0; q < steps::count(points); ++q) {
-    const Vec3d arm = steps::at(points, q) - steps::at(points, 0);
-    choice.measures.push_back({q, -1, -1, choice.direction.dot(arm)});
+  return support_choice(points, fixed_direction(normal).normalized());
+}
+
+/// A support point of each end of both axes; a point that is extreme twice was chosen the first
+/// time.
+std::vector<trace::Choice> extreme_choices(Points points, const Vec3d& normal,
+                                           std::span<const int> kept) {
+  const Vec3d u = any_perpendicular(normal);
+  const Vec3d v = normal.cross(u);
+  std::vector<trace::Choice> choices;
+  std::vector<int> chosen;
+  for (const Vec3d& direction : {Vec3d(-u), u, Vec3d(-v), v}) {
+    const int point = steps::support_point(points, direction);
+    if (among(chosen, point) || !among(kept, point)) continue;
+    chosen.push_back(point);
+    choices.push_back(support_choice(points, direction));
   }
-  return choice;
+  // Where float took another of two points that lie equally far, nothing is told.
+  if (choices.size() != kept.size()) choices.clear();
+  return choices;
 }
 
 trace::Choice second_choice(Points points, int first) {
@@ -117,7 +141,9 @@ std::vector<trace::Choice> choices_made(std::string_view reducer, Points points,
                                         const Vec3d& normal, std::span<const int> kept) {
   std::vector<trace::Choice> choices;
   const bool talk = reducer == "area" || reducer == "area_deepest" || reducer == "distance";
-  if (!talk || kept.size() >= points.size() || kept.empty()) return choices;
+  if (kept.size() >= points.size() || kept.empty()) return choices;
+  if (reducer == "extremes") return extreme_choices(points, normal, kept);
+  if (!talk) return choices;
   choices.push_back(first_choice(reducer, points, normal));
   if (kept.size() > 1) choices.push_back(second_choice(points, kept[0]));
   if (kept.size() > 2) choices.push_back(third_choice(points, normal, kept[0], kept[1]));

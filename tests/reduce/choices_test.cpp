@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "reduce/area.h"
 #include "reduce/plane_points.h"
@@ -190,6 +191,23 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
   EXPECT_GT(steps, 1000);
 }
 
+TEST(Choices, OfExtremesAreSupportPointsAlongTwoAxes) {
+  // Lowest and highest in x and z, and two that are neither.
+  const auto points = points_at({{-2, 0.5}, {3, 0.2}, {0.1, -1}, {0.3, 1.5}, {1, 1}, {-1, -0.5}});
+  const std::vector<int> kept = kept_by("extremes", points, 4);
+  const std::vector<trace::Choice> made = choices_made("extremes", points, kUp, kept);
+  EXPECT_THAT(rules(made), ElementsAre("support", "support", "support", "support"));
+  EXPECT_THAT(std::set<int>(kept.begin(), kept.end()), ElementsAre(0, 1, 2, 3));
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    EXPECT_NEAR(made[i].direction.norm(), 1, 1e-12);
+    EXPECT_NEAR(std::abs(made[i].direction.x()) + std::abs(made[i].direction.z()), 1, 1e-12);
+    for (const trace::Measure& measure : made[i].measures)
+      EXPECT_LE(measure.value, worth(made[i], kept[i])) << i;
+  }
+  EXPECT_NEAR(made[0].direction.dot(made[1].direction), -1, 1e-12);
+  EXPECT_NEAR(made[0].direction.dot(made[2].direction), 0, 1e-12);
+}
+
 TEST_P(ChoicesOf, EdgeAreasOfAFourthPointAddUpToTheTriangle) {
   if (GetParam() == std::string("distance")) return;  // measures no areas
   Random random(12);
@@ -229,8 +247,8 @@ TEST_P(ChoicesOf, PointsOnALineOrInOnePlaceHaveFiniteMeasures) {
 TEST(Choices, AreEmptyForOtherReducersAndWhereNothingWasReduced) {
   const std::vector<ContactPoint<double>> points = hand_made();
   for (const ReducerInfo& info : reducers()) {
-    const bool steps =
-        info.name == "area" || info.name == "area_deepest" || info.name == "distance";
+    const bool steps = info.name == "area" || info.name == "area_deepest" ||
+                       info.name == "distance" || info.name == "extremes";
     const std::vector<int> kept = kept_by(info.name, points, 4);
     EXPECT_EQ(choices_made(info.name, points, kUp, kept).empty(), !steps) << info.name;
   }
