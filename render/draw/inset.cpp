@@ -62,7 +62,8 @@ std::vector<Inset> stage_insets(const std::vector<std::string>& panels, const St
     }
     insets.push_back({panels[i], staging.layout.insets[i],
                       Camera::perspective(fit.target + fit.distance * direction, fit.target,
-                                          world_up, kInsetFieldOfView, viewport)});
+                                          world_up, kInsetFieldOfView, viewport),
+                      staging.layout.scale});
   }
   return insets;
 }

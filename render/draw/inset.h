@@ -19,6 +19,7 @@ struct Inset {
   std::string panel;  // "minkowski", "gauss_map"
   Rect frame;         // of the canvas, with its heading
   Camera camera;      // looks from where the camera of the shapes does, so that directions agree
+  float scale = 1;    // pixels for one pixel at 720 lines
 };
 
 /// What an inset shows of one frame.

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "draw/inset.h"
 #include "draw/palette.h"
 #include "draw/quantity.h"
 #include "draw/simplex_steps.h"
+#include "image/font.h"
 
 /// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
 /// van den Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
@@ -13,9 +15,15 @@ namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
 constexpr std::size_t kManyFaces = 120;
+constexpr double kAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {
   return pair.minkowski || pair.gjk || pair.penetration;
+}
+
+/// Of the cores, which is what a difference is made of.
+bool holds_origin(const trace::Pair& pair) {
+  return pair.gjk ? pair.gjk->status == "overlap" : pair.state == "touching";
 }
 
 const trace::Pair* pair_with_difference(const trace::Frame& frame) {
@@ -45,9 +53,10 @@ void draw_vertex(const SimplexStep& step, std::size_t i, Sketch& sketch) {
                            .direction = std::nullopt});
 }
 
-/// From the origin to a point, with its length.
-void draw_distance(const Vec3d& to, double distance, const std::string& name, double smallest,
-                   Sketch& sketch) {
+/// From the origin to a point, with its length. A number that is longer than its arrow would hide
+/// it, and stands aside.
+void draw_distance(const Inset& inset, const Vec3d& to, double distance, const std::string& name,
+                   double smallest, Sketch& sketch) {
   if (to.norm() <= smallest) return;
   Arrow arrow;
   arrow.from = Vec3d::Zero();
@@ -56,13 +65,25 @@ void draw_distance(const Vec3d& to, double distance, const std::string& name, do
   arrow.width = 3;
   arrow.color = kAxis;
   sketch.arrows.push_back(arrow);
-  sketch.labels.push_back({.at = 0.5 * to,
-                           .text = name + spell_length(distance),
-                           .color = kAxisText,
-                           .size = 16,
-                           .bold = true,
-                           .clearance = 14,
-                           .direction = std::nullopt});
+  Label label{.at = 0.5 * to,
+              .text = name + spell_length(distance),
+              .color = kAxisText,
+              .size = 16,
+              .bold = true,
+              .clearance = 14,
+              .direction = std::nullopt};
+  const std::optional<Point2> from = inset.camera.project(Vec3d::Zero());
+  const std::optional<Point2> tip = inset.camera.project(to);
+  if (from && tip) {
+    const float size = inset.scale * static_cast<float>(label.size);
+    const float length = std::hypot(tip->x - from->x, tip->y - from->y);
+    label.leader = length < text_width(label.text, size, FontWeight::Bold);
+    if (label.leader) {  // on the other side of the origin's name
+      label.clearance = kAside;
+      label.direction = inset.camera.right();
+    }
+  }
+  sketch.labels.push_back(label);
 }
 
 void draw_next(const SimplexStep& step, Sketch& sketch) {
@@ -73,14 +94,14 @@ void draw_next(const SimplexStep& step, Sketch& sketch) {
 }
 
 // A simplex has all of its edges and triangles.
-void draw_simplex(const SimplexStep& step, double smallest, Sketch& sketch) {
+void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
   const std::size_t count = step.vertices.size();
   const Color color = step_color(step);
   std::vector<Vec3d> points;
   add_simplex(step.vertices, points);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      sketch.lines.push_back({points[i], points[j], {2.0f, color}});
+      sketch.lines.push_back({points[i], points[j], {2.0f, color}, true});
       for (std::size_t k = j + 1; k < count; ++k)
         sketch.surfaces.push_back({{points[i], points[j], points[k]}, with_alpha(color, 0.16f)});
     }
@@ -92,11 +113,11 @@ void draw_simplex(const SimplexStep& step, double smallest, Sketch& sketch) {
   sketch.explain(LegendKind::Simplex, mpr ? "portal and inner point" : "simplex");
   if (mpr) return;
   const Vec3d nearest = nearest_to_origin(points);
-  draw_distance(nearest, nearest.norm(), "", smallest, sketch);
+  draw_distance(inset, nearest, nearest.norm(), "", smallest, sketch);
   if (nearest.norm() > smallest) sketch.explain(LegendKind::Axis, "nearest point, its distance");
 }
 
-void draw_polytope(const SimplexStep& step, double smallest, Sketch& sketch) {
+void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
   const trace::Polytope& polytope = *step.polytope;
   std::vector<Vec3d> points;
   add_simplex(polytope.vertices, points);
@@ -120,14 +141,35 @@ void draw_polytope(const SimplexStep& step, double smallest, Sketch& sketch) {
   const std::array<int, 3>& face = polytope.faces[static_cast<std::size_t>(polytope.nearest)];
   const std::vector<Vec3d> triangle = {at(face[0]), at(face[1]), at(face[2])};
   sketch.surfaces.push_back({triangle, with_alpha(kReferenceFace, 0.35f)});
-  sketch.outline(triangle, {3.0f, kReferenceFace});
+  for (std::size_t i = 0; i < 3; ++i)
+    sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
   for (const int corner : face) draw_vertex(step, static_cast<std::size_t>(corner), sketch);
   sketch.explain(LegendKind::ReferenceFace, "face nearest to the origin");
   draw_next(step, sketch);
   const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-  draw_distance(polytope.distance * normal, polytope.distance, step.last() ? "depth " : "",
+  draw_distance(inset, polytope.distance * normal, polytope.distance, step.last() ? "depth " : "",
                 smallest, sketch);
   sketch.explain(LegendKind::Axis, "distance of its plane");
+}
+
+/// Without steps of an algorithm the difference itself tells how far the origin is from its border:
+/// outside the gap, inside the depth, along the normal of the nearest face.
+void draw_border_distance(const Inset& inset, const trace::Minkowski& difference, bool held,
+                          double smallest, Sketch& sketch) {
+  std::optional<Vec3d> nearest;
+  for (const std::vector<int>& face : difference.faces) {
+    const auto corner = [&](std::size_t i) {
+      return difference.vertices[static_cast<std::size_t>(face[i])];
+    };
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      const Vec3d place = nearest_to_origin({corner(0), corner(i - 1), corner(i)});
+      if (!nearest || place.norm() < nearest->norm()) nearest = place;
+    }
+  }
+  if (!nearest) return;
+  draw_distance(inset, *nearest, nearest->norm(), held ? "depth " : "gap ", smallest, sketch);
+  if (nearest->norm() > smallest)
+    sketch.explain(LegendKind::Axis, "from the origin to the nearest point of the border");
 }
 
 std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& step) {
@@ -186,24 +228,28 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     sketch.center = middle;
     for (const Vec3d& v : solid.vertices) size = std::max(size, (v - middle).norm());
   }
-  sketch.marks.push_back({MarkKind::Origin, Vec3d::Zero(), kNormal});
+  const bool held = pair != nullptr && holds_origin(*pair);
+  sketch.marks.push_back({held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal});
   sketch.labels.push_back({.at = Vec3d::Zero(),
                            .text = "origin",
                            .color = kNormal,
                            .size = 15,
                            .bold = true,
                            .clearance = 12,
-                           .direction = std::nullopt});
+                           .direction = Vec3d(-inset.camera.right())});
   if (pair == nullptr) return picture;
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
   picture.note = note_of(*pair, step);
-  if (!step) return picture;
   // Nearer than this is as good as in it: what rounding in float leaves.
   const double smallest = 1e-6 * size;
+  if (!step) {
+    if (pair->minkowski) draw_border_distance(inset, *pair->minkowski, held, smallest, sketch);
+    return picture;
+  }
   if (step->polytope != nullptr) {
-    draw_polytope(*step, smallest, sketch);
+    draw_polytope(inset, *step, smallest, sketch);
   } else {
-    draw_simplex(*step, smallest, sketch);
+    draw_simplex(inset, *step, smallest, sketch);
   }
   return picture;
 }
