@@ -187,8 +187,8 @@ void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch)
               camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
-              "edges " + std::to_string(sat.edge->a) + " × " + std::to_string(sat.edge->b) + ": " +
-                  spell_length(sat.edge->separation),
+              "edge " + std::to_string(sat.edge->a) + " of A × edge " +
+                  std::to_string(sat.edge->b) + " of B: " + spell_length(sat.edge->separation),
               sat.chosen == "edge_edge", camera, sketch);
   sketch.explain(LegendKind::BestAxis, "best axis of a query, its separation");
 }
@@ -232,7 +232,16 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   Sketch& sketch = picture.sketch;
   draw_sphere(inset.camera, sketch);
   const trace::Pair* pair = pair_with_map(scene.frame);
-  if (pair == nullptr) return picture;
+  if (pair == nullptr) {
+    sketch.labels.push_back({.at = Vec3d::Zero(),
+                             .text = "no two hulls, nor a hull and a capsule",
+                             .color = kQuietText,
+                             .size = 15,
+                             .bold = false,
+                             .clearance = 0,
+                             .direction = std::nullopt});
+    return picture;
+  }
   const PlacedShape* placed_a = scene.find(pair->a);
   const PlacedShape* placed_b = scene.find(pair->b);
   if (placed_a == nullptr || placed_b == nullptr) return picture;
@@ -245,8 +254,10 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   }
   a.draw(inset.camera, lit_a, sketch);
   b.draw(inset.camera, lit_b, sketch);
+  std::size_t in_front = 0;
   for (const MapCrossing& crossing : crossings) {
     if (!inset.camera.faces(crossing.normal, crossing.normal)) continue;
+    ++in_front;
     sketch.marks.push_back({MarkKind::Dot, crossing.normal, kAxis});
     sketch.explain(LegendKind::Crossing, "arcs that cross");
   }
@@ -261,6 +272,7 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   if (count > 0)
     picture.note =
         std::to_string(count) + (count == 1 ? " pair of arcs crosses" : " pairs of arcs cross");
+  if (in_front < count) picture.note += ", " + std::to_string(in_front) + " in front";
   return picture;
 }
 
