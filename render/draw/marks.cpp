@@ -40,6 +40,17 @@ void draw_quartered_disc(const Point2& center, float radius, float border, Drawi
   drawing.primitives.push_back(Disc{center, radius - border, radius, kNormal});
 }
 
+void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing) {
+  for (const bool halo : {true, false}) {
+    const float h = halo ? 1.4f * half : half;
+    drawing.primitives.push_back(Fill{{{center.x - h, center.y - h},
+                                       {center.x + h, center.y - h},
+                                       {center.x + h, center.y + h},
+                                       {center.x - h, center.y + h}},
+                                      halo ? kWhite : color});
+  }
+}
+
 void draw_state_dot(const std::string& state, const Point2& center, float radius,
                     const Color& color, Drawing& drawing) {
   drawing.primitives.push_back(Disc{center, 0, 1.33f * radius, kWhite});

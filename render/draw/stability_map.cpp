@@ -14,6 +14,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr float kMapDot = 5.2f;  // pixels
+constexpr float kMapSquare = 4.6f;
 constexpr float kMapCenter = 7.5f;
 
 void map_stroke(const Point2& from, const Point2& to, float width, const Color& color, float dash,
@@ -110,7 +111,7 @@ void StabilityMap::draw_axis(const std::array<Vec3d, 2>& axis, float pixel,
   if (seen) map_stroke(seen->from, seen->to, 2.2f * pixel, kNormal, 7 * pixel, drawing);
 }
 
-void StabilityMap::draw(const trace::Pair& pair, float pixel, Drawing& drawing) const {
+void StabilityMap::draw(const trace::Pair& pair, bool plain, float pixel, Drawing& drawing) const {
   const trace::Stability& stability = *pair.stability;
   std::vector<Point2> corners;
   for (const Vec3d& corner : stability.support) corners.push_back(at(corner));
@@ -132,7 +133,10 @@ void StabilityMap::draw(const trace::Pair& pair, float pixel, Drawing& drawing) 
     }
   } else {
     for (const trace::Manifold& manifold : pair.manifolds) {
-      for (const trace::Point& point : manifold.points) dot(point.position, "");
+      for (const trace::Point& point : manifold.points) {
+        if (plain) dot(point.position, "");
+        if (!plain) draw_square(at(point.position), kMapSquare * pixel, kContact, drawing);
+      }
     }
   }
   draw_quartered_disc(at(stability.projection), kMapCenter * pixel, 1.4f * pixel, drawing);

@@ -20,7 +20,8 @@ class StabilityMap {
   std::array<double, 2> flat(const Vec3d& point) const { return {u_.dot(point), v_.dot(point)}; }
   void show(const std::array<double, 2>& center, double pixels_per_metre);
 
-  void draw(const trace::Pair& pair, float pixel, Drawing& drawing) const;
+  /// `plain`: points that have no age are dots, as elsewhere.
+  void draw(const trace::Pair& pair, bool plain, float pixel, Drawing& drawing) const;
 
  private:
   Point2 at(const Vec3d& point) const;

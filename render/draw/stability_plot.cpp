@@ -27,6 +27,8 @@ constexpr double kLeastStabilityMap = 70;
 constexpr double kLeastMarginChart = 58;
 constexpr double kMostMarginChart = 120;
 constexpr double kVerdictRow = 17;
+constexpr double kTimeRow = 20;
+constexpr double kNameSwatch = 30;
 constexpr std::size_t kMostMaps = 3;
 
 struct VerdictRow {
@@ -57,13 +59,12 @@ std::vector<trace::Pair> pairs_of(const std::vector<trace::Frame>& frames) {
   return pairs;
 }
 
-/// In millimetres, like the chart below, unless that would be a strange number of them.
-std::string spell_margin(double metres) {
-  const bool usual = metres >= 1e-4 && metres < 1;
-  std::array<char, 32> text{};
-  const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
-  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
-  return usual ? text.data() : spell_length(metres);
+/// Beside points that have an age, those without are drawn as such.
+bool has_ages(const std::vector<trace::Frame>& frames) {
+  return std::ranges::any_of(frames, [](const trace::Frame& frame) {
+    return std::ranges::any_of(
+        frame.pairs, [](const trace::Pair& pair) { return pair.incremental.has_value(); });
+  });
 }
 
 bool in_contact(const trace::Pair* pair) {
@@ -81,7 +82,8 @@ class StabilityPainter {
         rect_(rect),
         pixel_(pixel),
         out_(drawing),
-        pairs_(pairs_of(frames)) {}
+        pairs_(pairs_of(frames)),
+        has_ages_(has_ages(frames)) {}
 
   void run() {
     if (pairs_.empty()) {
@@ -91,7 +93,7 @@ class StabilityPainter {
     const bool named = pairs_.size() > 1;
     const double words = px(kWordsLine) * (named ? 3 : 2) + px(8);
     const double rows =
-        px(kVerdictRow) * static_cast<double>(kVerdictRows.size() * pairs_.size()) + px(6);
+        px(kVerdictRow) * static_cast<double>(kVerdictRows.size()) + px(kTimeRow + 6);
     double chart = std::clamp(0.26 * rect_.height, px(kLeastMarginChart), px(kMostMarginChart));
     double band = rows;
     // The map says most; over time comes next, and the verdicts' rows last.
@@ -172,16 +174,31 @@ class StabilityPainter {
         const std::string& label = pairs_[p].label;
         const std::string name = label.empty() ? pairs_[p].a + ", " + pairs_[p].b : label;
         const auto size = static_cast<float>(px(kChartText));
-        text(fitted(name, size, FontWeight::Bold, static_cast<float>(rect.width)), rect.x,
-             rect_.y + 0.75 * px(kWordsLine), series_style(p).color, Weight::Bold);
+        draw_name_swatch(p, rect.x);
+        text(fitted(name, size, FontWeight::Bold, static_cast<float>(rect.width - px(kNameSwatch))),
+             rect.x + px(kNameSwatch), rect_.y + 0.75 * px(kWordsLine), series_style(p).color,
+             Weight::Bold);
       }
       if (maps[p] && in_contact(pair)) {
         maps[p]->show(centers[p], scale);
-        maps[p]->draw(*pair, pixel_, out_);
+        maps[p]->draw(*pair, !has_ages_, pixel_, out_);
       }
       draw_words(pair, rect);
     }
     draw_scale_bar(scale, cell(pairs_.size() - 1, height, named));
+  }
+
+  // How the pair's lines look below.
+  void draw_name_swatch(std::size_t p, double x) {
+    const SeriesStyle style = series_style(p);
+    const auto y = static_cast<float>(rect_.y + 0.5 * px(kWordsLine));
+    Stroke swatch{{static_cast<float>(x), y},
+                  {static_cast<float>(x + px(kNameSwatch - 6)), y},
+                  2.4f * pixel_,
+                  style.color};
+    swatch.dash = pixel_ * style.dash;
+    swatch.gap = 0.6f * swatch.dash;
+    out_.primitives.push_back(swatch);
   }
 
   void draw_words(const trace::Pair* pair, const Rect& rect) {
@@ -233,40 +250,71 @@ class StabilityPainter {
     return chart;
   }
 
+  // A row a verdict, and in them a stepped line a pair, drawn as in the chart above.
   void draw_verdicts(double y) {
-    const double left = rect_.x + px(kChartGutter);
+    const double left = rect_.x + px(kChartGutter), width = rect_.x + rect_.width - left;
     const double row = px(kVerdictRow);
-    const auto frames = static_cast<double>(frames_.size());
-    const double column = (rect_.x + rect_.width - left) / frames;
-    const double top = y;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      for (const VerdictRow& known : kVerdictRows) {
-        const auto fill = [&](double from, double to, const Color& color) {
-          const auto x0 = static_cast<float>(from), x1 = static_cast<float>(to);
-          const auto y0 = static_cast<float>(y + px(2)), y1 = static_cast<float>(y + row - px(2));
-          out_.primitives.push_back(Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, color});
-        };
-        chart_text(known.name,
-                   {static_cast<float>(left - px(6)), static_cast<float>(y + 0.78 * row)},
-                   Align::Right, kQuietText, pixel_, out_);
-        fill(left, left + column * frames, with_alpha(kQuietText, 0.10f));
-        const auto holds = [&](std::size_t f) {
-          const trace::Pair* pair = same_pair(frames_[f], pairs_[p]);
-          return in_contact(pair) && pair->stability->verdict == known.verdict;
-        };
-        const std::size_t end = std::min(moment_ + 1, frames_.size());
-        for (std::size_t f = 0; f < end; ++f) {
-          if (!holds(f)) continue;
-          const std::size_t from = f;
-          while (f + 1 < end && holds(f + 1)) ++f;
-          fill(left + column * static_cast<double>(from),
-               left + column * static_cast<double>(f + 1),
-               pairs_.size() > 1 ? series_style(p).color : kClipPolygon);
-        }
-        y += row;
-      }
+    for (std::size_t i = 0; i < kVerdictRows.size(); ++i) {
+      const double top = y + row * static_cast<double>(i);
+      chart_text(kVerdictRows[i].name,
+                 {static_cast<float>(left - px(6)), static_cast<float>(top + 0.78 * row)},
+                 Align::Right, kQuietText, pixel_, out_);
+      const auto x0 = static_cast<float>(left), x1 = static_cast<float>(left + width);
+      const auto y0 = static_cast<float>(top + px(1)), y1 = static_cast<float>(top + row - px(1));
+      out_.primitives.push_back(
+          Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, with_alpha(kQuietText, 0.10f)});
     }
-    draw_moment({left, top, column * frames, y - top}, frames_.size(), moment_, pixel_, out_);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) draw_verdict_line(p, left, width, y);
+    const double height = row * static_cast<double>(kVerdictRows.size());
+    draw_moment({left, y, width, height}, frames_.size(), moment_, pixel_, out_);
+    const auto baseline = static_cast<float>(y + height + 0.82 * px(kTimeRow));
+    const auto at = [&](const std::string& what, double x, Align align) {
+      chart_text(what, {static_cast<float>(x), baseline}, align, kQuietText, pixel_, out_);
+    };
+    at("0", left, Align::Left);
+    at("time", left + 0.5 * width, Align::Center);
+    at(spell_quantity(frames_.back().time, "s"), left + width, Align::Right);
+  }
+
+  void draw_verdict_line(std::size_t p, double left, double width, double top) {
+    const SeriesStyle style = series_style(p);
+    const double column = width / static_cast<double>(frames_.size());
+    // Beside each other where verdicts are the same.
+    const double aside =
+        px(4.5) * (static_cast<double>(p) - 0.5 * static_cast<double>(pairs_.size() - 1));
+    std::vector<Point2> corners;
+    const auto finish = [&] {
+      float run = 0;
+      for (std::size_t i = 1; i < corners.size(); ++i) {
+        Stroke stroke{corners[i - 1], corners[i], 2.6f * pixel_, style.color,
+                      style.dash > 0 ? Cap::Butt : Cap::Round};
+        stroke.dash = pixel_ * style.dash;
+        stroke.gap = 0.6f * stroke.dash;
+        stroke.phase = run;
+        out_.primitives.push_back(stroke);
+        run += std::hypot(corners[i].x - corners[i - 1].x, corners[i].y - corners[i - 1].y);
+      }
+      corners.clear();
+    };
+    for (std::size_t f = 0; f <= moment_ && f < frames_.size(); ++f) {
+      const trace::Pair* pair = same_pair(frames_[f], pairs_[p]);
+      const auto* known = std::ranges::find_if(kVerdictRows, [&](const VerdictRow& verdict) {
+        return in_contact(pair) && pair->stability->verdict == verdict.verdict;
+      });
+      if (known == kVerdictRows.end()) {
+        finish();
+        continue;
+      }
+      const auto level = static_cast<double>(known - kVerdictRows.begin());
+      const auto y = static_cast<float>(top + px(kVerdictRow) * (level + 0.5) + aside);
+      const auto from = static_cast<float>(left + column * static_cast<double>(f));
+      if (corners.size() > 1 && corners.back().y == y)
+        corners.pop_back();  // goes on
+      else
+        corners.push_back({from, y});
+      corners.push_back({from + static_cast<float>(column), y});
+    }
+    finish();
   }
 
   const std::vector<trace::Frame>& frames_;
@@ -276,9 +324,18 @@ class StabilityPainter {
   float pixel_;
   Drawing& out_;
   std::vector<trace::Pair> pairs_;
+  bool has_ages_;
 };
 
 }  // namespace
+
+std::string spell_margin(double metres) {
+  const bool usual = metres >= 1e-4 && metres < 1;
+  std::array<char, 32> text{};
+  const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
+  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
+  return usual ? text.data() : spell_length(metres);
+}
 
 void draw_stability(const std::vector<trace::Frame>& frames, std::size_t moment,
                     const Camera& camera, const Rect& rect, float pixel, Drawing& drawing) {

@@ -6,6 +6,7 @@
 #include "draw/palette.h"
 #include "draw/quantity.h"
 #include "draw/scene.h"
+#include "draw/stability_plot.h"
 
 namespace contactscope::draw {
 namespace {
@@ -15,6 +16,8 @@ constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // of a small view
 constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
 constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
+constexpr double kShortMargin = 0.06;     // of the support: too short to be drawn
+constexpr const char* kFreeAxis = "axis about which the body turns";
 
 // Which way gravity, or whatever presses the bodies together, turns the body.
 Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
@@ -51,13 +54,20 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
     draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
                       kNormal, sketch);
   }
-  sketch.explain(LegendKind::FreeAxis, "axis about which the body turns");
+  sketch.explain(LegendKind::FreeAxis, kFreeAxis);
+}
+
+void explain_support(const trace::Stability& stability, Sketch& sketch) {
+  if (stability.support.size() > 2)
+    sketch.explain(LegendKind::Support, "support: hull of the contact points");
+  if (stability.support.size() == 2)
+    sketch.explain(LegendKind::Support, "support: a line between two points");
 }
 
 std::string verdict_of(const trace::Stability& stability) {
   if (stability.support.size() < 3 || stability.verdict == "no contact") return stability.verdict;
   if (stability.margin == 0) return stability.verdict + ", on the border";
-  const std::string margin = spell_length(std::abs(stability.margin));
+  const std::string margin = spell_margin(std::abs(stability.margin));
   return stability.verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
 }
 
@@ -68,12 +78,9 @@ std::string verdict_of(const trace::Stability& stability) {
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.stability) return;
   const trace::Stability& stability = *pair.stability;
-  if (stability.support.size() > 2) {
+  if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-    sketch.explain(LegendKind::Support, "support: hull of the contact points");
-  } else if (stability.support.size() == 2) {
-    sketch.explain(LegendKind::Support, "support: a line between two points");
-  }
+  explain_support(stability, sketch);
   if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
   if (stability.axis && stability.verdict != "stable") draw_free_axis(scene, pair, sketch);
   if (stability.support.empty()) return;
@@ -84,6 +91,20 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                            .bold = true,
                            .clearance = 16,
                            .direction = Vec3d(-scene.camera.up())});
+}
+
+void explain_stability_panel(const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.stability || pair.manifolds.empty()) return;
+  const trace::Stability& stability = *pair.stability;
+  if (stability.verdict == "no contact") return;
+  explain_support(stability, sketch);
+  if (stability.axis && stability.verdict != "stable")
+    sketch.explain(LegendKind::FreeAxis, kFreeAxis);
+  double reach = 0;
+  for (const Vec3d& corner : stability.support)
+    reach = std::max(reach, (corner - stability.projection).norm());
+  if (std::abs(stability.margin) > kShortMargin * reach)
+    sketch.explain(LegendKind::SupportMargin, "margin: to the border of the support");
 }
 
 }  // namespace contactscope::draw
