@@ -237,7 +237,7 @@ TEST(MinkowskiInset, TheNearestFaceBearsItsDistance) {
   const Staged staged({two_cubes()}, view_of({"minkowski"}));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "EPA: converged");
-  EXPECT_EQ(marks_of(picture.sketch, MarkKind::Origin, kNormal), 1u);
+  EXPECT_EQ(marks_of(picture.sketch, MarkKind::HeldOrigin, kNormal), 1u);
   EXPECT_THAT(label_texts(picture.sketch), testing::IsSupersetOf({"origin", "depth 0.200 m"}));
   ASSERT_EQ(picture.sketch.arrows.size(), 1u);
   EXPECT_EQ(picture.sketch.arrows[0].from, Vec3d(0, 0, 0));
@@ -281,6 +281,50 @@ TEST(MinkowskiInset, WithoutStepsItSaysWhereTheOriginIs) {
   EXPECT_EQ(Staged({frame}, view_of({"minkowski"})).picture().note, "the origin is outside");
 }
 
+TEST(MinkowskiInset, TheBorderOfTheDifferenceIsAsFarAsTheBoxesAreDeepOrApart) {
+  // A cube with edges of 2 m about the place of B, which is 0.8 m up: 0.2 m deep at the bottom.
+  for (const double lift : {0.0, 0.5}) {
+    trace::Frame frame = two_cubes();
+    frame.pairs[0].penetration.reset();
+    for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += lift;
+    frame.pairs[0].state = lift > 0 ? "separated" : "touching";
+    const InsetPicture picture = Staged({frame}, view_of({"minkowski"})).picture();
+    ASSERT_EQ(picture.sketch.arrows.size(), 1u);
+    EXPECT_NEAR((*picture.sketch.arrows[0].to - Vec3d(0, lift - 0.2, 0)).norm(), 0, 1e-9);
+    EXPECT_THAT(label_texts(picture.sketch),
+                testing::Contains(lift > 0 ? "gap 0.300 m" : "depth 0.200 m"));
+    EXPECT_EQ(marks_of(picture.sketch, MarkKind::Origin, kNormal), lift > 0 ? 1u : 0u);
+    EXPECT_EQ(marks_of(picture.sketch, MarkKind::HeldOrigin, kNormal), lift > 0 ? 0u : 1u);
+  }
+}
+
+TEST(MinkowskiInset, ANumberLongerThanItsArrowStandsAsideWithALeader) {
+  for (const double depth : {0.001, 0.9}) {
+    trace::Frame frame = two_cubes();
+    frame.pairs[0].penetration.reset();
+    for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += 0.2 - depth;
+    const InsetPicture picture = Staged({frame}, view_of({"minkowski"})).picture();
+    const auto number = std::ranges::find_if(
+        picture.sketch.labels, [](const Label& label) { return label.text.starts_with("depth"); });
+    ASSERT_NE(number, picture.sketch.labels.end());
+    EXPECT_EQ(number->leader, depth < 0.01);
+  }
+}
+
+TEST(GaussMapInset, TheEdgesThatDecideAreNamedOnTheShapes) {
+  trace::Frame frame = two_cubes();
+  frame.pairs[0].manifolds = {{Vec3d(0, 1, 0), "edge_edge", {}, {{kPlaceOfB, -0.2, "a:e3 b:e11"}}}};
+  View view = view_of({"gauss_map"});
+  view.layers = {"contact_axis"};
+  const Staged staged({frame}, view);
+  const Sketch sketch = sketch_frame(staged.staging, frame);
+  EXPECT_THAT(label_texts(sketch), ElementsAre("edge 3", "edge 11"));
+  ASSERT_EQ(sketch.lines.size(), 2u);
+  EXPECT_EQ(sketch.lines[0].from, Vec3d(0.5, -0.5, -0.5));
+  EXPECT_EQ(sketch.lines[0].to, Vec3d(0.5, 0.5, -0.5));
+  EXPECT_EQ(sketch.lines[1].from, Vec3d(Vec3d(-0.5, 0.5, 0.5) + kPlaceOfB));
+}
+
 TEST(SimplexPoints, BothShapesBearTheNumbersOfTheDifference) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].penetration.reset();
@@ -305,10 +349,10 @@ TEST(GaussMapInset, OneMarkForEachCrossingInFront) {
   sat.edge_pairs = {{0, 3, -0.2, front}, {1, 2, -0.7, -front}};
   const Staged staged({frame}, view_of({"gauss_map"}));
   const InsetPicture picture = staged.picture();
-  EXPECT_EQ(picture.note, "2 pairs of arcs cross");
+  EXPECT_EQ(picture.note, "2 pairs of arcs cross, 1 in front");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Dot, kAxis), 1u);
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Ring, kAxisText), 1u);
-  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edges 0 × 3: −0.200 m"));
+  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edge 0 of A × edge 3 of B: −0.200 m"));
 }
 
 TEST(GaussMapInset, TheBestAxisIsNeverBehindTheSphere) {
@@ -339,7 +383,7 @@ TEST(GaussMapInset, ACapsulesRingCrossesTheArcsBetweenItsTwoSides) {
   frame.pairs[0].manifolds = {{Vec3d(0, 1, 0), "edge_edge", {}, {}}};
   const Staged staged({frame}, view_of({"gauss_map"}), {cube("lower", 0.5), pill});
   const InsetPicture picture = staged.picture();
-  EXPECT_EQ(picture.note, "6 pairs of arcs cross");
+  EXPECT_THAT(picture.note, testing::StartsWith("6 pairs of arcs cross, "));
   EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal: −0.100 m"));
 }
 
