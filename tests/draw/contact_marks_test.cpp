@@ -6,6 +6,7 @@
 
 #include "draw/crate_on_slab.h"
 #include "draw/palette.h"
+#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -182,18 +183,22 @@ TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
   scene.view.layers = {"shapes"};
   const Staging staging = scene.staged();
   const Drawing drawing = illustrate(staging, scene.frames[0]);
-  double top = 1e9;
-  for (const trace::Shape& shape : scene.header.shapes) {
-    if (shape.name != "crate") continue;
-    for (const Vec3d& v : shape.vertices)
-      top = std::min<double>(top, staging.camera.project(v + Vec3d(0, 0.498, 0))->y);
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  for (const Vec3d& v : scene.header.shapes[1].vertices) {
+    const Point2 at = *staging.camera.project(v + Vec3d(0, 0.498, 0));
+    left = std::min<double>(left, at.x);
+    right = std::max<double>(right, at.x);
+    top = std::min<double>(top, at.y);
+    bottom = std::max<double>(bottom, at.y);
   }
   int found = 0;
   for (const Primitive& primitive : drawing.primitives) {
     const Text* text = std::get_if<Text>(&primitive);
     if (text == nullptr || text->text != "a label") continue;
     ++found;
-    EXPECT_LT(text->at.y, top);
+    const double end = text->at.x + text_width(text->text, text->size, FontWeight::Bold);
+    EXPECT_TRUE(text->at.y < top || text->at.x > right || end < left ||
+                text->at.y - 0.8 * text->size > bottom);
   }
   EXPECT_EQ(found, 1);
 }
