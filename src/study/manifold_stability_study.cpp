@@ -11,6 +11,7 @@
 #include "manifold/stability.h"
 #include "study/errors.h"
 #include "study/pass_times.h"
+#include "study/solver_stack.h"
 #include "study/uniform.h"
 
 namespace contactscope {
@@ -201,6 +202,9 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
     const Vec3d velocity = start.rotate(Vec3d(c.parameter, 0, 0));
     body.velocity = velocity.cast<float>();
   }
+  SolverSettings settings;
+  settings.slop = kStackSlop;
+  settings.speculative_margin = 0;  // frames count from the touch
   LandingPair pair(method);
   LandingOutcome outcome;
   LandingWatch watch(c, outcome);
@@ -211,7 +215,7 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
     pair.collide_with(floor, floor_pose(), box, body.pose());
     watch.look(pair.manifolds(), body);
     const PairContacts<float> contacts{0, 1, &pair.manifolds(), 0.6F, 0};
-    solve_step<float>(bodies, {&contacts, 1}, impulses, gravity, SolverSettings(), kFrame);
+    solve_step<float>(bodies, {&contacts, 1}, impulses, gravity, settings, kFrame);
     outcome.rotation = std::max(
         outcome.rotation, impossible_rotation(c, start.rotation, body.rotation.cast<double>()));
   }

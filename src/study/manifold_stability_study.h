@@ -35,7 +35,8 @@ struct LandingOutcome {
 enum class LandingMethod { OneShot, ByDistance, ByIds };
 
 /// Runs one case for `frames` of a 60th of a second, in float: gravity, friction 0.6, ten
-/// iterations, Baumgarte, warm starting.
+/// iterations, Baumgarte, warm starting, and the slop of solver_stack.h: without one, contacts would
+/// be pushed out and lost whatever made them. No speculative margin: frames count from the touch.
 LandingOutcome land(const LandingCase& landing, LandingMethod method, int frames);
 
 /// One-shot manifolds against incremental ones, old points confirmed by distance and by ids, on
