@@ -14,7 +14,6 @@ namespace {
 constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
 constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the upper row of a map
 constexpr int kRatioSteps = 13;                      // two a decade, from 1 to 10^6
-constexpr int kCases = 4;                            // stacks a point of a curve
 constexpr int kMapCases = 2;                         // stacks a cell
 
 struct SolverMethod {
@@ -42,10 +41,13 @@ struct CurveStack {
   const char* title;   // follows the measure's
   int boxes;
   double ratio;
+  int cases;  // stacks a point
 };
 constexpr CurveStack kCurveStacks[] = {
-    {"", ": ten equal boxes", 10, 1},
-    {"_heavy", ": two boxes under a hundred times their mass", 3, 100},
+    {"", ": ten equal boxes", 10, 1, 4},
+    {"_heavy", ": two boxes under a hundred times their mass", 3, 100, 4},
+    {"_two", ": two equal boxes", 2, 1, 4},
+    {"_twenty", ": twenty equal boxes", 20, 1, 2},
 };
 
 struct CurvePanel {
@@ -73,7 +75,7 @@ constexpr StackMeasure kStackMeasures[] = {
     {"worst", "How deep boxes have been in each other", "deepest overlap of any frame", "m",
      &StackOutcome::worst_penetration, false},
     {"drift", "How far the top of a stack drifts", "way of the highest box after 3 s", "m",
-     &StackOutcome::drift, false},
+     &StackOutcome::drift, true},
     {"jitter", "How still a stack stands", "speed of the fastest box, third second", "m/s",
      &StackOutcome::jitter, true},
     {"load", "How well contacts carry what is above them",
@@ -181,7 +183,7 @@ class SolverStudy {
   }
 
   std::vector<trace::Study> curves(const CurveStack& stack) {
-    const int cases = options_.cases.value_or(kCases);
+    const int cases = options_.cases.value_or(stack.cases);
     std::vector<trace::Study> studies;
     std::vector<std::size_t> measures;  // of each
     for (std::size_t m = 0; m < kMeasureCount; ++m) {

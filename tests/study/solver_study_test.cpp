@@ -126,8 +126,10 @@ TEST(SolverStudy, HasCurvesInTwoPanelsAndMaps) {
     EXPECT_TRUE(trace::has_panels(study));
   }
   EXPECT_THAT(measures, testing::ElementsAre("penetration", "worst", "drift", "jitter", "load",
-                                             "ids", "penetration_heavy", "jitter_heavy", "map",
-                                             "drift_map", "jitter_map"));
+                                             "ids", "penetration_heavy", "drift_heavy",
+                                             "jitter_heavy", "penetration_two", "drift_two",
+                                             "jitter_two", "penetration_twenty", "drift_twenty",
+                                             "jitter_twenty", "map", "drift_map", "jitter_map"));
 }
 
 TEST(SolverStudy, NoStackIsLostFromTheCount) {
