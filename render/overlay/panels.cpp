@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 
 #include "draw/palette.h"
 #include "overlay/paint.h"
@@ -26,45 +28,94 @@ void centered_text(ImDrawList* list, ImVec2 at, const draw::Color& color, const 
   list->AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, packed(color), text);
 }
 
-void draw_panels(const PanelFacts& facts) {
-  const draw::Layout& layout = facts.staging.layout;
-  const std::vector<std::string>& names = facts.staging.view.panels;
-  const float gap = layout.px(12);
+float heading_height(float scale) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  return ImGui::GetIO().Fonts->Fonts.back()->FontSize + 4 * scale + 2 * spacing;
+}
 
-  // The summary takes what it needs, the others share the rest; a history is half as high as a map.
-  const auto share = [](const std::string& name) {
-    return name == "summary" ? 0.0f : name == "axis_history" ? 1.0f : 2.0f;
-  };
-  float shares = 0;
-  float free_height = static_cast<float>(layout.panels.height) + gap;
-  for (const std::string& name : names) {
-    shares += share(name);
-    free_height -= gap;
-    if (name == "summary") free_height -= summary_height(facts);
+float panel_frame() {
+  return 2 * ImGui::GetStyle().WindowPadding.y;
+}
+
+std::string more(std::size_t count, const char* one, const char* many) {
+  if (count == 0) return {};
+  const char* const noun = count == 1 ? one : many;
+  ImGui::TextColored(ImColor(packed(draw::kQuietText)), "and %zu more %s", count, noun);
+  return std::to_string(count) + " " + noun;
+}
+
+namespace {
+
+struct Panel {
+  const char* name;
+  PanelNeed (*need)(const PanelFacts&);
+  std::string (*draw)(const PanelFacts&, float);  // returns what it has no room for
+};
+
+template <void (*kDraw)(const PanelFacts&, float)>
+std::string whole(const PanelFacts& facts, float height) {
+  kDraw(facts, height);
+  return {};
+}
+
+constexpr Panel kPanels[] = {
+    {"summary", summary_need, summary_panel},
+    {"contact_plane", contact_plane_need, whole<contact_plane_panel>},
+    {"axis_history", axis_history_need, axis_history_panel},
+    {"stability", stability_need, whole<stability_panel>},
+    {"plots", plots_need, plots_panel},
+};
+
+/// Under the panels that have room.
+void name_left_out(const std::vector<const Panel*>& panels, const draw::Layout& layout, float y) {
+  std::string text = "no room for";
+  for (const Panel* panel : panels) {
+    text += (panel == panels.front() ? " " : ", ") + std::string(panel->name);
   }
+  const float size = ImGui::GetFontSize();
+  text = draw::fitted(text, size, FontWeight::Regular, static_cast<float>(layout.panels.width));
+  ImGui::GetForegroundDrawList()->AddText({static_cast<float>(layout.panels.x), y},
+                                          packed(draw::kQuietText), text.c_str());
+}
 
+}  // namespace
+
+std::vector<std::string> draw_panels(const PanelFacts& facts) {
+  const draw::Layout& layout = facts.staging.layout;
+  const float gap = layout.px(12);
+  std::vector<const Panel*> panels;
+  std::vector<PanelNeed> needs;
+  for (const std::string& name : facts.staging.view.panels) {
+    const auto* const panel = std::ranges::find(kPanels, name, &Panel::name);
+    if (panel == std::end(kPanels)) continue;
+    panels.push_back(panel);
+    needs.push_back(panel->need(facts));
+  }
+  const std::vector<float> heights = divide_column(needs, static_cast<float>(layout.panels.height),
+                                                   gap, ImGui::GetTextLineHeightWithSpacing());
+
+  std::vector<std::string> left_out;
+  std::vector<const Panel*> without_room;
   float y = static_cast<float>(layout.panels.y);
-  for (const std::string& name : names) {
-    const float bottom = static_cast<float>(layout.panels.y + layout.panels.height);
-    const float wanted = name == "summary"
-                             ? summary_height(facts)
-                             : std::max(layout.px(60), free_height * share(name) / shares);
-    const float height = std::min(wanted, bottom - y);
-    if (height < layout.px(40)) return;  // a small picture has no room for more
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Panel& panel = *panels[i];
+    if (heights[i] <= 0) {
+      left_out.push_back(std::string("panel ") + panel.name);
+      without_room.push_back(&panel);
+      continue;
+    }
     ImGui::SetNextWindowPos({static_cast<float>(layout.panels.x), y});
-    ImGui::SetNextWindowSize({static_cast<float>(layout.panels.width), height});
-    ImGui::Begin(name.c_str(), nullptr,
+    ImGui::SetNextWindowSize({static_cast<float>(layout.panels.width), heights[i]});
+    ImGui::Begin(panel.name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
-    if (name == "summary") summary_panel(facts);
-    const float inner = height - 2 * ImGui::GetStyle().WindowPadding.y;
-    if (name == "contact_plane") contact_plane_panel(facts, inner);
-    if (name == "axis_history") axis_history_panel(facts, inner);
-    if (name == "stability") stability_panel(facts, inner);
-    if (name == "plots") plots_panel(facts, inner);
+    const std::string missing = panel.draw(facts, heights[i] - panel_frame());
+    if (!missing.empty()) left_out.push_back(missing + " of panel " + panel.name);
     ImGui::End();
-    y += height + gap;
+    y += heights[i] + gap;
   }
+  if (!without_room.empty()) name_left_out(without_room, layout, y - gap + layout.px(4));
+  return left_out;
 }
 
 }  // namespace contactscope::overlay

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "draw/staging.h"
+#include "overlay/panel_heights.h"
 #include "trace/trace.h"
 
 namespace contactscope::overlay {
@@ -20,17 +22,24 @@ struct PanelFacts {
 
 /// Issues the Dear ImGui windows of the view's panels, stacked in the layout's panel column. Called
 /// between the renderer's begin_frame and end_frame. A name that is no panel is passed over; the
-/// scenario reader has refused it already.
-void draw_panels(const PanelFacts& facts);
+/// scenario reader has refused it already. Returns what the column has no room for, "panel plots"
+/// or "2 pairs of panel summary"; the picture says it too.
+std::vector<std::string> draw_panels(const PanelFacts& facts);
 
 // The panels, one file each. They draw into the current window; `height` is theirs to fill, pixels.
-void summary_panel(const PanelFacts& facts);
+// Those that may leave something out return what they had no room for, "2 pairs", or nothing.
+std::string summary_panel(const PanelFacts& facts, float height);
 void contact_plane_panel(const PanelFacts& facts, float height);
-void axis_history_panel(const PanelFacts& facts, float height);
+std::string axis_history_panel(const PanelFacts& facts, float height);
 void stability_panel(const PanelFacts& facts, float height);
-void plots_panel(const PanelFacts& facts, float height);
+std::string plots_panel(const PanelFacts& facts, float height);
 
-/// Height in pixels that the summary needs.
-float summary_height(const PanelFacts& facts);
+// What they need, padding and heading included; the same in every frame of a sequence with the same
+// pairs.
+PanelNeed summary_need(const PanelFacts& facts);
+PanelNeed contact_plane_need(const PanelFacts& facts);
+PanelNeed axis_history_need(const PanelFacts& facts);
+PanelNeed stability_need(const PanelFacts& facts);
+PanelNeed plots_need(const PanelFacts& facts);
 
 }  // namespace contactscope::overlay

@@ -110,31 +110,46 @@ void show(const Rows& rows, float scale) {
   }
 }
 
-}  // namespace
-
-float summary_height(const PanelFacts& facts) {
-  const trace::Frame& frame = facts.frames[facts.current];
-  const float line = ImGui::GetTextLineHeightWithSpacing();
-  // The rows of a touching pair, so that panels below keep their place when a pair comes apart; and
-  // of the frame of the sequence that has most to say.
+// The rows of a touching pair, so that panels below keep their place when a pair comes apart; and of
+// the frame of the sequence that has most to say.
+float pair_height(const PanelFacts& facts) {
   std::size_t rows = kUsualRows;
   for (const trace::Frame& other : facts.frames) {
     for (const trace::Pair& pair : other.pairs) rows = std::max(rows, lines_of(pair));
   }
-  const float pair_height = (2.2f + static_cast<float>(rows)) * line;
-  const float height =
-      2 * ImGui::GetStyle().WindowPadding.y + pair_height * static_cast<float>(frame.pairs.size());
-  return height + line * static_cast<float>(time_rows(facts).size());
+  return (2.2f + static_cast<float>(rows)) * ImGui::GetTextLineHeightWithSpacing();
 }
 
-void summary_panel(const PanelFacts& facts) {
+float summary_height(const PanelFacts& facts, std::size_t pairs) {
+  const std::size_t all = facts.frames[facts.current].pairs.size();
+  const std::size_t lines = time_rows(facts).size() + (pairs < all ? 1 : 0);
+  return pair_height(facts) * static_cast<float>(pairs) +
+         ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(lines);
+}
+
+}  // namespace
+
+PanelNeed summary_need(const PanelFacts& facts) {
+  const std::size_t all = facts.frames[facts.current].pairs.size();
+  const float least = panel_frame() + summary_height(facts, std::min<std::size_t>(1, all));
+  return {least, least, panel_frame() + summary_height(facts, all), 0};
+}
+
+// The first pairs, as many as have room whole, so that the same ones are there in every frame.
+std::string summary_panel(const PanelFacts& facts, float height) {
   const float scale = facts.staging.layout.scale;
-  for (const trace::Pair& pair : facts.frames[facts.current].pairs) {
-    heading(title_of(pair).c_str(), scale);
-    show(rows_of(pair), scale);
+  const std::vector<trace::Pair>& pairs = facts.frames[facts.current].pairs;
+  std::size_t shown = pairs.size();
+  constexpr float kRounding = 0.5f;  // pixels; heights were added in another order
+  while (shown > 1 && summary_height(facts, shown) > height + kRounding) --shown;
+  for (std::size_t i = 0; i < shown; ++i) {
+    heading(title_of(pairs[i]).c_str(), scale);
+    show(rows_of(pairs[i]), scale);
     ImGui::Dummy({0, 0.4f * ImGui::GetTextLineHeight()});
   }
+  std::string missing = more(pairs.size() - shown, "pair", "pairs");
   show(time_rows(facts), scale);
+  return missing;
 }
 
 }  // namespace contactscope::overlay

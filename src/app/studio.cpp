@@ -68,7 +68,10 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
       overlay::PanelFacts facts{staging, frames, index, std::nullopt};
       if (index < nanoseconds.size()) facts.pipeline_nanoseconds = nanoseconds[index];
       panels->begin_frame();
-      overlay::draw_panels(facts);
+      for (const std::string& what : overlay::draw_panels(facts)) {
+        ledger.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
+                        "x" + std::to_string(height) + " has no room; a larger --size has");
+      }
       panels->end_frame_and_draw();
     }
     Image image;
