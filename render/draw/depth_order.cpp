@@ -17,6 +17,9 @@ struct Item {
   Surface surface;
   Plane<double> plane;
   double area = 0;  // twice, square metres; -1 where the plane must not part others
+  // Lies in the plane that parts now, for it is its own: also a polygon that is not flat, as a trace
+  // from elsewhere may hold. So both sides have fewer items than the whole.
+  bool parts = false;
 };
 
 // Newell's normal: right for any flat polygon, also with collinear vertices.
@@ -34,7 +37,7 @@ Item item_of(Surface surface) {
   const double length = normal.norm();
   if (length > 0) normal /= length;
   const Plane<double> plane{normal, normal.dot(middle)};
-  return {std::move(surface), plane, length};
+  return {std::move(surface), plane, length, false};
 }
 
 enum class Side { Front, Back, On, Cut };
@@ -75,6 +78,7 @@ class Orderer {
       return;
     }
     const Plane<double> plane = largest->plane;
+    largest->parts = true;
     std::vector<Item> front, back, on;
     part(plane, std::move(items), front, back, on);
     const bool eye_in_front = in_front(plane);
@@ -139,7 +143,7 @@ class Orderer {
   void part(const Plane<double>& plane, std::vector<Item> items, std::vector<Item>& front,
             std::vector<Item>& back, std::vector<Item>& on) const {
     for (Item& item : items) {
-      switch (side_of(plane, item.surface.polygon)) {
+      switch (item.parts ? Side::On : side_of(plane, item.surface.polygon)) {
         case Side::Front:
           front.push_back(std::move(item));
           break;

@@ -106,12 +106,13 @@ class FrameJudge {
            (near.empty() ? "; add it there" : "; did you mean '" + near + "'?");
   }
 
-  /// -1 stands for none.
-  Wrong wrong_face(const std::string& place, const std::string& shape, int face) const {
+  /// Of a clip -1 stands for none.
+  Wrong wrong_face(const std::string& place, const std::string& shape, int face,
+                   int least = 0) const {
     const trace::Shape* const owner = find(shape);
     if (owner == nullptr) return wrong_name(place, shape);
     const auto count = static_cast<int>(owner->faces.size());
-    if (face < count) return std::nullopt;
+    if (face >= least && face < count) return std::nullopt;
     return place + " is " + std::to_string(face) + ", but '" + shape + "' has " +
            std::to_string(count) + " faces; the first is 0";
   }
@@ -138,7 +139,8 @@ class FrameJudge {
     if (pair.clip) {
       for (const auto& [key, face] : {std::pair{".clip.reference", &pair.clip->reference},
                                       {".clip.incident", &pair.clip->incident}}) {
-        if (Wrong wrong = wrong_face(place + key + ".face", face->shape, face->face)) return wrong;
+        if (Wrong wrong = wrong_face(place + key + ".face", face->shape, face->face, -1))
+          return wrong;
       }
     }
     if (pair.sat && pair.sat->face_a) {
