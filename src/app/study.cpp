@@ -32,7 +32,7 @@ const StudyInfo& find_study(const std::string& name) {
   for (const StudyInfo& info : studies()) words.push_back(info.name);
   const std::string near = nearest(name, words);
   throw UsageError("study '" + name + "' is not known; " +
-                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "There is " + names);
+                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "there is " + names);
 }
 
 std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {
