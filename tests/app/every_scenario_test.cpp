@@ -35,8 +35,12 @@ trace::Frame without_records(const trace::Frame& recorded) {
     kept.state = pair.state;
     kept.separation = pair.state == "separated" ? 0 : pair.separation;  // how far, a record says
     kept.manifolds = pair.manifolds;
-    for (trace::Manifold& manifold : kept.manifolds)
-      for (trace::Point& point : manifold.points) point.impulse.reset();
+    for (trace::Manifold& manifold : kept.manifolds) {
+      for (trace::Point& point : manifold.points) {
+        point.impulse.reset();
+        point.relative_velocity.reset();
+      }
+    }
   }
   return bare;
 }
