@@ -291,6 +291,47 @@ TEST(World, WithoutASolverThereAreTotalsWherePlotsAreShown) {
   EXPECT_EQ(frame.totals->points, 1);
 }
 
+// Only what is written down and changes nothing is told, with its line.
+TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
+  const auto warnings = [](const std::string& text) {
+    return parse_scenario(text, "g/a.toml").warnings;
+  };
+  const std::string moving =
+      "title = \"Moving\"\n[shapes.ball]\ntype = \"sphere\"\nradius = 1\nmotion = { dynamic = "
+      "true, "
+      "mass = 1 }\n[shapes.floor]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = -1\n";
+  EXPECT_THAT(warnings(moving + "[solver]\nhertz = 20\n"),
+              ElementsAre("line 11: 'hertz' has no effect: overlaps are worked off by "
+                          "\"baumgarte\"; set position_correction = \"soft\", or remove it"));
+  EXPECT_THAT(warnings(moving + "[solver]\nposition_correction = \"soft\"\nbaumgarte = 0.1\n"
+                                "hertz = 20\ndamping_ratio = 5\n"),
+              ElementsAre(::testing::StartsWith("line 12: 'baumgarte' has no effect")));
+  EXPECT_THAT(warnings(moving + "[pipeline]\npenetration = \"sat\"\nconfirm = \"ids\"\n"),
+              ElementsAre(::testing::StartsWith("line 11: 'penetration' has no effect"),
+                          ::testing::StartsWith("line 12: 'confirm' has no effect")));
+  EXPECT_THAT(
+      warnings(moving + "[pipeline]\nmanifold = \"incremental\"\npenetration = \"epa\"\n"
+                        "core_margin = 0.1\nbreaking_distance = 0.1\n"),
+      ElementsAre("line 13: 'core_margin' has no effect: only cores of hulls lie within a margin; "
+                  "remove it"));
+  EXPECT_THAT(warnings(moving), IsEmpty());
+
+  const std::string still = two_boxes("[world]\nfriction = 0.5\n[solver]\nhertz = 20\n");
+  EXPECT_THAT(warnings(still),
+              ElementsAre("line 8: [world] has no effect: no shape is dynamic; give "
+                          "one motion = { dynamic = true, mass = 1.0 }, or "
+                          "remove it",
+                          ::testing::StartsWith("line 10: [solver]")));
+  // A key of [pipeline] counts as long as it is of some pair.
+  const std::string mixed = two_boxes(
+      "[shapes.ball]\ntype = \"sphere\"\nradius = 1\n[pipeline]\npenetration = \"epa\"\n");
+  EXPECT_THAT(warnings(mixed), IsEmpty());
+  EXPECT_THAT(
+      warnings(mixed + "[[pairs]]\na = \"crate\"\nb = \"ball\"\n"
+                       "breaking_distance = 0.1\n[[pairs]]\na = \"crate\"\nb = \"floor\"\n"),
+      ElementsAre(::testing::StartsWith("line 16: 'breaking_distance' has no effect")));
+}
+
 struct Numbered {
   int frame;
 };
