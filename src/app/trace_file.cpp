@@ -117,6 +117,15 @@ class FrameJudge {
            std::to_string(count) + " faces; the first is 0";
   }
 
+  Wrong wrong_edge(const std::string& place, const std::string& shape, int edge) const {
+    const trace::Shape* const owner = find(shape);
+    if (owner == nullptr) return wrong_name(place, shape);
+    const auto count = static_cast<int>(owner->edges.size());
+    if (edge >= 0 && edge < count) return std::nullopt;
+    return place + " is " + std::to_string(edge) + ", but '" + shape + "' has " +
+           std::to_string(count) + " edges; the first is 0";
+  }
+
   Wrong wrong_manifold(const std::string& place, const trace::Manifold& manifold) const {
     if (!is_unit(manifold.normal.norm()))
       return place + ".normal has length " + spelled_length(manifold.normal.norm()) +
@@ -150,6 +159,10 @@ class FrameJudge {
     if (pair.sat && pair.sat->face_b) {
       if (Wrong wrong = wrong_face(place + ".sat.face_b.face", pair.b, pair.sat->face_b->face))
         return wrong;
+    }
+    if (pair.sat && pair.sat->edge) {
+      if (Wrong wrong = wrong_edge(place + ".sat.edge.a", pair.a, pair.sat->edge->a)) return wrong;
+      if (Wrong wrong = wrong_edge(place + ".sat.edge.b", pair.b, pair.sat->edge->b)) return wrong;
     }
     if (pair.tree) return wrong_tree(place + ".tree", *pair.tree);
     return std::nullopt;
