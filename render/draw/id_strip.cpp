@@ -1,5 +1,8 @@
 #include "draw/id_strip.h"
 
+#include <algorithm>
+#include <set>
+
 #include "draw/palette.h"
 
 namespace contactscope::draw {
@@ -26,6 +29,51 @@ void draw_id_strip(const std::vector<std::vector<IdState>>& rows, std::size_t fr
       if (states[from] == IdState::Dropped) bar(id, from, to, rgb(0xD5D8DC));
       from = to;
     }
+  }
+  draw_moment(strip, frames, moment, pixel, drawing);
+}
+
+void draw_id_bands(const std::vector<std::vector<IdState>>& rows,
+                   const std::vector<std::size_t>& pairs, std::size_t frames, std::size_t moment,
+                   const Rect& strip, float pixel, Drawing& drawing) {
+  const std::set<std::size_t> all(pairs.begin(), pairs.end());
+  const double pitch = strip.height / static_cast<double>(all.size());
+  const double column = strip.width / static_cast<double>(frames);
+  double top = strip.y;
+  for (const std::size_t pair : all) {
+    // The rows that are kept, of each frame.
+    std::vector<std::vector<std::size_t>> kept(frames);
+    std::size_t most = 1;
+    for (std::size_t f = 0; f < frames; ++f) {
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (pairs[row] == pair && rows[row][f] == IdState::Kept) kept[f].push_back(row);
+      }
+      most = std::max(most, kept[f].size());
+    }
+    const double low = top + 0.9 * pitch, high = top + 0.1 * pitch;
+    const auto level = [&](std::size_t f) {
+      const double share = static_cast<double>(kept[f].size()) / static_cast<double>(most);
+      return static_cast<float>(low - share * (low - high));
+    };
+    const auto y0 = static_cast<float>(low);
+    std::size_t from = 0;
+    while (from < frames) {
+      std::size_t to = from + 1;
+      while (to < frames && kept[to] == kept[from]) ++to;
+      const auto x0 = static_cast<float>(strip.x + column * static_cast<double>(from));
+      const auto x1 = static_cast<float>(strip.x + column * static_cast<double>(to));
+      if (!kept[from].empty()) {
+        drawing.primitives.push_back(
+            Fill{{{x0, level(from)}, {x1, level(from)}, {x1, y0}, {x0, y0}}, kContact});
+        if (from > 0 && !kept[from - 1].empty()) {
+          const auto width = static_cast<float>(std::min(1.6 * pixel, 0.5 * column));
+          drawing.primitives.push_back(
+              Stroke{{x0, y0}, {x0, static_cast<float>(high)}, width, kWhite, Cap::Butt});
+        }
+      }
+      from = to;
+    }
+    top += pitch;
   }
   draw_moment(strip, frames, moment, pixel, drawing);
 }

@@ -16,6 +16,13 @@ enum class IdState { Absent, Dropped, Kept };
 void draw_id_strip(const std::vector<std::vector<IdState>>& rows, std::size_t frames,
                    std::size_t moment, const Rect& strip, float pixel, Drawing& drawing);
 
+/// The same where rows would be too many to tell apart: one band a pair, as high as it has kept
+/// points of the most that it ever had, and cut where one of them becomes another. `pairs`: of each
+/// row its pair.
+void draw_id_bands(const std::vector<std::vector<IdState>>& rows,
+                   const std::vector<std::size_t>& pairs, std::size_t frames, std::size_t moment,
+                   const Rect& strip, float pixel, Drawing& drawing);
+
 /// The line alone.
 void draw_moment(const Rect& strip, std::size_t frames, std::size_t moment, float pixel,
                  Drawing& drawing);

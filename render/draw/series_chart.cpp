@@ -54,6 +54,7 @@ double tick_below(double value) {
 /// In the axis' unit: numbers that follow each other in one place should not change theirs.
 std::string newest_value(const SeriesChart& chart, double value, const Prefix& prefix) {
   if (std::isnan(value)) return "none";
+  const bool crowded = chart.curves.size() > 2;  // the unit stands in the name
   if (chart.unit.empty()) return plain_number(value);
   const double scaled = value / prefix.size;
   std::array<char, 32> text{};
@@ -64,7 +65,8 @@ std::string newest_value(const SeriesChart& chart, double value, const Prefix& p
     std::snprintf(text.data(), text.size(), "%.*f", std::abs(scaled) < 0.0995 ? 3 : decimals,
                   std::abs(scaled));
   }
-  return (scaled <= -0.0005 ? "−" : "") + std::string(text.data()) + " " + prefix.name + chart.unit;
+  const std::string spelled = (scaled <= -0.0005 ? "−" : "") + std::string(text.data());
+  return crowded ? spelled : spelled + " " + prefix.name + chart.unit;
 }
 
 /// Lengths below a metre are millimetres, as overlaps and margins are spoken of.
@@ -94,18 +96,27 @@ class ChartPainter {
     const double top = tick_below(span_.high > 0 ? span_.high : -span_.low);
     const double at = span_.high > 0 ? top : -top;
     tick(at, plain_number(at / prefix.size));
+    if (span_.high > 0 && span_.low < 0) {
+      const double bottom = -tick_below(-span_.low);
+      tick(bottom, plain_number(bottom / prefix.size));
+    }
+    for (const SeriesChange& change : chart_.changes) draw_change(change);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
-      curve(chart_.curves[i], series_style(i));
+      curve(chart_.curves[i], style(i));
     }
     draw_moment(area_, frames_, moment_, pixel_, out_);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
       if (std::isnan(chart_.curves[i][moment_])) continue;
       out_.primitives.push_back(
-          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, series_style(i).color});
+          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, style(i).color});
     }
   }
 
  private:
+  SeriesStyle style(std::size_t curve) const {
+    return chart_.total ? SeriesStyle{kText, 0} : series_style(curve);
+  }
+
   Point2 place(std::size_t frame, double value) const {
     const double x =
         area_.x + area_.width * (static_cast<double>(frame) + 0.5) / static_cast<double>(frames_);
@@ -134,11 +145,12 @@ class ChartPainter {
     // The newest_value values stand above the newest_value end of the axis, each in its curve's colour.
     double right = area_.x + area_.width;
     for (std::size_t i = chart_.curves.size(); i-- > 0;) {
-      const std::string text = newest_value(chart_, chart_.curves[i][moment_], prefix);
+      std::string text = newest_value(chart_, chart_.curves[i][moment_], prefix);
+      if (!chart_.subject.empty()) text = chart_.subject + " " + text;
       const float size = pixel_ * static_cast<float>(kChartText);
       const double width = text_width(text, size, FontWeight::Bold);
-      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, series_style(i).color,
-                 pixel_, out_, Weight::Bold);
+      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, style(i).color, pixel_,
+                 out_, Weight::Bold);
       right -= width + 10 * pixel_;
     }
     chart_text(name, {static_cast<float>(rect_.x), baseline}, Align::Left, kText, pixel_, out_);
@@ -160,6 +172,18 @@ class ChartPainter {
     const float size = pixel_ * static_cast<float>(kChartText - 1);
     if (value != 0 && std::abs(y - y_of(0)) < 0.9f * size) return;  // no room beside the zero
     chart_text(text, {left - 6 * pixel_, y + 0.34f * size}, Align::Right, kQuietText, pixel_, out_);
+  }
+
+  // A thin line across, with what was on its left and what is on its right.
+  void draw_change(const SeriesChange& change) {
+    if (change.frame == 0 || change.frame > moment_ || change.frame >= frames_) return;
+    const float x = 0.5f * (place(change.frame - 1, 0).x + place(change.frame, 0).x);
+    const auto top = static_cast<float>(area_.y),
+               bottom = static_cast<float>(area_.y + area_.height);
+    line({x, top}, {x, bottom}, 1.4, kAxisText, 4, 0);
+    const float baseline = bottom - 5 * pixel_;
+    chart_text(change.before, {x - 5 * pixel_, baseline}, Align::Right, kAxisText, pixel_, out_);
+    chart_text(change.after, {x + 5 * pixel_, baseline}, Align::Left, kAxisText, pixel_, out_);
   }
 
   void curve(const std::vector<double>& values, const SeriesStyle& style) {

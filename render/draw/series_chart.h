@@ -15,14 +15,23 @@ struct SeriesStyle {
 };
 SeriesStyle series_style(std::size_t index);
 
-/// A small chart of values over frames: what it shows and its newest value above it, ticks at zero
-/// and at one round value to its left.
+/// Something changed between a frame and the one before it.
+struct SeriesChange {
+  std::size_t frame = 0;
+  std::string before, after;  // what it was and what it is
+};
+
+/// A small chart of values over frames: what it shows and its newest value above it; to its left
+/// ticks at zero and at a round value on each side of zero that it reaches.
 struct SeriesChart {
   std::string name;
-  std::string unit;                         // "m", with a prefix that suits; empty: a plain number
-  std::vector<std::vector<double>> curves;  // a value a frame of the whole sequence, NaN: none
-  bool steps = false;                       // whole numbers: drawn as stairs
-  bool baseline = false;                    // values go below zero: the zero line is drawn strong
+  std::string unit;  // "m", with a prefix that suits; empty: a plain number
+  std::vector<std::vector<double>> curves{};  // a value a frame of the whole sequence, NaN: none
+  bool steps = false;                         // whole numbers: drawn as stairs
+  bool baseline = false;                      // values go below zero: the zero line is drawn strong
+  std::vector<SeriesChange> changes{};
+  bool total = false;     // one curve of what other charts have several of: in the colour of text
+  std::string subject{};  // whose the newest value is; of one curve
 };
 
 /// Pixels at 720 lines.

@@ -107,26 +107,43 @@ TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
   }
 }
 
-TEST(StabilityPanel, VerdictsFillTheirRowsUpToTheCurrentFrame) {
+/// Level lines of the verdicts' rows, in the style of the only pair: height and length, from the left.
+std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {
+  std::vector<std::pair<float, float>> levels;
+  float rows = 0;  // top of the rows: the first of the bands behind them
+  for (const Primitive& primitive : drawing.primitives) {
+    const Text* text = std::get_if<Text>(&primitive);
+    if (text != nullptr && text->text == "stable" && text->align == Align::Right)
+      rows = text->at.y - text->size;
+  }
+  for (const Primitive& primitive : drawing.primitives) {
+    const Stroke* stroke = std::get_if<Stroke>(&primitive);
+    if (stroke == nullptr || !same(stroke->color, kContact)) continue;
+    if (rows == 0 || stroke->from.y < rows || stroke->from.y != stroke->to.y) continue;
+    levels.emplace_back(stroke->from.y, stroke->to.x - stroke->from.x);
+  }
+  return levels;
+}
+
+TEST(StabilityPanel, VerdictsAreStepsThroughTheirRowsUpToTheCurrentFrame) {
   const std::vector<trace::Frame> frames = settling();
-  const auto cells = [&](std::size_t moment) {
-    std::vector<float> tops;
-    for (const Primitive& primitive : stability_panel(frames, moment).primitives) {
-      const Fill* fill = std::get_if<Fill>(&primitive);
-      if (fill != nullptr && same(fill->color, kClipPolygon) && fill->color.a == 1) {
-        tops.push_back(fill->polygon[0].y);
-      }
-    }
-    return tops;
-  };
-  EXPECT_THAT(cells(0), IsEmpty());
-  EXPECT_EQ(cells(1).size(), 1u);
-  std::vector<float> all = cells(4);
+  EXPECT_THAT(verdict_levels(stability_panel(frames, 0)), IsEmpty());
+  ASSERT_EQ(verdict_levels(stability_panel(frames, 1)).size(), 1u);
+  const float frame = verdict_levels(stability_panel(frames, 1))[0].second;
+  // About a point, about a line, stable, about a line again.
+  const auto all = verdict_levels(stability_panel(frames, 4));
   ASSERT_EQ(all.size(), 4u);
-  std::ranges::sort(all);
-  EXPECT_LT(all[0], all[1]) << "stable once, above";
-  EXPECT_EQ(all[1], all[2]) << "twice about a line";
-  EXPECT_LT(all[2], all[3]) << "about a point once";
+  for (const auto& [height, length] : all) EXPECT_NEAR(length, frame, 1e-3);
+  EXPECT_GT(all[0].first, all[1].first);
+  EXPECT_GT(all[1].first, all[2].first);
+  EXPECT_EQ(all[1].first, all[3].first);
+}
+
+TEST(StabilityPanel, TimeHasAnAxisWithItsUnitAndMarginsBelowZeroHaveANumber) {
+  const Drawing drawing = stability_panel(settling(), 4);
+  EXPECT_THAT(texts(drawing), ::testing::IsSupersetOf({"0", "time"}));
+  EXPECT_THAT(texts(drawing), Contains(::testing::EndsWith(" s")));
+  EXPECT_THAT(texts(drawing), Contains(::testing::MatchesRegex("−[0-9]+")));
 }
 
 TEST(StabilityPanel, SmallPanelsKeepTheMapAndStayInside) {
@@ -177,6 +194,97 @@ TEST(TimeSeries, ReducedPointsAreInTheStripAndPairsWithLabelsAreSeriesOfTheirOwn
   ASSERT_EQ(all[1].ids.size(), 3u);
   EXPECT_EQ(all[1].ids[2][1], IdState::Dropped);
   EXPECT_THAT(all[1].penetration, ElementsAre(0, 0.001, 0.002, 0.003, 0.004));
+}
+
+/// The crate and a second one beside it, twice as deep and only in the last two frames.
+std::vector<trace::Frame> two_pairs() {
+  std::vector<trace::Frame> frames = settling();
+  for (trace::Frame& frame : frames) {
+    frame.pairs.push_back(frame.pairs[0]);
+    trace::Pair& other = frame.pairs.back();
+    other.a = "slab";
+    other.b = "other";
+    if (frame.frame < 3) other.manifolds.clear();
+    for (trace::Manifold& manifold : other.manifolds) {
+      for (trace::Point& point : manifold.points) point.separation *= 2;
+    }
+  }
+  return frames;
+}
+
+TEST(TimeSeries, TwoPairsHaveLinesOfTheirOwnThatEndWithTheirContact) {
+  const std::vector<TimeSeries> all = time_series(two_pairs());
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all[0].pairs.size(), 2u);
+  const PairSeries& second = all[0].pairs[1];
+  EXPECT_EQ(second.name, "slab–other");
+  EXPECT_TRUE(std::isnan(second.penetration[2]));
+  EXPECT_EQ(second.penetration[3], 0.006);
+  EXPECT_EQ(second.impulse[3], 3);
+  EXPECT_EQ(all[0].pairs[0].penetration[3], 0.003);
+  EXPECT_EQ(all[0].penetration[3], 0.006) << "of all";
+  EXPECT_THAT(all[0].id_pairs, ElementsAre(0, 0, 1, 1));
+  EXPECT_THAT(all[0].deepest, IsEmpty());
+  EXPECT_THAT(time_series(settling())[0].pairs, IsEmpty()) << "one pair needs no name";
+}
+
+TEST(TimeSeries, OfManyPairsTheDeepestIsNamed) {
+  std::vector<trace::Frame> frames = two_pairs();
+  for (trace::Frame& frame : frames) {
+    for (const char* name : {"third", "fourth", "fifth"}) {
+      frame.pairs.push_back(frame.pairs[0]);
+      frame.pairs.back().b = name;
+    }
+  }
+  const TimeSeries series = time_series(frames)[0];
+  EXPECT_THAT(series.pairs, IsEmpty());
+  EXPECT_EQ(series.deepest[0], "");
+  EXPECT_EQ(series.deepest[2].substr(series.deepest[2].size() - 5), "crate")
+      << "the first of equals";
+  EXPECT_EQ(series.deepest[4], "slab–other");
+  Drawing drawing;
+  draw_series_plots(time_series(frames), 4, 1, kPanel, 1, drawing);
+  EXPECT_THAT(texts(drawing), Contains("slab–other 8.00 mm"));
+  expect_inside(drawing, kPanel);
+}
+
+TEST(PlotsPanel, PairsAreNamedAndTheirValuesStandSideBySide) {
+  Drawing drawing;
+  draw_series_plots(time_series(two_pairs()), 3, 1, kPanel, 1, drawing);
+  EXPECT_THAT(texts(drawing), Contains("slab–other"));
+  EXPECT_THAT(texts(drawing), Contains("3.00 mm"));
+  EXPECT_THAT(texts(drawing), Contains("6.00 mm"));
+  expect_inside(drawing, kPanel);
+}
+
+TEST(PlotsPanel, WithTheTimeOfAFrameImpulsesAreForces) {
+  Drawing drawing;
+  draw_series_plots(time_series(settling()), 3, 1, kPanel, 1, drawing, 0.25);
+  EXPECT_THAT(texts(drawing), Contains("normal forces, N"));
+  EXPECT_THAT(texts(drawing), Contains("12.0 N")) << "3 N s in a quarter of a second";
+}
+
+TEST(IdBands, ABandIsAsHighAsPointsAreKeptAndCutWhereOneIsReplaced) {
+  // Two points; then another two; then one of them. A second pair never changes.
+  const IdState on = IdState::Kept, off = IdState::Absent;
+  const std::vector<std::vector<IdState>> rows = {
+      {on, off, off, off}, {on, on, on, on}, {off, on, on, off}, {on, on, on, on}};
+  Drawing drawing;
+  draw_id_bands(rows, {0, 0, 0, 1}, 4, 3, {0, 0, 40, 20}, 1, drawing);
+  std::vector<float> widths, heights;
+  int cuts = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    if (const Fill* fill = std::get_if<Fill>(&primitive)) {
+      widths.push_back(fill->polygon[1].x - fill->polygon[0].x);
+      heights.push_back(fill->polygon[2].y - fill->polygon[1].y);
+    } else if (const Stroke* stroke = std::get_if<Stroke>(&primitive)) {
+      if (same(stroke->color, kWhite) && stroke->color.a == 1) ++cuts;
+    }
+  }
+  EXPECT_THAT(widths, ElementsAre(10, 20, 10, 40));
+  EXPECT_THAT(heights, ElementsAre(::testing::FloatEq(8), ::testing::FloatEq(8),
+                                   ::testing::FloatEq(4), ::testing::FloatEq(8)));
+  EXPECT_EQ(cuts, 2);
 }
 
 Drawing plots_panel(std::size_t moment, const Rect& rect = kPanel, float pixel = 1) {
