@@ -72,8 +72,15 @@ std::vector<LegendEntry> merged_legend(const Staging& staging, const trace::Fram
   return sketch.legend;
 }
 
-// Of several pairs that share a name the last one bears it: of a stack the uppermost.
-bool is_last_so_named(const trace::Frame& frame, const trace::Pair& pair) {
+// Of several pairs that share a name the last one bears it: of a stack the uppermost. What is out of
+// the picture is not named in it.
+bool bears_name(const Scene& scene, const trace::Pair& pair) {
+  const auto is_seen = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape != nullptr && in_view(scene.camera, *shape);
+  };
+  if (!is_seen(pair.a) && !is_seen(pair.b)) return false;
+  const trace::Frame& frame = scene.frame;
   return std::none_of(&pair + 1, frame.pairs.data() + frame.pairs.size(),
                       [&](const trace::Pair& later) { return later.label == pair.label; });
 }
@@ -106,7 +113,7 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
     if (scene.shows("simplex")) draw_simplex_points(scene, pair, sketch);
     if (scene.shows("support")) draw_support(scene, pair, sketch);
     if (shows_panel(staging.view, "stability")) explain_stability_panel(pair, sketch);
-    if (!pair.label.empty() && is_last_so_named(frame, pair)) draw_pair_label(scene, pair, sketch);
+    if (!pair.label.empty() && bears_name(scene, pair)) draw_pair_label(scene, pair, sketch);
     const bool told = staging.view.story != Story::ClipSteps || !pair.clip ||
                       frame.frame > static_cast<int>(pair.clip->steps.size());
     if (!told) continue;  // the story has not come to the contacts yet

@@ -9,7 +9,11 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastImpulse = 3;         // pixels
+constexpr double kLeastFriction = 10;       // pixels: shorter, an open head is only a blot
 constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
+
+// The colour of friction is too light for letters on white; the same hue, darkened.
+constexpr Color kFrictionText = rgb(0x8A5F00);
 
 // Impulses are drawn on the body that they move: b, unless only a is moved.
 struct Moved {
@@ -23,6 +27,10 @@ Moved moved_of(const Scene& scene, const trace::Pair& pair) {
                                [&](const trace::Body& body) { return body.name == name; });
   };
   return {moved(pair.a), moved(pair.b)};
+}
+
+bool shows_loads(const Scene& scene) {
+  return scene.shows("loads") && scene.scales.step > 0;
 }
 
 Arrow impulse_arrow(const Vec3d& from, const Vec3d& way, float width, float head,
@@ -62,14 +70,81 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     const Vec3d end = point.position + warm * out;
     sketch.lines.push_back({point.position, end, {9.0f, kContact}, false});
     sketch.lines.push_back({point.position, end, {6.0f, kWhite}, true});
+    if (scales.impulse * point.impulse->warm_start > warm) {
+      draw_break(scene, point.position + 0.6 * warm * out, out, kContact, sketch);
+      sketch.explain(LegendKind::BreakMark, "longer than drawn");
+    }
     sketch.explain(LegendKind::WarmStart, "kept of the step before");
   }
   if (drawn * pixels < kLeastImpulse) return;
   sketch.arrows.push_back(impulse_arrow(point.position, drawn * out, 3, 12, kContact));
   sketch.arrows.back().halo = false;
-  if (length > drawn) draw_break(scene, point.position + 0.6 * drawn * out, out, kContact, sketch);
+  if (length > drawn) {
+    draw_break(scene, point.position + 0.6 * drawn * out, out, kContact, sketch);
+    sketch.explain(LegendKind::BreakMark, "longer than drawn");
+  }
+  const bool loads = shows_loads(scene);
   sketch.explain(LegendKind::NormalImpulse,
-                 "normal impulse, " + spell_impulse_scale(scales.impulse));
+                 loads ? "normal force, " + spell_impulse_scale(scales.impulse * scales.step, "N")
+                       : "normal impulse, " + spell_impulse_scale(scales.impulse));
+}
+
+void draw_friction(const Scene& scene, const trace::Point& point, double side, Sketch& sketch) {
+  const SequenceScales& scales = scene.scales;
+  const double length = scales.impulse * point.impulse->normal;
+  const bool own_scale = scales.friction != scales.impulse;
+  // Cut as the normal's arrow is, so that the two still make the angle that they do.
+  const double share =
+      own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
+  const Vec3d way = side * share * scales.friction * point.impulse->friction;
+  const double pixels = scene.camera.pixels_per_metre(point.position);
+  if (way.norm() * pixels < kLeastFriction * scales.pixel) return;
+  Arrow arrow = impulse_arrow(point.position, way, 2.5f, 10, kIncidentFace);
+  arrow.open = true;
+  sketch.arrows.push_back(arrow);
+  if (share < 1) {
+    draw_break(scene, point.position + 0.6 * way, way.normalized(), kIncidentFace, sketch);
+  }
+  const bool loads = shows_loads(scene);
+  sketch.explain(LegendKind::FrictionImpulse,
+                 !own_scale ? "friction, same scale"
+                 : loads    ? "friction, " + spell_impulse_scale(scales.friction * scales.step, "N")
+                            : "friction, " + spell_impulse_scale(scales.friction));
+}
+
+// What the pair's points carry together, beside the one that is farthest to the right.
+void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch& sketch) {
+  const Vec3d right = scene.camera.right();
+  const trace::Point* outermost = nullptr;
+  double normal = 0;
+  Vec3d friction = Vec3d::Zero();
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points) {
+      if (!point.impulse) continue;
+      normal += point.impulse->normal;
+      friction += side * point.impulse->friction;
+      if (outermost == nullptr || right.dot(point.position - outermost->position) > 0) {
+        outermost = &point;
+      }
+    }
+  }
+  if (outermost == nullptr || !(normal > 0)) return;
+  const double step = scene.scales.step;
+  sketch.labels.push_back({.at = outermost->position,
+                           .text = spell_quantity(normal / step, "N"),
+                           .color = kContact,
+                           .size = 17,
+                           .bold = true,
+                           .clearance = 12,
+                           .direction = right});
+  if (!scene.shows("friction") || friction.norm() < 1e-6 * normal) return;
+  sketch.labels.push_back({.at = outermost->position + scene.scales.friction * friction / 2,
+                           .text = spell_quantity(friction.norm() / step, "N"),
+                           .color = kFrictionText,
+                           .size = 17,
+                           .bold = true,
+                           .clearance = 10,
+                           .direction = -scene.camera.up()});
 }
 
 }  // namespace
@@ -79,6 +154,8 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (scene.scales.impulse == 0) return;
   const Moved moved = moved_of(scene, pair);
   const double side = moved.a && !moved.b ? -1 : 1;
+  const bool loads = shows_loads(scene);
+  if (loads) draw_load(scene, pair, side, sketch);
   std::size_t points = 0;
   for (const trace::Pair& other : scene.frame.pairs) {
     for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
@@ -92,22 +169,10 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       }
       draw_normal_impulse(scene, point, out, sketch);
       if (moved.a && moved.b && points == 1) draw_normal_impulse(scene, point, -out, sketch);
+      draw_friction(scene, point, side, sketch);
       const double length = scene.scales.impulse * point.impulse->normal;
-      // Cut as the normal's arrow is, so that the two still make the angle that they do.
-      const double share = std::min(1.0, scene.scales.longest_impulse / std::max(length, 1e-300));
-      const Vec3d friction = side * share * scene.scales.impulse * point.impulse->friction;
       const double pixels = scene.camera.pixels_per_metre(point.position);
-      if (friction.norm() * pixels >= kLeastImpulse) {
-        Arrow arrow = impulse_arrow(point.position, friction, 2.5f, 10, kIncidentFace);
-        arrow.open = true;
-        sketch.arrows.push_back(arrow);
-        if (share < 1) {
-          draw_break(scene, point.position + 0.6 * friction, friction.normalized(), kIncidentFace,
-                     sketch);
-        }
-        sketch.explain(LegendKind::FrictionImpulse, "friction, same scale");
-      }
-      if (points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
+      if (loads || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
       const Vec3d tip = point.position + std::min(length, scene.scales.longest_impulse) * out;
       sketch.labels.push_back({.at = tip,
                                .text = spell_quantity(point.impulse->normal, "N s"),

@@ -67,6 +67,9 @@ struct Scene {
 /// of a plane none.
 std::vector<Vec3d> extent_points(const PlacedShape& shape);
 
+/// Whether some of it is in the picture. Planes and meshes count as such.
+bool in_view(const Camera& camera, const PlacedShape& shape);
+
 std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
                                       const trace::Frame& frame);
 

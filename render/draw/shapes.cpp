@@ -67,19 +67,6 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 
 namespace {
 
-// Whether some of it is in the picture.
-bool in_view(const Camera& camera, const PlacedShape& shape) {
-  if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") return true;
-  for (const Vec3d& point : extent_points(shape)) {
-    const std::optional<Point2> at = camera.project(point);
-    if (at && camera.viewport().contains(*at)) return true;
-  }
-  for (std::size_t f = 0; f < shape.mesh->normals.size(); ++f) {
-    if (!project_polygon(camera, shape.polygon(static_cast<int>(f))).empty()) return true;
-  }
-  return false;
-}
-
 // By name; a whole stack as one entry.
 void explain_shapes(const Scene& scene, bool of_a, Sketch& sketch) {
   std::vector<std::string> names;
@@ -97,6 +84,18 @@ void explain_shapes(const Scene& scene, bool of_a, Sketch& sketch) {
 }
 
 }  // namespace
+
+bool in_view(const Camera& camera, const PlacedShape& shape) {
+  if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") return true;
+  for (const Vec3d& point : extent_points(shape)) {
+    const std::optional<Point2> at = camera.project(point);
+    if (at && camera.viewport().contains(*at)) return true;
+  }
+  for (std::size_t f = 0; f < shape.mesh->normals.size(); ++f) {
+    if (!project_polygon(camera, shape.polygon(static_cast<int>(f))).empty()) return true;
+  }
+  return false;
+}
 
 void draw_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {

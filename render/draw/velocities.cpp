@@ -10,6 +10,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastVelocity = 5;        // pixels: a shorter one is only a head
+constexpr double kLeastNamed = 1.5;         // pixels
 constexpr double kLeastSpin = 0.12;         // radians, likewise
 constexpr double kSpinRadius = 0.42;        // of the body's radius
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
@@ -29,7 +30,23 @@ void label_velocity(const Vec3d& at, const std::string& text, const Vec3d& direc
                            .direction = direction});
 }
 
+// Beside the centre of mass.
+void draw_mass(const trace::Body& body, Sketch& sketch) {
+  sketch.labels.push_back({.at = body.center_of_mass,
+                           .text = spell_number(body.mass) + " kg",
+                           .color = kText,
+                           .size = 19,
+                           .bold = true,
+                           .clearance = 0,
+                           .direction = std::nullopt});
+}
+
 }  // namespace
+
+void draw_masses(const Scene& scene, Sketch& sketch) {
+  if (!scene.frame.solver) return;
+  for (const trace::Body& body : scene.frame.solver->bodies) draw_mass(body, sketch);
+}
 
 // A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn.
 void draw_velocities(const Scene& scene, Sketch& sketch) {
@@ -52,6 +69,13 @@ void draw_velocities(const Scene& scene, Sketch& sketch) {
         label_velocity(*arrow.to, spell_quantity(body.velocity.norm(), "m/s"), way.normalized(),
                        sketch);
       }
+      sketch.explain(LegendKind::Velocity, "velocity, way in " + spell_time(scales.velocity));
+    }
+    // One that is too short for an arrow still has a number beside those of others.
+    const double named = way.norm() * pixels;
+    if (named >= kLeastNamed && named < kLeastVelocity && bodies.size() <= kLabelledBodies) {
+      label_velocity(body.center_of_mass, spell_quantity(body.velocity.norm(), "m/s"),
+                     way.normalized(), sketch);
       sketch.explain(LegendKind::Velocity, "velocity, way in " + spell_time(scales.velocity));
     }
     const double spin = body.angular_velocity.norm();

@@ -46,6 +46,14 @@
 ///                                      # stand side by side
 ///     choices = 3                      # of a contact plane: so many choices, and what the last one
 ///                                      # was made by; 0: the result
+///     impulse_scale = 0.05             # metres of an arrow for one newton second, where loads are
+///                                      # shown for one newton; default: fitted to the sequence
+///     layers = ["impulses", "loads"]   # loads: arrows are forces over the frame's time, and each
+///                                      # pair says the sum of its normal ones; friction: at a
+///                                      # scale of its own; masses; relative_velocity: of the two
+///                                      # bodies at their contact; ahead: where bodies would be
+///                                      # a frame later if nothing stopped them; overlap: how deep
+///                                      # each pair is
 ///     story = "clip_steps"             # frame k shows k side planes; "none": all of them
 ///
 ///     [[expect]]

@@ -1,6 +1,8 @@
 #include "scenario/views.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "scenario/placement.h"
@@ -13,7 +15,8 @@ const std::vector<std::string>& known_layers() {
       "dropped",  "contacts",       "reduced",       "normals",     "ids",
       "sat_axes", "contact_axis",   "coherent",      "tree",        "persistent",
       "core",     "center_of_mass", "support",       "velocities",  "impulses",
-      "simplex"};
+      "simplex",  "loads",          "friction",      "masses",      "relative_velocity",
+      "ahead",    "overlap"};
   return layers;
 }
 
@@ -71,7 +74,7 @@ View read_contact_plane(const Table& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
   for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
-                          "layers", "panels"}) {
+                          "layers", "panels", "impulse_scale"}) {
     if (const auto value = table.find(key))
       value->fail(std::string("'") + key +
                   "' has no effect on a view of kind \"contact_plane\"; remove it");
@@ -82,8 +85,9 @@ View read_contact_plane(const Table& table) {
 }
 
 View read_view(const Value& value) {
-  const Table table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
-                                   "focus", "story", "layers", "panels", "kind", "choices"});
+  const Table table =
+      value.table({"name", "eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
+                   "layers", "panels", "kind", "choices", "impulse_scale"});
   const auto kind = table.find("kind");
   if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
     return read_contact_plane(table);
@@ -109,6 +113,15 @@ View read_view(const Value& value) {
       fov->fail("'fov_degrees' is out of range; it may be 1 to 150");
   }
   if (height) view.orthographic_height = read_length(*height);
+  if (const auto scale = table.find("impulse_scale")) {
+    view.impulse_scale = scale->positive("metres for one newton second");
+    const double decade = std::pow(10.0, std::floor(std::log10(*view.impulse_scale) + 1e-9));
+    const double leading = *view.impulse_scale / decade;
+    if (std::ranges::none_of(std::array{1.0, 2.0, 5.0},
+                             [&](double step) { return std::abs(leading - step) < 1e-6; }))
+      scale->fail(
+          "the legend states the scale by one digit; it may be 1, 2 or 5 times a power of ten");
+  }
   if (const auto focus = table.find("focus"))
     view.focus =
         focus->one_of({"contact", "shapes"}, "focus") == "shapes" ? Focus::Shapes : Focus::Contact;

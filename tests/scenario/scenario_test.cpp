@@ -315,6 +315,15 @@ TEST(Scenario, EveryListedReducerLayerAndPanelIsAccepted) {
     EXPECT_EQ(complaint(two_boxes("[[views]]\npanels = [\"" + panel + "\"]")), "no complaint");
 }
 
+TEST(Scenario, AScaleOfImpulsesIsOneThatALegendCanState) {
+  const auto scale = [](const std::string& value) {
+    return two_boxes("[[views]]\nimpulse_scale = " + value);
+  };
+  EXPECT_EQ(parse_scenario(scale("0.005"), "g/a.toml").views[0].impulse_scale, 0.005);
+  EXPECT_EQ(complaint(scale("1000")), "no complaint");
+  EXPECT_THAT(complaint(scale("0.03")), ::testing::HasSubstr("1, 2 or 5 times a power of ten"));
+}
+
 TEST(Scenario, TheDefaultReducerExists) {
   EXPECT_NE(find_reducer<float>(PipelineSettings().reducer), nullptr);
   EXPECT_NE(find_reducer<double>(PipelineSettings().reducer), nullptr);
