@@ -33,6 +33,11 @@ PositionBias<S> speculative(S separation, S h) {
 /// the sweeps of a frame, which leave the share g of an error: y' = y + e', p' = p + y'. The
 /// characteristic polynomial (z^2 - 2 g z + g)(z - 1) + (1 - g) b z^2 has its roots within the unit
 /// circle while 1 - g > b / (1 + b) (Jury): 9 % for 0.1.
+///
+/// The slowest motion is a sway of the whole stack, and each box more slows it down. Measured on equal
+/// cubes that begin touching, at default settings: four come to rest (1e-13 J after ten seconds), six
+/// sway for twenty seconds, ten fall within twenty. With four sub-steps eight come to rest; ten sway
+/// for ever with a hundred sweeps, and come to rest with three hundred.
 template <class S>
 PositionBias<S> baumgarte(S separation, const SolverSettings& settings, S h) {
   const S overlap = std::min(separation + static_cast<S>(settings.slop.value_or(0)), S(0));
