@@ -9,11 +9,13 @@
 namespace contactscope {
 namespace {
 
-/// Radians. A normal so near to the limit of what a feature can give counts as given by it. Contact
-/// normals are that exact when the shapes are no more than a thousand roundings apart; a bump of
-/// 0.1 mm a metre is none.
+/// Radians. A normal so near to the limit of what a feature can give counts as given by it: what
+/// rounds a face's normal that is turned into the frame of the other shape and back. Any more, and
+/// a ball beside an edge of a flat floor would feel that edge, leaning by as much. Normals between
+/// close points are less exact, but where one of those is refused wrongly, a face stands for it, or
+/// it comes back because nothing does.
 template <class S>
-constexpr S kNormalTolerance = S(1e-4);
+constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
 /// No vertex of a surface has more triangles; ends the walk around one whose neighbours contradict
 /// each other.
@@ -28,11 +30,21 @@ int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
   return -1;
 }
 
-/// Whether `other` lies farther along `normal` than `vertex` by more than the tolerance.
+/// Whether what lies that way from a feature is farther along `normal` by more than the tolerance.
 template <class S>
-bool beyond(const Vec3<S>& normal, const Vec3<S>& vertex, const Vec3<S>& other) {
-  const Vec3<S> to_other = other - vertex;
-  return normal.dot(to_other) > kNormalTolerance<S> * to_other.norm();
+bool rises(const Vec3<S>& normal, const Vec3<S>& way) {
+  return normal.dot(way) > kNormalTolerance<S> * way.norm();
+}
+
+/// Whether a triangle's corner `apex` is farther along `normal` than its other two, `from` and `to`,
+/// which are as far. Asks at right angles to the edge between these: on a sliver the way to the apex
+/// is nearly along it.
+template <class S>
+bool rises_from_edge(const Vec3<S>& normal, const Vec3<S>& from, const Vec3<S>& to,
+                     const Vec3<S>& apex) {
+  const Vec3<S> along = to - from;
+  const Vec3<S> way = apex - from;
+  return rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
 }
 
 /// Walks from `triangle` around its corner k, across the edges on one side (0: the edge that leaves
@@ -54,7 +66,7 @@ bool supports_around(const Mesh<S>& mesh, int triangle, int k, int side, const V
     if (corner < 0) return true;
     at = next;
     for (int i = 1; i < 3; ++i)
-      if (beyond(normal, vertex, mesh.corner(at, (corner + i) % 3))) return false;
+      if (rises(normal, Vec3<S>(mesh.corner(at, (corner + i) % 3) - vertex))) return false;
   }
   return true;
 }
@@ -125,25 +137,31 @@ bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance) {
   });
 }
 
+/// Steps: 1. the face itself; 2. an edge of which both ends are the farthest corners of the triangle:
+/// the triangle across must not rise from it; 3. the one farthest corner: none around it must.
 template <class S>
 bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal) {
-  // The corners that lie farthest along the normal: three for the face, two for an edge.
+  const Vec3<S> sine = normal.cross(mesh.normal(triangle));
+  if (sine.squaredNorm() <= kNormalTolerance<S> * kNormalTolerance<S>) return true;
   int top = 0;
   for (int k = 1; k < 3; ++k)
     if (normal.dot(Vec3<S>(mesh.corner(triangle, k) - mesh.corner(triangle, top))) > S(0)) top = k;
-  bool high[3];
-  int count = 0;
-  for (int k = 0; k < 3; ++k) {
-    high[k] = k == top || !beyond(normal, mesh.corner(triangle, k), mesh.corner(triangle, top));
-    count += high[k] ? 1 : 0;
-  }
-  if (count == 3) return true;
-  if (count == 2) {
-    const int edge = high[top] && high[(top + 1) % 3] ? top : (top + 2) % 3;
+  const auto fall = [&](int k) {
+    const Vec3<S> way = mesh.corner(triangle, top) - mesh.corner(triangle, k);
+    return normal.dot(way) / way.norm();
+  };
+  const int one = (top + 1) % 3;
+  const int other = (top + 2) % 3;
+  const int next = fall(one) <= fall(other) ? one : other;
+  if (fall(next) <= kNormalTolerance<S>) {
+    const int edge = next == one ? top : other;
     const int across = mesh.neighbour(triangle, edge);
     if (across < 0) return true;
-    for (int i = 0; i < 3; ++i)
-      if (beyond(normal, mesh.corner(triangle, top), mesh.corner(across, i))) return false;
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.neighbour(across, i) != triangle) continue;
+      return !rises_from_edge(normal, mesh.corner(across, i), mesh.corner(across, (i + 1) % 3),
+                              mesh.corner(across, (i + 2) % 3));
+    }
     return true;
   }
   bool closed = false;

@@ -261,6 +261,39 @@ TEST(MeshPairs, NothingTripsOverTheEdgesOfAFlatFloor) {
   }
 }
 
+/// Places on the edges and corners of the floor's cells, each approached along a line that lies in
+/// none of them: from a nanometre away to a tenth of a millimetre, on both sides.
+template <class Visit>
+void beside_edges(double size, const Visit& visit) {
+  for (const Vec3d& on_edge :
+       {Vec3d(0, 0, 0.3), Vec3d(0.3, 0, 1), Vec3d(0.5, 0, 0.5), Vec3d(1, 0, -1)})
+    for (const Vec3d& way : {Vec3d(0.9, 0, 0.2), Vec3d(-0.9, 0, -0.2)})
+      for (double offset = 1e-9; offset < 2e-4; offset *= 3)
+        visit(Vec3d(size * (on_edge + offset * way)));
+}
+
+TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorHoweverNearToItItIs) {
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    const Mesh<double> floor = make_grid(8 * size, 8 * size, 8, 8, 0);
+    for (const Slider& slider : sliders(size)) {
+      beside_edges(size, [&](const Vec3d& place) {
+        Pose<double> pose{about(Vec3d::UnitY(), 0.3), place};
+        pose.position.y() = slider.height - 0.01 * size;
+        const PlacedShapes pair{slider.shape, pose, floor, {}};
+        const Manifolds<double> in_double = manifolds_of<double>(pair);
+        ASSERT_LT(worst_turn(in_double, Vec3d(0, -1, 0)), 1e-14) << slider.name << place;
+        ASSERT_NEAR(deepest(in_double), -0.01 * size, 1e-15 * size) << slider.name << place;
+        const Manifolds<float> in_float = manifolds_of<float>(pair);
+        ASSERT_LT(worst_turn(in_float, Vec3d(0, -1, 0)), 8e-6) << slider.name << place;
+        ASSERT_NEAR(deepest(in_float), -0.01 * size, 1e-6 * size) << slider.name << place;
+        if (slider.name != std::string("sphere")) return;
+        ASSERT_EQ(in_double.size(), 1u) << place;
+        ASSERT_EQ(in_double[0].points[0].id.second.kind, FeatureKind::Face) << place;
+      });
+    }
+  }
+}
+
 // The option is there to show the problem, so there must be one.
 TEST(MeshPairs, WithoutTheCareForInternalEdgesABoxTripsOverThem) {
   double angle, depth;
