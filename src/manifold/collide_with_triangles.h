@@ -103,6 +103,23 @@ struct LeftOut {
     triangle = index;
     depth = given_depth;
   }
+
+  /// Makes the contact what comes back of it beside others that are as deep as `kept` (<= 0): all
+  /// of it while they are no more than a third as deep, nothing from two thirds on, and in between
+  /// moved out, three times as fast as they get deeper. So nothing jumps, and what is deepest is at
+  /// least half as deep as this.
+  void ease(S kept, S margin) {
+    const S lifted = std::max(S(0), depth - S(3) * kept);
+    const bool is_needed = lifted < -depth;
+    std::size_t count = 0;
+    for (ContactPoint<S> point : contact.points) {
+      point.separation += lifted;
+      if (is_needed && point.separation <= margin) contact.points[count++] = point;
+    }
+    if (count == contact.points.size()) return;
+    contact.points.truncate(count);
+    contact.type = face_contact_type(count);
+  }
 };
 
 /// Whether the surface falls off from an edge of a triangle.
@@ -146,8 +163,8 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 /// 4. such a contact, or one with the back of a triangle, is left out where other triangles hide it
 ///    from the shape's centre: a box on a table is not behind the table's side;
 /// 5. what was left out comes back where it is needed: the deepest of it, as step 2 made it, when
-///    nothing that was kept is half as deep. To part from the whole mesh the shape has to part from
-///    that triangle, so this is never deeper than the mesh.
+///    nothing that was kept is about half as deep, see LeftOut::ease. To part from the whole mesh the
+///    shape has to part from that triangle, so this is never deeper than the mesh.
 ///
 /// collide(triangle, contact) returns the separation; on_face(triangle, face, contact) gets the face
 /// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
@@ -170,7 +187,8 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     const PlacedTriangle<S> placed{
         triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
     Contact<S> contact;
-    least = std::min(least, collide(placed, contact));
+    const S separation = collide(placed, contact);
+    least = std::min(least, separation);
     if (contact.points.empty()) return;
     if (options.internal_edges) {
       const Vec3<S> normal = -b_in_a.inverse_rotate(contact.normal);
@@ -184,7 +202,8 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     kept = std::min(kept, deepest_of(contact));
     sink.add(contact, index);
   });
-  if (kept > kNearerSurface<S> * left_out.depth) sink.add(left_out.contact, left_out.triangle);
+  left_out.ease(kept, options.margin);
+  sink.add(left_out.contact, left_out.triangle);
   if (Recorder::kRecords && least == std::numeric_limits<S>::infinity()) {
     for (const Aabb<S>& leaf : b.tree.boxes) least = std::min(least, box_distance(shape.box, leaf));
   }

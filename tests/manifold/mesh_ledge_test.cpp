@@ -155,6 +155,49 @@ TEST(MeshLedge, ASharpRimIsNoDeeperThanTheConeOfIt) {
       123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }
 
+/// Largest change of the depth over that of the way, as a capsule of 1.2 m by 0.5 m goes over `roof` in
+/// steps of a thousandth.
+struct Sweep {
+  double worst = 0;
+  int touching = 0;
+};
+
+template <class S>
+Sweep sweep_over(const Mesh<double>& roof, const Quatd& turn, const Vec3d& from, const Vec3d& to,
+                 double size) {
+  constexpr int kSteps = 1000;
+  Sweep sweep;
+  double last = 0;
+  const double step = (to - from).norm() / kSteps;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Pose<double> pose{turn, size * (from + (to - from) * i / kSteps)};
+    const Manifolds<S> found =
+        manifolds_of<S>({test::lying_capsule(0.6 * size, 0.25 * size), pose, roof, {}});
+    const double depth = found.empty() ? 0 : std::min(0.0, deepest(found) / size);
+    sweep.touching += found.empty() ? 0 : 1;
+    if (i > 0) sweep.worst = std::max(sweep.worst, std::abs(depth - last) / step);
+    last = depth;
+  }
+  return sweep;
+}
+
+TEST(MeshLedge, DepthDoesNotJumpAsACapsuleSinksPastTheRimOfARoof) {
+  for (const double size : {1e-4, 1.0, 1e4}) {
+    std::vector<Vec3d> corners = {{-1, 0, -1}, {1, 0, -1}, {0, 0.3, 1}, {-1, 0.2, 1}};
+    for (Vec3d& corner : corners) corner *= size;
+    const Mesh<double> roof = build_mesh(corners, {{{0, 2, 1}}, {{0, 3, 2}}});
+    const Quatd turn(-0.08788343784, -0.646731931294, 0.5957433634, -0.4680856282384);
+    const Vec3d from(-0.775430655, 1.8, -0.584269184);
+    const Vec3d to(-0.740024842, 0.126, -0.556424678);  // its middle not yet through the roof
+    const Sweep in_float = sweep_over<float>(roof, turn, from, to, size);
+    const Sweep in_double = sweep_over<double>(roof, turn, from, to, size);
+    EXPECT_GT(in_double.touching, 300);
+    // What comes back fades three times as fast as the rest deepens.
+    EXPECT_LT(in_double.worst, 5);
+    EXPECT_LT(in_float.worst, 5);
+  }
+}
+
 // The centre went below the floor: no triangle is hidden from it, and the way on is the shorter one.
 TEST(MeshLedge, BehindAFloorIsStillBehindIt) {
   const Manifolds<double> manifolds =
