@@ -61,22 +61,29 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
 
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
+    const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, S(0)));
     const S height = triangle.hull.planes[0].distance(in_triangle);
-    const int face = height >= S(0) ? 0 : 1;
+    // In the plane, within rounding, both sides are as good: the front.
+    const int face = height >= -touching ? 0 : 1;
     if (projects_into(triangle.hull, face, in_triangle, S(0))) {
-      const S distance = std::abs(height);
-      if (distance - a.radius > options.margin) return distance - a.radius;
+      const S distance = face == 0 ? height : -height;
+      const S separation = distance - a.radius;
+      if (separation > options.margin) return separation;
+      if (distance <= touching) {
+        recorder.degenerate("centre on a triangle", options.degenerate);
+        if (options.degenerate == Degenerate::Skip) return separation;
+      }
       const Vec3<S>& outward = triangle.hull.planes[static_cast<std::size_t>(face)].normal;
       add_point<S>(-b_in_a.rotate(outward), distance, a.radius, face_ref(Owner::B, face),
                    AxisKind::ClosestPoints, contact);
-      return distance - a.radius;
+      return separation;
     }
     const Closest<S> closest = closest_on_outline(triangle.hull, in_triangle);
     const S distance = closest.outward.norm();
     const S separation = distance - a.radius;
     if (separation > options.margin) return separation;
     Vec3<S> outward = triangle.hull.planes[static_cast<std::size_t>(face)].normal;
-    if (distance > touching_distance(length_scale(triangle.hull, triangle.in_a, S(0)))) {
+    if (distance > touching) {
       outward = closest.outward / distance;
     } else {
       recorder.degenerate("centre on an edge or a vertex", options.degenerate);

@@ -8,8 +8,9 @@ namespace contactscope {
 
 /// Gregorius 2015, "Mesh Contacts": a contact for each triangle that the sphere touches, at the
 /// triangle's closest point to the centre; see collide_with_triangles.h. Triangles have two sides: a
-/// centre behind one is pushed out at the back. A centre on a triangle is pushed to the front; on its
-/// outline that is the fallback for a normal, see Degenerate. Returns the least separation in metres.
+/// centre behind one is pushed out at the back. A centre on a triangle or its outline, within
+/// rounding, has no normal: the fallback, see Degenerate, is that of the front. Returns the least
+/// separation in metres.
 template <class S, class Recorder>
 S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                       const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,

@@ -166,7 +166,8 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 ///    nothing that was kept is about half as deep, see LeftOut::ease. To part from the whole mesh the
 ///    shape has to part from that triangle, so this is never deeper than the mesh.
 ///
-/// collide(triangle, contact) returns the separation; on_face(triangle, face, contact) gets the face
+/// collide(triangle, contact) returns the separation, and no points above the margin or where
+/// degenerate geometry is to be skipped: then nothing comes back in its place; on_face(triangle, face, contact) gets the face
 /// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
 /// hull is placed by `triangle.in_a`. Returns the least separation, metres; when no triangle is
 /// near, that is a lower bound, for the record, from the boxes.
@@ -180,7 +181,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
 
   TriangleHull<S> triangle;
   S least = std::numeric_limits<S>::infinity();
-  S kept = 0;  // depth of what was added, negative
+  S kept = 0;  // depth of what was added or skipped, negative
   LeftOut<S> left_out;
   b.tree.query(box, [&](int index) {
     triangle.set(b, index);
@@ -189,7 +190,10 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     Contact<S> contact;
     const S separation = collide(placed, contact);
     least = std::min(least, separation);
-    if (contact.points.empty()) return;
+    if (contact.points.empty()) {
+      kept = std::min(kept, separation);
+      return;
+    }
     if (options.internal_edges) {
       const Vec3<S> normal = -b_in_a.inverse_rotate(contact.normal);
       const bool belongs = belongs_to_surface(b, index, normal);

@@ -407,6 +407,42 @@ TEST(MeshPairs, ABoxIsPushedOutBehindATriangleWhenItsCentreIsThere) {
   }
 }
 
+// On a triangle, its edges and corners a centre has no normal but the triangle's front, and none of the
+// neighbours, which push sideways, may stand in for what is skipped.
+template <class S>
+void expect_told_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
+  const trace::Pair told = test::record_of<S>(pair);
+  ASSERT_TRUE(told.degenerate.has_value());
+  EXPECT_EQ(told.degenerate->answer, "fallback");
+  ASSERT_FALSE(told.manifolds.empty());
+  for (const trace::Manifold& manifold : told.manifolds)
+    EXPECT_GT(-front.dot(manifold.normal), 1 - 1e-6);
+  CollideOptions<S> skip;
+  skip.degenerate = Degenerate::Skip;
+  const trace::Pair skipped = test::record_of<S>(pair, skip);
+  ASSERT_TRUE(skipped.degenerate.has_value());
+  EXPECT_EQ(skipped.degenerate->answer, "skip");
+  EXPECT_EQ(skipped.state, "separated");
+  const double radius = std::get<Sphere<double>>(pair.a).radius;
+  EXPECT_NEAR(skipped.separation, -radius, 1e-6 * radius);
+}
+
+TEST(MeshPairs, ACentreInTheSurfaceIsToldAsDegenerateAndCanBeSkipped) {
+  test::Random random(16);
+  for (const double size : {1e-4, 1.0, 1e4}) {
+    const Mesh<double> grid = make_grid(4 * size, 4 * size, 8, 8, 0);
+    for (const Vec3d& place : {Vec3d(0, 0, 0), Vec3d(0.25, 0, 0), Vec3d(0.1, 0, 0.2)}) {
+      const PlacedShapes pair{test::ball(0.3 * size), {Quatd::Identity(), size * place}, grid, {}};
+      for (int i = 0; i < 20; ++i) {
+        const Pose<double> by = i == 0 ? Pose<double>() : random.pose(size);
+        const PlacedShapes turned = test::moved(pair, by);
+        expect_told_and_skipped<float>(turned, by.rotate(Vec3d::UnitY()));
+        expect_told_and_skipped<double>(turned, by.rotate(Vec3d::UnitY()));
+      }
+    }
+  }
+}
+
 // ---------------------------------------------------------------------------------------------
 // What is told
 
