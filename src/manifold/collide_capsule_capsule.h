@@ -23,7 +23,8 @@ namespace contactscope {
 /// cross, on the side of a direction that turns with B; where they overlap in parallel it is that
 /// direction itself, perpendicular to B's axis. From one to the other it turns while the angle
 /// between the axes is 16 to 64 ulps of a radian, where it is rounding itself; any wider and it
-/// would lean along an axis, so that contacts at its ends were deeper than the axes are.
+/// would lean along an axis, so that contacts at its ends were deeper than the axes are. Which one
+/// is B is the caller's choice, see collide() in dispatch.h.
 template <class S, class Recorder>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions<S>& options, Contact<S>& contact,

@@ -1,6 +1,7 @@
 #include "manifold/dispatch.h"
 
 #include <algorithm>
+#include <array>
 
 #include "manifold/collide_capsule_capsule.h"
 #include "manifold/collide_capsule_hull.h"
@@ -128,9 +129,30 @@ void collide_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& option
   if (collide_pair != nullptr) collide_pair(pair, options, manifolds, recorder);
 }
 
+/// All that tells a sphere or a capsule from another one: size, then how and where it stands.
 template <class S>
-bool against_the_table(const Shape<S>& a, const Shape<S>& b) {
-  return kind_of(a) > kind_of(b);
+std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
+  Capsule<S> round;
+  if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) {
+    round = {{Vec3<S>::Zero(), Vec3<S>::Zero()}, sphere->radius};
+  } else {
+    round = *std::get_if<Capsule<S>>(&shape);
+  }
+  const auto& [from, to] = round.points;
+  const auto& turn = pose.rotation;
+  const auto& at = pose.position;
+  return {round.radius, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(),
+          turn.w(),     turn.x(), turn.y(), turn.z(), at.x(), at.y(), at.z()};
+}
+
+/// Two spheres, or two capsules, are worked on in an order of their own: the larger one first.
+template <class S>
+bool against_the_table(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                       const Pose<S>& pose_b) {
+  const ShapeKind kind = kind_of(a);
+  if (kind != kind_of(b)) return kind > kind_of(b);
+  if (kind != ShapeKind::Sphere && kind != ShapeKind::Capsule) return false;
+  return told_apart_by(a, pose_a) < told_apart_by(b, pose_b);
 }
 
 }  // namespace
@@ -154,7 +176,7 @@ template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds, PairCache<S>* cache) {
   NoRecorder<S> recorder;
-  if (!against_the_table(a, b)) {
+  if (!against_the_table(a, pose_a, b, pose_b)) {
     collide_in_order<S>({a, pose_a, b, pose_b, cache}, options, manifolds, recorder);
     return;
   }
@@ -176,7 +198,7 @@ template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds, const Recording& recording,
              trace::Pair& record, PairCache<S>* cache) {
-  const bool swap = against_the_table(a, b);
+  const bool swap = against_the_table(a, pose_a, b, pose_b);
   const PlacedPair<S> pair = swap ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
                                   : PlacedPair<S>{a, pose_a, b, pose_b, cache};
   const bool told_mirrored = recording.mirrored != swap;

@@ -35,9 +35,15 @@ template <class S>
 void mirror(Manifold<S>& manifold);
 
 /// Contacts of two shapes placed in the world, into `manifolds` (emptied first). A pair is always
-/// worked on in the order of the table, so for shapes of different kinds trading the arguments
-/// mirrors the result, bit for bit. Shapes of one kind are worked on in the order given. `cache`
-/// keeps what helps the next call for the same pair in the same order, see pair_cache.h.
+/// worked on in the order of the table; two spheres or two capsules with the larger radius first, or
+/// else by their other data and how they stand. So trading the arguments mirrors the result, bit for
+/// bit, unless two round shapes are equal in all of that: no normal of theirs could be mirrored.
+///
+/// Two hulls are worked on in the order given: of faces that are nearly as deep the first one's
+/// makes the contact, and an order that turned round as bodies move would break its coherence.
+/// Trading them gives the other hull's face there, and else the same contact mirrored but for
+/// rounding. `cache` keeps what helps the next call for the same pair in the same order, see
+/// pair_cache.h.
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds,
