@@ -113,12 +113,11 @@ class ChoicePainter {
         for (const int end : {measure.a, measure.b})
           stroke(place(end), place(measure.point), 1.2f, with_alpha(kDropped, 0.55f));
       }
-      labels_.push_back(
-          {flat(place(measure.point)), spell_area(std::abs(measure.value)), color, winner});
+      labels_.push_back({flat(place(measure.point)), spell_signed(measure.value), color, winner});
     } else if (rule == "outside") {
-      outside(measure, spell_area(measure.value), winner);
+      outside(measure, spell_signed(measure.value), false, winner);
     } else if (rule == "distance") {
-      outside(measure, spell_length(measure.value), winner);
+      outside(measure, spell_length(measure.value), true, winner);
     } else if (rule == "deepest") {
       labels_.push_back({flat(place(measure.point)), spell_length(-measure.value), color, winner});
     }
@@ -126,34 +125,53 @@ class ChoicePainter {
 
   /// The winner with each edge, as on the talk's slides: one negative area (or distance), and
   /// positive ones that are skipped. Of the others the one that decides.
-  void outside(const trace::Measure& measure, const std::string& spelled, bool winner) {
+  void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance,
+               bool winner) {
     if (!winner) {
       for (const int end : {measure.a, measure.b})
         stroke(place(end), place(measure.point), 1.2f, with_alpha(kDropped, 0.55f));
       labels_.push_back({flat(place(measure.point)), spelled, kDropped, false});
       return;
     }
-    if (measure.value < 0) {
-      std::vector<Vec2d> corners = {flat(place(measure.a)), flat(place(measure.b)),
-                                    flat(place(measure.point))};
-      hatch(convex_polygon(corners), {}, layout_.px(5), layout_.px(1.3), kContact, out_);
-      for (const int end : {measure.a, measure.b}) line(end, measure.point, 2.5f, kContact);
-      const Vec2d middle = (corners[0] + corners[1] + corners[2]) / 3;
-      labels_.push_back({middle, spelled, kContact, true});
-    } else {
-      labels_.push_back({between(measure.a, measure.b, 0.5),
-                         "edge " + edge(measure) + ": +" + spelled + ", skipped", kDropped, false,
-                         true});
+    const std::vector<Vec2d> corners = {flat(place(measure.a)), flat(place(measure.b)),
+                                        flat(place(measure.point))};
+    const Vec2d middle = (corners[0] + corners[1] + corners[2]) / 3;
+    if (!(measure.value < 0)) {
+      if (by_distance) return;  // the edges that see it inside decide nothing
+      out_.primitives.push_back(Fill{{pixel(corners[0]), pixel(corners[1]), pixel(corners[2])},
+                                     with_alpha(kReferenceFace, 0.07f)});
+      for (const int end : {measure.a, measure.b}) rim(place(end), place(measure.point));
+      labels_.push_back({middle, spelled, kReferenceFace, false, true});
+      return;
     }
+    hatch(convex_polygon(corners), {}, layout_.px(5), layout_.px(1.3), kContact, out_);
+    for (const int end : {measure.a, measure.b}) line(end, measure.point, 2.5f, kContact);
+    if (!by_distance) {
+      labels_.push_back({middle, spelled, kContact, true});
+      return;
+    }
+    // What it went by, and what that gained.
+    const Vec2d edge = corners[1] - corners[0];
+    const double share = edge.dot(corners[2] - corners[0]) / edge.squaredNorm();
+    const Vec2d foot = corners[0] + share * edge;
+    if (share < 0 || share > 1)
+      stroke(pixel(share < 0 ? corners[0] : corners[1]), pixel(foot), 1.2f, kAxis, 4);
+    stroke(pixel(foot), pixel(corners[2]), 4.5f, kWhite);
+    stroke(pixel(foot), pixel(corners[2]), 2.2f, kAxis);
+    labels_.push_back({0.5 * (foot + corners[2]), spelled, kAxisText, true});
+    const double area =
+        0.5 * std::abs(cross(edge, corners[2] - corners[0])) / std::pow(step_.pixels_per_metre, 2);
+    labels_.push_back({middle, spell_signed(-area), kContact, true});
   }
 
-  /// "1-2": the ends of an edge by their numbers in the order of choice.
-  std::string edge(const trace::Measure& measure) const {
-    const auto number = [&](int point) {
-      return std::to_string(std::ranges::find(step_.kept, point) - step_.kept.begin() + 1);
-    };
-    return number(measure.a) + "–" + number(measure.b);
+  /// A side that labels keep off.
+  void rim(const Point2& from, const Point2& to) {
+    stroke(from, to, 1.2f, with_alpha(kReferenceFace, 0.6f), 6);
+    placer_.block(from, to, layout_.px(4));
   }
+
+  /// Areas as the talk has them: negative outside.
+  static std::string spell_signed(double area) { return (area > 0 ? "+" : "") + spell_area(area); }
 
   Vec2d between(int a, int b, double share) const {
     return (1 - share) * flat(place(a)) + share * flat(place(b));
@@ -167,13 +185,27 @@ class ChoicePainter {
         draw_plain_point(step_.places[i], layout_, out_);
         continue;
       }
-      draw_kept_point(step_.places[i], layout_, out_);
-      const int number = static_cast<int>(found - step_.kept.begin()) + 1;
-      draw_choice_number(step_.places[i], number, middle_, layout_, kDigit, out_);
-      Vec2d out = flat(step_.places[i]) - middle_;
-      out = out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
-      placer_.block(pixel(flat(step_.places[i]) + layout_.px(19) * out), layout_.px(12));
+      draw_kept_point(step_.places[i], layout_, 1, out_);
+      number(step_.places[i], static_cast<int>(found - step_.kept.begin()) + 1);
     }
+  }
+
+  /// Beside the point, away from the middle.
+  void number(const Point2& at, int number) {
+    Vec2d out = flat(at) - middle_;
+    out = out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
+    const double reach = layout_.px(kKeptReach + 0.5 * kDigit);
+    Text digit;
+    digit.text = std::to_string(number);
+    digit.at = {static_cast<float>(at.x + reach * out.x()),
+                static_cast<float>(at.y + reach * out.y()) + layout_.px(0.34 * kDigit)};
+    digit.size = layout_.px(kDigit);
+    digit.weight = Weight::Bold;
+    digit.align = Align::Center;
+    digit.color = kContact;
+    digit.halo = layout_.px(2);
+    out_.primitives.push_back(digit);
+    placer_.block(pixel(flat(at) + layout_.px(19) * out), layout_.px(12));
   }
 
   void write(const Label& label) {
@@ -212,10 +244,11 @@ class ChoicePainter {
 
 }  // namespace
 
-void draw_kept_point(const Point2& at, const Layout& layout, Drawing& drawing) {
-  drawing.primitives.push_back(Disc{at, 0, layout.px(5.6), kWhite});
-  drawing.primitives.push_back(Disc{at, 0, layout.px(4.2), kContact});
-  drawing.primitives.push_back(Disc{at, layout.px(6.4), layout.px(8.2), kContact});
+void draw_kept_point(const Point2& at, const Layout& layout, double size, Drawing& drawing) {
+  drawing.primitives.push_back(Disc{at, 0, layout.px(5.6 * size), kWhite});
+  drawing.primitives.push_back(Disc{at, 0, layout.px(4.2 * size), kContact});
+  drawing.primitives.push_back(
+      Disc{at, layout.px(6.4 * size), layout.px(kKeptReach * size), kContact});
 }
 
 void draw_plain_point(const Point2& at, const Layout& layout, Drawing& drawing) {
@@ -223,9 +256,10 @@ void draw_plain_point(const Point2& at, const Layout& layout, Drawing& drawing) 
   drawing.primitives.push_back(Disc{at, 0, layout.px(5), kContact});
 }
 
-void draw_dropped_point(const Point2& at, const Layout& layout, Drawing& drawing) {
-  const float reach = layout.px(3.6);
-  for (const auto& [color, width] : {std::pair{with_alpha(kWhite, 0.9f), 4.5f}, {kDropped, 2.0f}}) {
+void draw_dropped_point(const Point2& at, const Layout& layout, double size, Drawing& drawing) {
+  const float reach = layout.px(3.6 * size);
+  for (const auto& [color, width] :
+       {std::pair{with_alpha(kWhite, 0.9f), 4.5 * size}, {kDropped, 2.0 * size}}) {
     drawing.primitives.push_back(Stroke{{at.x - reach, at.y - reach},
                                         {at.x + reach, at.y + reach},
                                         layout.px(width),
@@ -239,21 +273,18 @@ void draw_dropped_point(const Point2& at, const Layout& layout, Drawing& drawing
   }
 }
 
-void draw_choice_number(const Point2& at, int number, const Vec2d& middle, const Layout& layout,
-                        double size, Drawing& drawing) {
-  Vec2d out = flat(at) - middle;
-  out = out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
-  const double reach = layout.px(8.2 + 0.5 * size);
-  Text digit;
-  digit.text = std::to_string(number);
-  digit.at = {static_cast<float>(at.x + reach * out.x()),
-              static_cast<float>(at.y + reach * out.y()) + layout.px(0.34 * size)};
-  digit.size = layout.px(size);
-  digit.weight = Weight::Bold;
-  digit.align = Align::Center;
-  digit.color = kContact;
-  digit.halo = layout.px(2);
-  drawing.primitives.push_back(digit);
+void draw_deepest_mark(const Point2& at, const Layout& layout, double size, const Color& color,
+                       Drawing& drawing) {
+  const float h = layout.px(10.4 * size);
+  const Point2 corners[] = {
+      {at.x - h, at.y - h}, {at.x + h, at.y - h}, {at.x + h, at.y + h}, {at.x - h, at.y + h}};
+  for (const bool halo : {true, false}) {
+    for (int i = 0; i < 4; ++i) {
+      drawing.primitives.push_back(Stroke{corners[i], corners[(i + 1) % 4],
+                                          layout.px(halo ? 3.6 * size : 1.6 * size),
+                                          halo ? with_alpha(kWhite, 0.8f) : color, Cap::Round});
+    }
+  }
 }
 
 void draw_choice(const ChoiceStep& step, Drawing& drawing) {

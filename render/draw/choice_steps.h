@@ -9,13 +9,16 @@
 
 namespace contactscope::draw {
 
-/// The marks of the contact plane, in pixels: the same in every picture of it.
-void draw_kept_point(const Point2& at, const Layout& layout, Drawing& drawing);
+/// The marks of the contact plane, in pixels: the same in every picture of it, but for their size
+/// where points stand close; 1 is that of a single patch.
+void draw_kept_point(const Point2& at, const Layout& layout, double size, Drawing& drawing);
 void draw_plain_point(const Point2& at, const Layout& layout, Drawing& drawing);
-void draw_dropped_point(const Point2& at, const Layout& layout, Drawing& drawing);
-/// Beside the point, away from `middle`; `size` of the digit at 720 lines.
-void draw_choice_number(const Point2& at, int number, const Vec2d& middle, const Layout& layout,
-                        double size, Drawing& drawing);
+void draw_dropped_point(const Point2& at, const Layout& layout, double size, Drawing& drawing);
+/// A square about the point, whatever became of it.
+void draw_deepest_mark(const Point2& at, const Layout& layout, double size, const Color& color,
+                       Drawing& drawing);
+/// Half the width of a kept point, at 720 lines.
+inline constexpr double kKeptReach = 8.2;
 
 /// One step of a reducer on the contact plane.
 struct ChoiceStep {
@@ -24,6 +27,7 @@ struct ChoiceStep {
   const std::vector<trace::Choice>& choices;
   int shown;        // the first so many choices; the last of them with its candidates
   Vec2d direction;  // of a support point, on the page, y down; zero: none
+  double pixels_per_metre;
   const Rect& map;
   const Layout& layout;
 };

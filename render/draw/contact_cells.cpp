@@ -1,18 +1,23 @@
 #include "draw/contact_cells.h"
 
 #include <algorithm>
+#include <optional>
 #include <ranges>
 
 #include "core/convex_polygon.h"
 #include "draw/choice_steps.h"
 #include "draw/hatch.h"
 #include "draw/id_strip.h"
+#include "draw/labels.h"
 #include "draw/palette.h"
+#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
 
 constexpr double kHatchSpacing = 5;  // pixels between lines
+// A patch whose depths differ by less than this part of its extent is level: none is the deepest.
+constexpr double kLevelPatch = 1e-6;
 
 Vec2d flat(const Point2& p) {
   return {p.x, p.y};
@@ -44,6 +49,24 @@ void outline(const std::vector<Vec2d>& polygon, float width, const Color& color,
   }
 }
 
+/// The point of least separation; empty where the patch is level.
+std::optional<std::size_t> deepest_of(const std::vector<trace::Point>& points) {
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &trace::Point::separation);
+  if (least == points.end()) return std::nullopt;
+  double extent = 0;
+  for (const trace::Point& point : points)
+    extent = std::max(extent, (point.position - least->position).norm());
+  if (most->separation - least->separation <= kLevelPatch * extent) return std::nullopt;
+  return static_cast<std::size_t>(least - points.begin());
+}
+
+/// Chosen by nothing but how far they lie along directions.
+bool by_extremes(const ContactCell& cell) {
+  return cell.choices.size() > 1 &&
+         std::ranges::all_of(cell.choices,
+                             [](const trace::Choice& choice) { return choice.rule == "support"; });
+}
+
 Fill filled(const std::vector<Vec2d>& polygon, const Color& color) {
   Fill fill;
   fill.color = color;
@@ -63,12 +86,8 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
 
 std::vector<LegendEntry> ContactCells::legend() const {
   if (cell_count() == 0 || !detail_.legend) return {};
+  if (choices_ > 0) return legend_of_choice();
   std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"}};
-  if (choices_ > 0) {
-    entries.push_back({LegendKind::PlainPoint, "contact point"});
-    entries.push_back({LegendKind::Kept, "kept, in order of choice"});
-    return entries;
-  }
   const auto any = [&](auto&& holds) {
     return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
       return std::ranges::any_of(moment.cells, holds);
@@ -78,11 +97,50 @@ std::vector<LegendEntry> ContactCells::legend() const {
       any([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
   if (reduces) entries.push_back({LegendKind::Reduced, "reduced away"});
   entries.push_back({LegendKind::Kept, reduces ? "kept, in order of choice" : "kept"});
-  if (reduces) entries.push_back({LegendKind::LostArea, "lost area"});
+  if (any([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); })) {
+    entries.push_back({LegendKind::Deepest, "deepest"});
+  }
+  if (reduces) {
+    entries.push_back({LegendKind::KeptPolygon, "kept area"});
+    entries.push_back({LegendKind::LostArea, "lost area"});
+  }
   if (any([](const ContactCell& cell) { return cell.best.size() > 2; })) {
     entries.push_back({LegendKind::BestPolygon, "best polygon"});
   }
+  if (any(by_extremes)) entries.push_back({LegendKind::AxesBox, "box along the axes"});
   if (moments_.size() > 1) entries.push_back({LegendKind::KeptIds, "ids kept, over the frames"});
+  return entries;
+}
+
+/// What the shown choice was made by.
+std::vector<LegendEntry> ContactCells::legend_of_choice() const {
+  std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"},
+                                      {LegendKind::PlainPoint, "contact point"},
+                                      {LegendKind::Kept, "kept, in order of choice"}};
+  const auto shows = [&](const std::string& rule) {
+    return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
+      return std::ranges::any_of(moment.cells, [&](const ContactCell& cell) {
+        const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
+        return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
+      });
+    });
+  };
+  // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
+  const auto add = [&entries](LegendKind kind, const char* text) {
+    LegendEntry& entry = entries.emplace_back();
+    entry.kind = kind;
+    entry.text = text;
+  };
+  const bool grows = shows("outside") || shows("distance");
+  if (shows("triangle") || grows) {
+    add(LegendKind::KeptPolygon, grows ? "triangle so far" : "largest triangle");
+  }
+  if (grows) add(LegendKind::OutsideTriangle, "added outside");
+  if (shows("outside")) add(LegendKind::InsideTriangle, "edge sees it inside");
+  if (shows("distance")) add(LegendKind::DecidingEdges, "distance to the edge");
+  if (shows("farthest") || shows("triangle") || grows) {
+    add(LegendKind::Candidate, "other candidates");
+  }
   return entries;
 }
 
@@ -125,7 +183,7 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& dr
   } else {
     draw_map(map, cell, patches_[number], drawing);
   }
-  const double strip = layout_.px(strip_height());
+  const double strip = grid_.strip;
   if (strip > 0) {
     const double inset = layout_.px(3);
     draw_strip({rect.x, map.y + map.height + inset, rect.width, strip - 2 * inset}, number, moment,
@@ -157,7 +215,8 @@ void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patc
                                 ? cell.choices[static_cast<std::size_t>(choices_) - 1].direction
                                 : Vec3d(Vec3d::Zero());
     draw_choice({places, cell.kept, cell.choices, choices_,
-                 Vec2d(patch.u.dot(direction), -patch.v.dot(direction)), map, layout_},
+                 Vec2d(patch.u.dot(direction), -patch.v.dot(direction)), grid_.pixels_per_metre,
+                 map, layout_},
                 drawing);
     return;
   }
@@ -169,24 +228,69 @@ void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patc
   if (cell.best.size() > 2) {
     outline(chosen(cell.best), layout_.px(1.6), kNormal, layout_.px(6), drawing);
   }
-  draw_points(places, cell, drawing);
+  if (by_extremes(cell)) draw_axes_box(map, cell, patch, drawing);
+  draw_points(map, places, cell, drawing);
 }
 
-void ContactCells::draw_points(const std::vector<Point2>& places, const ContactCell& cell,
-                               Drawing& drawing) const {
+/// Of extremes along axes: the smallest box with sides along them, and the axes.
+void ContactCells::draw_axes_box(const Rect& map, const ContactCell& cell, const Patch& patch,
+                                 Drawing& drawing) const {
+  const Vec3d u = cell.choices.front().direction;
+  const Vec3d v = cell.normal.cross(u);
+  const Vec3d origin = cell.points.front().position;
+  double low_u = 0, high_u = 0, low_v = 0, high_v = 0;
+  for (const trace::Point& point : cell.points) {
+    const Vec3d way = point.position - origin;
+    low_u = std::min(low_u, u.dot(way));
+    high_u = std::max(high_u, u.dot(way));
+    low_v = std::min(low_v, v.dot(way));
+    high_v = std::max(high_v, v.dot(way));
+  }
+  std::vector<Vec2d> box;
+  for (const auto& [x, y] :
+       {std::pair{low_u, low_v}, {high_u, low_v}, {high_u, high_v}, {low_u, high_v}}) {
+    box.push_back(flat(at(map, patch, origin + x * u + y * v)));
+  }
+  outline(box, layout_.px(1.8), kAxis, layout_.px(6), drawing);
+}
+
+void ContactCells::draw_points(const Rect& map, const std::vector<Point2>& places,
+                               const ContactCell& cell, Drawing& drawing) const {
   Vec2d middle = Vec2d::Zero();
   for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
   const bool reduces = cell.kept.size() < cell.points.size();
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto found = std::ranges::find(cell.kept, static_cast<int>(i));
-    if (found == cell.kept.end()) {
-      draw_dropped_point(places[i], layout_, drawing);
-      continue;
+    if (std::ranges::find(cell.kept, static_cast<int>(i)) == cell.kept.end())
+      draw_dropped_point(places[i], layout_, grid_.mark, drawing);
+  }
+  for (const int kept : cell.kept)
+    draw_kept_point(places[static_cast<std::size_t>(kept)], layout_, grid_.mark, drawing);
+  const std::optional<std::size_t> deepest = deepest_of(cell.points);
+  if (deepest) draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, drawing);
+  if (!reduces) return;  // nothing was chosen
+
+  // Digits keep off all points and each other; one without room is left out.
+  LabelPlacer placer(map);
+  for (const Point2& place : places) placer.block(place, layout_.px(kKeptReach * grid_.mark));
+  if (deepest) placer.block(places[*deepest], layout_.px(12 * grid_.mark));
+  const float size = layout_.px(kNumber);
+  for (std::size_t k = 0; k < cell.kept.size(); ++k) {
+    const Point2& place = places[static_cast<std::size_t>(cell.kept[k])];
+    Vec2d away = flat(place) - middle;
+    away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
+    const std::string digit = std::to_string(k + 1);
+    const auto found = placer.place(place, text_width(digit, size, FontWeight::Bold),
+                                    0.76f * ascent(size, FontWeight::Bold), 0,
+                                    layout_.px(kKeptReach * grid_.mark + 2), pixel(away));
+    if (!found) continue;
+    if (found->needs_leader) {
+      drawing.primitives.push_back(
+          Stroke{place, found->leader_end, layout_.px(1), kContact, Cap::Butt});
     }
-    draw_kept_point(places[i], layout_, drawing);
-    if (!reduces) continue;  // nothing was chosen
-    draw_choice_number(places[i], static_cast<int>(found - cell.kept.begin()) + 1, middle, layout_,
-                       kNumber, drawing);
+    Text text = written(digit, found->left_baseline.x, found->left_baseline.y, size, Weight::Bold,
+                        kContact);
+    text.halo = layout_.px(2);
+    drawing.primitives.push_back(text);
   }
 }
 

@@ -46,13 +46,15 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 /// by its reducer where it has none.
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
 
-/// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What a
-/// cell shows in any frame stands in the middle of its map, wherever in the world that is and however
-/// it lies, so that one patch seen in several cells has the same place in each. In a cell: all points, the kept ones with their order of choice, the lost area hatched,
-/// the best polygon dashed, and the rows beneath; for a sequence also a strip of which ids are kept
-/// over time, one row an id. On a canvas too small for all of it, all cells alike leave out the
-/// right of their rows, then the rest of them but their brief form, the strip, all rows but the first,
-/// that as well, the legend and the names. Where nothing touches in any frame, a line says so.
+/// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What
+/// a cell shows in any frame stands in the middle of its map, wherever in the world that is and
+/// however it lies, so that one patch seen in several cells has the same place in each. In a cell:
+/// all points, the kept ones with their order of choice, the deepest in a square where the patch is
+/// not level, the lost area hatched, the best polygon dashed, for extremes along axes the box that
+/// they span, and the rows beneath; for a sequence also a strip of which ids are kept over time,
+/// one row an id. On a canvas too small for all of it, all cells alike leave out the right of their
+/// rows, then the rest of them but their brief form, the strip, all rows but the first, that as
+/// well, the legend and the names. Where nothing touches in any frame, a line says so.
 class ContactCells {
  public:
   /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
@@ -73,8 +75,9 @@ class ContactCells {
   struct Grid {
     int columns = 1;
     double cell_width = 0, cell_height = 0;  // pixels
-    double map_height = 0;
+    double map_height = 0, strip = 0;
     double pixels_per_metre = 1;
+    double mark = 1;  // size of the marks of points, 1 where there is room
   };
 
   /// Where the contacts of one cell are in the world, in all frames.
@@ -96,6 +99,8 @@ class ContactCells {
 
   void fit(int width, int height);
   Grid best_grid() const;
+  void share_out(Grid& grid) const;
+  double nearest_points() const;
   double name_height() const;
   double furniture() const;
   double strip_height() const;
@@ -105,6 +110,7 @@ class ContactCells {
   double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
+  std::vector<LegendEntry> legend_of_choice() const;
   Rect cell_rect(std::size_t cell) const;
   Point2 at(const Rect& map, const Patch& patch, const Vec3d& position) const;
   void frame_patches(const std::string& up);
@@ -112,7 +118,9 @@ class ContactCells {
   void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
   void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
                 Drawing& drawing) const;
-  void draw_points(const std::vector<Point2>& places, const ContactCell& cell,
+  void draw_axes_box(const Rect& map, const ContactCell& cell, const Patch& patch,
+                     Drawing& drawing) const;
+  void draw_points(const Rect& map, const std::vector<Point2>& places, const ContactCell& cell,
                    Drawing& drawing) const;
   void draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const;
   void draw_strip(const Rect& strip, std::size_t cell, std::size_t moment, Drawing& drawing) const;

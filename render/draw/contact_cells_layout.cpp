@@ -13,9 +13,13 @@ namespace {
 constexpr double kGap = 14;        // between cells
 constexpr double kRowGap = 6;      // between the left and the right of a row
 constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
-constexpr double kMostStrip = 30;  // height of the strip of ids
-constexpr double kStripRow = 4;    // of one id, where there is room
-constexpr double kLeastMap = 44;   // height of a map that shows anything
+constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
+constexpr std::size_t kFewCells = 4;
+constexpr double kStripRow = 4;     // of one id, at least where there is room
+constexpr double kWideRow = 16;     // of one id, at most
+constexpr double kCloseMarks = 30;  // between points, for marks of full size
+constexpr double kLeastMark = 0.6;
+constexpr double kLeastMap = 44;  // height of a map that shows anything
 
 }  // namespace
 
@@ -37,6 +41,42 @@ void ContactCells::fit(int width, int height) {
     if (!detail_.legend) widths.clear();
   }
   arranged();
+}
+
+/// Gives what a patch leaves free above and below to the strip, and marks the size that they have
+/// room for.
+void ContactCells::share_out(Grid& grid) const {
+  grid.strip = layout_.px(strip_height());
+  if (grid.strip > 0) {
+    const double needed = layout_.px(2 * kReserve) + grid.pixels_per_metre * extent_v_;
+    const double wide = layout_.px(kWideRow * static_cast<double>(ids_.size()) + 6);
+    const double more = std::clamp(wide - grid.strip, 0.0, std::max(0.0, grid.map_height - needed));
+    grid.strip += more;
+    grid.map_height -= more;
+  }
+  const double between = nearest_points() * grid.pixels_per_metre / layout_.scale;
+  grid.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
+}
+
+/// How far apart neighbouring points are, metres: the median over all of them.
+double ContactCells::nearest_points() const {
+  std::vector<double> nearest;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const trace::Point& other : cell.points) {
+          if (&other != &point) least = std::min(least, (other.position - point.position).norm());
+        }
+        nearest.push_back(least);
+      }
+      if (!cell.points.empty()) break;  // the others have the same points, mostly
+    }
+  }
+  if (nearest.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
 }
 
 std::vector<std::string> ContactCells::left_out() const {
@@ -111,7 +151,8 @@ void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
 
 double ContactCells::strip_height() const {
   if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
-  return std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
+  const double wide = cell_count() > kFewCells ? 1 : 1.75;
+  return wide * std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
 }
 
 std::size_t ContactCells::row_count() const {
@@ -199,6 +240,7 @@ ContactCells::Grid ContactCells::best_grid() const {
     best.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
     best.map_height = best.cell_height - layout_.px(furniture());
   }
+  share_out(best);
   return best;
 }
 

@@ -40,9 +40,7 @@ TEST(ContactCells, HoldEachOtherApart) {
     for (const int cells : {2, 18}) {
       const std::vector<Text> list = all<Text>(drawn(moments_of(cells, 60), 30, width, height));
       for (std::size_t i = 0; i < list.size(); ++i) {
-        if (list[i].text.size() == 1) continue;  // digits of the order of choice, near their points
         for (std::size_t j = 0; j < i; ++j) {
-          if (list[j].text.size() == 1) continue;
           const Rect a = box_of(list[i]);
           const Rect b = box_of(list[j]);
           EXPECT_FALSE(a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
@@ -55,6 +53,119 @@ TEST(ContactCells, HoldEachOtherApart) {
   }
 }
 
+/// Twelve points on an ellipse eight times as long as wide, aslant, with crowded tips.
+std::vector<trace::Point> sliver() {
+  std::vector<trace::Point> points;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.2 + i * 0.5235987755982988;
+    const double u = std::cos(angle), v = 0.125 * std::sin(angle);
+    points.push_back({Vec3d(0.707 * (u - v), 0, 0.707 * (u + v)), -0.001 * (i + 1),
+                      "a:e" + std::to_string(i) + " b:e1"});
+  }
+  return points;
+}
+
+TEST(ContactCells, DigitsOfANarrowPatchAreOnNoPointAndNoDigit) {
+  for (const int frames : {1, 40}) {
+    ContactMoment moment = moments_of(19, 1).front();
+    for (ContactCell& cell : moment.cells) cell.points = sliver();
+    for (ContactCell& cell : moment.cells) cell.kept = {0, 6, 11, 5};
+    std::vector<ContactMoment> moments;
+    for (int f = 0; f < frames; ++f) {
+      moments.push_back(moment);
+      moments.back().frame = f;
+    }
+    const Drawing drawing = drawn(moments, 0, 1280, 1440);
+    std::vector<Rect> digits;
+    for (const Text& text : all<Text>(drawing))
+      if (text.text.size() == 1) digits.push_back(box_of(text));
+    EXPECT_GE(digits.size(), 3u * 19);
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      const Rect& a = digits[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        const Rect& b = digits[j];
+        EXPECT_FALSE(a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+                     b.y < a.y + a.height);
+      }
+      for (const Disc& ring : rings(drawing)) {
+        const double x = std::clamp<double>(ring.center.x, a.x, a.x + a.width);
+        const double y = std::clamp<double>(ring.center.y, a.y, a.y + a.height);
+        EXPECT_GT(std::hypot(x - ring.center.x, y - ring.center.y), ring.outer - 1);
+      }
+    }
+  }
+}
+
+TEST(ContactCells, MarksShrinkWherePointsAreCrowded) {
+  ContactMoment wide, narrow;
+  wide.cells = {cell_of("area", octagon())};
+  narrow = moments_of(12, 1).front();
+  for (ContactCell& cell : narrow.cells) cell.points = sliver();
+  const double full = rings(drawn({wide}, 0)).front().outer;
+  const double small = rings(drawn({narrow}, 0)).front().outer;
+  EXPECT_LT(small, 0.8 * full);
+  EXPECT_GE(small, 0.55 * full);
+}
+
+/// Axis-parallel lines that make squares about a point.
+int squares_about(const Drawing& drawing, const Point2& at) {
+  int sides = 0;
+  for (const Stroke& s : all<Stroke>(drawing)) {
+    const double mx = 0.5 * (s.from.x + s.to.x) - at.x, my = 0.5 * (s.from.y + s.to.y) - at.y;
+    const double length = std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+    const bool straight = std::abs(s.to.x - s.from.x) < 0.01 || std::abs(s.to.y - s.from.y) < 0.01;
+    if (straight && length > 5 && std::abs(std::hypot(mx, my) - 0.5 * length) < 0.1) ++sides;
+  }
+  return sides / 8;  // four sides and their halo
+}
+
+TEST(ContactCells, TheDeepestIsMarkedKeptOrNotUnlessThePatchIsLevel) {
+  ContactMoment moment;
+  moment.cells = {cell_of("area", octagon())};
+  const Disc first = rings(drawn({moment}, 0)).front();  // of point 1: kept
+  moment.cells[0].points[1].separation = -0.1;
+  EXPECT_EQ(squares_about(drawn({moment}, 0), first.center), 1);
+  EXPECT_THAT(words(drawn({moment}, 0)), Contains("deepest"));
+  moment.cells[0].kept = {2, 5, 3, 0};
+  EXPECT_EQ(squares_about(drawn({moment}, 0), first.center), 1);
+  for (trace::Point& point : moment.cells[0].points) point.separation = -0.01;
+  EXPECT_EQ(squares_about(drawn({moment}, 0), first.center), 0);
+  EXPECT_THAT(words(drawn({moment}, 0)), Not(Contains("deepest")));
+}
+
+TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendTellsAllAreas) {
+  ContactMoment moment;
+  moment.cells = {cell_of("extremes", octagon())};
+  EXPECT_THAT(words(drawn({moment}, 0)), IsSupersetOf({"kept area", "lost area"}));
+  EXPECT_THAT(words(drawn({moment}, 0)), Not(Contains("box along the axes")));
+  for (const Vec3d& direction :
+       {Vec3d(-1, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 0, -1), Vec3d(0, 0, 1)}) {
+    trace::Choice choice;
+    choice.rule = "support";
+    choice.direction = direction;
+    moment.cells[0].choices.push_back(choice);
+  }
+  EXPECT_THAT(words(drawn({moment}, 0)), Contains("box along the axes"));
+}
+
+TEST(ContactCells, StripsTakeTheRoomThatAFlatPatchLeaves) {
+  std::vector<ContactMoment> moments = moments_of(1, 30);
+  for (ContactMoment& moment : moments)
+    for (trace::Point& point : moment.cells[0].points) point.position.z() *= 0.2;
+  const auto highest_bar = [](const Drawing& drawing) {
+    float most = 0;
+    for (const Fill& fill : all<Fill>(drawing)) {
+      const Point2* p = fill.polygon.data();
+      if (fill.polygon.size() == 4 && p[0].y == p[1].y && p[1].x == p[2].x && p[2].y == p[3].y &&
+          p[1].x - p[0].x > 100) {
+        most = std::max(most, p[2].y - p[1].y);
+      }
+    }
+    return most;
+  };
+  EXPECT_GT(highest_bar(drawn(moments, 0)), 5);
+}
+
 TEST(ContactCells, HaveRowsThatAreLegibleOrNone) {
   for (const auto& [width, height] :
        {std::pair{160, 90}, {320, 180}, {480, 270}, {640, 360}, {960, 540}, {1280, 720}}) {
@@ -64,7 +175,7 @@ TEST(ContactCells, HaveRowsThatAreLegibleOrNone) {
         const ContactCells picture("Title", "Source", "y", moments, 0, width, height);
         std::vector<std::string> rows;
         for (const Text& text : all<Text>(picture.frame(0))) {
-          for (const char* part : {"area", "mom", "dee", "lost,", "1234"}) {
+          for (const char* part : {"area", "mom", "deepest l", "lost,", "1234"}) {
             if (text.text.starts_with(part)) rows.push_back(text.text);
           }
         }
