@@ -128,12 +128,14 @@ const std::optional<double>& error_of(const trace::StudyPoint& point, ErrorKind 
 }
 
 std::vector<bool> on_front(const trace::Study& study, ErrorKind kind) {
+  const bool same_cases = trace::has_panels(study);
   const auto beats = [&](const trace::StudyPoint& one, const trace::StudyPoint& other) {
     const std::optional<double>& error = error_of(one, kind);
     const double least = *error_of(other, kind);
     const double time = one.nanoseconds.median;
     const double other_time = other.nanoseconds.median;
-    return error && one.parameter == other.parameter && *error <= least && time <= other_time &&
+    const bool comparable = same_cases || one.parameter == other.parameter;
+    return error && comparable && *error <= least && time <= other_time &&
            (*error < least || time < other_time);
   };
   const auto unbeaten = [&](const trace::StudyPoint& point) {

@@ -41,9 +41,10 @@ void draw_marker(Marker marker, const Point2& center, float radius, const Color&
 enum class ErrorKind { Mean, Worst };
 const std::optional<double>& error_of(const trace::StudyPoint& point, ErrorKind kind);
 
-/// For each series whether at least half of its points are beaten by no other series' point at the
-/// same parameter: none is as fast and as close, and better in one of them. By median time. A point
-/// without an error is beaten.
+/// For each series whether at least half of its points are beaten by no other point at the same
+/// parameter: none is as fast and as close, and better in one of them. Where the study has panels,
+/// whose parameter is how hard a method tries at the same cases, by no other point at all. By
+/// median time. A point without an error is beaten.
 std::vector<bool> on_front(const trace::Study& study, ErrorKind kind);
 
 }  // namespace contactscope::draw

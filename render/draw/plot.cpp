@@ -41,7 +41,8 @@ std::string subtitle(const trace::Study& study) {
     first = false;
   }
   line += " " + study.parameter;
-  if (trace::has_panels(study)) return line + ". Strong: unbeaten at half of these or more.";
+  if (trace::has_panels(study))
+    return line + ". Strong: at half or more nothing in the panel as fast is as close.";
   return line + ". Strong: at half of these or more, nothing else is both as fast and as close.";
 }
 

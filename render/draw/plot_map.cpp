@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "draw/hatch.h"
 #include "draw/palette.h"
 #include "draw/plot_canvas.h"
 
@@ -59,8 +60,13 @@ class Map {
       at += px(32) + canvas_.width_of(name) + px(18);
     }
     canvas_.cross({at + px(10), middle}, 5, kFailure);
-    canvas_.text("cases failed; white: all of them", {at + px(22), middle + px(5)}, Align::Left,
-                 kText);
+    at += px(22);
+    canvas_.text("cases failed", {at, middle + px(5)}, Align::Left, kText);
+    at += canvas_.width_of("cases failed") + px(18);
+    const Rect box{at, middle - px(8), px(26), px(16)};
+    hatched(box);
+    canvas_.frame(box);
+    canvas_.text("all of them", {at + px(32), middle + px(5)}, Align::Left, kText);
   }
 
   void panels(const Rect& space) {
@@ -124,9 +130,17 @@ class Map {
     }
   }
 
+  /// Nothing to colour. White alone would look like the least of errors.
+  void hatched(const Rect& rect) {
+    const double right = rect.x + rect.width, bottom = rect.y + rect.height;
+    hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, px(6), px(1),
+          with_alpha(kDropped, 0.4f), canvas_.drawing());
+  }
+
   void cell(const trace::StudyPoint& point, const Rect& rect) {
     if (point.error) canvas_.fill(rect, kDecades[decade_of(largest(point))]);
     if (point.failed == 0) return;
+    if (!point.error) hatched(rect);
     const double room = 0.32 * std::min(rect.width, rect.height) / px(1);
     const Point2 middle{static_cast<float>(rect.x + 0.5 * rect.width),
                         static_cast<float>(rect.y + 0.5 * rect.height)};

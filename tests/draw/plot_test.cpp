@@ -230,6 +230,10 @@ TEST(OnFront, HoldsWhatNoOtherBeatsAtTheSameParameter) {
                   {"only_failures", {{5, {}, {}, {1, 1, 1}, 3, 3}}}};
   EXPECT_THAT(on_front(study, ErrorKind::Mean),
               testing::ElementsAre(true, true, false, true, false));
+  // In panels the parameter is how hard a method tries: slow and far is beaten at any.
+  for (trace::StudySeries& series : study.series) series.panel = "iterations";
+  EXPECT_THAT(on_front(study, ErrorKind::Mean),
+              testing::ElementsAre(true, true, false, false, false));
 }
 
 TEST(MethodStyle, NoTwoOfManyLookTheSameAndNeighboursDifferInColourAndMarker) {
