@@ -37,16 +37,21 @@ struct TouchingPair {
   Vec3<S> along;
   S length;
   S scale;
+  S merging;  // metres: two points of the segment so near to each other are one
 
   Vec3<S> at(S parameter) const {
     if (parameter <= S(0.5)) return ends[0] + parameter * along;
     return ends[1] - (S(1) - parameter) * along;
   }
-  /// Two points of the segment so near to each other are one.
   bool are_one(S parameter, S other) const {
-    return std::abs(parameter - other) * length <= touching_distance(scale);
+    return std::abs(parameter - other) * length <= merging;
   }
 };
+
+/// Two points closer than this times the capsule's radius are one even where a face reaches so far
+/// that rounding at its corners is more. The segment's ends are exact.
+template <class S>
+constexpr S kOnePoint = S(0.01);
 
 FeatureRef core_feature(bool at_start, bool at_end) {
   if (at_start) return vertex_ref(Owner::A, 0);
@@ -265,7 +270,8 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   }
 
   const Vec3<S> along = ends[1] - ends[0];
-  const TouchingPair<S> pair{b, ends, along, along.norm(), scale};
+  const S merging = std::min(touching_distance(scale), kOnePoint<S> * a.radius);
+  const TouchingPair<S> pair{b, ends, along, along.norm(), scale, merging};
   const CorePoints<S> core = touch.kind == CapsuleTouchKind::Face
                                  ? points_on_face(pair, touch, reach)
                                  : points_on_edge_or_vertex(pair, touch, reach);

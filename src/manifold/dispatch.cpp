@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "manifold/collide_capsule_capsule.h"
 #include "manifold/collide_capsule_hull.h"
@@ -16,6 +17,7 @@
 #include "manifold/collide_sphere_plane.h"
 #include "manifold/collide_sphere_sphere.h"
 #include "manifold/contact_sink.h"
+#include "manifold/in_double.h"
 #include "manifold/recorder.h"
 #ifndef CONTACTSCOPE_WITHOUT_RECORDER
 #include "manifold/trace_recorder.h"
@@ -129,6 +131,19 @@ void collide_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& option
   if (collide_pair != nullptr) collide_pair(pair, options, manifolds, recorder);
 }
 
+/// The same for a pair that belongs_in_double.
+template <class Recorder>
+void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float>& options,
+                       Manifolds<float>& manifolds, Recorder& recorder) {
+  const Shape<double> a = in_double(pair.a);
+  const Shape<double> b = in_double(pair.b);
+  Manifolds<double> found;
+  collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b), nullptr},
+                           in_double(options), found, recorder);
+  manifolds.clear();
+  for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
+}
+
 /// All that tells a sphere or a capsule from another one: size, then how and where it stands.
 template <class S>
 std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
@@ -175,12 +190,19 @@ void mirror(Manifold<S>& manifold) {
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds, PairCache<S>* cache) {
-  NoRecorder<S> recorder;
-  if (!against_the_table(a, pose_a, b, pose_b)) {
-    collide_in_order<S>({a, pose_a, b, pose_b, cache}, options, manifolds, recorder);
-    return;
+  const bool swap = against_the_table(a, pose_a, b, pose_b);
+  const PlacedPair<S> pair = swap ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
+                                  : PlacedPair<S>{a, pose_a, b, pose_b, cache};
+  if (belongs_in_double(a, b, options.reducer)) [[unlikely]] {
+    if constexpr (std::is_same_v<S, float>) {
+      NoRecorder<double> recorder;
+      collide_in_double(pair, options, manifolds, recorder);
+    }
+  } else {
+    NoRecorder<S> recorder;
+    collide_in_order(pair, options, manifolds, recorder);
   }
-  collide_in_order<S>({b, pose_b, a, pose_a, cache}, options, manifolds, recorder);
+  if (!swap) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }
 
@@ -210,7 +232,17 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
   }
   TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, stages, told_mirrored,
                             record);
-  collide_in_order(pair, options, manifolds, recorder);
+  if (belongs_in_double(a, b, options.reducer)) {
+    if constexpr (std::is_same_v<S, float>) {
+      TraceRecorder<double> wide(ToWorld<double>(in_double(pair.pose_a)), recording.reducer_name,
+                                 stages, told_mirrored, record);
+      collide_in_double(pair, options, manifolds, wide);
+      record.manifolds.clear();  // told as they are returned
+      for (const Manifold<S>& manifold : manifolds) recorder.manifold(manifold);
+    }
+  } else {
+    collide_in_order(pair, options, manifolds, recorder);
+  }
   if (!swap) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }

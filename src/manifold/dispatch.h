@@ -42,7 +42,10 @@ void mirror(Manifold<S>& manifold);
 /// Two hulls are worked on in the order given: of faces that are nearly as deep the first one's
 /// makes the contact, and an order that turned round as bodies move would break its coherence.
 /// Trading them gives the other hull's face there, and else the same contact mirrored but for
-/// rounding. `cache` keeps what helps the next call for the same pair in the same order, see
+/// rounding.
+///
+/// In float, convex shapes of which one is thousands of times larger than the other are worked on in
+/// double (in_double.h) and have no use for a cache. `cache` keeps what helps the next call for the same pair in the same order, see
 /// pair_cache.h.
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
