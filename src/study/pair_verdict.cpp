@@ -60,8 +60,8 @@ ContactFault presence_fault(const Deepest& deepest, double separation, double ro
 }  // namespace
 
 const char* to_string(ContactFault fault) {
-  constexpr const char* kNames[] = {"none",    "not finite", "missing",
-                                    "phantom", "imprecise",  "drifting"};
+  constexpr const char* kNames[] = {"none",      "not finite", "missing", "phantom",
+                                    "imprecise", "drifting",   "drowned"};
   return kNames[static_cast<int>(fault)];
 }
 
@@ -114,12 +114,19 @@ PairVerdict judge_pair(const StackedPair& pair, const Pose<double>& motion, doub
       verdict.fault = ContactFault::Drifting;
     }
   }
+  verdict.overlap = std::max(0.0, -separation);
+  if (verdict.fault == ContactFault::None && separation < 0) {
+    // A depth is judged for itself: along a shape of kilometres 64 roundings are more than it.
+    const double off = strict.found() ? std::abs(strict.separation - separation) : -separation;
+    if (!(off < 0.5 * -separation)) verdict.fault = ContactFault::Drowned;
+  }
   verdict.ulps = verdict.error / ulp;
 
   verdict.unrounded_error = strict.found() ? std::abs(strict.separation - exact) : verdict.depth;
   verdict.unrounded_ulps = verdict.unrounded_error / ulp;
+  const double bearable = verdict.depth > 0 ? 0.5 * verdict.depth : rounding;
   verdict.lost = !strict.finite || (verdict.depth > 0 && !strict.found()) ||
-                 !(verdict.unrounded_error <= std::max(0.5 * verdict.depth, rounding));
+                 !(verdict.unrounded_error <= bearable);
   return verdict;
 }
 

@@ -14,6 +14,8 @@ enum class ContactFault {
   Phantom,    // they are apart by more than rounding, and there is one
   Imprecise,  // depth or normal are off by more than kPrecisionBound
   Drifting,   // with the preference on, the depth is off by more than the preference grants
+  Drowned,    // none of these, but the depth is off by half of itself or there is no contact: the
+              // overlap is no larger than the rounding of the coordinates that it is made of
 };
 
 /// "missing"
@@ -31,9 +33,10 @@ struct PairVerdict {
   // The larger one of the depth's, and of what the depth along the normal falls short of it (over
   // SeparationOracle::leverage); 0 where rightly apart.
   double error = 0;
-  double ulps = 0;  // the same over epsilon times the coordinates of the pair
+  double ulps = 0;     // the same over epsilon times the coordinates of the pair
+  double overlap = 0;  // of what the scalar holds, >= 0
   // Against the geometry before it was moved and rounded: what is left of it.
-  bool lost = false;           // no contact where there was one, or off by more than half its depth
+  bool lost = false;           // no contact where there was one, or its depth off by half
   double unrounded_error = 0;  // of the depth
   double unrounded_ulps = 0;
   double depth = 0;  // true overlap before rounding, >= 0

@@ -46,8 +46,9 @@ Pose<double> world_motion(double distance, std::mt19937_64& engine);
 /// separation oracle twice: of the shapes and poses as the scalar holds them (what the pipeline
 /// loses: "float", "double"), and of the geometry before it was moved to its place in the world and
 /// rounded (what is left of it: "float, unrounded" ..). Faults are counted as failures: numbers that
-/// are not finite, missing and phantom contacts, depth or normal off by more than 64 roundings
-/// (pair_verdict.h); of the unrounded ones contacts that are lost, or off by half their depth.
+/// are not finite, missing and phantom contacts, depth or normal off by more than 64 roundings, and
+/// overlaps that drown in less than that (pair_verdict.h); of the unrounded ones contacts that are lost,
+/// or off by half their depth.
 ///
 /// "sweeps": curves of the largest error over all kinds of pairs, over the size of the shapes.
 /// "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's coordinates.

@@ -15,7 +15,9 @@ constexpr std::uint64_t kSeed = 7;
 
 /// What a sweep came to in one scalar.
 struct Outcome {
-  int faults[6] = {};
+  int faults[7] = {};
+  int drowned_convex = 0;      // without meshes
+  double deepest_drowned = 0;  // overlap, in ulps of the pair's coordinates
   int lost = 0;
   double worst_ulps = 0;
   double worst_cells = 0;   // error of the unrounded geometry, in cells of the world's coordinates
@@ -36,6 +38,11 @@ Outcome run(const StabilitySweep& sweep) {
         const PairVerdict verdict = judge_pair<S>(one.pair, one.motion, exact);
         ++outcome.of;
         ++outcome.faults[static_cast<int>(verdict.fault)];
+        if (verdict.fault == ContactFault::Drowned) {
+          outcome.drowned_convex += kind.below != Below::Mesh ? 1 : 0;
+          const double in_ulps = verdict.overlap / verdict.error * verdict.ulps;
+          outcome.deepest_drowned = std::max(outcome.deepest_drowned, in_ulps);
+        }
         if (verdict.fault == ContactFault::None) {
           outcome.worst_ulps = std::max(outcome.worst_ulps, verdict.ulps);
         }
@@ -58,9 +65,8 @@ std::string name_of(const testing::TestParamInfo<StabilitySweep>& info) {
   return info.param.name;
 }
 
-template <class S>
-void expect_no_wrong_answer(const StabilitySweep& sweep) {
-  const Outcome outcome = run<S>(sweep);
+/// But for overlaps that are no more than rounding themselves.
+void expect_no_wrong_answer(const Outcome& outcome) {
   EXPECT_GT(outcome.of, 500);
   EXPECT_EQ(outcome.count(ContactFault::NotFinite), 0);
   EXPECT_EQ(outcome.count(ContactFault::Missing), 0);
@@ -68,14 +74,23 @@ void expect_no_wrong_answer(const StabilitySweep& sweep) {
   EXPECT_EQ(outcome.count(ContactFault::Drifting), 0);
   EXPECT_EQ(outcome.count(ContactFault::Imprecise), 0);
   EXPECT_LE(outcome.worst_ulps, kPrecisionBound);
+  EXPECT_LE(outcome.deepest_drowned, 16);
 }
 
 TEST_P(StabilitySweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
-  expect_no_wrong_answer<float>(GetParam());
+  const Outcome outcome = run<float>(GetParam());
+  expect_no_wrong_answer(outcome);
+  const std::string& name = GetParam().name;
+  if (name != "tilt" && name != "scale" && name != "aspect") return;  // others go down to nothing
+  EXPECT_EQ(outcome.drowned_convex, 0);
+  // Of a triangle of thousands of kilometres float rounds what is beneath the crate by metres.
+  EXPECT_EQ(outcome.count(ContactFault::Drowned) > 0, name == "aspect");
 }
 
 TEST_P(StabilitySweeps, DoubleIsNeverWrongAboutWhatItIsGiven) {
-  expect_no_wrong_answer<double>(GetParam());
+  const Outcome outcome = run<double>(GetParam());
+  expect_no_wrong_answer(outcome);
+  EXPECT_EQ(outcome.count(ContactFault::Drowned), 0);
 }
 
 TEST_P(StabilitySweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfTheirCoordinates) {
@@ -107,10 +122,11 @@ TEST(StabilitySweep, AtTheOriginAndCoincident) {
         const double exact = exact_separation(pair);
         const PairVerdict in_float = judge_pair<float>(pair, {}, exact);
         const PairVerdict in_double = judge_pair<double>(pair, {}, exact);
-        EXPECT_EQ(in_float.fault, ContactFault::None)
-            << to_string(kind) << ", overlap " << overlap << ": " << to_string(in_float.fault);
-        EXPECT_EQ(in_double.fault, ContactFault::None)
-            << to_string(kind) << ", overlap " << overlap << ": " << to_string(in_double.fault);
+        for (const PairVerdict& verdict : {in_float, in_double}) {
+          const bool rounded_kiss = overlap == 0 && verdict.fault == ContactFault::Drowned;
+          EXPECT_TRUE(verdict.fault == ContactFault::None || rounded_kiss)
+              << to_string(kind) << ", overlap " << overlap << ": " << to_string(verdict.fault);
+        }
       }
     }
   }
