@@ -11,7 +11,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr float kJoin = 0.25f;    // pixels
-constexpr float kAvoided = 1.5f;   // pixels: labels keep off lines of this width
+constexpr float kAvoided = 1.5f;  // pixels: labels keep off lines of this width
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
@@ -50,9 +50,10 @@ class Composer {
     for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
     // What is inside of a shape stays under what is said about it.
-    // So does a hollow origin under the arrow that begins there.
+    // So does an origin under the arrow that begins there, which may be no longer than it.
     const auto is_core = [](const Mark& mark) {
-      return mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin;
+      return mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
+             mark.kind == MarkKind::HeldOrigin;
     };
     for (const Mark& mark : sketch_.marks) {
       if (is_core(mark)) draw_mark(mark);
@@ -340,9 +341,9 @@ class Composer {
     const float size = px(label.size);
     const FontWeight weight = label.bold ? FontWeight::Bold : FontWeight::Regular;
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
-    const std::optional<LabelPlacer::Place> place =
-        placer_.place(*at, text_width(label.text, size, weight), up, descent(size, weight),
-                      px(label.clearance), wanted_direction(label, *at));
+    const std::optional<LabelPlacer::Place> place = placer_.place(
+        *at, text_width(label.text, size, weight), up, descent(size, weight), px(label.clearance),
+        wanted_direction(label, *at), label.direction.has_value());
     if (!place) return;
     if (place->needs_leader || label.leader) {
       out_.primitives.push_back(

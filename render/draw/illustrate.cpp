@@ -57,6 +57,14 @@ std::vector<InsetPicture> inset_pictures(const Staging& staging, const trace::Fr
 }
 
 void sort_legend(Sketch& sketch) {
+  // A measure too narrow for its arrow means the same as one that is not.
+  const std::vector<LegendEntry> all = sketch.legend;
+  std::erase_if(sketch.legend, [&](const LegendEntry& entry) {
+    return entry.kind == LegendKind::NarrowAxis &&
+           std::any_of(all.begin(), all.end(), [&](const LegendEntry& other) {
+             return other.kind == LegendKind::Axis && other.text == entry.text;
+           });
+  });
   std::stable_sort(sketch.legend.begin(), sketch.legend.end(),
                    [](const LegendEntry& a, const LegendEntry& b) { return a.kind < b.kind; });
 }

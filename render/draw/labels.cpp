@@ -8,7 +8,9 @@ namespace contactscope::draw {
 namespace {
 
 constexpr int kRings = 9;
+// Rings on which lines are kept off. A label that names what it stands at stays near to it.
 constexpr int kUncrossedRings = 14;
+constexpr int kUncrossedNearby = 6;
 constexpr int kDirections = 16;
 // Space around a label's letters that stays free, pixels.
 constexpr float kPadding = 2;
@@ -56,16 +58,18 @@ bool LabelPlacer::is_free(const Rect& box) const {
 
 std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
                                                      float ascent, float descent, float clearance,
-                                                     const Point2& direction) {
+                                                     const Point2& direction, bool outwards) {
   const float height = ascent + descent;
   const double wanted = std::atan2(direction.y, direction.x);
-  for (int attempt = 0; attempt < kUncrossedRings + kRings; ++attempt) {
-    const bool uncrossed = attempt < kUncrossedRings;
-    const int ring = uncrossed ? attempt : attempt - kUncrossedRings;
+  const int uncrossed_rings = outwards ? kUncrossedNearby : kUncrossedRings;
+  for (int attempt = 0; attempt < uncrossed_rings + kRings; ++attempt) {
+    const bool uncrossed = attempt < uncrossed_rings;
+    const int ring = uncrossed ? attempt : attempt - uncrossed_rings;
     const double reach = clearance + ring * 0.75 * height;
     for (int i = 0; i < kDirections; ++i) {
       // 0, +1, -1, +2, -2, ... steps away from the wanted direction.
       const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
+      if (uncrossed && outwards && std::abs(step) > kDirections / 4) break;
       const double angle = wanted + step * 2 * std::numbers::pi / kDirections;
       const double ux = std::cos(angle);
       const double uy = std::sin(angle);

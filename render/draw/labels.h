@@ -30,9 +30,10 @@ class LabelPlacer {
     Point2 leader_end;  // point of the label's box nearest to the anchor
   };
 
-  /// `ascent`, `descent`, `width`: size of the text; `direction`: unit, y down.
+  /// `ascent`, `descent`, `width`: size of the text; `direction`: unit, y down. `outwards`: rather
+  /// on a line than on the other side of the anchor.
   std::optional<Place> place(const Point2& anchor, float width, float ascent, float descent,
-                             float clearance, const Point2& direction);
+                             float clearance, const Point2& direction, bool outwards = false);
 
  private:
   bool is_free(const Rect& box) const;
