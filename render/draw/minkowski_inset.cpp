@@ -64,6 +64,7 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
   arrow.double_headed = true;
   arrow.width = 3;
   arrow.color = kAxis;
+  arrow.halo = false;  // it would cover the origin
   sketch.arrows.push_back(arrow);
   Label label{.at = 0.5 * to,
               .text = name + spell_length(distance),
