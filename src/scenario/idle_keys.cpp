@@ -103,6 +103,15 @@ std::vector<std::string> idle_keys(const Table& file, const Scenario& scenario) 
            "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
            sentences);
   }
+  if (!moves) {
+    for (const Value& shape : file.require("shapes", "").members()) {
+      for (const char* key : {"friction", "restitution"}) {
+        if (const auto value = shape.peek(key))
+          tell(*value, "'" + std::string(key) + "'",
+               "no shape is dynamic, and only the solver goes by it; remove it", sentences);
+      }
+    }
+  }
   if (const auto solver = file.find("solver"); solver && moves)
     tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
   return sentences;

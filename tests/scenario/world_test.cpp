@@ -322,6 +322,8 @@ TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
                           "one motion = { dynamic = true, mass = 1.0 }, or "
                           "remove it",
                           ::testing::StartsWith("line 10: [solver]")));
+  EXPECT_THAT(warnings(two_boxes("restitution = 0.5\n")),
+              ElementsAre(::testing::StartsWith("line 8: 'restitution' has no effect")));
   // A key of [pipeline] counts as long as it is of some pair.
   const std::string mixed = two_boxes(
       "[shapes.ball]\ntype = \"sphere\"\nradius = 1\n[pipeline]\npenetration = \"epa\"\n");
