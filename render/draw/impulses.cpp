@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "draw/palette.h"
 #include "draw/quantity.h"
@@ -97,8 +98,11 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   const double share =
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
-  const double pixels = scene.camera.pixels_per_metre(point.position);
-  if (way.norm() * pixels < kLeastFriction * scales.pixel) return;
+  // As it is seen: towards the eye it would be a blot too.
+  const std::optional<Point2> from = scene.camera.project(point.position);
+  const std::optional<Point2> to = scene.camera.project(point.position + way);
+  if (!from || !to) return;
+  if (std::hypot(to->x - from->x, to->y - from->y) < kLeastFriction * scales.pixel) return;
   Arrow arrow = impulse_arrow(point.position, way, 2.5f, 10, kIncidentFace);
   arrow.open = true;
   sketch.arrows.push_back(arrow);
@@ -138,13 +142,14 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
                            .clearance = 12,
                            .direction = right});
   if (!scene.shows("friction") || friction.norm() < 1e-6 * normal) return;
-  sketch.labels.push_back({.at = outermost->position + scene.scales.friction * friction / 2,
+  const Vec3d way = side * scene.scales.friction * outermost->impulse->friction;
+  sketch.labels.push_back({.at = outermost->position + way,
                            .text = spell_quantity(friction.norm() / step, "N"),
                            .color = kFrictionText,
                            .size = 17,
                            .bold = true,
                            .clearance = 10,
-                           .direction = -scene.camera.up()});
+                           .direction = friction.normalized()});
 }
 
 }  // namespace
@@ -164,6 +169,8 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     const Vec3d out = side * manifold.normal;
     for (const trace::Point& point : manifold.points) {
       if (!point.impulse) continue;
+      const std::optional<Point2> seen = scene.camera.project(point.position);
+      if (!seen || !scene.camera.viewport().contains(*seen)) continue;
       if (!scene.shows("contacts")) {
         sketch.marks.push_back({MarkKind::Core, point.position, kContact});
       }
