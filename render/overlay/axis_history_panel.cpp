@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "draw/axis_history.h"
 #include "draw/palette.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
@@ -33,12 +33,6 @@ bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
 }
 
-/// Empty where nothing says.
-std::string axis_of(const trace::Pair& pair) {
-  if (pair.sat) return pair.sat->chosen;
-  return from_cache(pair) ? pair.cache->axis : std::string();
-}
-
 /// The pair `wanted` of the current frame in frame f; nullptr where that has none. Traces of other
 /// engines may leave out pairs that are far apart; mostly each frame has all in the same order.
 const trace::Pair* pair_then(const PanelFacts& facts, std::size_t f, const trace::Pair& wanted) {
@@ -58,7 +52,7 @@ std::vector<const trace::Pair*> pairs_with_axes(const PanelFacts& facts) {
   for (const trace::Pair& pair : facts.frames[facts.current].pairs) {
     for (std::size_t f = 0; f < facts.frames.size(); ++f) {
       const trace::Pair* const then = pair_then(facts, f, pair);
-      if (then == nullptr || axis_of(*then).empty()) continue;
+      if (then == nullptr || draw::axis_of(*then).empty()) continue;
       pairs.push_back(&pair);
       break;
     }
@@ -72,40 +66,11 @@ bool cache_is_told(const PanelFacts& facts) {
   });
 }
 
-/// What was chosen in one frame.
-struct Moment {
-  const trace::Pair* pair = nullptr;  // nullptr where nothing says
-  std::string axis;
-  bool switched = false;  // to another axis, or to another face or pair of edges on the same one
-};
-
-/// The face, or the two edges, of the axis that the test chose.
-std::array<int, 2> features_of(const trace::Sat& sat) {
-  if (sat.chosen == "face_a" && sat.face_a) return {sat.face_a->face, -1};
-  if (sat.chosen == "face_b" && sat.face_b) return {sat.face_b->face, -1};
-  if (sat.edge) return {sat.edge->a, sat.edge->b};
-  return {-1, -1};
-}
-
-/// The frames up to now. What a cache answers with is what the last test chose, as long as it is on
-/// the same axis.
-std::vector<Moment> history_of(const PanelFacts& facts, const trace::Pair& pair) {
-  std::vector<Moment> history(facts.current + 1);
-  std::string last;
-  std::optional<std::array<int, 2>> last_features;
-  for (std::size_t f = 0; f < history.size(); ++f) {
-    const trace::Pair* const then = pair_then(facts, f, pair);
-    if (then == nullptr || axis_of(*then).empty()) continue;
-    history[f] = {then, axis_of(*then), false};
-    std::optional<std::array<int, 2>> features;
-    if (then->sat) features = features_of(*then->sat);
-    const bool other_axis = !last.empty() && history[f].axis != last;
-    history[f].switched =
-        other_axis || (!last.empty() && features && last_features && *features != *last_features);
-    if (features || other_axis) last_features = features;
-    last = history[f].axis;
-  }
-  return history;
+/// The frames up to now.
+std::vector<draw::AxisMoment> history_of(const PanelFacts& facts, const trace::Pair& pair) {
+  std::vector<const trace::Pair*> pairs;
+  for (std::size_t f = 0; f <= facts.current; ++f) pairs.push_back(pair_then(facts, f, pair));
+  return draw::axis_history(pairs);
 }
 
 /// What the frames up to now come to.
@@ -115,9 +80,9 @@ struct Counts {
   int tests = 0;
 };
 
-Counts count(const std::vector<Moment>& history) {
+Counts count(const std::vector<draw::AxisMoment>& history) {
   Counts counts;
-  for (const Moment& moment : history) {
+  for (const draw::AxisMoment& moment : history) {
     if (moment.pair == nullptr) continue;
     counts.switches += moment.switched;
     ++(from_cache(*moment.pair) ? counts.hits : counts.tests);
@@ -183,7 +148,7 @@ std::string axis_history_panel(const PanelFacts& facts, float height) {
 
   for (std::size_t p = 0; p < shown; ++p) {
     const trace::Pair& pair = *pairs[p];
-    const std::vector<Moment> history = history_of(facts, pair);
+    const std::vector<draw::AxisMoment> history = history_of(facts, pair);
     const std::string title =
         (pair.label.empty() ? pair.a + ", " + pair.b : pair.label) + ": " + spoken(count(history));
     ImGui::TextUnformatted(title.c_str());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/axis_history.h"
 #include "draw/crate_on_slab.h"
 #include "draw/palette.h"
 #include "image/font.h"
@@ -231,6 +232,31 @@ TEST(Ids, EachEdgeThatNamesAPointBearsItsNameOnce) {
   EXPECT_EQ(std::ranges::count(all, "a:e1"), 1);
   EXPECT_EQ(std::ranges::count(all, "b:e0"), 1);
   EXPECT_EQ(std::ranges::count(all, "a:e0"), 0);
+}
+
+TEST(AxisHistory, AnotherFaceOrPairOfEdgesIsASwitchAndACachedAxisIsNone) {
+  const auto of_face = [](int face) {
+    trace::Pair pair;
+    trace::Sat& sat = pair.sat.emplace();
+    sat.chosen = "face_a";
+    sat.face_a = trace::FaceAxis{face, -0.1, Vec3d::UnitY(), Vec3d::Zero()};
+    return pair;
+  };
+  trace::Pair edges;
+  edges.sat.emplace().chosen = "edge_edge";
+  edges.sat->edge = trace::EdgeAxis{2, 7, -0.1, Vec3d::UnitY(), Vec3d::Zero(), Vec3d::Zero()};
+  trace::Pair other_edges = edges;
+  other_edges.sat->edge->b = 8;
+  trace::Pair cached;
+  cached.cache.emplace().hit = true;
+  cached.cache->axis = "face_a";
+  const trace::Pair up = of_face(2), side = of_face(0);
+  const std::vector<const trace::Pair*> pairs = {&up,   &cached, &up,    &side,        nullptr,
+                                                 &side, &edges,  &edges, &other_edges, &cached};
+  std::vector<bool> switched;
+  for (const AxisMoment& moment : axis_history(pairs)) switched.push_back(moment.switched);
+  EXPECT_THAT(switched, ::testing::ElementsAre(false, false, false, true, false, false, true, false,
+                                               true, true));
 }
 
 TEST(PersistentPoints, OneThatWasTakenOutIsARingAroundTheOneInItsPlace) {
