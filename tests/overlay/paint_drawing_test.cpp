@@ -180,8 +180,7 @@ TEST_F(SeriesPanels, PlotsGrowWithTheFrames) {
 TEST_F(SeriesPanels, StabilityShowsVerdictRowsOnlyWithTheFact) {
   const Image with = rendered(resting_ball(true), "stability", 1280, 720, 3);
   const Image without = rendered(resting_ball(false), "stability", 1280, 720, 3);
-  EXPECT_GT(count(with, draw::kClipPolygon), 1000);
-  EXPECT_EQ(count(without, draw::kClipPolygon), 0);
+  EXPECT_GT(testing::ink(with), 2 * testing::ink(without)) << "map, margin and verdicts";
   EXPECT_GT(testing::ink(without), 0) << "it says that there is none";
 }
 
