@@ -38,6 +38,16 @@ void compare_impulses(const std::optional<trace::Impulse>& expected,
   changes.relative("warm start ", expected->warm_start, actual->warm_start, largest);
 }
 
+void compare_relative_velocities(const std::optional<trace::RelativeVelocity>& expected,
+                                 const std::optional<trace::RelativeVelocity>& actual,
+                                 double fastest, Changes& changes) {
+  if (expected && !actual) changes.add("relative velocity gone");
+  if (!expected && actual) changes.add("relative velocity added");
+  if (!expected || !actual) return;
+  changes.relative("relative velocity ", expected->before, actual->before, fastest);
+  changes.relative("relative velocity after the step ", expected->after, actual->after, fastest);
+}
+
 /// `noun` is "point", or "reduction: point".
 void compare_points(const std::string& noun, const std::vector<trace::Point>& expected,
                     const std::vector<trace::Point>& actual, const Tolerance& tolerance,
@@ -53,8 +63,12 @@ void compare_points(const std::string& noun, const std::vector<trace::Point>& ex
     parts.push_back(name(i, actual[i]) + " added at " + spell_vector(actual[i].position));
   }
   double largest = 0;  // newton seconds
+  double fastest = 0;  // metres a second
   for (const trace::Point& point : expected) {
     if (point.impulse) largest = std::max(largest, point.impulse->normal);
+    if (!point.relative_velocity) continue;
+    fastest = std::max(
+        {fastest, point.relative_velocity->before.norm(), point.relative_velocity->after.norm()});
   }
   for (const auto& [i, j] : match.both) {
     Changes changes(noun + " " + std::to_string(i) + " ", tolerance);
@@ -62,6 +76,8 @@ void compare_points(const std::string& noun, const std::vector<trace::Point>& ex
     changes.length("separation ", expected[i].separation, actual[j].separation);
     changes.exact("id ", expected[i].id, actual[j].id);
     compare_impulses(expected[i].impulse, actual[j].impulse, largest, changes);
+    compare_relative_velocities(expected[i].relative_velocity, actual[j].relative_velocity, fastest,
+                                changes);
     changes.tell(parts);
   }
 }

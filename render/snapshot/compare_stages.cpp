@@ -189,6 +189,8 @@ void compare_solver(const trace::Solver& expected, const trace::Solver& actual, 
   changes.exact("sub-steps ", expected.substeps, actual.substeps);
   changes.exact("warm start ", std::string(expected.warm_start ? "on" : "off"),
                 std::string(actual.warm_start ? "on" : "off"));
+  changes.length("slop ", expected.slop, actual.slop);
+  changes.length("speculative margin ", expected.speculative_margin, actual.speculative_margin);
   changes.tell(parts);
 }
 

@@ -233,6 +233,9 @@ void compare_frames(const trace::Frame& expected, const trace::Frame& actual, co
                   compare_pair(pair, actual.pairs[j], scale.tolerance(expected, pair.a, pair.b)));
   }
   compare_solvers(expected, actual, scale, sentences);
+  // Their values follow from what is compared above.
+  if (expected.totals && !actual.totals) sentences.add("", "totals gone");
+  if (!expected.totals && actual.totals) sentences.add("", "totals added");
 }
 
 }  // namespace

@@ -160,6 +160,20 @@ TEST(CompareStages, Impulses) {
               SizeIs(1));
 }
 
+TEST(CompareStages, RelativeVelocities) {
+  const auto moved = [](double by) {
+    return after([by](trace::Pair& pair) {
+      pair.manifolds[0].points[1].relative_velocity->after.y() += by;
+    });
+  };
+  EXPECT_THAT(moved(-0.25), ElementsAre("point 1 relative velocity after the step (0.5, 0, 0) -> "
+                                        "(0.5, -0.25, 0)"));
+  EXPECT_THAT(moved(1e-6), IsEmpty()) << "a millionth of the fastest is rounding";
+  EXPECT_THAT(
+      after([](trace::Pair& pair) { pair.manifolds[0].points[2].relative_velocity.reset(); }),
+      ElementsAre("point 2 relative velocity gone"));
+}
+
 TEST(CompareStages, Penetration) {
   EXPECT_THAT(after([](trace::Pair& pair) {
                 pair.penetration->status = "out of faces";

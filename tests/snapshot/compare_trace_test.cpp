@@ -188,6 +188,8 @@ void later_numbers(trace::Trace& trace, std::vector<double*>& numbers) {
   for (trace::Point& point : pair.manifolds[0].points) {
     numbers.insert(numbers.end(), {&point.impulse->normal, &point.impulse->warm_start});
     vector(point.impulse->friction);
+    vector(point.relative_velocity->before);
+    vector(point.relative_velocity->after);
   }
   for (trace::EdgePair& edges : pair.sat->edge_pairs) {
     numbers.push_back(&edges.separation);
@@ -369,6 +371,12 @@ TEST(CompareTraces, BodiesAndSettingsOfTheSolver) {
               }),
               ElementsAre(frame + ": solver: iterations 8 -> 9, warm start on -> off"));
   EXPECT_THAT(after([](trace::Trace& trace) {
+                trace.frames[1].solver->slop = 0;
+                trace.frames[1].solver->speculative_margin = 0.5;
+              }),
+              ElementsAre(testing::AllOf(testing::HasSubstr("slop"),
+                                         testing::HasSubstr("speculative margin"))));
+  EXPECT_THAT(after([](trace::Trace& trace) {
                 trace::Body& crate = trace.frames[1].solver->bodies[0];
                 crate.velocity.y() = -0.75;
                 crate.kinetic_energy = 2.5;
@@ -379,6 +387,8 @@ TEST(CompareTraces, BodiesAndSettingsOfTheSolver) {
               ElementsAre(frame + ", crate: gone"));
   EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].solver.reset(); }),
               ElementsAre(frame + ": solver gone"));
+  EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].totals = trace::Totals(); }),
+              ElementsAre(frame + ": totals added"));
 }
 
 }  // namespace

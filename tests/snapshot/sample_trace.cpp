@@ -43,6 +43,7 @@ trace::Pair contact() {
     point.separation = pair.separation;
     point.id = "a:e" + std::to_string(i) + " a:e" + std::to_string(i + 4);
     point.impulse = trace::Impulse{0.5, Vec3d(0.125, 0, 0), 0.25};
+    point.relative_velocity = trace::RelativeVelocity{Vec3d(0.5, -2, 0), Vec3d(0.5, 0, 0)};
     manifold.points.push_back(point);
     patch.push_back(point.position);
   }
@@ -115,7 +116,7 @@ trace::Trace sample_trace() {
     pose.rotation = Quatd(0.8, 0, 0.6, 0);
     frame.poses = {{"crate", pose}, {"floor", Pose<double>{}}};
     frame.pairs.push_back(contact());
-    frame.solver = trace::Solver{"soft", 8, 4, true, {}};
+    frame.solver = trace::Solver{"soft", 8, 4, true, 0.005, 0.02, {}};
     frame.solver->bodies = {{"crate", 2, Vec3d(0, 1, 0), Vec3d(0, -0.5, 0), Vec3d(0, 2, 0), 1, 8}};
     trace.frames.push_back(frame);
   }
