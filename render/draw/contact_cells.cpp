@@ -152,11 +152,16 @@ Drawing ContactCells::frame(int number) const {
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, drawing);
   if (cell_count() == 0) {
-    Text nothing = written(
-        "nothing touches, so nothing is reduced", layout_.view.x + 0.5 * layout_.view.width,
-        layout_.view.y + 0.5 * layout_.view.height, layout_.px(kName), Weight::Regular, kQuietText);
-    nothing.align = Align::Center;
-    drawing.primitives.push_back(nothing);
+    double line = 0;
+    for (const char* words : {"nothing is reduced as one patch here:",
+                              "nothing touches, or a mesh, a triangle at a time"}) {
+      Text nothing = written(words, layout_.view.x + 0.5 * layout_.view.width,
+                             layout_.view.y + 0.5 * layout_.view.height + line, layout_.px(kName),
+                             Weight::Regular, kQuietText);
+      nothing.align = Align::Center;
+      drawing.primitives.push_back(nothing);
+      line += 1.3 * layout_.px(kName);
+    }
   }
   draw_legend(legend(), layout_, drawing);
   draw_captions(title_, source_, moment->caption, layout_, drawing);

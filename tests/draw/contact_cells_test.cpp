@@ -326,7 +326,7 @@ TEST(ContactCells, ACellWithoutContactSaysSo) {
   expect_on_canvas(drawing, "one without contact");
 }
 
-TEST(ContactCells, WhereNothingTouchesOneLineSaysSo) {
+TEST(ContactCells, WhereNothingTouchesWordsSaySo) {
   std::vector<trace::Frame> frames(3);
   for (int f = 0; f < 3; ++f) frames[static_cast<std::size_t>(f)].frame = f;
   frames[0].pairs.push_back({"crate", "floor", "", "hull-hull", "separated", 1, {}, {}, {}, {}});
@@ -334,7 +334,7 @@ TEST(ContactCells, WhereNothingTouchesOneLineSaysSo) {
     for (const auto& [width, height] : {std::pair{320, 180}, {1280, 720}}) {
       const Drawing drawing = drawn(reduced(frames), 1, width, height, choices);
       expect_on_canvas(drawing, "nothing touches");
-      EXPECT_THAT(words(drawing), Contains("nothing touches, so nothing is reduced"));
+      EXPECT_THAT(words(drawing), Contains("nothing is reduced as one patch here:"));
       for (const Text& text : all<Text>(drawing)) {
         if (text.text.starts_with("nothing")) {
           EXPECT_NEAR(text.at.x, width / 2.0, 1);
