@@ -144,29 +144,35 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float
   for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
 }
 
-/// All that tells a sphere or a capsule from another one: size, then how and where it stands.
+/// All that tells a sphere or a capsule from another one of the same radius: the ends of its axis, then
+/// how and where it stands.
 template <class S>
-std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
-  Capsule<S> round;
-  if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) {
-    round = {{Vec3<S>::Zero(), Vec3<S>::Zero()}, sphere->radius};
-  } else {
-    round = *std::get_if<Capsule<S>>(&shape);
-  }
-  const auto& [from, to] = round.points;
-  const auto& turn = pose.rotation;
-  const auto& at = pose.position;
-  return {round.radius, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(),
-          turn.w(),     turn.x(), turn.y(), turn.z(), at.x(), at.y(), at.z()};
+std::array<S, 13> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
+  const auto* capsule = std::get_if<Capsule<S>>(&shape);
+  const Vec3<S> from = capsule == nullptr ? Vec3<S>(Vec3<S>::Zero()) : capsule->points[0];
+  const Vec3<S> to = capsule == nullptr ? Vec3<S>(Vec3<S>::Zero()) : capsule->points[1];
+  const Quat<S>& turn = pose.rotation;
+  const Vec3<S>& at = pose.position;
+  return {from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), turn.w(),
+          turn.x(), turn.y(), turn.z(), at.x(), at.y(), at.z()};
 }
 
-/// Two spheres, or two capsules, are worked on in an order of their own: the larger one first.
+template <class S>
+S radius_of(const Shape<S>& shape) {
+  const auto* sphere = std::get_if<Sphere<S>>(&shape);
+  return sphere != nullptr ? sphere->radius : std::get_if<Capsule<S>>(&shape)->radius;
+}
+
+/// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first.
 template <class S>
 bool against_the_table(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                        const Pose<S>& pose_b) {
   const ShapeKind kind = kind_of(a);
   if (kind != kind_of(b)) return kind > kind_of(b);
   if (kind != ShapeKind::Sphere && kind != ShapeKind::Capsule) return false;
+  const S radius_a = radius_of(a);
+  const S radius_b = radius_of(b);
+  if (radius_a != radius_b) return radius_a < radius_b;
   return told_apart_by(a, pose_a) < told_apart_by(b, pose_b);
 }
 
