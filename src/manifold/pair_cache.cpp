@@ -65,6 +65,21 @@ S distance(const Plane<S>& plane, const Vec3<S>& p) {
   return dot(n.x(), n.y(), n.z(), p.x(), p.y(), p.z()) - plane.offset;
 }
 
+/// Whether the support of a hull along `direction` (its own frame, unit, perpendicular to the edge)
+/// is this edge, for certain: on the Gauss map the direction lies on the edge's arc, between the
+/// normals of its faces and nearer to their middle than the ends are, by more than rounding.
+template <class S>
+bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
+  const auto normal = [&](int half_edge) -> const Vec3<S>& {
+    const int face = hull.half_edges[static_cast<std::size_t>(half_edge)].face;
+    return hull.planes[static_cast<std::size_t>(face)].normal;
+  };
+  const Vec3<S>& left = normal(edge);
+  const Vec3<S>& right = normal(Hull<S>::twin(edge));
+  const S of_direction = direction.dot(left) + direction.dot(right);
+  return of_direction > S(1) + left.dot(right) + S(32) * std::numeric_limits<S>::epsilon();
+}
+
 /// False where the edges are so nearly parallel that their cross product says little (see
 /// kNoisySine).
 template <class S>
@@ -76,8 +91,14 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   axis.normal = cross * ((cross.dot(last_normal) >= S(0) ? S(1) : S(-1)) / sine);
   const Vec3<S> between = pair.b.origin(edge_b) - pair.a.origin(edge_a);
   axis.edge = {edge_a, edge_b, axis.normal.dot(between), axis.normal};
+  const Vec3<S> to_a = pair.rotation.transpose() * Vec3<S>(-axis.normal);
+  if (axis.edge.separation <= S(0) && supports_along(pair.a.hull, edge_a, axis.normal) &&
+      supports_along(pair.b.hull, edge_b, to_a)) {
+    axis.separation = axis.edge.separation;
+    return true;
+  }
   const S most_a = axis.normal.dot(pair.a.vertex(support_of_a(pair, axis.normal)));
-  const S least_b = axis.normal.dot(pair.b.vertex(support_of_b(pair, Vec3<S>(-axis.normal))));
+  const S least_b = axis.normal.dot(pair.b.vertex(support_index(support_set(pair.b.hull), to_a)));
   axis.separation = least_b - most_a;
   axis.beyond = axis.edge.separation - axis.separation;
   if (axis.edge.separation > S(0)) axis.edge.separation = axis.separation;  // as query_edges does
