@@ -59,8 +59,12 @@ TYPED_TEST(Recorder, ChangesNoBitOfAnyManifold) {
     options.margin = i % 5 == 0 ? S(0.01) * pair.a.radius : S(0);
     trace::Pair record;
     const Manifold<S> watched = recorded(pair, options, record);
-    const Manifold<S> unwatched = test::collide(pair, options);
-    ASSERT_TRUE(same_bits(watched, unwatched)) << "pair " << i;
+    Manifolds<S> unwatched;
+    collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, unwatched);
+    ASSERT_EQ(unwatched.empty(), watched.points.empty()) << "pair " << i;
+    if (!unwatched.empty()) {
+      ASSERT_TRUE(same_bits(watched, unwatched[0])) << "pair " << i;
+    }
     ASSERT_EQ(record.state, watched.points.empty() ? "separated" : "touching");
     ASSERT_EQ(record.manifolds.size(), watched.points.empty() ? 0u : 1u);
     touching += watched.points.empty() ? 0 : 1;
