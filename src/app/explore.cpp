@@ -58,13 +58,13 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
   std::cerr << '\n';
 }
 
-using Sequence = std::vector<trace::Exploration>;
+using Explorations = std::vector<trace::Exploration>;
 
 /// The explorations of each pair, and of each triangle of a mesh, frames in order.
-std::vector<Sequence> by_manifold(const std::vector<trace::Exploration>& explorations) {
-  std::vector<Sequence> sequences;
+std::vector<Explorations> by_manifold(const std::vector<trace::Exploration>& explorations) {
+  std::vector<Explorations> sequences;
   for (const trace::Exploration& exploration : explorations) {
-    const auto same = [&](const Sequence& sequence) {
+    const auto same = [&](const Explorations& sequence) {
       const trace::Exploration& first = sequence.front();
       return first.a == exploration.a && first.b == exploration.b &&
              first.label == exploration.label && first.triangle == exploration.triangle;
@@ -103,10 +103,10 @@ Size roomy(std::size_t cells) {
 
 /// Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
 /// large mesh's are kept whole by all.
-std::vector<Sequence> pictured(const std::vector<trace::Exploration>& explorations,
+std::vector<Explorations> pictured(const std::vector<trace::Exploration>& explorations,
                                int max_points) {
-  std::vector<Sequence> sequences = by_manifold(explorations);
-  std::erase_if(sequences, [&](const Sequence& sequence) {
+  std::vector<Explorations> sequences = by_manifold(explorations);
+  std::erase_if(sequences, [&](const Explorations& sequence) {
     return sequence.front().triangle && static_cast<int>(most_points(sequence)) <= max_points;
   });
   return sequences;
@@ -136,18 +136,18 @@ void print_left_out(const std::vector<std::string>& left_out, const Size& size) 
 void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
                     const Options& options, Ledger& ledger) {
   const Size size = options.size.value_or(roomy(explorations.front().reducers.size()));
-  const std::vector<Sequence> sequences =
+  const std::vector<Explorations> sequences =
       pictured(explorations, scenario.pairs.front().pipeline.max_points);
   const bool several = by_manifold(explorations).size() > 1;
   std::size_t pictures = 0;
-  for (const Sequence& sequence : sequences) pictures += sequence.size();
+  for (const Explorations& sequence : sequences) pictures += sequence.size();
   std::vector<std::string> left_out;
   if (pictures > 0) {
     Studio studio(options.backend, ledger);
     EncoderPool encoders(options.jobs);
     {
       Progress progress(static_cast<int>(pictures), options.quiet);
-      for (const Sequence& sequence : sequences) {
+      for (const Explorations& sequence : sequences) {
         const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
                                        draw::explored(sequence, order_of(sequence)), 0, size.width,
                                        size.height);
