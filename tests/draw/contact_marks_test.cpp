@@ -12,15 +12,15 @@
 namespace contactscope::draw {
 namespace {
 
+using crate_sample::CrateOnSlab;
 using ::testing::Contains;
-using testing::CrateOnSlab;
 using ::testing::HasSubstr;
 
 /// Ends of the whiskers, those on A first.
 std::vector<std::array<Vec3d, 2>> whiskers(const Sketch& sketch) {
   std::vector<std::array<Vec3d, 2>> ends;
   for (const Line& line : sketch.lines) {
-    if (line.keep_clear && testing::same(line.style.color, kContact))
+    if (line.keep_clear && crate_sample::same(line.style.color, kContact))
       ends.push_back({line.from, line.to});
   }
   return ends;
@@ -40,7 +40,7 @@ std::vector<std::string> explained(const Sketch& sketch) {
 std::vector<Arrow> measures(const Sketch& sketch) {
   std::vector<Arrow> found;
   std::ranges::copy_if(sketch.arrows, std::back_inserter(found),
-                       [](const Arrow& arrow) { return testing::same(arrow.color, kAxis); });
+                       [](const Arrow& arrow) { return crate_sample::same(arrow.color, kAxis); });
   return found;
 }
 
@@ -87,7 +87,7 @@ TEST(Whisker, OfABallThatIsShapeAEndsOnTheFaceOfB) {
   EXPECT_TRUE(ends[0][1].isZero(1e-12));
   // It runs along the normal, which begins where it ends.
   const auto normal = std::ranges::find_if(
-      sketch.arrows, [](const Arrow& arrow) { return testing::same(arrow.color, kNormal); });
+      sketch.arrows, [](const Arrow& arrow) { return crate_sample::same(arrow.color, kNormal); });
   ASSERT_NE(normal, sketch.arrows.end());
   EXPECT_TRUE(normal->from.isApprox(Vec3d(0, -0.2, 0)));
 }
@@ -212,7 +212,7 @@ TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   clip.incident = {"crate", 3, -Vec3d::UnitY(), {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}}};
   clip.steps = {{Vec3d::UnitX(), 1, clip.incident.polygon}};
   clip.dropped = {{{0.5, -0.002, 0.5}, "beside the face"}, {{0.5, 0, -0.5}, "above the face"}};
-  const auto of = [&] { return testing::texts(illustrate(scene.staged(), scene.frames[0])); };
+  const auto of = [&] { return crate_sample::texts(illustrate(scene.staged(), scene.frames[0])); };
   for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
     EXPECT_THAT(of(), ::testing::Not(Contains(name)));
   scene.view.panels = {"contact_plane"};
@@ -228,7 +228,8 @@ TEST(Ids, EachEdgeThatNamesAPointBearsItsNameOnce) {
   scene.manifold().points[0].id = "a:e1 b:e0";
   scene.manifold().points[1].id = "b:e0 b:v5";
   scene.view.layers = {"shapes", "contacts", "ids"};
-  const std::vector<std::string> all = testing::texts(illustrate(scene.staged(), scene.frames[0]));
+  const std::vector<std::string> all =
+      crate_sample::texts(illustrate(scene.staged(), scene.frames[0]));
   EXPECT_EQ(std::ranges::count(all, "a:e1"), 1);
   EXPECT_EQ(std::ranges::count(all, "b:e0"), 1);
   EXPECT_EQ(std::ranges::count(all, "a:e0"), 0);

@@ -5,7 +5,7 @@
 
 #include "draw/illustrate.h"
 
-namespace contactscope::draw::testing {
+namespace contactscope::draw::crate_sample {
 
 inline trace::Shape cuboid(const std::string& name, const Vec3d& h) {
   trace::Shape shape;
@@ -124,4 +124,4 @@ inline bool same(const Color& a, const Color& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 
-}  // namespace contactscope::draw::testing
+}  // namespace contactscope::draw::crate_sample

@@ -14,15 +14,15 @@
 namespace contactscope::draw {
 namespace {
 
+using crate_sample::CrateOnSlab;
+using crate_sample::same;
+using crate_sample::texts;
 using ::testing::Contains;
-using testing::CrateOnSlab;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using testing::same;
-using testing::texts;
 
 /// Five frames: in the air, then on one, two, four points; the last one has slid off.
 std::vector<trace::Frame> settling() {

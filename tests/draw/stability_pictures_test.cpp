@@ -14,12 +14,12 @@
 namespace contactscope::draw {
 namespace {
 
+using crate_sample::CrateOnSlab;
+using crate_sample::same;
 using ::testing::Contains;
-using testing::CrateOnSlab;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::same;
 using ::testing::StartsWith;
 
 std::vector<MarkKind> marks(const Sketch& sketch) {
@@ -298,7 +298,7 @@ TEST(DynamicsPicture, TwoBodiesThatMeetAtOnePointHaveEqualAndOppositeArrows) {
 TEST(DynamicsPicture, AStackIsOneEntryOfTheLegend) {
   CrateOnSlab scene;
   for (const char* name : {"crate 2", "crate 3", "crate 4", "crate 5", "crate 6"}) {
-    scene.header.shapes.push_back(testing::cuboid(name, {0.5, 0.5, 0.5}));
+    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.5, 0.5, 0.5}));
     scene.frames[0].poses.push_back({name, {}});
     scene.frames[0].pairs.push_back(scene.pair());
     scene.frames[0].pairs.back().a = "crate";
