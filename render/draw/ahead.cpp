@@ -70,14 +70,8 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
         for (const Vec3d& end : {point.position, other}) {
           sketch.lines.push_back({end, end + 1.2 * aside, {1.0f, kAxis}, false});
         }
-        draw_measure(scene, point.position + aside, other + aside, 3, "gap", sketch);
-        sketch.labels.push_back({.at = 0.5 * (point.position + other) + aside,
-                                 .text = spell_length(point.separation),
-                                 .color = kAxisText,
-                                 .size = 17,
-                                 .bold = true,
-                                 .clearance = 12,
-                                 .direction = scene.camera.up()});
+        draw_labelled_gap(scene, point.position + aside, other + aside, point.separation, 12,
+                          scene.camera.up(), sketch);
       }
     }
   }

@@ -114,6 +114,18 @@ void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float 
   sketch.explain(LegendKind::NarrowAxis, text);
 }
 
+void draw_labelled_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres,
+                       float clearance, const Vec3d& aside, Sketch& sketch) {
+  draw_measure(scene, from, to, 3, "gap", sketch);
+  sketch.labels.push_back({.at = 0.5 * (from + to),
+                           .text = spell_length(metres),
+                           .color = kAxisText,
+                           .size = 17,
+                           .bold = true,
+                           .clearance = clearance,
+                           .direction = aside});
+}
+
 // Gregorius 2015, "Sphere vs Sphere": all follows from the line between the centres.
 void draw_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* a = scene.find(pair.a);
@@ -127,14 +139,7 @@ void draw_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.state != "separated" || !(pair.separation > 0)) return;
   const std::optional<Ends> ends = gap_of(pair, *a, *b);
   if (!ends) return;
-  draw_measure(scene, ends->a, ends->b, 3, "gap", sketch);
-  sketch.labels.push_back({.at = 0.5 * (ends->a + ends->b),
-                           .text = spell_length(pair.separation),
-                           .color = kAxisText,
-                           .size = 17,
-                           .bold = true,
-                           .clearance = 16,
-                           .direction = scene.camera.right()});
+  draw_labelled_gap(scene, ends->a, ends->b, pair.separation, 16, scene.camera.right(), sketch);
 }
 
 }  // namespace contactscope::draw

@@ -34,18 +34,6 @@ bool shows_loads(const Scene& scene) {
   return scene.shows("loads") && scene.scales.step > 0;
 }
 
-Arrow impulse_arrow(const Vec3d& from, const Vec3d& way, float width, float head,
-                    const Color& color) {
-  Arrow arrow;
-  arrow.from = from;
-  arrow.to = from + way;
-  arrow.width = width;
-  arrow.head = head;
-  arrow.color = color;
-  arrow.may_leave = true;
-  return arrow;
-}
-
 // Two strokes across an arrow that goes on.
 void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const Color& color,
                 Sketch& sketch) {
@@ -78,7 +66,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     sketch.explain(LegendKind::WarmStart, "kept of the step before");
   }
   if (drawn * pixels < kLeastImpulse) return;
-  sketch.arrows.push_back(impulse_arrow(point.position, drawn * out, 3, 12, kContact));
+  sketch.arrows.push_back(arrow_to_scale(point.position, drawn * out, 3, 12, kContact));
   sketch.arrows.back().halo = false;
   if (length > drawn) {
     draw_break(scene, point.position + 0.6 * drawn * out, out, kContact, sketch);
@@ -103,7 +91,7 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   const std::optional<Point2> to = scene.camera.project(point.position + way);
   if (!from || !to) return;
   if (std::hypot(to->x - from->x, to->y - from->y) < kLeastFriction * scales.pixel) return;
-  Arrow arrow = impulse_arrow(point.position, way, 2.5f, 10, kIncidentFace);
+  Arrow arrow = arrow_to_scale(point.position, way, 2.5f, 10, kIncidentFace);
   arrow.open = true;
   sketch.arrows.push_back(arrow);
   if (share < 1) {

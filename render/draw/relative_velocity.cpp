@@ -23,17 +23,6 @@ std::string spell_closing(double speed, double fastest) {
   return (speed < 0 ? "−" : "") + std::string(text.data()) + " m/s";
 }
 
-Arrow velocity_arrow(const Vec3d& from, const Vec3d& way, float width, float head) {
-  Arrow arrow;
-  arrow.from = from;
-  arrow.to = from + way;
-  arrow.width = width;
-  arrow.head = head;
-  arrow.color = kClipPolygon;
-  arrow.may_leave = true;
-  return arrow;
-}
-
 }  // namespace
 
 // Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part along
@@ -49,7 +38,7 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       const Vec3d part = scales.velocity * speed * manifold.normal;
       const double pixels = scene.camera.pixels_per_metre(point.position);
       if (whole.norm() * pixels >= kLeastClosing) {
-        Arrow arrow = velocity_arrow(point.position, whole, 2, 10);
+        Arrow arrow = arrow_to_scale(point.position, whole, 2, 10, kClipPolygon);
         arrow.open = true;
         sketch.arrows.push_back(arrow);
         sketch.explain(LegendKind::RelativeVelocity, "relative velocity at the contact");
@@ -59,7 +48,8 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
                                 false});
       }
       const bool visible = part.norm() * pixels >= kLeastClosing;
-      if (visible) sketch.arrows.push_back(velocity_arrow(point.position, part, 4, 14));
+      if (visible)
+        sketch.arrows.push_back(arrow_to_scale(point.position, part, 4, 14, kClipPolygon));
       sketch.explain(LegendKind::NormalVelocity, "its part along the normal");
       sketch.labels.push_back({.at = point.position + (visible ? part : Vec3d::Zero()),
                                .text = spell_closing(speed, scales.closing),

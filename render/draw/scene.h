@@ -98,6 +98,9 @@ void draw_gap(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 /// that point at it from outside. Adds it to the legend as `text`.
 void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
                   const std::string& text, Sketch& sketch);
+/// A gap of `metres` between two points, with its length `clearance` pixels away along `aside`.
+void draw_labelled_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres,
+                       float clearance, const Vec3d& aside, Sketch& sketch);
 /// The best axis of every query, or only the one that was chosen.
 void draw_sat_axes(const Scene& scene, const trace::Pair& pair, bool all_queries, Sketch& sketch);
 /// The two edges of an edge contact, named by number: those of the separating axis test as far as the

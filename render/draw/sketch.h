@@ -51,6 +51,17 @@ struct Arrow {
   bool may_leave = false;    // cut at the border of the view; others are left out there
 };
 
+/// For what is drawn to scale: as long as it is, also beyond the border of the view.
+inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& way, float width, float head,
+                            const Color& color) {
+  return {.from = from,
+          .to = from + way,
+          .width = width,
+          .head = head,
+          .color = color,
+          .may_leave = true};
+}
+
 enum class MarkKind {
   Dot,
   Half,  // filled on its left

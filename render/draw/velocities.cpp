@@ -57,17 +57,10 @@ void draw_velocities(const Scene& scene, Sketch& sketch) {
     const Vec3d way = scales.velocity * body.velocity;
     const double pixels = scene.camera.pixels_per_metre(body.center_of_mass);
     if (way.norm() * pixels >= kLeastVelocity) {
-      Arrow arrow;
-      arrow.from = body.center_of_mass;
-      arrow.to = body.center_of_mass + way;
-      arrow.width = 3.5f;
-      arrow.head = 13;
-      arrow.color = kReferenceFace;
-      arrow.may_leave = true;
-      sketch.arrows.push_back(arrow);
+      sketch.arrows.push_back(arrow_to_scale(body.center_of_mass, way, 3.5f, 13, kReferenceFace));
       if (bodies.size() <= kLabelledBodies) {
-        label_velocity(*arrow.to, spell_quantity(body.velocity.norm(), "m/s"), way.normalized(),
-                       sketch);
+        label_velocity(body.center_of_mass + way, spell_quantity(body.velocity.norm(), "m/s"),
+                       way.normalized(), sketch);
       }
       sketch.explain(LegendKind::Velocity, "velocity, way in " + spell_time(scales.velocity));
     }
