@@ -39,7 +39,7 @@
 ///
 /// best is no larger than the larger of both bounds; the kept axis is accepted when s is within the
 /// preference of that. How far a pair may move so depends on how much worse its other axes are, not
-/// on the preference: boxes at rest on a face some 10% of their radius, a box that touches at a
+/// on the preference: boxes at rest on a face some 20% of their radius, a box that touches at a
 /// corner of the Minkowski difference, where two axes are equally deep, next to nothing.
 ///
 /// A hit leaves the cache as it is: bounds do not add up over frames.

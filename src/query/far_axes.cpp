@@ -1,6 +1,7 @@
 #include "query/far_axes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "query/support_set.h"
@@ -8,7 +9,7 @@
 namespace contactscope {
 namespace {
 
-/// A direction from A to B (at most of unit length) with the vertex of B that is deepest along it.
+/// A unit direction from A to B with the vertex of B that is deepest along it.
 template <class S>
 struct Sample {
   Vec3<S> direction;
@@ -30,17 +31,24 @@ struct Search {
   }
 };
 
-/// The largest g(x) = min over B's vertices b of x . (b - e) for x on the way from one direction to
-/// the other, both normals of A where e, a vertex of A, is its support. The separation along x is g /
-/// |x|, which is less still, for |x| <= 1 and g < 0. Where nothing more than `search.bound` can be,
-/// that is enough to know.
+/// A bound of the separation along every direction of an arc between two normals of A where `e`, a
+/// vertex of A, is its support. Where nothing more than `search.bound` can be, that is enough to know.
 ///
-/// g is concave and lies below the line of each single vertex, so it is below the crossing of the
-/// lines at both ends (Kelley 1960, the cutting-plane method). Steps: where the crossing is too
-/// high, ask for the support vertex there and go on with the side on which g rises.
+/// For x on the chord between the ends the separation is min over B's vertices b of x . (b - e) / |x|.
+/// Without the division each vertex gives a line, and the line of the support vertex is the lowest.
+/// With it each gives a piece of a sine, which hangs through between any two directions along which it
+/// is negative, as |x| <= 1 there: it is largest at the ends. So nothing is above the ends and the
+/// crossing of the lines of both ends (Kelley 1960, the cutting-plane method).
+///
+///       -.      .-     Steps: where the crossing is too high, ask for the support vertex there; its
+///         `-. .-       line is above the side on which it falls, which is done with; go on with the
+///            X         other side.
+///
+/// Where a value is not negative, neither is the result.
 template <class S>
 S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sample<S> right) {
   constexpr int kRounds = 8;
+  S done = -std::numeric_limits<S>::infinity();  // of what is no longer between left and right
   S bound = std::numeric_limits<S>::infinity();
   for (int round = 0; round < kRounds; ++round) {
     const Vec3<S> left_line = search.pair.b.vertices[left.support] - e;
@@ -49,34 +57,52 @@ S largest_between(const Search<S>& search, const Vec3<S>& e, Sample<S> left, Sam
     const S left_at_right = right.direction.dot(left_line);
     const S right_value = right.direction.dot(right_line);
     const S right_at_left = left.direction.dot(right_line);
-    if (left_at_right <= left_value) return left_value;    // falls from the left end on
-    if (right_at_left <= right_value) return right_value;  // rises up to the right end
+    if (left_at_right <= left_value) return std::min(bound, std::max(done, left_value));
+    if (right_at_left <= right_value) return std::min(bound, std::max(done, right_value));
     // Zero where a line holds both ends, and but for rounding not less.
     const S above_left = std::max(right_at_left - left_value, S(0));
     const S above_right = std::max(left_at_right - right_value, S(0));
     const S above = above_left + above_right;
     const S t = above > S(0) ? above_left / above : S(0);
-    bound = left_value + t * (left_at_right - left_value);
-    if (bound <= search.bound) return bound;
     const Vec3<S> way = right.direction - left.direction;
-    const Sample<S> middle = search.sample(Vec3<S>(left.direction + t * way));
+    const Vec3<S> crossing = left.direction + t * way;
+    const S length = crossing.norm();
+    const S at_crossing = (left_value + t * (left_at_right - left_value)) / length;
+    const S ends = std::max(left_value, right_value);
+    bound = std::min(bound, std::max(std::max(done, at_crossing), ends));
+    if (bound <= search.bound) return bound;
+    const Sample<S> middle = search.sample(Vec3<S>(crossing / length));
     if (middle.support == left.support || middle.support == right.support) return bound;
-    const bool rises = way.dot(Vec3<S>(search.pair.b.vertices[middle.support] - e)) > S(0);
-    (rises ? left : right) = middle;
+    const Vec3<S> middle_line = search.pair.b.vertices[middle.support] - e;
+    if (way.dot(middle_line) > S(0)) {
+      done = std::max(done, left.direction.dot(middle_line));
+      left = middle;
+    } else {
+      done = std::max(done, right.direction.dot(middle_line));
+      right = middle;
+    }
   }
   return bound;
 }
 
-/// From a far direction towards a near one, as far as it is far. Along the chord between two unit
-/// vectors x . normal is linear, and as |x| <= 1 what reaches the cosine on the chord is near.
+/// From a far direction towards a near one, up to where it is no longer far.
 template <class S>
 S largest_far_part(const Search<S>& search, const Vec3<S>& e, const Sample<S>& far,
                    const Vec3<S>& near) {
-  const S far_cosine = far.direction.dot(search.normal);
-  const S near_cosine = near.dot(search.normal);
-  const S t = (search.cosine - far_cosine) / (near_cosine - far_cosine);
+  // x . normal = cosine |x| for x = far + t (near - far), squared. More than rounding nearer, so that
+  // nothing far is left out.
+  const S cosine = search.cosine + S(32) * std::numeric_limits<S>::epsilon();
+  const S at_far = far.direction.dot(search.normal);
+  const S rise = near.dot(search.normal) - at_far;
+  const S sag = cosine * cosine * (S(1) - near.dot(far.direction));
+  const S square = rise * rise - S(2) * sag;
+  const S half_linear = at_far * rise + sag;
+  const S constant = at_far * at_far - cosine * cosine;
+  const S root = std::sqrt(std::max(half_linear * half_linear - square * constant, S(0)));
+  // The root in which x . normal rises to its value, in the form that loses no digits.
+  const S t = half_linear > S(0) ? -constant / (half_linear + root) : (root - half_linear) / square;
   const Vec3<S> border = far.direction + std::clamp(t, S(0), S(1)) * (near - far.direction);
-  return largest_between(search, e, far, search.sample(border));
+  return largest_between(search, e, far, search.sample(Vec3<S>(border / border.norm())));
 }
 
 /// One arc with the face normals at its ends, each with B's support vertex.
