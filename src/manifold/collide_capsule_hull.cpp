@@ -144,6 +144,9 @@ int edge_along(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch) {
   for_each_edge(pair.hull, touch.feature, [&](int edge) {
     const Vec3<S> along = pair.hull.target(edge) - pair.hull.origin(edge);
     const S squared_lengths = along.squaredNorm() * pair.length * pair.length;
+    // Most edges are far from it, which costs less to see than a cross product.
+    const S cosine = along.dot(pair.along);  // times both lengths
+    if (cosine * cosine < S(0.9) * squared_lengths) return;
     const S squared_sine = along.cross(pair.along).squaredNorm();
     if (squared_sine < least * squared_lengths) {
       least = squared_sine / squared_lengths;

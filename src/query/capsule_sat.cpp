@@ -68,14 +68,13 @@ bool look_the_same_way(const Hull<S>& hull, int one, int other) {
 template <class S>
 void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistances<S>& distances,
                  S tie, CapsuleSat<S>& result) {
-  const S least = distances.largest - tie;
   bool settled = false;
   result.face = -1;
-  for (int face = 0; face < hull.face_count(); ++face) {
-    if (distances.lower[face] < least) continue;
+  const S least = distances.largest - tie;
+  for_each_not_below(distances.lower.data(), hull.face_count(), least, [&](int face) {
     if (result.face < 0) {
       result.face = face;
-      continue;
+      return;
     }
     // A tie. Only now it matters where the lower ends lie.
     const auto holds = [&](int candidate) {
@@ -88,7 +87,7 @@ void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistan
       result.face = face;
       settled = true;
     }
-  }
+  });
   result.face_separation = distances.lower[result.face];
 }
 
@@ -102,35 +101,44 @@ S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S
                   direction.dot(Vec3<S>(ends[1] - vertex)));
 }
 
-/// Of a face: bit 0, the segment rises above it; bits 1 and 2, its start and its end lie above
-/// `bound`.
+/// Marks of two faces are added, and a bit of each sum tells of the arc between them: bit 0 that the
+/// segment rises above one of the faces and not above the other; bit 5 that its start lies above
+/// `bound` for one at least, as of 3 + 3, 3 + 5 and 5 + 5 all but the first have the bit 8; bit 9
+/// likewise for its end.
+constexpr int kNeither = 3 << 2 | 3 << 6;
+constexpr int kRises = 1, kStartAbove = 2 << 2, kEndAbove = 2 << 6;
+constexpr int kCrosses = 1 | 8 << 2 | 8 << 6;
+
 template <class S>
 void mark_faces(const FaceDistances<S>& distances, S bound, int count, int* __restrict marks) {
   const S* __restrict start = distances.at_start.data();
   const S* __restrict end = distances.at_end.data();
   const S* __restrict rise = distances.rise.data();
   for (int f = 0; f < count; ++f) {
-    marks[f] = (rise[f] > S(0) ? 1 : 0) | (start[f] > bound ? 2 : 0) | (end[f] > bound ? 4 : 0);
+    marks[f] = kNeither + (rise[f] > S(0) ? kRises : 0) + (start[f] > bound ? kStartAbove : 0) +
+               (end[f] > bound ? kEndAbove : 0);
   }
 }
 
 /// The edges whose arcs cross the ring and reach above `bound` (metres, <= 0), into `edges`; returns
 /// how many. Along an arc n(t) = (1 - t) n_f + t n_g the distance of an end of the segment from the
-/// edge is linear in t, and where it is negative, dividing by |n(t)| <= 1 only lowers it. No branches:
-/// which edges cross changes from pair to pair.
+/// edge is linear in t, and where it is negative, dividing by |n(t)| <= 1 only lowers it. Sums first
+/// and no branches: which edges cross changes from pair to pair.
 template <class S>
 int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bound, int* edges) {
   Scratch<int, 128> marks(padded(hull.face_count()));
   mark_faces(distances, bound, padded(hull.face_count()), marks.data());
   const HalfEdge* half_edges = hull.half_edges.data();
-  const int half_edge_count = 2 * hull.edge_count();
-  int count = 0;
-  for (int edge = 0; edge < half_edge_count; edge += 2) {
-    const int f = marks[half_edges[edge].face];
-    const int g = marks[half_edges[edge + 1].face];
-    edges[count] = edge;
-    count += (((f ^ g) & 1) | ((f | g) & 6)) == 7 ? 1 : 0;
+  const int* mark = marks.data();
+  const int edge_count = hull.edge_count();
+  Scratch<int, 192> sums(padded(edge_count));
+  int* sum = sums.data();
+#pragma GCC unroll 4
+  for (int edge = 0; edge < edge_count; ++edge) {
+    sum[edge] = mark[half_edges[2 * edge].face] + mark[half_edges[2 * edge + 1].face];
   }
+  int count = 0;
+  for_each_with_bits(sum, edge_count, kCrosses, [&](int edge) { edges[count++] = 2 * edge; });
   return count;
 }
 

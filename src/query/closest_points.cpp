@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/pack.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -74,6 +75,61 @@ Candidate<S> from_point_of_b(S parameter_b, const Segment<S>& a, const Segment<S
   const Candidate<S> mirrored = from_point_of_a(parameter_b, b, a);
   return {mirrored.parameter_b, mirrored.parameter_a, mirrored.squared_distance,
           mirrored.squared_overhang};
+}
+
+/// The four ends, A's first, each with its closest point on the other segment: what from_point_of_a()
+/// and from_point_of_b() give, bit for bit, all at once.
+template <class S>
+void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candidates) {
+  using lanes::all;
+  using lanes::Pack;
+  constexpr int kLanes = lanes::kWidth<S>;
+  const Segment<S>* const of_end[4] = {&a, &a, &b, &b};
+  const Segment<S>* const other[4] = {&b, &b, &a, &a};
+  for (int first = 0; first < 4; first += kLanes) {
+    const auto each = [&](const auto& value) {
+      return lanes::each<S>([&](int lane) { return value(first + lane); });
+    };
+    const auto end = [&](int i) -> const Vec3<S>& {
+      return i % 2 == 0 ? of_end[i]->from : of_end[i]->to;
+    };
+    const Pack<S> squared_length = each([&](int i) { return other[i]->squared_length; });
+    Pack<S> along[3], from_start[3], from_end[3], point[3], from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      point[k] = each([&](int i) { return end(i)[k]; });
+      from[k] = each([&](int i) { return other[i]->from[k]; });
+      to[k] = each([&](int i) { return other[i]->to[k]; });
+      along[k] = each([&](int i) { return other[i]->along[k]; });
+      from_start[k] = point[k] - from[k];
+      from_end[k] = point[k] - to[k];
+    }
+    const auto dot = [](const Pack<S>(&u)[3], const Pack<S>(&v)[3]) {
+      return u[0] * v[0] + (u[1] * v[1] + u[2] * v[2]);
+    };
+    const Pack<S> zero = {};
+    const Pack<S> one = all(S(1));
+    const auto start_is_nearer = dot(from_start, from_start) <= dot(from_end, from_end);
+    const Pack<S> from_nearer = start_is_nearer ? dot(from_start, along) / squared_length
+                                                : one + dot(from_end, along) / squared_length;
+    const Pack<S> foot = squared_length > zero ? from_nearer : zero;
+    const Pack<S> parameter = foot < zero ? zero : (foot > one ? one : foot);
+    const auto in_first_half = parameter <= all(S(0.5));
+    Pack<S> between[3];
+    for (int k = 0; k < 3; ++k) {
+      const Pack<S> at = in_first_half ? from[k] + parameter * along[k]
+                                       : to[k] - (one - parameter) * along[k];
+      between[k] = at - point[k];
+    }
+    const Pack<S> squared_distance = dot(between, between);
+    const Pack<S> overhang = foot - parameter;
+    const Pack<S> squared_overhang = overhang * overhang * squared_length;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int i = first + lane;
+      const S at_end = i % 2 == 0 ? S(0) : S(1);
+      candidates[i] = {i < 2 ? at_end : parameter[lane], i < 2 ? parameter[lane] : at_end,
+                       squared_distance[lane], squared_overhang[lane]};
+    }
+  }
 }
 
 /// The middle between the smallest and the largest parameters of several candidates. It does not
@@ -161,10 +217,8 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
       candidates[count++] = from_point_of_b(line_b, a, b);
     }
   }
-  candidates[count++] = from_point_of_a(S(0), a, b);
-  candidates[count++] = from_point_of_a(S(1), a, b);
-  candidates[count++] = from_point_of_b(S(0), a, b);
-  candidates[count++] = from_point_of_b(S(1), a, b);
+  from_all_ends(a, b, candidates + count);
+  count += 4;
 
   if (is_parallel && squared_lengths > S(0)) {
     Middle<S> beside;

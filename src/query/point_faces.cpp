@@ -24,18 +24,18 @@ PointFaces<S>::PointFaces(const Hull<S>& hull, const Vec3<S>& point)
 
 template <class S>
 int PointFaces<S>::nearest(S tie) const {
+  const int count = hull_.face_count();
   int earliest = -1;
   int ties = 0;
-  for (int face = 0; face < hull_.face_count(); ++face) {
-    if (distances_[face] < largest_ - tie) continue;
+  for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
     if (++ties == 1) earliest = face;
-  }
+  });
   if (ties == 1) return earliest;
-  for (int face = earliest; face < hull_.face_count(); ++face) {
-    if (distances_[face] < largest_ - tie) continue;
-    if (projects_into(hull_, face, point_, tie)) return face;
-  }
-  return earliest;
+  int below = -1;
+  for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
+    if (below < 0 && projects_into(hull_, face, point_, tie)) below = face;
+  });
+  return below < 0 ? earliest : below;
 }
 
 template <class S>

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include "core/pack.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "query/scratch.h"
@@ -10,17 +14,44 @@ namespace contactscope {
 
 /// The largest of `count` values, a multiple of the lane width.
 template <class S>
-inline S largest_in_lanes(const S* __restrict values, int count) {
-  S best[kLaneWidth];
-  for (int k = 0; k < kLaneWidth; ++k) best[k] = -std::numeric_limits<S>::infinity();
-  for (int i = 0; i < count; i += kLaneWidth) {
-    for (int k = 0; k < kLaneWidth; ++k) {
-      best[k] = values[i + k] > best[k] ? values[i + k] : best[k];
+inline S largest_in_lanes(const S* values, int count) {
+  lanes::Pack<S> best = lanes::all(-std::numeric_limits<S>::infinity());
+  for (int i = 0; i < count; i += lanes::kWidth<S>) {
+    best = lanes::larger(lanes::load(values + i), best);
+  }
+  return lanes::largest<S>(best)[0];
+}
+
+/// Calls visit(i) for each of `count` values that is not less than `least`, in order. The values are
+/// padded to the lane width, with anything.
+template <class S, class Visit>
+inline void for_each_not_below(const S* values, int count, S least, const Visit& visit) {
+  constexpr int kLanes = lanes::kWidth<S>;
+  const lanes::Pack<S> bound = lanes::all(least);
+  for (int i = 0; i < count; i += kLanes) {
+    std::uint32_t found = ~lanes::bits<S>(lanes::load(values + i) < bound) & ((1U << kLanes) - 1);
+    for (; found != 0; found &= found - 1) {
+      const int at = i + std::countr_zero(found);
+      if (at < count) visit(at);
     }
   }
-  S largest = best[0];
-  for (int k = 1; k < kLaneWidth; ++k) largest = best[k] > largest ? best[k] : largest;
-  return largest;
+}
+
+/// Calls visit(i) for each of `count` values that has all of `bits`, in order. The values are padded
+/// to the lane width, with anything.
+template <class Visit>
+inline void for_each_with_bits(const int* values, int count, int bits, const Visit& visit) {
+  using Ints = lanes::Flags<float>;
+  const Ints wanted = {bits, bits, bits, bits};
+  for (int i = 0; i < count; i += 4) {
+    Ints four;
+    std::memcpy(&four, values + i, sizeof four);
+    std::uint32_t found = lanes::bits<float>((four & wanted) == wanted);
+    for (; found != 0; found &= found - 1) {
+      const int at = i + std::countr_zero(found);
+      if (at < count) visit(at);
+    }
+  }
 }
 
 /// Signed distances of a point from the planes of all faces of a hull, in the hull's frame, metres:

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/manifold.h"
-#include "reduce/lanes.h"
+#include "core/pack.h"
 
 namespace contactscope {
 

@@ -1,5 +1,6 @@
 #include "reduce/reducer.h"
 
+#include "core/pack.h"
 #include "reduce/area.h"
 #include "reduce/area_deepest.h"
 #include "reduce/box3d.h"
@@ -11,7 +12,6 @@
 #include "reduce/extremes.h"
 #include "reduce/first.h"
 #include "reduce/jolt.h"
-#include "reduce/lanes.h"
 #include "reduce/mjx.h"
 #include "reduce/newton.h"
 #include "reduce/ode.h"

@@ -85,7 +85,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
   void print(const char* title, const Pick& pick) const {
     std::printf("\n%-18s", title);
     for (const Variant& variant : variants_) std::printf("%11s", variant.name.c_str());
-    std::printf("%17s%19s\n", "unrecorded/bare", "unrecorded/Bullet");
+    std::printf("%17s%19s%17s\n", "unrecorded/bare", "unrecorded/Bullet", "cold/unrecorded");
     for (int workload = 0; workload < kWorkloads; ++workload) {
       std::map<std::string, double> row;
       for (const Variant& variant : variants_) {
@@ -97,6 +97,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
       for (const Variant& variant : variants_) print_cell(11, 0, row, variant.name, {});
       print_cell(17, 3, row, "unrecorded", "bare");
       print_cell(19, 3, row, "unrecorded", "Bullet");
+      print_cell(17, 1, row, "cold", "unrecorded");
       std::printf("\n");
     }
   }
