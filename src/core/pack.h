@@ -4,48 +4,76 @@
 #include <cstdint>
 #include <cstring>
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 #include "core/manifold.h"
 
 namespace contactscope::lanes {
 
-/// A register's worth of numbers, as GCC and Clang spell it: four floats or two doubles on any
-/// processor with SSE2 or NEON. Operators work lane by lane; comparisons give integers of the same
-/// width, -1 where they hold.
-template <class S>
-struct Wide {
-  typedef S Type __attribute__((vector_size(16)));  // NOLINT(modernize-use-using): GCC wants it so
+/// So many numbers side by side, as GCC and Clang spell it. Operators work lane by lane; comparisons
+/// give integers of the same width, -1 where they hold.
+template <class S, int kLanes>
+struct Vector {
+  // NOLINTNEXTLINE(modernize-use-using): GCC wants it so
+  typedef S Type __attribute__((vector_size(kLanes * sizeof(S))));
 };
+
+/// Four floats or two doubles: a register of any processor with SSE2 or NEON.
 template <class S>
-using Pack = typename Wide<S>::Type;
+inline constexpr int kWidth = static_cast<int>(16 / sizeof(S));
+template <class S>
+using Pack = typename Vector<S, kWidth<S>>::Type;
 template <class S>
 using Flags = decltype(Pack<S>{} < Pack<S>{});
 
+/// The widest that this build may use: with -march=x86-64-v3 eight floats or four doubles.
+#ifdef __AVX2__
 template <class S>
-inline constexpr int kWidth = static_cast<int>(16 / sizeof(S));
+inline constexpr int kWidest = 2 * kWidth<S>;
+#else
+template <class S>
+inline constexpr int kWidest = kWidth<S>;
+#endif
+template <class S>
+using Widest = typename Vector<S, kWidest<S>>::Type;
 
-template <class S>
-inline Pack<S> load(const S* from) {
-  Pack<S> pack;
+/// The lanes of a pack of numbers `S`.
+template <class S, class P>
+inline constexpr int kLanesOf = static_cast<int>(sizeof(P) / sizeof(S));
+
+template <class P, class S>
+inline P load_pack(const S* from) {
+  P pack;
   std::memcpy(&pack, from, sizeof pack);
   return pack;
 }
-
 template <class S>
-inline void store(const Pack<S>& pack, S* to) {
+inline Pack<S> load(const S* from) {
+  return load_pack<Pack<S>>(from);
+}
+
+template <class S, class P>
+inline void store(const P& pack, S* to) {
   std::memcpy(to, &pack, sizeof pack);
 }
 
 /// value(0), value(1), ... side by side.
+template <class P, class Value>
+inline P pack_of(const Value& value) {
+  using S = decltype(value(0));
+  constexpr int kLanes = kLanesOf<S, P>;
+  if constexpr (kLanes == 8) {
+    return P{value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)};
+  } else if constexpr (kLanes == 4) {
+    return P{value(0), value(1), value(2), value(3)};
+  } else {
+    return P{value(0), value(1)};
+  }
+}
 template <class S, class Value>
 inline Pack<S> each(const Value& value) {
-  if constexpr (kWidth<S> == 4) {
-    return Pack<S>{value(0), value(1), value(2), value(3)};
-  } else {
-    return Pack<S>{value(0), value(1)};
-  }
+  return pack_of<Pack<S>>([&value](int lane) -> S { return value(lane); });
 }
 
 /// One number in all lanes.
@@ -65,51 +93,70 @@ inline P smaller(const P& a, const P& b) {
 
 /// The lanes from `kFirst` on of two packs that follow each other. To load them instead would wait
 /// for the two to be written, where they just were.
-template <class S, int kFirst>
-inline Pack<S> straddle(const Pack<S>& a, const Pack<S>& b) {
+template <class S, int kFirst, class P>
+inline P straddle(const P& a, const P& b) {
+  constexpr int kLanes = kLanesOf<S, P>;
   if constexpr (kFirst == 0) {
     return a;
-  } else if constexpr (kWidth<S> == 2) {
+  } else if constexpr (kLanes == 8) {
+    return __builtin_shufflevector(a, b, kFirst, kFirst + 1, kFirst + 2, kFirst + 3, kFirst + 4,
+                                   kFirst + 5, kFirst + 6, kFirst + 7);
+  } else if constexpr (kLanes == 2) {
     return __builtin_shufflevector(a, b, kFirst, kFirst + 1);
-  } else if constexpr (kFirst == 2) {
-    return __builtin_shufflevector(a, b, 2, 3, 4, 5);
+  } else if constexpr (kFirst == 2 || kWidest<S> != kWidth<S>) {
+    return __builtin_shufflevector(a, b, kFirst, kFirst + 1, kFirst + 2, kFirst + 3);
   } else {
     // In two steps that SSE2 has. GCC takes nine for the whole.
-    const Pack<S> amid = __builtin_shufflevector(a, b, 3, 3, 4, 4);
+    const P amid = __builtin_shufflevector(a, b, 3, 3, 4, 4);
     if constexpr (kFirst == 1) return __builtin_shufflevector(a, amid, 1, 2, 4, 6);
     return __builtin_shufflevector(amid, b, 0, 2, 5, 6);
   }
 }
 
-/// Bit i is set where lane i of a comparison holds.
-template <class S>
-inline std::uint32_t bits(const Flags<S>& flags) {
+/// Bit i is set where lane i of a comparison of numbers `S` holds.
+template <class S, class F>
+inline std::uint32_t bits(const F& flags) {
+#ifdef __AVX2__
+  if constexpr (sizeof(F) == 32 && sizeof(S) == 4) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(flags)));
+  } else if constexpr (sizeof(F) == 32) {
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(flags)));
+  } else
+#endif
 #ifdef __SSE2__
-  if constexpr (sizeof(S) == 4) {
+      if constexpr (sizeof(S) == 4) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(flags)));
   } else {
     return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(flags)));
   }
 #else
-  std::uint32_t set = 0;
-  for (int lane = 0; lane < kWidth<S>; ++lane) {
-    set |= static_cast<std::uint32_t>(flags[lane] & 1) << lane;
+  {
+    std::uint32_t set = 0;
+    for (int lane = 0; lane < kLanesOf<S, F>; ++lane) {
+      set |= static_cast<std::uint32_t>(flags[lane] & 1) << lane;
+    }
+    return set;
   }
-  return set;
 #endif
 }
 
-/// The largest and the smallest of all lanes, in every lane; without a branch, which nothing could
-/// foresee.
-template <class S>
-inline Pack<S> largest(Pack<S> pack) {
-  if constexpr (kWidth<S> == 4) pack = larger(pack, Pack<S>{pack[2], pack[3], pack[0], pack[1]});
-  return larger(pack, each<S>([&](int lane) { return pack[lane ^ 1]; }));
+/// What `choose` takes of all lanes, in every lane; without a branch, which nothing could foresee.
+template <class S, class P, class Choose>
+inline P of_all_lanes(P pack, const Choose& choose) {
+  constexpr int kLanes = kLanesOf<S, P>;
+  if constexpr (kLanes == 8) pack = choose(pack, straddle<S, 4>(pack, pack));
+  if constexpr (kLanes >= 4) {
+    pack = choose(pack, pack_of<P>([&](int lane) -> S { return pack[lane ^ 2]; }));
+  }
+  return choose(pack, pack_of<P>([&](int lane) -> S { return pack[lane ^ 1]; }));
 }
-template <class S>
-inline Pack<S> smallest(Pack<S> pack) {
-  if constexpr (kWidth<S> == 4) pack = smaller(pack, Pack<S>{pack[2], pack[3], pack[0], pack[1]});
-  return smaller(pack, each<S>([&](int lane) { return pack[lane ^ 1]; }));
+template <class S, class P>
+inline P largest(const P& pack) {
+  return of_all_lanes<S>(pack, [](const P& a, const P& b) { return larger(a, b); });
+}
+template <class S, class P>
+inline P smallest(const P& pack) {
+  return of_all_lanes<S>(pack, [](const P& a, const P& b) { return smaller(a, b); });
 }
 
 /// kWidth numbers of the four that begin a contact point, its position and separation, from number

@@ -46,8 +46,9 @@ KeptIndices kept_four(std::span<const ContactPoint<S>> points, const Patch<S>& p
                      point_at(patch, ring, 3)};
   Pack<S> depths[4 / kLanes];
   for (int i = 0; i < 4; i += kLanes) {
-    depths[i / kLanes] = lanes::each<S>(
-        [&](int lane) { return points[static_cast<std::size_t>(at[i + lane])].separation; });
+    depths[i / kLanes] = lanes::each<S>([&](int lane) {
+      return patch.separation(ring.corners[static_cast<std::size_t>(i + lane)]);
+    });
   }
   Pack<S> deepest = depths[0];
   for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
@@ -95,7 +96,9 @@ CornerRing<S> farthest_beside(const Patch<S>& patch, const PlanePoint<S>& place)
 
 template <class S>
 CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
-  return most == 2 || patch.is_flat() ? farthest_pair(patch) : best_ring(patch, most);
+  if (most == 2 || patch.is_flat()) return farthest_pair(patch);
+  if (most == 4 && patch.count() > 4) return best_quadrilateral(patch);
+  return best_ring(patch, most);
 }
 
 template <class S>
@@ -116,7 +119,7 @@ ChoiceWith<S> largest_with(std::span<const ContactPoint<S>> points, Patch<S>& pa
   if (patch.is_flat()) return {extremes_beside(patch, place), false};
   const int corner = corner_at(patch, place);
   if (corner < 0) return {best_ring_around(patch, place, most - 1), false};
-  patch.rename(corner, point);
+  patch.rename(corner, point, points[static_cast<std::size_t>(point)].separation);
   return {best_ring_through(patch, corner, most), true};
 }
 

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace contactscope {
 namespace {
 
-using lanes::all;
-using lanes::load;
-using lanes::Pack;
 using lanes::store;
+using widest::all;
+using widest::Flags;
+using widest::load;
+using widest::Pack;
 
 constexpr std::array<int, kMaxManifoldPoints> kNumbers = [] {
   std::array<int, kMaxManifoldPoints> numbers = {};
@@ -32,26 +34,44 @@ S signed_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
 template <class S>
 struct Positions {
   Pack<S> x, y, z;
+  Pack<S> separation = {};
 };
 
-/// A pack of points. The separation behind a position is read along with it and left over, which
-/// takes fewer steps than to read each coordinate alone.
+/// A pack of points: the separation behind each position is read along with it.
 template <class S>
-Positions<S> read(const ContactPoint<S>* const (&points)[lanes::kWidth<S>]) {
-  Pack<S> first[lanes::kWidth<S>];
-  for (int lane = 0; lane < lanes::kWidth<S>; ++lane) first[lane] = load(*points[lane], 0);
-  if constexpr (lanes::kWidth<S> == 4) {
-    const Pack<S> xy01 = __builtin_shufflevector(first[0], first[1], 0, 4, 1, 5);
-    const Pack<S> xy23 = __builtin_shufflevector(first[2], first[3], 0, 4, 1, 5);
-    const Pack<S> z01 = __builtin_shufflevector(first[0], first[1], 2, 6, 3, 7);
-    const Pack<S> z23 = __builtin_shufflevector(first[2], first[3], 2, 6, 3, 7);
+Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
+  if constexpr (Patch<S>::kLanes == 2) {
+    const Pack<S> first = lanes::load(*points[0], 0), second = lanes::load(*points[1], 0);
+    return {__builtin_shufflevector(first, second, 0, 2),
+            __builtin_shufflevector(first, second, 1, 3),
+            Pack<S>{points[0]->position.z(), points[1]->position.z()},
+            Pack<S>{points[0]->separation, points[1]->separation}};
+  } else if constexpr (Patch<S>::kLanes == 4) {
+    Pack<S> four[4];
+    for (int i = 0; i < 4; ++i) std::memcpy(&four[i], points[i], sizeof four[i]);
+    const Pack<S> xy01 = __builtin_shufflevector(four[0], four[1], 0, 4, 1, 5);
+    const Pack<S> xy23 = __builtin_shufflevector(four[2], four[3], 0, 4, 1, 5);
+    const Pack<S> z01 = __builtin_shufflevector(four[0], four[1], 2, 6, 3, 7);
+    const Pack<S> z23 = __builtin_shufflevector(four[2], four[3], 2, 6, 3, 7);
     return {__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
             __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
-            __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
+            __builtin_shufflevector(z01, z23, 0, 1, 4, 5),
+            __builtin_shufflevector(z01, z23, 2, 3, 6, 7)};
   } else {
-    return {__builtin_shufflevector(first[0], first[1], 0, 2),
-            __builtin_shufflevector(first[0], first[1], 1, 3),
-            Pack<S>{points[0]->position.z(), points[1]->position.z()}};
+    // The same on both halves of a register: points i and i + 4 share one.
+    Pack<S> two[4];
+    for (int i = 0; i < 4; ++i) {
+      two[i] = __builtin_shufflevector(lanes::load(*points[i], 0), lanes::load(*points[i + 4], 0),
+                                       0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    const Pack<S> xy01 = __builtin_shufflevector(two[0], two[1], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Pack<S> xy23 = __builtin_shufflevector(two[2], two[3], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Pack<S> z01 = __builtin_shufflevector(two[0], two[1], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Pack<S> z23 = __builtin_shufflevector(two[2], two[3], 2, 10, 3, 11, 6, 14, 7, 15);
+    return {__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15),
+            __builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(z01, z23, 2, 3, 10, 11, 6, 7, 14, 15)};
   }
 }
 
@@ -66,10 +86,9 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
   const S a = S(-1) / (sign + normal.z());
   const S b = normal.x() * normal.y() * a;
   u_ = {S(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
-  const S area = signed_area(points, normal);
-  is_mirrored_ = std::signbit(area);
-  const S up = std::copysign(S(1), area);
-  v_ = {up * b, up * (sign + normal.y() * normal.y() * a), -up * normal.y()};
+  v_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
+  // Wanted late, so that it is worked out beside the basis and not before it.
+  up_ = std::copysign(S(1), signed_area(points, normal));
   project_all(points);
   if (!measure()) {
     make_convex();
@@ -83,6 +102,7 @@ void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
   const Positions<S> from = {all(origin_.x()), all(origin_.y()), all(origin_.z())};
   const Positions<S> u = {all(u_.x()), all(u_.y()), all(u_.z())};
   const Positions<S> v = {all(v_.x()), all(v_.y()), all(v_.z())};
+  const Pack<S> up = all(up_);
   const int count = count_;
   const auto lay = [&](const ContactPoint<S>* const(&at)[kLanes], int i) {
     const Positions<S> position = read<S>(at);
@@ -90,7 +110,8 @@ void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
     const Pack<S> dy = position.y - from.y;
     const Pack<S> dz = position.z - from.z;
     const Pack<S> x = u.x * dx + u.y * dy + u.z * dz;
-    const Pack<S> y = v.x * dx + v.y * dy + v.z * dz;
+    const Pack<S> y = up * (v.x * dx + v.y * dy + v.z * dz);
+    store<S>(position.separation, separation_ + i);
     store<S>(x, x_ + i);
     store<S>(y, y_ + i);
     store<S>(x, x_ + count + i);
@@ -109,7 +130,7 @@ void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
     at[lane] = points.data() + std::min(i + lane - (i + lane < count ? 0 : count), count - 1);
   }
   lay(at, i);
-  if (count < kLanes) {
+  if (2 * count < kLanes) {
     repeat(x_);
     repeat(y_);
   }
@@ -121,7 +142,7 @@ PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
   const S dx = position.x() - origin_.x();
   const S dy = position.y() - origin_.y();
   const S dz = position.z() - origin_.z();
-  return {u_.x() * dx + u_.y() * dy + u_.z() * dz, v_.x() * dx + v_.y() * dy + v_.z() * dz};
+  return {u_.x() * dx + u_.y() * dy + u_.z() * dz, up_ * (v_.x() * dx + v_.y() * dy + v_.z() * dz)};
 }
 
 template <class S>
@@ -161,13 +182,16 @@ void Patch<S>::make_convex() {
 
   S x[kMaxManifoldPoints];
   S y[kMaxManifoldPoints];
+  S separation[kMaxManifoldPoints];
   for (int i = 0; i < size; ++i) {
     x[i] = x_[chain[i]];
     y[i] = y_[chain[i]];
+    separation[i] = separation_[chain[i]];
   }
   count_ = size;
   std::copy_n(x, size, x_);
   std::copy_n(y, size, y_);
+  std::copy_n(separation, size, separation_);
   std::copy_n(chain, size, point_);
   repeat(x_);
   repeat(y_);
@@ -182,8 +206,8 @@ bool Patch<S>::measure() {
   Pack<S> high = zero;
   Pack<S> low = zero;
   Pack<S> area = zero;
-  lanes::Flags<S> tops = {};
-  lanes::Flags<S> left = {};  // corners from here to the last, for an end amid a pack
+  Flags<S> tops = {};
+  Flags<S> left = {};  // corners from here to the last, for an end amid a pack
   for (int lane = 0; lane < kLanes; ++lane) left[lane] = count_ - lane;
   Pack<S> x = load(x_);
   Pack<S> y = load(y_);
@@ -199,7 +223,7 @@ bool Patch<S>::measure() {
     least_turn = lanes::smaller(least_turn, dx * next_dy - dy * next_dx);
     high = lanes::larger(high, lanes::larger(x, y));
     low = lanes::smaller(low, lanes::smaller(x, y));
-    const lanes::Flags<S> is_corner = left > 0;
+    const Flags<S> is_corner = left > 0;
     tops -= (dy > zero) & (next_dy <= zero) & is_corner;
     area += is_corner ? x * next_y - y * next_x : zero;
     left -= kLanes;

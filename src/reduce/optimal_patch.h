@@ -7,6 +7,28 @@
 
 namespace contactscope {
 
+/// Packs as wide as the build allows; the rest of namespace lanes works on them too.
+namespace widest {
+
+template <class S>
+using Pack = lanes::Widest<S>;
+template <class S>
+using Flags = decltype(Pack<S>{} < Pack<S>{});
+template <class S>
+Pack<S> load(const S* from) {
+  return lanes::load_pack<Pack<S>>(from);
+}
+template <class S, class Value>
+Pack<S> each(const Value& value) {
+  return lanes::pack_of<Pack<S>>([&value](int lane) -> S { return value(lane); });
+}
+template <class S>
+Pack<S> all(S value) {
+  return each<S>([value](int) { return value; });
+}
+
+}  // namespace widest
+
 template <class S>
 struct PlanePoint {
   S x, y;
@@ -34,7 +56,7 @@ class Patch {
   /// common plane are laid into it along the normal.
   Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
 
-  static constexpr int kLanes = lanes::kWidth<S>;
+  static constexpr int kLanes = lanes::kWidest<S>;
 
   int count() const { return count_; }
   /// Metres, relative to the first point. Counter-clockwise in these coordinates.
@@ -43,6 +65,8 @@ class Patch {
   const S* y() const { return y_; }
   /// The contact point at corner i < count().
   int point(int i) const { return point_[i]; }
+  /// Of that point.
+  S separation(int i) const { return separation_[i]; }
   /// A contact point in the coordinates of the corners.
   PlanePoint<S> project(const Vec3<S>& position) const;
 
@@ -56,9 +80,12 @@ class Patch {
   }
 
   /// Whether counter-clockwise corners are clockwise seen against the normal.
-  bool is_mirrored() const { return is_mirrored_; }
+  bool is_mirrored() const { return up_ < S(0); }
   /// Lets corner i stand for another contact point at the same place.
-  void rename(int i, int point) { point_[i] = point; }
+  void rename(int i, int point, S separation) {
+    point_[i] = point;
+    separation_[i] = separation;
+  }
 
  private:
   static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * kLanes;
@@ -73,15 +100,16 @@ class Patch {
 
   Vec3<S> origin_;
   Vec3<S> u_, v_;
+  S up_;  // 1, or -1 when v_ is turned about
   int count_;
-  bool is_mirrored_ = false;
   bool is_flat_ = false;
   S doubled_area_;
   S rounding_;  // of a coordinate, metres
   // Not initialised: only two rounds and the lanes after them are used.
   int point_[kMaxManifoldPoints];
-  alignas(sizeof(lanes::Pack<S>)) S x_[kRoom];
-  alignas(sizeof(lanes::Pack<S>)) S y_[kRoom];
+  S separation_[kMaxManifoldPoints];
+  alignas(sizeof(widest::Pack<S>)) S x_[kRoom];
+  alignas(sizeof(widest::Pack<S>)) S y_[kRoom];
 };
 
 extern template class Patch<float>;

@@ -8,10 +8,10 @@
 namespace contactscope {
 namespace {
 
-using lanes::each;
-using lanes::load;
-using lanes::Pack;
 using lanes::store;
+using widest::each;
+using widest::load;
+using widest::Pack;
 
 /// The last of the first `count` stored numbers that equals one of them, which stands in all lanes.
 template <class S>
@@ -99,11 +99,27 @@ inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight
   }
 }
 
-/// Five to eight corners: every diagonal is tried, which needs no search for its other end. With
-/// fewer than eight the first corners come again after the last. So some diagonals are looked at
-/// with corners on the wrong side, and come out too small; but each is also there with all corners
-/// in place, because a way of two, three or four steps from one of its ends does not cross the seam
-/// or crosses it where it only stays at a corner.
+/// The area of corners i to i + 3 for every corner i of eight, a lane each: cross product of their
+/// diagonals. Stores eight of them.
+template <class S>
+inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight], S* areas,
+                                Pack<S>& most) {
+  for (int i = 0; i < kEight; i += Patch<S>::kLanes) {
+    const auto at = [i](int m) { return (i + m) % kEight; };
+    const Pack<S> dx = x[at(2)] - x[i];
+    const Pack<S> dy = y[at(2)] - y[i];
+    const Pack<S> area = dx * (y[at(3)] - y[at(1)]) - dy * (x[at(3)] - x[at(1)]);
+    store<S>(area, areas + i);
+    most = lanes::larger(most, area);
+  }
+}
+
+/// Five to eight corners: every diagonal over two others or more is tried, which needs no search for
+/// its other end. Quadrilaterals with none such are four neighbours. With fewer than eight the first
+/// corners come again after the last. So some diagonals are looked at with corners on the wrong side,
+/// and come out too small; but each quadrilateral is also there with all corners in place, because a
+/// way of two, three or four steps from an end of a diagonal does not cross the seam or crosses it
+/// where it only stays at a corner.
 template <class S, int... kFirst>
 CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -114,17 +130,19 @@ CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kF
   };
   const Pack<S> x[] = {starting(patch.x(), std::integral_constant<int, kFirst>{})...};
   const Pack<S> y[] = {starting(patch.y(), std::integral_constant<int, kFirst>{})...};
-  S areas[kEight / 2 * 5];
+  // Of the longest diagonals half are enough; where a pack holds all eight, they come twice.
+  constexpr int kAreas = std::max(kEight / 2 * 5, 2 * kEight + kLanes);
+  S areas[kAreas];
   Pack<S> most = {};
-  areas_of_eight<2, kEight>(x, y, areas, most);
+  areas_of_neighbours(x, y, areas, most);
   areas_of_eight<3, kEight>(x, y, areas + kEight, most);
   areas_of_eight<4, kEight / 2>(x, y, areas + 2 * kEight, most);
   most = lanes::largest<S>(most);
   std::uint32_t equal = 0;
-  for (int i = 0; i < kEight / 2 * 5; i += kLanes) {
+  for (int i = 0; i < kAreas; i += kLanes) {
     equal |= lanes::bits<S>(load(areas + i) == most) << i;
   }
-  equal |= 1U << (kEight / 2 * 5 - 1);  // when areas are too large for S
+  equal |= 1U << (kAreas - 1);  // when areas are too large for S
   const int best = std::countr_zero(equal);
   const auto corner = [&](int i) {
     i %= kEight;
@@ -142,15 +160,15 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
   const int count = patch.count();
   Pack<S> x[kPacks];
   Pack<S> y[kPacks];
-  lanes::Flags<S> ahead[kPacks];
+  widest::Flags<S> ahead[kPacks];
   for (int p = 0; p < kPacks; ++p) {
     x[p] = load(edge_x + i + p * kLanes);
     y[p] = load(edge_y + i + p * kLanes);
-    ahead[p] = lanes::Flags<S>{};
+    ahead[p] = widest::Flags<S>{};
   }
   for (int m = 0; m < count; ++m) {
-    const Pack<S> mx = lanes::all(edge_x[m]);
-    const Pack<S> my = lanes::all(edge_y[m]);
+    const Pack<S> mx = widest::all(edge_x[m]);
+    const Pack<S> my = widest::all(edge_y[m]);
     for (int p = 0; p < kPacks; ++p) ahead[p] -= x[p] * my >= y[p] * mx;
   }
   for (int p = 0; p < kPacks; ++p) {
@@ -169,8 +187,8 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
     right[p] = left[p];
   }
   for (int m = 1; m < count; ++m) {
-    const Pack<S> mx = lanes::all(patch.x()[m]);
-    const Pack<S> my = lanes::all(patch.y()[m]);
+    const Pack<S> mx = widest::all(patch.x()[m]);
+    const Pack<S> my = widest::all(patch.y()[m]);
     for (int p = 0; p < kPacks; ++p) {
       const Pack<S> across = x[p] * my - y[p] * mx;
       left[p] = lanes::larger(left[p], across);
