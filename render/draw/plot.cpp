@@ -96,10 +96,17 @@ Drawing plot(const trace::Study& study, int width, int height) {
                     drawing);
     return drawing;
   }
-  const double column = 0.5 * (inner - layout.px(kGutter));
-  draw_plot_panel(study, ErrorKind::Mean, {left, top, column, bottom - top}, layout.scale, drawing);
-  draw_plot_panel(study, ErrorKind::Worst, {left + inner - column, top, column, bottom - top},
-                  layout.scale, drawing);
+  const double down = bottom - top;
+  const double gutter = layout.px(kGutter);
+  const bool is_tall = height > width;
+  const double panel_width = is_tall ? inner : 0.5 * (inner - gutter);
+  const double panel_height = is_tall ? 0.5 * (down - gutter) : down;
+  draw_plot_panel(study, ErrorKind::Mean, {left, top, panel_width, panel_height}, layout.scale,
+                  drawing);
+  draw_plot_panel(
+      study, ErrorKind::Worst,
+      {left + inner - panel_width, top + down - panel_height, panel_width, panel_height},
+      layout.scale, drawing);
   return drawing;
 }
 

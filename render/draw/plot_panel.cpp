@@ -55,7 +55,9 @@ class Panel {
   void run() {
     draw_grid();
     draw_headings();
-    for (const Course& course : plot_.courses) draw_spread(course);
+    for (const Course& course : plot_.courses) {
+      if (course.strong) draw_spread(course);
+    }
     for (const bool strong : {false, true}) {
       for (const Course& course : plot_.courses) {
         if (course.strong == strong) draw_line(course);
@@ -157,7 +159,7 @@ class Panel {
   }
 
   void draw_spread(const Course& course) {
-    const Color color = with_alpha(course.style.color, course.strong ? 0.13f : 0.06f);
+    const Color color = with_alpha(course.style.color, 0.13f);
     for (std::size_t i = 1; i < course.points.size(); ++i) {
       const float before = course.points[i - 1].y, after = course.points[i].y;
       const auto& [low, high] = course.spread[i];

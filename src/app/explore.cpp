@@ -93,14 +93,6 @@ std::vector<std::string> order_of(const std::vector<trace::Exploration>& explora
   return names;
 }
 
-/// Tall where there are many cells, so that a patch, its marks and its numbers can be told apart.
-Size roomy(std::size_t cells) {
-  constexpr std::size_t kCellsOfOneScreen = 9;
-  Size size;
-  if (cells > kCellsOfOneScreen) size.height *= 2;
-  return size;
-}
-
 /// Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
 /// large mesh's are kept whole by all.
 std::vector<Explorations> pictured(const std::vector<trace::Exploration>& explorations,
@@ -135,7 +127,7 @@ void print_left_out(const std::vector<std::string>& left_out, const Size& size) 
 
 void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
                     const Options& options, Ledger& ledger) {
-  const Size size = options.size.value_or(roomy(explorations.front().reducers.size()));
+  const Size size = options.size.value_or(roomy_size(explorations.front().reducers.size()));
   const std::vector<Explorations> sequences =
       pictured(explorations, scenario.pairs.front().pipeline.max_points);
   const bool several = by_manifold(explorations).size() > 1;

@@ -155,7 +155,8 @@ int run(int argc, char** argv) {
   CLI::App* study_verb =
       program.add_subcommand("study", "Measure error against run time: plot, CSV and JSON");
   study_verb->add_option("NAME", options.study, "A name that `list studies` prints")->required();
-  study_verb->add_option("--size", command.size, "WxH, default 1280x720");
+  study_verb->add_option("--size", command.size,
+                         "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods");
   study_verb->add_option("--cases", options.cases, "Cases a point of a line, default: the study's")
       ->check(CLI::Range(1, 1000000));
   study_verb->add_option("--seed", options.seed, "Of the random cases")->capture_default_str();

@@ -57,6 +57,13 @@ FrameRange parse_frame_range(const std::string& text) {
   return range;
 }
 
+Size roomy_size(std::size_t methods) {
+  constexpr std::size_t kOfOneScreen = 9;
+  Size size;
+  if (methods > kOfOneScreen) size.height *= 2;
+  return size;
+}
+
 Size parse_size(const std::string& text) {
   constexpr int kLeast = 64, kMost = 8192;  // what every OpenGL 3.3 driver can hold
   const std::vector<std::string_view> parts = split(text, 'x');

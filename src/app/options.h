@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -29,6 +30,10 @@ struct Size {
   int width = 1280;
   int height = 720;
 };
+
+/// The default for a picture in which so many reducers or other methods are compared: tall where
+/// they are more than nine, so that they can be told apart.
+Size roomy_size(std::size_t methods);
 
 /// Parses a --size argument, "WxH". Throws UsageError.
 Size parse_size(const std::string& text);

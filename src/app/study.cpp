@@ -57,6 +57,13 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
+/// Lines of many methods in one panel need room; where each panel has its own, there is.
+Size size_of(const trace::Study& result) {
+  const bool one_panel =
+      result.form == trace::StudyForm::WorkPrecision && !trace::has_panels(result);
+  return one_panel ? roomy_size(result.series.size()) : Size{};
+}
+
 draw::Drawing drawing_of(const trace::Study& result, const Size& size) {
   switch (result.form) {
     case trace::StudyForm::Curves:
@@ -88,7 +95,7 @@ ExitCode study(const Options& options) {
     files.push_back({folder / ("results" + suffix + ".json"), bytes_of(trace::to_json(result))});
     files.push_back({folder / ("results" + suffix + ".csv"), bytes_of(trace::to_csv(result))});
     if (options.tables_only) continue;
-    const Size size = options.size.value_or(Size{});
+    const Size size = options.size.value_or(size_of(result));
     files.push_back(
         {folder / ("plot" + suffix + ".png"), encode_png(studio.paint(drawing_of(result, size)))});
   }
