@@ -96,7 +96,7 @@ std::vector<std::string> order_of(const std::vector<trace::Exploration>& explora
 /// Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
 /// large mesh's are kept whole by all.
 std::vector<Explorations> pictured(const std::vector<trace::Exploration>& explorations,
-                               int max_points) {
+                                   int max_points) {
   std::vector<Explorations> sequences = by_manifold(explorations);
   std::erase_if(sequences, [&](const Explorations& sequence) {
     return sequence.front().triangle && static_cast<int>(most_points(sequence)) <= max_points;

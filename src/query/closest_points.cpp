@@ -116,8 +116,8 @@ void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candi
     const auto in_first_half = parameter <= all(S(0.5));
     Pack<S> between[3];
     for (int k = 0; k < 3; ++k) {
-      const Pack<S> at = in_first_half ? from[k] + parameter * along[k]
-                                       : to[k] - (one - parameter) * along[k];
+      const Pack<S> at =
+          in_first_half ? from[k] + parameter * along[k] : to[k] - (one - parameter) * along[k];
       between[k] = at - point[k];
     }
     const Pack<S> squared_distance = dot(between, between);
