@@ -44,8 +44,7 @@ Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
                               GjkRun<S>* run) {
-  const GjkSimplex<S> start =
-      simplex_near(hull, hull.face_edges[static_cast<std::size_t>(nearest_face)], 0);
+  const GjkSimplex<S> start = simplex_near(hull, edge_beside(hull, nearest_face, center), 0);
   const GjkResult<S> closest = gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run);
   const HullFeature feature = feature_of_b(hull, closest.simplex);
   Vec3<S> outward = center - closest.on_b;

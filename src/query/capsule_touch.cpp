@@ -105,10 +105,10 @@ template <class S>
 GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const CapsuleTouch<S>& best,
                      GjkRun<S>* run) {
   // From the edge or the face of the best axis GJK has a step or two to go.
+  const int near_end = best.parameter > S(0.5) ? 1 : 0;
   const int near_edge = best.feature.kind == FeatureKind::Edge
                             ? best.feature.index
-                            : hull.face_edges[static_cast<std::size_t>(best.feature.index)];
-  const int near_end = best.parameter > S(0.5) ? 1 : 0;
+                            : edge_beside(hull, best.feature.index, ends[near_end]);
   const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
   return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, run);
 }

@@ -51,7 +51,30 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   return face;
 }
 
+template <class S>
+int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
+  const Vec3<S>& normal = hull.planes[static_cast<std::size_t>(face)].normal;
+  const int first = hull.face_edges[static_cast<std::size_t>(face)];
+  int best = first;
+  S farthest = S(0);  // squared
+  int edge = first;
+  do {
+    const Vec3<S>& origin = hull.origin(edge);
+    const Vec3<S> along = hull.target(edge) - origin;
+    const S outside = along.cross(normal).dot(point - origin);  // times the edge's length
+    const S squared = outside * outside / along.squaredNorm();
+    if (outside > S(0) && squared > farthest) {
+      farthest = squared;
+      best = edge;
+    }
+    edge = hull.half_edges[static_cast<std::size_t>(edge)].next;
+  } while (edge != first);
+  return best;
+}
+
 template HullFeature feature_of_b(const Hull<float>&, const GjkSimplex<float>&);
 template HullFeature feature_of_b(const Hull<double>&, const GjkSimplex<double>&);
+template int edge_beside(const Hull<float>&, int, const Vec3<float>&);
+template int edge_beside(const Hull<double>&, int, const Vec3<double>&);
 
 }  // namespace contactscope

@@ -23,6 +23,11 @@ struct HullFeature {
 template <class S>
 HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 
+/// The edge of a face, as its half-edge on that face, beside which a point lies that is not over the
+/// face: of the side planes the one that it is farthest outside of. Hull's frame.
+template <class S>
+int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point);
+
 /// For a warm start: a point of the core and the edge of the hull that is near. GJK has a few steps
 /// to go from there.
 template <class S>
