@@ -12,8 +12,9 @@ namespace contactscope::draw {
 ///
 /// Lines run through the parameters in order and are labelled at their ends. Methods that no other
 /// beats in both time and error are strong, with the least and greatest time of a call as a thin
-/// band; the others are muted, and bands of many would hide each other. Errors of zero, and those within the study's resolution, stand in a
-/// row under the axis; failures are crosses in rows above it, with their count.
+/// band; the others are muted, and bands of many would hide each other. Errors of zero, and those
+/// within the study's resolution, stand in a row under the axis; failures are crosses in rows above
+/// it, with their count.
 Drawing plot(const trace::Study& study, int width, int height);
 
 }  // namespace contactscope::draw

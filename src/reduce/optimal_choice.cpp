@@ -96,9 +96,7 @@ CornerRing<S> farthest_beside(const Patch<S>& patch, const PlanePoint<S>& place)
 
 template <class S>
 CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
-  if (most == 2 || patch.is_flat()) return farthest_pair(patch);
-  if (most == 4 && patch.count() > 4) return best_quadrilateral(patch);
-  return best_ring(patch, most);
+  return most == 2 || patch.is_flat() ? farthest_pair(patch) : best_ring(patch, most);
 }
 
 template <class S>

@@ -110,6 +110,7 @@ CornerRing<S> every_corner(const Patch<S>& patch) {
 template <class S>
 CornerRing<S> best_ring(const Patch<S>& patch, int most) {
   if (patch.count() <= most) return every_corner(patch);
+  if (most == 4) return best_quadrilateral(patch);
   CornerRing<S> best;
   Table<S> chains(most, patch.count());
   for (int first = 0; first < patch.count(); ++first) {
