@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdio>
 
-#include "draw/compose.h"
-#include "draw/mesh_surface.h"
-#include "draw/panel_legend.h"
-#include "draw/scene.h"
+#include "draw/insets/panel_legend.h"
+#include "draw/scene/compose.h"
+#include "draw/scene/mesh_surface.h"
+#include "draw/scene/scene.h"
 
 namespace contactscope::draw {
 namespace {

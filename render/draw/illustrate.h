@@ -1,6 +1,6 @@
 #pragma once
 
-#include "draw/drawing.h"
+#include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "trace/trace.h"
 

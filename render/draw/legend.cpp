@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/choice_steps.h"
-#include "draw/hatch.h"
-#include "draw/layout.h"
-#include "draw/marks.h"
-#include "draw/palette.h"
+#include "draw/insets/choice_steps.h"
+#include "draw/scene/hatch.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/marks.h"
+#include "draw/scene/palette.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -127,9 +127,7 @@ class Swatch {
     }
   }
   void square(const Color& color) { draw_square(middle(), layout_.px(4.2), color, out_); }
-  void open_square(const Color& color) {
-    draw_deepest_mark(middle(), layout_, 0.72, color, out_);
-  }
+  void open_square(const Color& color) { draw_deepest_mark(middle(), layout_, 0.72, color, out_); }
   // Two strokes across a line that goes on.
   void breaks(const Color& color) {
     line(0, 8.5, 3, color);

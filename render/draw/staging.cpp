@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "draw/illustrate.h"
-#include "draw/plane_patch.h"
-#include "draw/view_fit.h"
+#include "draw/scene/plane_patch.h"
+#include "draw/scene/view_fit.h"
 
 namespace contactscope::draw {
 namespace {

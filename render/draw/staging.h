@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/view.h"
-#include "draw/camera.h"
-#include "draw/contact_cells.h"
-#include "draw/inset.h"
-#include "draw/layout.h"
-#include "draw/scene.h"
+#include "draw/insets/contact_cells.h"
+#include "draw/insets/inset.h"
+#include "draw/scene/camera.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/scene.h"
 #include "trace/trace.h"
 
 namespace contactscope::draw {

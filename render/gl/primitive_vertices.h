@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "draw/drawing.h"
+#include "draw/scene/drawing.h"
 #include "gl/glyph_atlas.h"
 
 namespace contactscope::gl {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "draw/drawing.h"
+#include "draw/scene/drawing.h"
 #include "gl/context.h"
 #include "image/image.h"
 

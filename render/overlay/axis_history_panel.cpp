@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "draw/axis_history.h"
-#include "draw/palette.h"
+#include "draw/charts/axis_history.h"
+#include "draw/scene/palette.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
 

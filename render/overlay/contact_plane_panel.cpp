@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "draw/palette.h"
-#include "draw/panel_legend.h"
-#include "draw/quantity.h"
-#include "draw/whisker.h"
+#include "draw/insets/panel_legend.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+#include "draw/scene/whisker.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "draw/palette.h"
+#include "draw/scene/palette.h"
 #include "image/font.h"
 
 namespace contactscope::overlay {

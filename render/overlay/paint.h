@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "draw/drawing.h"
+#include "draw/scene/drawing.h"
 
 namespace contactscope::overlay {
 

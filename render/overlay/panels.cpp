@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "draw/palette.h"
+#include "draw/scene/palette.h"
 #include "overlay/paint.h"
 
 namespace contactscope::overlay {

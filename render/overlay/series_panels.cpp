@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "draw/series_plots.h"
-#include "draw/stability_plot.h"
+#include "draw/charts/series_plots.h"
+#include "draw/insets/stability_plot.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "draw/palette.h"
-#include "draw/quantity.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
 #include "overlay/paint.h"
 #include "overlay/panels.h"
 

@@ -11,7 +11,7 @@
 #include "app/studio.h"
 #include "app/table.h"
 #include "app/verbs.h"
-#include "draw/contact_cells.h"
+#include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
 #include "study/exploration.h"
 

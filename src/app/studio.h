@@ -7,7 +7,7 @@
 
 #include "app/ledger.h"
 #include "app/options.h"
-#include "draw/drawing.h"
+#include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "image/image.h"
 #include "overlay/panels.h"

@@ -1,4 +1,4 @@
-#include "draw/camera.h"
+#include "draw/scene/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "draw/contact_cells.h"
+#include "draw/insets/contact_cells.h"
 #include "image/font.h"
 
 /// Cells of contact points to draw, and what a drawing of them holds.

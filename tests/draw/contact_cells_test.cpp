@@ -1,4 +1,4 @@
-#include "draw/contact_cells.h"
+#include "draw/insets/contact_cells.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "draw/contact_cells.h"
+#include "draw/insets/contact_cells.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "draw/contact_cells_sample.h"
-#include "draw/quantity.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/axis_history.h"
+#include "draw/charts/axis_history.h"
 #include "draw/crate_on_slab.h"
-#include "draw/palette.h"
+#include "draw/scene/palette.h"
 #include "image/font.h"
 
 namespace contactscope::draw {

@@ -1,4 +1,4 @@
-#include "draw/depth_order.h"
+#include "draw/scene/depth_order.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "draw/hatch.h"
+#include "draw/scene/hatch.h"
 
 #include <gtest/gtest.h>
 

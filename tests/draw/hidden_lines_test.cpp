@@ -1,8 +1,8 @@
-#include "draw/hidden_lines.h"
+#include "draw/scene/hidden_lines.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/compose.h"
+#include "draw/scene/compose.h"
 
 namespace contactscope::draw {
 namespace {

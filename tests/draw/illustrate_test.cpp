@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/palette.h"
+#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {

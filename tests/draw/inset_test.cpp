@@ -1,4 +1,4 @@
-#include "draw/inset.h"
+#include "draw/insets/inset.h"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 
 #include "draw/illustrate.h"
-#include "draw/palette.h"
-#include "draw/simplex_steps.h"
+#include "draw/insets/simplex_steps.h"
+#include "draw/scene/palette.h"
 #include "draw/stages_shown.h"
 #include "draw/staging.h"
 

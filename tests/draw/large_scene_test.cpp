@@ -5,8 +5,8 @@
 #include <random>
 
 #include "draw/illustrate.h"
-#include "draw/palette.h"
-#include "draw/plane_patch.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/plane_patch.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,4 +1,4 @@
-#include "draw/line_labels.h"
+#include "draw/charts/line_labels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "draw/log_axis.h"
+#include "draw/charts/log_axis.h"
 
 #include <gmock/gmock.h>
 

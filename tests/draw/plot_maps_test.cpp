@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "draw/camera.h"
-#include "draw/plot_curves.h"
-#include "draw/plot_map.h"
+#include "draw/charts/plot_curves.h"
+#include "draw/charts/plot_map.h"
+#include "draw/scene/camera.h"
 #include "image/font.h"
 
 namespace contactscope::draw {

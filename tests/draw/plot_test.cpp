@@ -1,12 +1,12 @@
-#include "draw/plot.h"
+#include "draw/charts/plot.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "draw/method_style.h"
-#include "draw/plot_geometry.h"
+#include "draw/charts/method_style.h"
+#include "draw/charts/plot_geometry.h"
 #include "image/font.h"
 
 namespace contactscope::draw {

@@ -1,4 +1,4 @@
-#include "draw/quantity.h"
+#include "draw/scene/quantity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "draw/round_body.h"
+#include "draw/scene/round_body.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "draw/depth_order.h"
-#include "draw/hidden_lines.h"
-#include "draw/shading.h"
+#include "draw/scene/depth_order.h"
+#include "draw/scene/hidden_lines.h"
+#include "draw/scene/shading.h"
 
 namespace contactscope::draw {
 namespace {

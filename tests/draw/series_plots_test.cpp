@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
-#include "draw/palette.h"
-#include "draw/series_plots.h"
-#include "draw/stability_plot.h"
+#include "draw/charts/series_plots.h"
+#include "draw/insets/stability_plot.h"
+#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {

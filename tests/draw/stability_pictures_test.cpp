@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
-#include "draw/palette.h"
-#include "draw/quantity.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
 #include "draw/stages_shown.h"
 
 namespace contactscope::draw {

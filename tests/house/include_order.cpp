@@ -100,7 +100,9 @@ void check_links(const std::string& path, std::istringstream words,
   for (std::string word; words >> word;) {
     if (word == "SOURCES") linking = false;
     if (word == "LINK" || word == "PRIVATE_LINK") linking = true;
-    const Folder* used = linking ? find_folder(word) : nullptr;
+    constexpr std::string_view kOurs = "contactscope::";
+    const bool ours = linking && word.starts_with(kOurs);
+    const Folder* used = ours ? find_folder(std::string_view(word).substr(kOurs.size())) : nullptr;
     if (used && !may_use(*folder, *used)) {
       violations.push_back(path + ": " + name + " must not link " + word);
     }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "draw/palette.h"
+#include "draw/scene/palette.h"
 #include "gl/painting.h"
 #include "gl/rasterizer.h"
 #include "overlay/imgui_renderer.h"

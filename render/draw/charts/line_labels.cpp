@@ -1,0 +1,214 @@
+#include "draw/charts/line_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace contactscope::draw {
+namespace {
+
+constexpr int kRounds = 4;
+constexpr int kDirections = 24;
+constexpr std::array<double, 11> kRings = {9, 13, 18, 25, 34, 46, 62, 84, 112, 150, 200};
+constexpr double kLeaderFrom = 15;  // pixels at 720 lines; nearer labels need none
+constexpr double kMarkerRadius = 6;
+constexpr double kPadding = 1.5;  // free space around a label
+constexpr double kBetween = 5;    // more of it beside another: two names must not read as one
+// What a pixel of a covered line, a covered marker and so on cost, in pixels of distance.
+constexpr double kCoveredPixel = 1.2;
+constexpr double kCoveredMarker = 45;
+constexpr double kLeaderCrossesLine = 16;
+constexpr double kLeaderCrossesMarker = 30;
+constexpr double kOtherEnd = 10;
+constexpr double kAgainstTheLine = 8;  // not to the right of the preferred end
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+bool inside(const Rect& box, const Rect& frame) {
+  return box.x >= frame.x && box.y >= frame.y && box.x + box.width <= frame.x + frame.width &&
+         box.y + box.height <= frame.y + frame.height;
+}
+
+Rect grown(const Rect& box, double by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
+
+double distance(const Point2& a, const Point2& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+Point2 nearest_in(const Rect& box, const Point2& p) {
+  return {static_cast<float>(std::clamp<double>(p.x, box.x, box.x + box.width)),
+          static_cast<float>(std::clamp<double>(p.y, box.y, box.y + box.height))};
+}
+
+/// Length of the part of a segment inside a box. Liang and Barsky 1984.
+double length_inside(const Point2& from, const Point2& to, const Rect& box) {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  double enter = 0, leave = 1;
+  const auto clip = [&](double step, double room) {
+    if (step == 0) {
+      if (room < 0) leave = -1;
+    } else if (step < 0) {
+      enter = std::max(enter, room / step);
+    } else {
+      leave = std::min(leave, room / step);
+    }
+  };
+  clip(-dx, from.x - box.x);
+  clip(dx, box.x + box.width - from.x);
+  clip(-dy, from.y - box.y);
+  clip(dy, box.y + box.height - from.y);
+  return leave > enter ? (leave - enter) * std::hypot(dx, dy) : 0;
+}
+
+double turn(const Point2& a, const Point2& b, const Point2& c) {
+  return static_cast<double>(b.x - a.x) * (c.y - a.y) -
+         static_cast<double>(b.y - a.y) * (c.x - a.x);
+}
+
+bool cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+class Placement {
+ public:
+  Placement(const std::vector<LineLabel>& labels, const LabelObstacles& obstacles,
+            const Rect& frame, float height, float scale)
+      : labels_(labels),
+        obstacles_(obstacles),
+        frame_(frame),
+        height_(height),
+        scale_(scale),
+        places_(labels.size()) {}
+
+  std::vector<PlacedLabel> run() {
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t i = 0; i < labels_.size(); ++i) places_[i] = best(i);
+    }
+    std::vector<PlacedLabel> result;
+    for (const std::optional<PlacedLabel>& place : places_) result.push_back(*place);
+    return result;
+  }
+
+ private:
+  PlacedLabel placed(const Rect& box, const Point2& anchor) const {
+    PlacedLabel place{box, anchor, nearest_in(box, anchor), false};
+    place.needs_leader = distance(place.leader_end, anchor) > kLeaderFrom * scale_;
+    return place;
+  }
+
+  double cost(const PlacedLabel& place, std::size_t label, bool first_anchor) const {
+    const Rect room = grown(place.box, kPadding * scale_);
+    double sum = distance(place.leader_end, place.anchor);
+    if (!first_anchor) sum += kOtherEnd * scale_;
+    if (place.box.x < place.anchor.x) sum += kAgainstTheLine * scale_;
+    for (const LabelObstacles::Line& line : obstacles_.lines) {
+      sum += kCoveredPixel * line.weight * length_inside(line.from, line.to, room);
+      if (place.needs_leader && cross(line.from, line.to, place.anchor, place.leader_end)) {
+        sum += kLeaderCrossesLine * line.weight * scale_;
+      }
+    }
+    for (const Point2& marker : obstacles_.markers) {
+      const double radius = kMarkerRadius * scale_;
+      if (distance(nearest_in(room, marker), marker) < radius) sum += kCoveredMarker * scale_;
+      if (!place.needs_leader || distance(marker, place.anchor) < 1) continue;
+      const Rect box{marker.x - radius, marker.y - radius, 2 * radius, 2 * radius};
+      if (length_inside(place.anchor, place.leader_end, box) > 0) {
+        sum += kLeaderCrossesMarker * scale_;
+      }
+    }
+    for (std::size_t other = 0; other < places_.size(); ++other) {
+      if (other == label || !places_[other]) continue;
+      const PlacedLabel& fixed = *places_[other];
+      if (place.needs_leader && length_inside(place.anchor, place.leader_end, fixed.box) > 0) {
+        sum += 4 * kCoveredMarker * scale_;
+      }
+      if (fixed.needs_leader && length_inside(fixed.anchor, fixed.leader_end, room) > 0) {
+        sum += 4 * kCoveredMarker * scale_;
+      }
+      if (place.needs_leader && fixed.needs_leader &&
+          cross(place.anchor, place.leader_end, fixed.anchor, fixed.leader_end)) {
+        sum += kCoveredMarker * scale_;
+      }
+    }
+    return sum;
+  }
+
+  bool allowed(const Rect& box, std::size_t label) const {
+    if (!inside(box, frame_)) return false;
+    const double between = kBetween * scale_;
+    const Rect padded = grown(box, kPadding * scale_);
+    const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
+    for (const Rect& taken : obstacles_.boxes) {
+      if (overlap(room, taken)) return false;
+    }
+    for (std::size_t other = 0; other < places_.size(); ++other) {
+      if (other != label && places_[other] && overlap(room, places_[other]->box)) return false;
+    }
+    return true;
+  }
+
+  PlacedLabel best(std::size_t label) const {
+    const LineLabel& request = labels_[label];
+    std::optional<PlacedLabel> found;
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double center_x, double center_y, std::size_t anchor) {
+      const Rect box{center_x - 0.5 * request.width, center_y - 0.5 * height_, request.width,
+                     height_};
+      if (!allowed(box, label)) return;
+      const PlacedLabel place = placed(box, request.anchors[anchor]);
+      const double sum = cost(place, label, anchor == 0);
+      if (sum >= least) return;
+      least = sum;
+      found = place;
+    };
+    for (std::size_t anchor = 0; anchor < request.anchors.size(); ++anchor) {
+      const Point2& at = request.anchors[anchor];
+      for (const double ring : kRings) {
+        for (int i = 0; i < kDirections; ++i) {
+          const double angle = 2 * std::numbers::pi * i / kDirections;
+          const double ux = std::cos(angle), uy = std::sin(angle);
+          consider(at.x + ux * (ring * scale_ + 0.5 * request.width),
+                   at.y + uy * (ring * scale_ + 0.5 * height_), anchor);
+        }
+      }
+    }
+    if (found) return *found;
+    for (double y = frame_.y + 0.5 * height_; y < frame_.y + frame_.height; y += 0.5 * height_) {
+      for (double x = frame_.x + 0.5 * request.width; x < frame_.x + frame_.width; x += height_) {
+        consider(x, y, 0);
+      }
+    }
+    if (found) return *found;
+    // Nowhere free: at the anchor, pushed into the frame.
+    const Point2& at = request.anchors.front();
+    const double most_x = std::max(frame_.x, frame_.x + frame_.width - request.width);
+    const double most_y = std::max(frame_.y, frame_.y + frame_.height - height_);
+    return placed({std::clamp(at.x + kRings[0], frame_.x, most_x),
+                   std::clamp(at.y - 0.5 * height_, frame_.y, most_y), request.width, height_},
+                  at);
+  }
+
+  const std::vector<LineLabel>& labels_;
+  const LabelObstacles& obstacles_;
+  Rect frame_;
+  double height_;
+  double scale_;
+  std::vector<std::optional<PlacedLabel>> places_;
+};
+
+}  // namespace
+
+std::vector<PlacedLabel> place_line_labels(const std::vector<LineLabel>& labels,
+                                           const LabelObstacles& obstacles, const Rect& frame,
+                                           float height, float scale) {
+  return Placement(labels, obstacles, frame, height, scale).run();
+}
+
+}  // namespace contactscope::draw

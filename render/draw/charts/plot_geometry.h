@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "draw/charts/log_axis.h"
+#include "draw/charts/method_style.h"
+#include "draw/scene/camera.h"
+#include "trace/study.h"
+
+namespace contactscope::draw {
+
+/// Where the points of one method fall, pixels.
+struct Course {
+  std::string method;
+  MethodStyle style;
+  bool strong = false;                       // on the front
+  std::vector<Point2> points;                // those with an error, in the order of the parameter
+  std::vector<std::array<float, 2>> spread;  // x of the least and greatest time of each
+  std::vector<float> failures;               // x of the points with failures
+  int failed = 0, of = 0;                    // cases over all points
+  std::string failure_text;                  // "mjx: 3 of 120"
+  Point2 failure_text_at;                    // left end of the baseline
+  float failure_row = 0;                     // y of the crosses
+};
+
+/// A panel of a plot, as pixels. From top to bottom: rows of failures where there are any, the
+/// logarithmic area, and the row of errors that are zero or within the study's resolution.
+struct PlotGeometry {
+  Rect area;               // all three
+  float failures_end = 0;  // y where the rows of failures end; the area's top when there are none
+  float zeros_begin = 0;   // y where the row of zeros begins; the area's bottom when there are none
+  std::string zeros_label;  // "0", or "≤ 10⁻⁶" where some are not exactly zero
+  LogAxis x, y;
+  std::vector<Course> courses;  // one a series, in order
+};
+
+inline constexpr float kPlotText = 14;  // labels on lines and ticks, pixels at 720 lines
+
+/// Maps a study's points into `area`, with room to the right of the slowest for the widest label.
+/// Axes span the points of `whole`, of which the study may be a panel.
+PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
+                           const trace::Study& whole);
+PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area,
+                           float scale);
+
+}  // namespace contactscope::draw

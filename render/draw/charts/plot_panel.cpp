@@ -1,0 +1,345 @@
+#include "draw/charts/plot_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/charts/line_labels.h"
+#include "draw/charts/plot_geometry.h"
+#include "draw/scene/palette.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr float kHeading = 16;
+constexpr float kTickColumn = 54;
+constexpr float kStrongMarker = 5.0f;
+constexpr float kMutedMarker = 3.3f;
+constexpr float kCross = 4;
+constexpr float kLeastDecade = 70;  // shorter ones would be a grey of minor lines
+
+constexpr Color kGrid = rgb(0xD5DADF);
+constexpr Color kMinorGrid = rgb(0xEEF0F2);
+constexpr Color kBorder = rgb(0x8A9099);
+
+// Opaque, so that a marker on its line does not show the line.
+Color muted(const Color& color) {
+  const auto mix = [](float channel) { return 0.68f * channel + 0.32f; };
+  return {mix(color.r), mix(color.g), mix(color.b), color.a};
+}
+
+Rect area_in(const Rect& rect, float scale) {
+  const double left = rect.x + scale * kTickColumn;
+  const double top = rect.y + scale * (kHeading + 10);
+  const double bottom = rect.y + rect.height - scale * (2 * kPlotText + 8);
+  return {left, top, rect.x + rect.width - left, bottom - top};
+}
+
+class Panel {
+ public:
+  /// `study` is `whole` or one panel of it.
+  Panel(const trace::Study& study, const trace::Study& whole, ErrorKind kind, const Rect& rect,
+        float scale, Drawing& drawing)
+      : study_(study),
+        kind_(kind),
+        rect_(rect),
+        scale_(scale),
+        out_(drawing),
+        plot_(plot_geometry(study, kind, area_in(rect, scale), scale, whole)),
+        left_(static_cast<float>(plot_.area.x)),
+        right_(static_cast<float>(plot_.area.x + plot_.area.width)),
+        top_(static_cast<float>(plot_.area.y)),
+        bottom_(static_cast<float>(plot_.area.y + plot_.area.height)) {}
+
+  void run() {
+    draw_grid();
+    draw_headings();
+    for (const Course& course : plot_.courses) {
+      if (course.strong) draw_spread(course);
+    }
+    for (const bool strong : {false, true}) {
+      for (const Course& course : plot_.courses) {
+        if (course.strong == strong) draw_line(course);
+      }
+      for (const Course& course : plot_.courses) {
+        if (course.strong == strong) draw_markers(course);
+      }
+    }
+    draw_failures();
+    draw_border();
+    draw_labels(draw_arrow());
+  }
+
+ private:
+  float px(float at_720) const { return scale_ * at_720; }
+
+  void text(const std::string& what, const Point2& at, Align align, const Color& color,
+            Weight weight = Weight::Regular, float size = kPlotText) {
+    Text result;
+    result.text = what;
+    result.at = at;
+    result.size = px(size);
+    result.weight = weight;
+    result.align = align;
+    result.color = color;
+    out_.primitives.push_back(result);
+  }
+
+  void line(const Point2& from, const Point2& to, float width, const Color& color) {
+    out_.primitives.push_back(Stroke{from, to, px(width), color});
+  }
+
+  void draw_grid() {
+    for (const bool decades : {false, true}) {
+      const Color& color = decades ? kGrid : kMinorGrid;
+      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) line({tick.at, top_}, {tick.at, bottom_}, 1, color);
+      }
+      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) line({left_, tick.at}, {right_, tick.at}, 1, color);
+      }
+    }
+    draw_time_ticks();
+    draw_error_ticks();
+  }
+
+  // Decades first: another tick is labelled where that leaves them free.
+  void draw_time_ticks() {
+    std::vector<std::array<float, 2>> taken;
+    for (const bool decades : {true, false}) {
+      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
+        if (!tick.labelled || tick.decade != decades) continue;
+        const std::string label = spell_tick_time(tick.value);
+        const float half = 0.5f * text_width(label, px(kPlotText), FontWeight::Regular);
+        const float center = std::clamp(tick.at, left_ + half - px(kTickColumn), right_ - half);
+        const float begin = center - half - px(5), end = center + half + px(5);
+        if (std::ranges::any_of(taken, [&](const auto& t) { return begin < t[1] && t[0] < end; })) {
+          continue;
+        }
+        taken.push_back({begin, end});
+        line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kBorder);
+        text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
+      }
+    }
+  }
+
+  void draw_error_ticks() {
+    std::vector<float> taken;
+    const auto label = [&](const std::string& what, float y) {
+      const float clear = px(kPlotText);
+      if (std::ranges::any_of(taken, [&](float t) { return std::abs(t - y) < clear; })) return;
+      taken.push_back(y);
+      text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
+    };
+    if (plot_.zeros_begin < bottom_) {
+      label(plot_.zeros_label, 0.5f * (plot_.zeros_begin + bottom_));
+    }
+    if (plot_.failures_end > top_) label("failed", 0.5f * (top_ + plot_.failures_end));
+    for (const bool decades : {true, false}) {
+      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
+        if (!tick.labelled || tick.decade != decades) continue;
+        label(spell_tick_error(tick.value, study_.unit), tick.at);
+      }
+    }
+  }
+
+  void draw_headings() {
+    const std::string which = kind_ == ErrorKind::Mean ? "mean" : "worst";
+    const float x = static_cast<float>(rect_.x);
+    const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
+    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
+    if (!study_.series.empty() && !study_.series.front().panel.empty()) {
+      text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+      return;
+    }
+    text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
+    const float used = text_width(study_.error + "  ", px(kHeading), FontWeight::Regular);
+    text(which, {x + used, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+  }
+
+  void draw_spread(const Course& course) {
+    const Color color = with_alpha(course.style.color, 0.13f);
+    for (std::size_t i = 1; i < course.points.size(); ++i) {
+      const float before = course.points[i - 1].y, after = course.points[i].y;
+      const auto& [low, high] = course.spread[i];
+      const auto& [low_before, high_before] = course.spread[i - 1];
+      out_.primitives.push_back(
+          Fill{{{low_before, before}, {high_before, before}, {high, after}, {low, after}}, color});
+    }
+  }
+
+  void draw_line(const Course& course) {
+    const MethodStyle& style = course.style;
+    float run = 0;
+    for (std::size_t i = 1; i < course.points.size(); ++i) {
+      const Point2& from = course.points[i - 1];
+      const Point2& to = course.points[i];
+      Stroke stroke{from, to, px(course.strong ? 3.0f : 1.2f),
+                    course.strong ? style.color : muted(style.color), Cap::Round};
+      if (style.gap > 0) stroke.cap = Cap::Butt;
+      stroke.dash = px(style.dash);
+      stroke.gap = px(style.gap);
+      stroke.phase = run;
+      run += std::hypot(to.x - from.x, to.y - from.y);
+      out_.primitives.push_back(stroke);
+    }
+  }
+
+  void draw_markers(const Course& course) {
+    const float radius = px(course.strong ? kStrongMarker : kMutedMarker);
+    const Color color = course.strong ? course.style.color : muted(course.style.color);
+    for (const Point2& point : course.points) {
+      if (course.strong) draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, out_);
+      draw_marker(course.style.marker, point, radius, color, out_);
+    }
+  }
+
+  void draw_failures() {
+    const float r = px(kCross);
+    for (const Course& course : plot_.courses) {
+      if (course.failed == 0) continue;
+      for (const float x : course.failures) {
+        const Point2 at{x, course.failure_row};
+        line({at.x - r, at.y - r}, {at.x + r, at.y + r}, 2, course.style.color);
+        line({at.x - r, at.y + r}, {at.x + r, at.y - r}, 2, course.style.color);
+      }
+      text(course.failure_text, course.failure_text_at, Align::Left, course.style.text);
+    }
+  }
+
+  void draw_border() {
+    const Point2 corners[4] = {{left_, top_}, {right_, top_}, {right_, bottom_}, {left_, bottom_}};
+    for (int i = 0; i < 4; ++i) line(corners[i], corners[(i + 1) % 4], 1.2f, kBorder);
+    for (const float y : {plot_.failures_end, plot_.zeros_begin}) {
+      if (y <= top_ || y >= bottom_) continue;
+      Stroke split{{left_, y}, {right_, y}, px(1.2f), kBorder};
+      split.dash = px(4);
+      split.gap = px(4);
+      out_.primitives.push_back(split);
+    }
+  }
+
+  // How much of the data a box would hide.
+  int covered(const Rect& box) const {
+    int count = 0;
+    for (const Course& course : plot_.courses) {
+      for (std::size_t i = 0; i < course.points.size(); ++i) {
+        // Points along the way to the next, and the point itself.
+        const Point2& next = course.points[std::min(i + 1, course.points.size() - 1)];
+        for (int step = 0; step < 10; ++step) {
+          const float t = 0.1f * static_cast<float>(step);
+          count += box.contains({course.points[i].x + t * (next.x - course.points[i].x),
+                                 course.points[i].y + t * (next.y - course.points[i].y)});
+        }
+      }
+    }
+    return count;
+  }
+
+  /// Says which way is better, from the lower left corner on where there is room. Returns its box.
+  Rect draw_arrow() {
+    const float reach = px(30);
+    const std::string word = "better";
+    const float word_width = text_width(word, px(kPlotText), FontWeight::Bold);
+    const double width = reach + word_width + px(8), height = reach + px(6);
+    const double floor = plot_.zeros_begin - px(8) - height;
+    const double rise = std::max(0.0, floor - plot_.failures_end - px(8));
+    const double run = std::max(0.0, right_ - px(8) - width - (left_ + px(8)));
+    Rect best;
+    int least = -1;
+    for (const auto& [along, up] : {std::pair{0.0, 0.0},
+                                    {0.0, 0.15},
+                                    {0.15, 0.0},
+                                    {0.0, 0.3},
+                                    {0.3, 0.0},
+                                    {0.0, 0.5},
+                                    {0.5, 0.0},
+                                    {0.0, 0.7},
+                                    {0.0, 1.0},
+                                    {0.7, 0.0},
+                                    {1.0, 0.0},
+                                    {1.0, 1.0}}) {
+      const Rect box{left_ + px(8) + along * run, floor - up * rise, width, height};
+      const int hidden = covered(box);
+      if (least >= 0 && hidden >= least) continue;
+      least = hidden;
+      best = box;
+    }
+    const float x = static_cast<float>(best.x) + px(3);
+    const float y = static_cast<float>(best.y + best.height) - px(3);
+    const float head = px(11);
+    line({x + 0.6f * head, y - 0.6f * head}, {x + reach, y - reach}, 3, kText);
+    out_.primitives.push_back(
+        Fill{{{x, y}, {x + 1.15f * head, y - 0.35f * head}, {x + 0.35f * head, y - 1.15f * head}},
+             kText});
+    text(word, {x + reach + px(3), y - reach + px(7)}, Align::Left, kText, Weight::Bold);
+    return best;
+  }
+
+  void draw_labels(const Rect& arrow) {
+    LabelObstacles obstacles;
+    obstacles.boxes.push_back(arrow);
+    for (const Course& course : plot_.courses) {
+      for (std::size_t i = 0; i < course.points.size(); ++i) {
+        obstacles.markers.push_back(course.points[i]);
+        if (i == 0) continue;
+        obstacles.lines.push_back(
+            {course.points[i - 1], course.points[i], course.strong ? 1.5f : 0.7f});
+      }
+    }
+    // The strong ones choose first.
+    std::vector<const Course*> order;
+    for (const bool strong : {true, false}) {
+      for (const Course& course : plot_.courses) {
+        if (course.strong == strong && !course.points.empty()) order.push_back(&course);
+      }
+    }
+    std::vector<LineLabel> labels;
+    for (const Course* course : order) {
+      const FontWeight weight = course->strong ? FontWeight::Bold : FontWeight::Regular;
+      labels.push_back({text_width(course->method, px(kPlotText), weight),
+                        {course->points.back(), course->points.front()}});
+    }
+    const float height = px(kPlotText);
+    const double inset = px(3);
+    const Rect frame{left_ + inset, plot_.failures_end + inset, right_ - left_ - 2 * inset,
+                     bottom_ - plot_.failures_end - 2 * inset};
+    const std::vector<PlacedLabel> places =
+        place_line_labels(labels, obstacles, frame, height, scale_);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i].needs_leader) continue;
+      line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      Text label;
+      label.text = order[i]->method;
+      label.size = px(kPlotText);
+      label.weight = order[i]->strong ? Weight::Bold : Weight::Regular;
+      label.at = {static_cast<float>(places[i].box.x),
+                  static_cast<float>(places[i].box.y) + 0.5f * (height + 0.68f * px(kPlotText))};
+      label.color = order[i]->style.text;
+      label.halo = px(2);
+      out_.primitives.push_back(label);
+    }
+  }
+
+  const trace::Study& study_;
+  ErrorKind kind_;
+  Rect rect_;
+  float scale_;
+  Drawing& out_;
+  PlotGeometry plot_;
+  float left_, right_, top_, bottom_;
+};
+
+}  // namespace
+
+void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, float scale,
+                     Drawing& drawing, const std::string& panel) {
+  trace::Study part = study;
+  std::erase_if(part.series, [&](const trace::StudySeries& one) { return one.panel != panel; });
+  Panel(part, study, kind, rect, scale, drawing).run();
+}
+
+}  // namespace contactscope::draw

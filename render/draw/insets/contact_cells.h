@@ -1,0 +1,139 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/view.h"
+#include "draw/scene/drawing.h"
+#include "draw/scene/layout.h"
+#include "trace/exploration.h"
+#include "trace/trace.h"
+
+namespace contactscope::draw {
+
+/// One reduction, seen along the normal.
+struct ContactCell {
+  /// A line of text beneath the map.
+  struct Row {
+    std::string left;
+    std::string right;  // quieter; left out where there is no room
+    std::string brief;  // what stands for both where there is none for `left`
+    bool strong = false;
+  };
+
+  std::string name;
+  Vec3d normal = Vec3d::Zero();
+  std::vector<trace::Point> points;    // all, before
+  std::vector<int> kept;               // in the order of choice
+  std::vector<int> best;               // points of the best polygon; empty: not drawn
+  std::vector<trace::Choice> choices;  // how the kept ones were chosen, where that is known
+  std::vector<Row> rows;
+};
+
+/// One picture of a sequence: the same cells in every moment. A cell without points is one in which
+/// nothing touches.
+struct ContactMoment {
+  int frame = 0;
+  std::string caption;
+  std::vector<ContactCell> cells;
+};
+
+/// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.
+std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
+                                    const std::vector<std::string>& order);
+
+/// From recorded frames: a cell for every pair whose reduction was recorded, named by its label, or
+/// by its reducer where it has none.
+std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
+
+/// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What
+/// a cell shows in any frame stands in the middle of its map, wherever in the world that is and
+/// however it lies, so that one patch seen in several cells has the same place in each. In a cell:
+/// all points, the kept ones with their order of choice, the deepest in a square where the patch is
+/// not level, the lost area hatched, the best polygon dashed, for extremes along axes the box that
+/// they span, and the rows beneath; for a sequence also a strip of which ids are kept over time,
+/// one row an id. On a canvas too small for all of it, all cells alike leave out the right of their
+/// rows, then the rest of them but their brief form, the strip, all rows but the first, that as
+/// well, the legend and the names. Where nothing touches in any frame, a line says so.
+class ContactCells {
+ public:
+  /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
+  /// it; 0: all, and the result.
+  ContactCells(const std::string& title, const std::string& source, const std::string& up,
+               std::vector<ContactMoment> moments, int choices, int width, int height);
+
+  int width() const { return layout_.width; }
+  int height() const { return layout_.height; }
+
+  /// The picture of the moment with this frame number.
+  Drawing frame(int number) const;
+
+  /// What the canvas had no room for, in words: "the legend". Empty where all is shown.
+  std::vector<std::string> left_out() const;
+
+ private:
+  struct Grid {
+    int columns = 1;
+    double cell_width = 0, cell_height = 0;  // pixels
+    double map_height = 0, strip = 0;
+    double pixels_per_metre = 1;
+    double mark = 1;  // size of the marks of points, 1 where there is room
+  };
+
+  /// Where the contacts of one cell are in the world, in all frames.
+  struct Patch {
+    Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitY();  // right and up on the page
+    Vec3d center = Vec3d::Zero();
+  };
+
+  // Pixels at 720 lines.
+  static constexpr double kName = 15;       // size of a cell's heading
+  static constexpr double kNumber = 14;     // size of the numbers beneath
+  static constexpr double kNumberRow = 17;  // height of a row of numbers
+
+  /// What beside the maps there is room for.
+  struct Detail {
+    bool row_ends = true, whole_rows = true, strip = true, all_rows = true, rows = true;
+    bool legend = true, names = true;
+  };
+
+  void fit(int width, int height);
+  Grid best_grid() const;
+  void share_out(Grid& grid) const;
+  double nearest_points() const;
+  double name_height() const;
+  double furniture() const;
+  double strip_height() const;
+  std::size_t row_count() const;
+  bool has_row_ends() const;
+  std::string left_of(const ContactCell::Row& row) const;
+  double row_width() const;
+  std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
+  std::vector<LegendEntry> legend() const;
+  std::vector<LegendEntry> legend_of_choice() const;
+  Rect cell_rect(std::size_t cell) const;
+  Point2 at(const Rect& map, const Patch& patch, const Vec3d& position) const;
+  void frame_patches(const std::string& up);
+  void frame_patch(std::size_t cell, const Vec3d& above);
+  void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
+  void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
+                Drawing& drawing) const;
+  void draw_axes_box(const Rect& map, const ContactCell& cell, const Patch& patch,
+                     Drawing& drawing) const;
+  void draw_points(const Rect& map, const std::vector<Point2>& places, const ContactCell& cell,
+                   Drawing& drawing) const;
+  void draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const;
+  void draw_strip(const Rect& strip, std::size_t cell, std::size_t moment, Drawing& drawing) const;
+
+  std::string title_, source_;
+  std::vector<ContactMoment> moments_;
+  int choices_;
+  Layout layout_;
+  std::vector<Patch> patches_;          // of each cell
+  double extent_u_ = 0, extent_v_ = 0;  // metres that the largest of them fill
+  std::vector<std::string> ids_;        // in order of appearance
+  Detail detail_;                       // what is shown, of what there is
+  Grid grid_;
+};
+
+}  // namespace contactscope::draw

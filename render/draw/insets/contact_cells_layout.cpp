@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ranges>
+
+#include "draw/insets/contact_cells.h"
+#include "image/font.h"
+
+// Where the parts of contact cells go, and what a canvas has no room for.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kGap = 14;        // between cells
+constexpr double kRowGap = 6;      // between the left and the right of a row
+constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
+constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
+constexpr std::size_t kFewCells = 4;
+constexpr double kStripRow = 4;     // of one id, at least where there is room
+constexpr double kWideRow = 16;     // of one id, at most
+constexpr double kCloseMarks = 30;  // between points, for marks of full size
+constexpr double kLeastMark = 0.6;
+constexpr double kLeastMap = 44;  // height of a map that shows anything
+
+}  // namespace
+
+/// Gives up one thing after the other until the maps have room.
+void ContactCells::fit(int width, int height) {
+  const float scale = interface_scale(width, height);
+  std::vector<float> widths;
+  for (const LegendEntry& entry : legend()) widths.push_back(legend_entry_width(entry, scale));
+  const auto arranged = [&] {
+    layout_ = make_layout(width, height, false, {widths});
+    grid_ = best_grid();
+    return grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width();
+  };
+  for (bool Detail::*given_up :
+       {&Detail::row_ends, &Detail::whole_rows, &Detail::strip, &Detail::all_rows, &Detail::rows,
+        &Detail::legend, &Detail::names}) {
+    if (arranged()) return;
+    detail_.*given_up = false;
+    if (!detail_.legend) widths.clear();
+  }
+  arranged();
+}
+
+/// Gives what a patch leaves free above and below to the strip, and marks the size that they have
+/// room for.
+void ContactCells::share_out(Grid& grid) const {
+  grid.strip = layout_.px(strip_height());
+  if (grid.strip > 0) {
+    const double needed = layout_.px(2 * kReserve) + grid.pixels_per_metre * extent_v_;
+    const double wide = layout_.px(kWideRow * static_cast<double>(ids_.size()) + 6);
+    const double more = std::clamp(wide - grid.strip, 0.0, std::max(0.0, grid.map_height - needed));
+    grid.strip += more;
+    grid.map_height -= more;
+  }
+  const double between = nearest_points() * grid.pixels_per_metre / layout_.scale;
+  grid.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
+}
+
+/// How far apart neighbouring points are, metres: the median over all of them.
+double ContactCells::nearest_points() const {
+  std::vector<double> nearest;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const trace::Point& other : cell.points) {
+          if (&other != &point) least = std::min(least, (other.position - point.position).norm());
+        }
+        nearest.push_back(least);
+      }
+      if (!cell.points.empty()) break;  // the others have the same points, mostly
+    }
+  }
+  if (nearest.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
+}
+
+std::vector<std::string> ContactCells::left_out() const {
+  std::vector<std::string> list;
+  const bool has_rows = choices_ == 0 && std::ranges::any_of(moments_, [](const auto& moment) {
+                          return std::ranges::any_of(
+                              moment.cells, [](const auto& cell) { return !cell.rows.empty(); });
+                        });
+  if (has_rows && !detail_.rows) {
+    list.emplace_back("the numbers");
+  } else if (has_rows && !detail_.all_rows) {
+    list.emplace_back("all numbers but the first");
+  } else if (has_rows && !detail_.whole_rows) {
+    list.emplace_back("parts of the numbers");
+  } else if (has_row_ends() && choices_ == 0 && !detail_.row_ends) {
+    list.emplace_back("the numbers on the right");
+  }
+  if (!detail_.strip && moments_.size() > 1 && choices_ == 0) {
+    list.emplace_back("the ids over time");
+  }
+  if (!detail_.legend) list.emplace_back("the legend");
+  if (!detail_.names && cell_count() > 1) list.emplace_back("the names");
+  return list;
+}
+
+/// Axes and middle of each cell's patch, the extent of the largest, and the ids in order.
+void ContactCells::frame_patches(const std::string& up) {
+  patches_.resize(cell_count());
+  for (std::size_t cell = 0; cell < cell_count(); ++cell)
+    frame_patch(cell, up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points)
+        if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
+    }
+  }
+  // A patch without size is drawn in the middle, at any scale.
+  const double least = std::max({extent_u_, extent_v_, 1e-12});
+  extent_u_ = std::max(extent_u_, 1e-3 * least);
+  extent_v_ = std::max(extent_v_, 1e-3 * least);
+}
+
+/// Seen from above where there is an above, with x to the right, as on a map.
+void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
+  Vec3d normal = above;
+  for (const ContactMoment& moment : moments_) {
+    if (moment.cells[cell].points.empty()) continue;
+    normal = moment.cells[cell].normal;
+    break;
+  }
+  if (normal.dot(above) < 0) normal = -normal;
+  Patch& patch = patches_[cell];
+  const Vec3d right = Vec3d::UnitX() - normal.x() * normal;
+  patch.u = right.norm() > 0.1 ? Vec3d(right.normalized()) : any_perpendicular(normal);
+  patch.v = normal.cross(patch.u);
+
+  double low_u = std::numeric_limits<double>::max(), high_u = -low_u;
+  double low_v = low_u, high_v = -low_u;
+  for (const ContactMoment& moment : moments_) {
+    for (const trace::Point& point : moment.cells[cell].points) {
+      low_u = std::min(low_u, patch.u.dot(point.position));
+      high_u = std::max(high_u, patch.u.dot(point.position));
+      low_v = std::min(low_v, patch.v.dot(point.position));
+      high_v = std::max(high_v, patch.v.dot(point.position));
+    }
+  }
+  if (low_u > high_u) return;
+  patch.center = 0.5 * (low_u + high_u) * patch.u + 0.5 * (low_v + high_v) * patch.v;
+  extent_u_ = std::max(extent_u_, high_u - low_u);
+  extent_v_ = std::max(extent_v_, high_v - low_v);
+}
+
+double ContactCells::strip_height() const {
+  if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
+  const double wide = cell_count() > kFewCells ? 1 : 1.75;
+  return wide * std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
+}
+
+std::size_t ContactCells::row_count() const {
+  if (!detail_.rows || choices_ > 0) return 0;  // the result of choices is another picture's
+  std::size_t most = 0;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
+  }
+  return detail_.all_rows ? most : std::min<std::size_t>(most, 1);
+}
+
+bool ContactCells::has_row_ends() const {
+  return std::ranges::any_of(moments_, [](const ContactMoment& moment) {
+    return std::ranges::any_of(moment.cells, [](const ContactCell& cell) {
+      return std::ranges::any_of(cell.rows,
+                                 [](const ContactCell::Row& row) { return !row.right.empty(); });
+    });
+  });
+}
+
+/// What of a row there is room for on the left.
+std::string ContactCells::left_of(const ContactCell::Row& row) const {
+  return detail_.whole_rows || row.brief.empty() ? row.left : row.brief;
+}
+
+/// Width that the widest row of any cell needs, pixels.
+double ContactCells::row_width() const {
+  const std::size_t count = row_count();
+  const float size = layout_.px(kNumber);
+  double widest = 0;
+  for (const ContactMoment& moment : moments_) {
+    for (const ContactCell& cell : moment.cells) {
+      for (const ContactCell::Row& row : cell.rows | std::views::take(count)) {
+        const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
+        double width = text_width(left_of(row), size, weight);
+        if (detail_.row_ends && !row.right.empty()) {
+          width += layout_.px(kRowGap) + text_width(row.right, size, FontWeight::Regular);
+        }
+        widest = std::max(widest, width);
+      }
+    }
+  }
+  return widest;
+}
+
+double ContactCells::name_height() const {
+  return detail_.names ? kName + 4 : 0;
+}
+
+/// Height of a cell beside its map, at 720 lines.
+double ContactCells::furniture() const {
+  return name_height() + strip_height() + kNumberRow * static_cast<double>(row_count());
+}
+
+/// The number of columns that draws the patch largest, of those with room for the rows if there are
+/// such.
+ContactCells::Grid ContactCells::best_grid() const {
+  const double gap = layout_.px(kGap);
+  const double reserve = layout_.px(2 * kReserve);
+  const double needed = row_width();
+  Grid best;
+  best.pixels_per_metre = 0;
+  const int count = static_cast<int>(cell_count());
+  if (count == 0) return Grid{};
+  for (int columns = 1; columns <= count; ++columns) {
+    const int rows = (count + columns - 1) / columns;
+    Grid grid;
+    grid.columns = columns;
+    grid.cell_width = (layout_.view.width - (columns - 1) * gap) / columns;
+    grid.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
+    grid.map_height = grid.cell_height - layout_.px(furniture());
+    if (grid.cell_width <= reserve || grid.map_height <= reserve) continue;
+    grid.pixels_per_metre =
+        std::min((grid.cell_width - reserve) / extent_u_, (grid.map_height - reserve) / extent_v_);
+    const bool fits = grid.cell_width >= needed;
+    const bool best_fits = best.cell_width >= needed;
+    const bool is_larger = grid.pixels_per_metre > best.pixels_per_metre;
+    if (fits == best_fits ? is_larger : fits) best = grid;
+  }
+  // No room at all: what a canvas this small shows is a dot in each cell.
+  if (best.pixels_per_metre <= 0) {
+    best.columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(count))));
+    const int rows = (count + best.columns - 1) / best.columns;
+    best.cell_width = (layout_.view.width - (best.columns - 1) * gap) / best.columns;
+    best.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
+    best.map_height = best.cell_height - layout_.px(furniture());
+  }
+  share_out(best);
+  return best;
+}
+
+Rect ContactCells::cell_rect(std::size_t cell) const {
+  const auto column = static_cast<double>(static_cast<int>(cell) % grid_.columns);
+  const auto row = static_cast<double>(static_cast<int>(cell) / grid_.columns);
+  const double gap = layout_.px(kGap);
+  return {layout_.view.x + column * (grid_.cell_width + gap),
+          layout_.view.y + row * (grid_.cell_height + gap), grid_.cell_width, grid_.cell_height};
+}
+
+Point2 ContactCells::at(const Rect& map, const Patch& patch, const Vec3d& position) const {
+  const Vec3d way = grid_.pixels_per_metre * (position - patch.center);
+  return {static_cast<float>(map.x + 0.5 * map.width + patch.u.dot(way)),
+          static_cast<float>(map.y + 0.5 * map.height - patch.v.dot(way))};
+}
+
+}  // namespace contactscope::draw

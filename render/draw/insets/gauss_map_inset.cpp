@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "draw/insets/inset.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+#include "draw/scene/shading.h"
+
+/// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge an
+/// arc between the faces that it joins. Two edges make a face of the Minkowski difference where their
+/// arcs cross. Gregorius 2013, "The Separating Axis Test"; a capsule's edge is a whole ring:
+/// Gregorius 2015, "Capsule vs Hull".
+namespace contactscope::draw {
+namespace {
+
+constexpr Color kSphere = rgb(0xF3F4F6);
+constexpr int kArcSteps = 48;
+constexpr int kRingSteps = 96;
+// The best axis is seen within this angle from the direction of the view.
+constexpr double kInFront = 42 * std::numbers::pi / 180;
+
+bool has_map(const trace::Pair& pair) {
+  return pair.kind == "hull-hull" || pair.kind == "capsule-hull" || pair.kind == "hull-capsule";
+}
+
+const trace::Pair* pair_with_map(const trace::Frame& frame) {
+  for (const trace::Pair& pair : frame.pairs) {
+    if (has_map(pair)) return &pair;
+  }
+  return nullptr;
+}
+
+std::vector<Vec3d> map_arc(const Vec3d& from, const Vec3d& to) {
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  std::vector<Vec3d> points;
+  for (int i = 0; i <= kArcSteps; ++i) {
+    const double t = static_cast<double>(i) / kArcSteps;
+    // Spherical linear interpolation; of an arc without length both ends are the same.
+    Vec3d point = (1 - t) * from + t * to;
+    if (angle > 1e-6)
+      point = (std::sin((1 - t) * angle) * from + std::sin(t * angle) * to) / std::sin(angle);
+    points.push_back(point.normalized());
+  }
+  return points;
+}
+
+std::vector<Vec3d> map_ring(const Vec3d& axis) {
+  const Vec3d u = any_perpendicular(axis);
+  const Vec3d v = axis.cross(u);
+  std::vector<Vec3d> points;
+  for (int i = 0; i <= kRingSteps; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRingSteps;
+    points.push_back(std::cos(angle) * u + std::sin(angle) * v);
+  }
+  return points;
+}
+
+/// A direction that both shapes share: where an arc of A crosses one of B.
+struct MapCrossing {
+  Vec3d normal;
+  int a, b;  // edges
+};
+
+/// One shape's map; that of B is turned inside out.
+class ShapeMap {
+ public:
+  ShapeMap(const PlacedShape& shape, bool is_a) : shape_(shape), is_a_(is_a) {
+    const trace::Shape& solid = *shape.mesh->shape;
+    if (solid.faces.empty() && solid.vertices.size() == 2)
+      ring_axis_ = (shape.vertices[1] - shape.vertices[0]).normalized();
+    std::map<std::pair<int, int>, int> index;  // of the edges, as ids count them
+    for (std::size_t i = 0; i < solid.edges.size(); ++i)
+      index[std::minmax(solid.edges[i][0], solid.edges[i][1])] = static_cast<int>(i);
+    for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+      const auto known = index.find(std::minmax(edge.from, edge.to));
+      if (edge.right < 0 || known == index.end()) continue;
+      arcs_.push_back({known->second, direction(edge.left), direction(edge.right)});
+    }
+  }
+
+  bool is_ring() const { return ring_axis_.has_value(); }
+
+  /// Gregorius 2015, appendix: a hull's arc crosses a capsule's ring where the normals of its two
+  /// faces are on different sides of the ring's plane.
+  std::vector<MapCrossing> crossings(const ShapeMap& ring) const {
+    std::vector<MapCrossing> found;
+    for (const MapArc& arc : arcs_) {
+      const double from = arc.from.dot(*ring.ring_axis_), to = arc.to.dot(*ring.ring_axis_);
+      if (from * to >= 0) continue;
+      const Vec3d at = (std::abs(to) * arc.from + std::abs(from) * arc.to).normalized();
+      found.push_back({at, is_a_ ? arc.edge : 0, is_a_ ? 0 : arc.edge});
+    }
+    return found;
+  }
+
+  void draw(const Camera& camera, const std::set<int>& lit, Sketch& sketch) const {
+    const std::string name = is_a_ ? "A" : "−B";
+    if (is_ring()) {
+      draw_curve(camera, map_ring(*ring_axis_), true, sketch);
+      sketch.explain(kind(), "ring of " + name + "'s segment");
+      return;
+    }
+    for (const MapArc& arc : arcs_)
+      draw_curve(camera, map_arc(arc.from, arc.to), lit.contains(arc.edge), sketch);
+    for (int face = 0; face < static_cast<int>(shape_.mesh->normals.size()); ++face) {
+      const Vec3d at = direction(face);
+      if (camera.faces(at, at)) sketch.marks.push_back({MarkKind::Node, at, ink()});
+    }
+    sketch.explain(kind(), "faces and edges of " + name);
+  }
+
+ private:
+  struct MapArc {
+    int edge;
+    Vec3d from, to;
+  };
+
+  Vec3d direction(int face) const { return (is_a_ ? 1.0 : -1.0) * shape_.normal(face); }
+  Color ink() const { return is_a_ ? kArcOfA : kArcOfB; }
+  LegendKind kind() const { return is_a_ ? LegendKind::ArcsOfA : LegendKind::ArcsOfB; }
+
+  // On a sphere a point is seen where its own normal faces the eye. Dashes part B's arcs from A's
+  // where colour does not; what crosses nothing is faint, and what is behind fainter still.
+  void draw_curve(const Camera& camera, const std::vector<Vec3d>& points, bool lit,
+                  Sketch& sketch) const {
+    const LineStyle front{lit ? 3.0f : 1.5f, with_alpha(ink(), lit ? 1.0f : 0.6f), !is_a_};
+    const LineStyle back{1.0f, with_alpha(ink(), 0.28f), false};
+    Curve curve;
+    bool seen = false;
+    const auto finish = [&] {
+      if (curve.points.size() > 1) sketch.curves.push_back(curve);
+    };
+    for (const Vec3d& point : points) {
+      const bool faces = camera.faces(point, point);
+      if (curve.points.empty() || faces != seen) {
+        const bool first = curve.points.empty();
+        const Vec3d joint = first ? point : curve.points.back();
+        finish();
+        curve = {{joint}, faces ? front : back, false};
+        seen = faces;
+        if (first) continue;
+      }
+      curve.points.push_back(point);
+    }
+    finish();
+  }
+
+  const PlacedShape& shape_;
+  bool is_a_;
+  std::optional<Vec3d> ring_axis_;
+  std::vector<MapArc> arcs_;
+};
+
+void draw_sphere(const Camera& camera, Sketch& sketch) {
+  const RoundBody sphere({Vec3d::Zero()}, 1.0);
+  const int index = static_cast<int>(sketch.bodies.size());
+  for (RoundBody::Facet& facet : sphere.front(camera, key_light(camera)))
+    sketch.surfaces.push_back({std::move(facet.polygon), toned(kSphere, facet.lit), index});
+  sketch.curves.push_back({sphere.outline(camera), {1.5f, with_alpha(kShapeEdge, 0.6f)}, true});
+  sketch.bodies.push_back(sphere);
+}
+
+void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const Camera& camera,
+               Sketch& sketch) {
+  if (!camera.faces(normal, normal)) return;
+  sketch.marks.push_back({MarkKind::Dot, normal, kAxisText});
+  sketch.marks.push_back({MarkKind::Ring, normal, kAxisText});
+  sketch.labels.push_back({.at = normal,
+                           .text = text,
+                           .color = kAxisText,
+                           .size = chosen ? 18.0f : 15.0f,
+                           .bold = chosen,
+                           .clearance = 15,
+                           .direction = std::nullopt});
+}
+
+void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch) {
+  if (sat.face_a && sat.chosen == "face_a")
+    draw_best(sat.face_a->normal, "face of A: " + spell_length(sat.face_a->separation), true,
+              camera, sketch);
+  if (sat.face_b && sat.chosen == "face_b")
+    draw_best(sat.face_b->normal, "face of B: " + spell_length(sat.face_b->separation), true,
+              camera, sketch);
+  if (sat.edge)
+    draw_best(sat.edge->normal,
+              "edge " + std::to_string(sat.edge->a) + " of A × edge " +
+                  std::to_string(sat.edge->b) + " of B: " + spell_length(sat.edge->separation),
+              sat.chosen == "edge_edge", camera, sketch);
+  sketch.explain(LegendKind::BestAxis, "best axis of a query, its separation");
+}
+
+/// The direction that the picture is about; zero where there is none.
+Vec3d best_direction(const trace::Pair& pair) {
+  if (pair.sat && pair.sat->edge) return pair.sat->edge->normal;
+  return pair.manifolds.empty() ? Vec3d(Vec3d::Zero()) : pair.manifolds.front().normal;
+}
+
+std::vector<MapCrossing> crossings_of(const trace::Pair& pair, const ShapeMap& a,
+                                      const ShapeMap& b) {
+  std::vector<MapCrossing> crossings;
+  if (pair.sat) {
+    for (const trace::EdgePair& edges : pair.sat->edge_pairs)
+      crossings.push_back({edges.normal, edges.a, edges.b});
+  }
+  if (!crossings.empty() || a.is_ring() == b.is_ring()) return crossings;
+  return a.is_ring() ? b.crossings(a) : a.crossings(b);
+}
+
+}  // namespace
+
+Vec3d gauss_map_direction(const std::vector<trace::Frame>& frames, const Vec3d& usual) {
+  for (const trace::Frame& frame : frames) {
+    const trace::Pair* pair = pair_with_map(frame);
+    const Vec3d axis = pair == nullptr ? Vec3d(Vec3d::Zero()) : best_direction(*pair);
+    if (axis.isZero()) continue;
+    const double angle = std::atan2(axis.cross(usual).norm(), axis.dot(usual));
+    if (angle <= kInFront) return usual;
+    const Vec3d across = usual - usual.dot(axis) * axis;
+    if (across.norm() < 1e-6) return usual;
+    return std::cos(kInFront) * axis + std::sin(kInFront) * across.normalized();
+  }
+  return usual;
+}
+
+InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
+  InsetPicture picture;
+  picture.heading = "Gauss map of A and −B";
+  Sketch& sketch = picture.sketch;
+  draw_sphere(inset.camera, sketch);
+  const trace::Pair* pair = pair_with_map(scene.frame);
+  if (pair == nullptr) {
+    sketch.labels.push_back({.at = Vec3d::Zero(),
+                             .text = "no two hulls, nor a hull and a capsule",
+                             .color = kQuietText,
+                             .size = 15,
+                             .bold = false,
+                             .clearance = 0,
+                             .direction = std::nullopt});
+    return picture;
+  }
+  const PlacedShape* placed_a = scene.find(pair->a);
+  const PlacedShape* placed_b = scene.find(pair->b);
+  if (placed_a == nullptr || placed_b == nullptr) return picture;
+  const ShapeMap a(*placed_a, true), b(*placed_b, false);
+  const std::vector<MapCrossing> crossings = crossings_of(*pair, a, b);
+  std::set<int> lit_a, lit_b;
+  for (const MapCrossing& crossing : crossings) {
+    lit_a.insert(crossing.a);
+    lit_b.insert(crossing.b);
+  }
+  a.draw(inset.camera, lit_a, sketch);
+  b.draw(inset.camera, lit_b, sketch);
+  std::size_t in_front = 0;
+  for (const MapCrossing& crossing : crossings) {
+    if (!inset.camera.faces(crossing.normal, crossing.normal)) continue;
+    ++in_front;
+    sketch.marks.push_back({MarkKind::Dot, crossing.normal, kAxis});
+    sketch.explain(LegendKind::Crossing, "arcs that cross");
+  }
+  if (pair->sat) {
+    draw_best_axes(*pair->sat, inset.camera, sketch);
+  } else if (!pair->manifolds.empty()) {
+    draw_best(pair->manifolds.front().normal, "normal: " + spell_length(pair->separation), true,
+              inset.camera, sketch);
+    sketch.explain(LegendKind::BestAxis, "the contact's normal, its separation");
+  }
+  const std::size_t count = crossings.size();
+  if (count > 0)
+    picture.note =
+        std::to_string(count) + (count == 1 ? " pair of arcs crosses" : " pairs of arcs cross");
+  if (in_front < count) picture.note += ", " + std::to_string(in_front) + " in front";
+  return picture;
+}
+
+}  // namespace contactscope::draw

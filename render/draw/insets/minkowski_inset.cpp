@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "draw/insets/inset.h"
+#include "draw/insets/simplex_steps.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+#include "image/font.h"
+
+/// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
+/// van den Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
+namespace contactscope::draw {
+namespace {
+
+constexpr Color kDifference = rgb(0xE4E4E8);
+constexpr std::size_t kManyFaces = 120;
+constexpr double kAside = 46;  // pixels from a short arrow to its number
+
+bool has_difference(const trace::Pair& pair) {
+  return pair.minkowski || pair.gjk || pair.penetration;
+}
+
+/// Of the cores, which is what a difference is made of.
+bool holds_origin(const trace::Pair& pair) {
+  return pair.gjk ? pair.gjk->status == "overlap" : pair.state == "touching";
+}
+
+const trace::Pair* pair_with_difference(const trace::Frame& frame) {
+  for (const trace::Pair& pair : frame.pairs) {
+    if (has_difference(pair)) return &pair;
+  }
+  return nullptr;
+}
+
+void add_simplex(const std::vector<trace::SimplexVertex>& vertices, std::vector<Vec3d>& points) {
+  for (const trace::SimplexVertex& vertex : vertices) points.push_back(difference(vertex));
+}
+
+Color step_color(const SimplexStep& step) {
+  return step.of == SimplexStep::Of::Epa ? kReferenceFace : kClipPolygon;
+}
+
+void draw_vertex(const SimplexStep& step, std::size_t i, Sketch& sketch) {
+  const Vec3d at = difference(step.vertices[i]);
+  sketch.marks.push_back({MarkKind::Dot, at, step_color(step)});
+  sketch.labels.push_back({.at = at,
+                           .text = std::to_string(step.numbers[i]),
+                           .color = step_color(step),
+                           .size = 17,
+                           .bold = true,
+                           .clearance = 10,
+                           .direction = std::nullopt});
+}
+
+/// From the origin to a point, with its length. A number that is longer than its arrow would hide
+/// it, and stands aside.
+void draw_distance(const Inset& inset, const Vec3d& to, double distance, const std::string& name,
+                   double smallest, Sketch& sketch) {
+  if (to.norm() <= smallest) return;
+  Arrow arrow;
+  arrow.from = Vec3d::Zero();
+  arrow.to = to;
+  arrow.double_headed = true;
+  arrow.width = 3;
+  arrow.color = kAxis;
+  arrow.halo = false;  // it would cover the origin
+  sketch.arrows.push_back(arrow);
+  Label label{.at = 0.5 * to,
+              .text = name + spell_length(distance),
+              .color = kAxisText,
+              .size = 16,
+              .bold = true,
+              .clearance = 14,
+              .direction = std::nullopt};
+  const std::optional<Point2> from = inset.camera.project(Vec3d::Zero());
+  const std::optional<Point2> tip = inset.camera.project(to);
+  if (from && tip) {
+    const float size = inset.scale * static_cast<float>(label.size);
+    const float length = std::hypot(tip->x - from->x, tip->y - from->y);
+    label.leader = length < text_width(label.text, size, FontWeight::Bold);
+    if (label.leader) {  // on the other side of the origin's name
+      label.clearance = kAside;
+      label.direction = inset.camera.right();
+    }
+  }
+  sketch.labels.push_back(label);
+}
+
+void draw_next(const SimplexStep& step, Sketch& sketch) {
+  if (!step.next) return;
+  sketch.marks.push_back({MarkKind::Hollow, difference(*step.next), step_color(step)});
+  sketch.explain(step.polytope != nullptr ? LegendKind::NextOfPolytope : LegendKind::NextOfSimplex,
+                 "next support point");
+}
+
+// A simplex has all of its edges and triangles.
+void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
+  const std::size_t count = step.vertices.size();
+  const Color color = step_color(step);
+  std::vector<Vec3d> points;
+  add_simplex(step.vertices, points);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      sketch.lines.push_back({points[i], points[j], {2.0f, color}, true});
+      for (std::size_t k = j + 1; k < count; ++k)
+        sketch.surfaces.push_back({{points[i], points[j], points[k]}, with_alpha(color, 0.16f)});
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) draw_vertex(step, i, sketch);
+  draw_next(step, sketch);
+  const bool mpr = step.of == SimplexStep::Of::Mpr;
+  if (count == 0) return;
+  sketch.explain(LegendKind::Simplex, mpr ? "portal and inner point" : "simplex");
+  if (mpr) return;
+  const Vec3d nearest = nearest_to_origin(points);
+  draw_distance(inset, nearest, nearest.norm(), "", smallest, sketch);
+  if (nearest.norm() > smallest) sketch.explain(LegendKind::Axis, "nearest point, its distance");
+}
+
+void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
+  const trace::Polytope& polytope = *step.polytope;
+  std::vector<Vec3d> points;
+  add_simplex(polytope.vertices, points);
+  const auto at = [&](int vertex) { return points[static_cast<std::size_t>(vertex)]; };
+  std::set<std::pair<int, int>> edges;
+  std::set<int> corners;  // of faces: the others are inside by now
+  for (const std::array<int, 3>& face : polytope.faces) {
+    sketch.surfaces.push_back(
+        {{at(face[0]), at(face[1]), at(face[2])}, with_alpha(kReferenceFace, 0.06f)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
+      corners.insert(face[i]);
+    }
+  }
+  for (const auto& [from, to] : edges)
+    sketch.lines.push_back({at(from), at(to), {1.5f, with_alpha(kReferenceFace, 0.75f)}});
+  for (const int corner : corners)
+    sketch.marks.push_back({MarkKind::Core, at(corner), kReferenceFace});
+  sketch.explain(LegendKind::Polytope, "polytope");
+  if (polytope.nearest < 0) return;
+  const std::array<int, 3>& face = polytope.faces[static_cast<std::size_t>(polytope.nearest)];
+  const std::vector<Vec3d> triangle = {at(face[0]), at(face[1]), at(face[2])};
+  sketch.surfaces.push_back({triangle, with_alpha(kReferenceFace, 0.35f)});
+  for (std::size_t i = 0; i < 3; ++i)
+    sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
+  for (const int corner : face) draw_vertex(step, static_cast<std::size_t>(corner), sketch);
+  sketch.explain(LegendKind::ReferenceFace, "face nearest to the origin");
+  draw_next(step, sketch);
+  const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+  draw_distance(inset, polytope.distance * normal, polytope.distance, step.last() ? "depth " : "",
+                smallest, sketch);
+  sketch.explain(LegendKind::Axis, "distance of its plane");
+}
+
+/// Without steps of an algorithm the difference itself tells how far the origin is from its border:
+/// outside the gap, inside the depth, along the normal of the nearest face.
+void draw_border_distance(const Inset& inset, const trace::Minkowski& difference, bool held,
+                          double smallest, Sketch& sketch) {
+  std::optional<Vec3d> nearest;
+  for (const std::vector<int>& face : difference.faces) {
+    const auto corner = [&](std::size_t i) {
+      return difference.vertices[static_cast<std::size_t>(face[i])];
+    };
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      const Vec3d place = nearest_to_origin({corner(0), corner(i - 1), corner(i)});
+      if (!nearest || place.norm() < nearest->norm()) nearest = place;
+    }
+  }
+  if (!nearest) return;
+  draw_distance(inset, *nearest, nearest->norm(), held ? "depth " : "gap ", smallest, sketch);
+  if (nearest->norm() > smallest)
+    sketch.explain(LegendKind::Axis, "from the origin to the nearest point of the border");
+}
+
+std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& step) {
+  if (!step) return pair.state == "touching" ? "holds the origin" : "the origin is outside";
+  const auto counted = [&](const char* name) {
+    return std::string(name) + " " + std::to_string(step->step) + " of " +
+           std::to_string(step->steps);
+  };
+  if (step->of == SimplexStep::Of::Epa)
+    return step->last() ? "EPA: " + pair.penetration->status : counted("EPA, expansion");
+  if (step->of == SimplexStep::Of::Mpr)
+    return step->last() ? "MPR: " + pair.penetration->status : counted("MPR, step");
+  return step->last() ? "GJK: " + pair.gjk->status : counted("GJK, step");
+}
+
+}  // namespace
+
+std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
+  std::vector<Vec3d> points = {Vec3d::Zero()};
+  for (const trace::Frame& frame : frames) {
+    const trace::Pair* pair = pair_with_difference(frame);
+    if (pair == nullptr) continue;
+    if (pair->minkowski)
+      points.insert(points.end(), pair->minkowski->vertices.begin(),
+                    pair->minkowski->vertices.end());
+    if (pair->gjk) {
+      for (const trace::Simplex& simplex : pair->gjk->steps) add_simplex(simplex, points);
+    }
+    if (pair->penetration) {
+      for (const trace::Polytope& p : pair->penetration->polytopes) add_simplex(p.vertices, points);
+    }
+  }
+  return points;
+}
+
+InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
+  InsetPicture picture;
+  picture.heading = "Minkowski difference B − A";
+  const trace::Pair* pair = pair_with_difference(scene.frame);
+  Sketch& sketch = picture.sketch;
+  double size = 0;
+  if (pair != nullptr && pair->minkowski) {
+    trace::Shape solid;
+    solid.vertices = pair->minkowski->vertices;
+    solid.faces = pair->minkowski->faces;
+    ShapeMesh mesh = make_mesh(solid);
+    // Its facets are small because it has many, not because they stand for a curve.
+    if (solid.faces.size() <= kManyFaces) {
+      for (ShapeMesh::Edge& edge : mesh.edges) edge.smooth = false;
+    }
+    const PlacedShape placed{&mesh, {}, solid.vertices};
+    draw_solid(inset.camera, placed, kDifference, sketch);
+    sketch.explain(LegendKind::Difference, "B − A");
+    Vec3d middle = Vec3d::Zero();
+    for (const Vec3d& v : solid.vertices) middle += v / static_cast<double>(solid.vertices.size());
+    sketch.center = middle;
+    for (const Vec3d& v : solid.vertices) size = std::max(size, (v - middle).norm());
+  }
+  const bool held = pair != nullptr && holds_origin(*pair);
+  sketch.marks.push_back({held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal});
+  sketch.labels.push_back({.at = Vec3d::Zero(),
+                           .text = "origin",
+                           .color = kNormal,
+                           .size = 15,
+                           .bold = true,
+                           .clearance = 12,
+                           .direction = Vec3d(-inset.camera.right())});
+  if (pair == nullptr) return picture;
+  const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
+  picture.note = note_of(*pair, step);
+  // Nearer than this is as good as in it: what rounding in float leaves.
+  const double smallest = 1e-6 * size;
+  if (!step) {
+    if (pair->minkowski) draw_border_distance(inset, *pair->minkowski, held, smallest, sketch);
+    return picture;
+  }
+  if (step->polytope != nullptr) {
+    draw_polytope(inset, *step, smallest, sketch);
+  } else {
+    draw_simplex(inset, *step, smallest, sketch);
+  }
+  return picture;
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <array>
+
+#include "core/convex_polygon.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/scene.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr float kPairLabelSize = 20;  // pixels
+constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the label
+
+// The body that moves where only one does, also when it has fallen below the other; else the upper.
+const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
+  const Vec3d up = scene.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  std::vector<std::string> names = {pair.a, pair.b};
+  if (scene.frame.solver) {
+    const auto rests = [&](const std::string& name) {
+      return std::ranges::none_of(scene.frame.solver->bodies,
+                                  [&](const trace::Body& body) { return body.name == name; });
+    };
+    if (rests(pair.a) != rests(pair.b)) std::erase_if(names, rests);
+  }
+  const PlacedShape* highest = nullptr;
+  for (const std::string& name : names) {
+    const PlacedShape* shape = scene.find(name);
+    if (shape == nullptr || shape->vertices.empty()) continue;
+    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0) {
+      highest = shape;
+    }
+  }
+  return highest;
+}
+
+// Corners of the silhouette on the screen, y down.
+std::vector<Vec2d> silhouette(const Camera& camera, const PlacedShape& shape) {
+  std::vector<Vec2d> points;
+  for (const Vec3d& p : extent_points(shape)) {
+    const std::optional<Point2> at = camera.project(p);
+    if (at) points.emplace_back(at->x, at->y);
+  }
+  return points.empty() ? points : convex_polygon(std::move(points));
+}
+
+// By a separating axis: both are convex, and the box's edges are level and upright.
+bool overlap(const std::vector<Vec2d>& polygon, const Vec2d& low, const Vec2d& high) {
+  if (polygon.size() < 3) return false;
+  Vec2d from = polygon.front(), to = from;
+  for (const Vec2d& p : polygon) {
+    from = from.cwiseMin(p);
+    to = to.cwiseMax(p);
+  }
+  if ((from.array() > high.array()).any() || (to.array() < low.array()).any()) return false;
+  const std::array<Vec2d, 4> corners{low, Vec2d(high.x(), low.y()), high, Vec2d(low.x(), high.y())};
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2d& p = polygon[i];
+    const Vec2d edge = polygon[(i + 1) % polygon.size()] - p;
+    if (std::ranges::all_of(corners, [&](const Vec2d& c) { return cross(edge, c - p) < 0; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+// Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
+// beside the body. Where other shapes are everywhere, above the body, or as high as the view goes.
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape* body = labelled_body(scene, pair);
+  if (body == nullptr) return;
+  const Camera& camera = scene.camera;
+  const Vec3d middle = body->pose.transform(body->mesh->shape->center_of_mass);
+  const std::optional<Point2> at = camera.project(middle);
+  const std::vector<Vec2d> own = silhouette(camera, *body);
+  if (!at || own.empty()) return;
+
+  std::vector<std::vector<Vec2d>> all;
+  std::vector<Vec2d> both = own;
+  for (const PlacedShape& shape : scene.shapes) {
+    if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") continue;
+    all.push_back(silhouette(camera, shape));
+    const std::string& name = shape.mesh->shape->name;
+    if (name == pair.a || name == pair.b)
+      both.insert(both.end(), all.back().begin(), all.back().end());
+  }
+  const double pixel = scene.scales.pixel;
+  const float size = static_cast<float>(pixel) * kPairLabelSize;
+  const Vec2d half(0.5 * text_width(pair.label, size, FontWeight::Bold) + 2, 0.5 * size);
+  const Vec2d origin(at->x, at->y);
+  // Where the label begins, at the border of the silhouette, and the way out.
+  const auto border = [&](const std::vector<Vec2d>& points, const Vec2d& out) -> Vec2d {
+    double reach = -1e300;
+    for (const Vec2d& p : points) reach = std::max(reach, out.dot(p - origin));
+    return origin + reach * out;
+  };
+  const Rect& view = camera.viewport();
+  const Vec2d low(view.x, view.y), high(view.x + view.width, view.y + view.height);
+  const auto is_free = [&](const Vec2d& begin, const Vec2d& out) {
+    const Vec2d center = begin + kPairLabelGap * pixel * out + out.cwiseProduct(half);
+    if ((center - half - low).minCoeff() < 0 || (high - center - half).minCoeff() < 0) return false;
+    return std::ranges::none_of(all, [&](const std::vector<Vec2d>& polygon) {
+      return overlap(polygon, center - half, center + half);
+    });
+  };
+  const Vec2d up(0, -1), down(0, 1), right(1, 0), left(-1, 0);
+  Vec2d begin = border(own, up), out = up;
+  for (const auto& [place, way] :
+       {std::pair{border(own, up), up}, std::pair{border(both, up), up},
+        std::pair{border(own, down), down}, std::pair{border(own, right), right},
+        std::pair{border(own, left), left}}) {
+    if (!is_free(place, way)) continue;
+    begin = place;
+    out = way;
+    break;
+  }
+  const Vec2d inside = Vec2d::Constant(pixel);
+  begin = begin.cwiseMax(low + inside).cwiseMin(high - inside);
+  const double metres = 1 / camera.pixels_per_metre(middle);
+  const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
+    return metres * (pixels.x() * camera.right() - pixels.y() * camera.up());
+  };
+  sketch.labels.push_back({.at = middle + in_world(begin - origin),
+                           .text = pair.label,
+                           .color = kText,
+                           .size = kPairLabelSize,
+                           .bold = true,
+                           .clearance = kPairLabelGap,
+                           .direction = in_world(out).normalized()});
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "draw/insets/stability_plot.h"
+#include "draw/scene/curved_arrow.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+#include "draw/scene/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kFreeTurn = 0.9;         // of a whole one, by the curved arrow of a free axis
+constexpr double kFreeTurnRadius = 30;    // pixels, or
+constexpr double kFreeTurnShare = 0.085;  // of a small view
+constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
+constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
+constexpr double kShortMargin = 0.06;     // of the support: too short to be drawn
+constexpr const char* kFreeAxis = "axis about which the body turns";
+
+// Which way gravity, or whatever presses the bodies together, turns the body.
+Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
+  const trace::Stability& stability = *pair.stability;
+  const Vec3d& normal = pair.manifolds.front().normal;
+  const Vec3d down = stability.shape == pair.a ? normal : Vec3d(-normal);
+  const Vec3d torque = (stability.center_of_mass - from).cross(down);
+  return torque.dot(along) < 0 ? Vec3d(-along) : along;
+}
+
+void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::array<Vec3d, 2>& ends = *pair.stability->axis;
+  const Vec3d between = ends[1] - ends[0];
+  if (!(between.norm() > 0) || pair.manifolds.empty()) return;
+  const Vec3d along = between.normalized();
+  const PlacedShape* body = scene.find(pair.stability->shape);
+  const double radius =
+      body != nullptr && std::isfinite(body->mesh->radius) ? body->mesh->radius : between.norm();
+  // The curved arrow stands clear of the points.
+  const double pixels = std::min(kFreeTurnRadius, kFreeTurnShare * scene.camera.viewport().height);
+  const double turn = pixels / scene.camera.pixels_per_metre(0.5 * (ends[0] + ends[1]));
+  const double beyond = std::max({0.25 * between.norm(), kBeyondAxis * radius, kClearTurns * turn});
+  const Vec3d from = ends[0] - beyond * along, to = ends[1] + beyond * along;
+  sketch.lines.push_back({from, to, {5.5f, with_alpha(kWhite, 0.85f)}, false});
+  sketch.lines.push_back({from, to, {2.5f, kNormal, true}, true});
+  // At the end that is farther from what else is drawn, so that the points stay free.
+  const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
+  const double inset = std::min(0.3 * beyond, 0.5 * turn);
+  const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
+  const Vec3d axis = turning(pair, ends[0], along);
+  // In balance on its axis it may turn either way: heads at both ends.
+  for (const double way : {1.0, -1.0}) {
+    if (way < 0 && pair.stability->margin != 0) break;
+    draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
+                      kNormal, sketch);
+  }
+  sketch.explain(LegendKind::FreeAxis, kFreeAxis);
+}
+
+void explain_support(const trace::Stability& stability, Sketch& sketch) {
+  if (stability.support.size() > 2)
+    sketch.explain(LegendKind::Support, "support: hull of the contact points");
+  if (stability.support.size() == 2)
+    sketch.explain(LegendKind::Support, "support: a line between two points");
+}
+
+std::string verdict_of(const trace::Stability& stability) {
+  if (stability.support.size() < 3 || stability.verdict == "no contact") return stability.verdict;
+  if (stability.margin == 0) return stability.verdict + ", on the border";
+  const std::string margin = spell_margin(std::abs(stability.margin));
+  return stability.verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
+}
+
+}  // namespace
+
+// Gregorius 2015, "Incremental Manifold Stability": a body is stable while its centre of mass
+// projects into the manifold; before, it turns about what there is.
+void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.stability) return;
+  const trace::Stability& stability = *pair.stability;
+  if (stability.support.size() > 2)
+    sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
+  explain_support(stability, sketch);
+  if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
+  if (stability.axis && stability.verdict != "stable") draw_free_axis(scene, pair, sketch);
+  if (stability.support.empty()) return;
+  sketch.labels.push_back({.at = stability.projection,
+                           .text = verdict_of(stability),
+                           .color = kText,
+                           .size = 18,
+                           .bold = true,
+                           .clearance = 16,
+                           .direction = Vec3d(-scene.camera.up())});
+}
+
+void explain_stability_panel(const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.stability || pair.manifolds.empty()) return;
+  const trace::Stability& stability = *pair.stability;
+  if (stability.verdict == "no contact") return;
+  explain_support(stability, sketch);
+  if (stability.axis && stability.verdict != "stable")
+    sketch.explain(LegendKind::FreeAxis, kFreeAxis);
+  double reach = 0;
+  for (const Vec3d& corner : stability.support)
+    reach = std::max(reach, (corner - stability.projection).norm());
+  if (std::abs(stability.margin) > kShortMargin * reach)
+    sketch.explain(LegendKind::SupportMargin, "margin: to the border of the support");
+}
+
+}  // namespace contactscope::draw

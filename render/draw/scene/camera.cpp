@@ -1,0 +1,147 @@
+#include "draw/scene/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace contactscope::draw {
+namespace {
+
+// Nearest drawable distance, as a fraction of the distance from eye to target: near enough that a
+// floor under the camera is cropped by the picture and not by this plane.
+constexpr double kNearFraction = 0.02;
+
+// Sutherland-Hodgman step against one boundary, for whatever has a signed distance and a mix.
+template <class P, class Inside, class Mix>
+std::vector<P> clip_polygon(const std::vector<P>& polygon, Inside distance, Mix mix) {
+  std::vector<P> result;
+  result.reserve(polygon.size() + 1);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const P& from = polygon[i];
+    const P& to = polygon[(i + 1) % polygon.size()];
+    const double d0 = distance(from);
+    const double d1 = distance(to);
+    if (d0 >= 0) result.push_back(from);
+    if ((d0 >= 0) != (d1 >= 0)) result.push_back(mix(from, to, d0 / (d0 - d1)));
+  }
+  return result;
+}
+
+Point2 mix2(const Point2& a, const Point2& b, double t) {
+  return {static_cast<float>(a.x + t * (b.x - a.x)), static_cast<float>(a.y + t * (b.y - a.y))};
+}
+
+std::array<std::function<double(const Point2&)>, 4> borders(const Rect& r) {
+  return {[r](const Point2& p) { return p.x - r.x; },
+          [r](const Point2& p) { return r.x + r.width - p.x; },
+          [r](const Point2& p) { return p.y - r.y; },
+          [r](const Point2& p) { return r.y + r.height - p.y; }};
+}
+
+}  // namespace
+
+Camera::Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport)
+    : eye_(eye), viewport_(viewport) {
+  const Vec3d forward = (target - eye).normalized();
+  Vec3d right = forward.cross(up);
+  if (right.norm() <= 1e-6 * up.norm()) {
+    // Straight down or up: x stays to the right, as on a map.
+    const bool z_up = std::abs(up.z()) > std::abs(up.y());
+    right = forward.cross(z_up ? Vec3d::UnitY() : Vec3d(-Vec3d::UnitZ()));
+  }
+  right.normalize();
+  axes_.col(0) = right;
+  axes_.col(1) = right.cross(forward);
+  axes_.col(2) = forward;
+  near_ = kNearFraction * (target - eye).norm();
+}
+
+Camera Camera::perspective(const Vec3d& eye, const Vec3d& target, const Vec3d& up,
+                           double fov_radians, const Rect& viewport) {
+  Camera camera(eye, target, up, viewport);
+  camera.scale_ = 0.5 * viewport.height / std::tan(0.5 * fov_radians);
+  return camera;
+}
+
+Camera Camera::orthographic(const Vec3d& eye, const Vec3d& target, const Vec3d& up, double height,
+                            const Rect& viewport) {
+  Camera camera(eye, target, up, viewport);
+  camera.perspective_ = false;
+  camera.scale_ = viewport.height / height;
+  return camera;
+}
+
+Vec3d Camera::to_eye(const Vec3d& point) const {
+  return perspective_ ? Vec3d((eye_ - point).normalized()) : Vec3d(-axes_.col(2));
+}
+
+bool Camera::faces(const Vec3d& point, const Vec3d& normal) const {
+  return normal.dot(to_eye(point)) > 0;
+}
+
+Vec3d Camera::to_camera(const Vec3d& point) const {
+  return axes_.transpose() * (point - eye_);
+}
+
+Point2 Camera::to_pixels(const Vec3d& p) const {
+  const double scale = perspective_ ? scale_ / p.z() : scale_;
+  return {static_cast<float>(viewport_.x + 0.5 * viewport_.width + scale * p.x()),
+          static_cast<float>(viewport_.y + 0.5 * viewport_.height - scale * p.y())};
+}
+
+std::optional<Point2> Camera::project(const Vec3d& point) const {
+  const Vec3d p = to_camera(point);
+  if (p.z() < near_) return std::nullopt;
+  return to_pixels(p);
+}
+
+double Camera::pixels_per_metre(const Vec3d& point) const {
+  return perspective_ ? scale_ / std::max(to_camera(point).z(), near_) : scale_;
+}
+
+std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon) {
+  std::vector<Vec3d> in_camera;
+  in_camera.reserve(polygon.size());
+  for (const Vec3d& p : polygon) in_camera.push_back(camera.to_camera(p));
+  in_camera = clip_polygon(
+      in_camera, [&](const Vec3d& p) { return p.z() - camera.near_distance(); },
+      [](const Vec3d& a, const Vec3d& b, double t) { return Vec3d(a + t * (b - a)); });
+
+  std::vector<Point2> pixels;
+  pixels.reserve(in_camera.size());
+  for (const Vec3d& p : in_camera) pixels.push_back(camera.to_pixels(p));
+  for (const auto& border : borders(camera.viewport())) {
+    pixels = clip_polygon(pixels, border, mix2);
+  }
+  if (pixels.size() < 3) pixels.clear();
+  return pixels;
+}
+
+std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to) {
+  double first = 0, last = 1;
+  for (const auto& border : borders(rect)) {
+    const double d0 = border(from);
+    const double d1 = border(to);
+    if (d0 < 0 && d1 < 0) return std::nullopt;
+    if (d0 < 0) first = std::max(first, d0 / (d0 - d1));
+    if (d1 < 0) last = std::min(last, d0 / (d0 - d1));
+  }
+  if (first >= last) return std::nullopt;
+  return Segment2{mix2(from, to, first), mix2(from, to, last)};
+}
+
+std::optional<Segment2> project_segment(const Camera& camera, const Vec3d& from, const Vec3d& to) {
+  Vec3d a = camera.to_camera(from);
+  Vec3d b = camera.to_camera(to);
+  const double near = camera.near_distance();
+  if (a.z() < near && b.z() < near) return std::nullopt;
+  const auto at_near = [&](const Vec3d& p, const Vec3d& q) {
+    return Vec3d(p + (near - p.z()) / (q.z() - p.z()) * (q - p));
+  };
+  if (a.z() < near) a = at_near(a, b);
+  if (b.z() < near) b = at_near(b, a);
+  return clip_segment(camera.viewport(), camera.to_pixels(a), camera.to_pixels(b));
+}
+
+}  // namespace contactscope::draw

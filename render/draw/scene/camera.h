@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/vec3.h"
+#include "draw/scene/drawing.h"
+
+namespace contactscope::draw {
+
+/// Part of the canvas, pixels.
+struct Rect {
+  double x = 0, y = 0, width = 0, height = 0;
+
+  bool contains(const Point2& p) const {
+    return p.x >= x && p.x <= x + width && p.y >= y && p.y <= y + height;
+  }
+};
+
+/// Looks from `eye` at `target`, both in metres, and maps world space to the pixels of `viewport`.
+/// Perspective with a vertical field of view, or orthographic with a height in metres.
+class Camera {
+ public:
+  /// `eye` and `target` differ. When the view direction is along `up`, another axis serves as up.
+  static Camera perspective(const Vec3d& eye, const Vec3d& target, const Vec3d& up,
+                            double fov_radians, const Rect& viewport);
+  static Camera orthographic(const Vec3d& eye, const Vec3d& target, const Vec3d& up, double height,
+                             const Rect& viewport);
+
+  const Vec3d& eye() const { return eye_; }
+  bool is_perspective() const { return perspective_; }
+  const Rect& viewport() const { return viewport_; }
+  Vec3d right() const { return axes_.col(0); }
+  Vec3d up() const { return axes_.col(1); }
+  /// From `point` to the eye, unit.
+  Vec3d to_eye(const Vec3d& point) const;
+  /// Does a surface at `point` with this outward normal show its outside?
+  bool faces(const Vec3d& point, const Vec3d& normal) const;
+
+  /// World to camera space: x right, y up, z the distance in front of the eye.
+  Vec3d to_camera(const Vec3d& point) const;
+  /// Points nearer than this are not drawn, metres along the view direction.
+  double near_distance() const { return near_; }
+  /// Camera space to pixels; z >= near_distance().
+  Point2 to_pixels(const Vec3d& camera_space) const;
+  /// World to pixels; nothing for points behind the near plane.
+  std::optional<Point2> project(const Vec3d& point) const;
+  /// Pixels that one metre covers at right angles to the view at `point`.
+  double pixels_per_metre(const Vec3d& point) const;
+
+ private:
+  Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport);
+
+  Vec3d eye_;
+  Mat3<double> axes_;  // columns right, up, forward
+  Rect viewport_;
+  bool perspective_ = true;
+  double scale_ = 1;  // pixels per unit of tangent, or pixels per metre
+  double near_ = 0;
+};
+
+/// Part of a convex polygon in front of the near plane, as pixels, clipped to the viewport. Empty
+/// when nothing is left.
+std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon);
+
+struct Segment2 {
+  Point2 from, to;
+};
+
+/// The same for a segment.
+std::optional<Segment2> project_segment(const Camera& camera, const Vec3d& from, const Vec3d& to);
+
+/// Part of a segment inside a rectangle.
+std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to);
+
+}  // namespace contactscope::draw

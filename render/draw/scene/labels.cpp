@@ -1,0 +1,99 @@
+#include "draw/scene/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace contactscope::draw {
+namespace {
+
+constexpr int kRings = 9;
+// Rings on which lines are kept off. A label that names what it stands at stays near to it.
+constexpr int kUncrossedRings = 14;
+constexpr int kUncrossedNearby = 6;
+constexpr int kDirections = 16;
+// Space around a label's letters that stays free, pixels.
+constexpr float kPadding = 2;
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+}  // namespace
+
+void LabelPlacer::block(const Point2& center, float radius) {
+  taken_.push_back({center.x - radius, center.y - radius, 2 * radius, 2 * radius});
+}
+
+void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
+  // A chain of squares follows a slanted line more closely than its bounding box.
+  const float dx = to.x - from.x;
+  const float dy = to.y - from.y;
+  const float length = std::hypot(dx, dy);
+  const int pieces = std::clamp(static_cast<int>(length / std::max(width, 1.0f)) + 1, 1, 200);
+  for (int i = 0; i <= pieces; ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(pieces);
+    block({from.x + t * dx, from.y + t * dy}, 0.5f * width);
+  }
+}
+
+void LabelPlacer::avoid(const Point2& from, const Point2& to) {
+  lines_.push_back({from, to});
+}
+
+bool LabelPlacer::is_crossed(const Rect& box) const {
+  return std::ranges::any_of(lines_, [&](const Segment2& line) {
+    return clip_segment(box, line.from, line.to).has_value();
+  });
+}
+
+bool LabelPlacer::is_free(const Rect& box) const {
+  if (box.x < view_.x || box.y < view_.y || box.x + box.width > view_.x + view_.width ||
+      box.y + box.height > view_.y + view_.height) {
+    return false;
+  }
+  return std::none_of(taken_.begin(), taken_.end(),
+                      [&](const Rect& other) { return overlap(box, other); });
+}
+
+std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
+                                                     float ascent, float descent, float clearance,
+                                                     const Point2& direction, bool outwards) {
+  const float height = ascent + descent;
+  const double wanted = std::atan2(direction.y, direction.x);
+  const int uncrossed_rings = outwards ? kUncrossedNearby : kUncrossedRings;
+  for (int attempt = 0; attempt < uncrossed_rings + kRings; ++attempt) {
+    const bool uncrossed = attempt < uncrossed_rings;
+    const int ring = uncrossed ? attempt : attempt - uncrossed_rings;
+    const double reach = clearance + ring * 0.75 * height;
+    for (int i = 0; i < kDirections; ++i) {
+      // 0, +1, -1, +2, -2, ... steps away from the wanted direction.
+      const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
+      if (uncrossed && outwards && std::abs(step) > kDirections / 4) break;
+      const double angle = wanted + step * 2 * std::numbers::pi / kDirections;
+      const double ux = std::cos(angle);
+      const double uy = std::sin(angle);
+      // The box touches the ring with the side or corner that looks at the anchor.
+      const double cx =
+          anchor.x + ux * (reach + 0.5 * width * std::abs(ux)) +
+          (std::abs(ux) < 0.35 ? 0.0 : std::copysign(0.25 * width * (1 - std::abs(ux)), ux));
+      const double cy = anchor.y + uy * (reach + 0.5 * height);
+      Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding, width + 2 * kPadding,
+               height + 2 * kPadding};
+      if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
+      taken_.push_back(box);
+      Place place;
+      place.left_baseline = {static_cast<float>(cx - 0.5 * width),
+                             static_cast<float>(cy + 0.5 * height - descent)};
+      place.leader_end = {
+          static_cast<float>(std::clamp<double>(anchor.x, box.x, box.x + box.width)),
+          static_cast<float>(std::clamp<double>(anchor.y, box.y, box.y + box.height))};
+      place.needs_leader = std::hypot(place.leader_end.x - anchor.x,
+                                      place.leader_end.y - anchor.y) > clearance + 0.8 * height;
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace contactscope::draw

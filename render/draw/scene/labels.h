@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "draw/scene/camera.h"
+#include "draw/scene/drawing.h"
+
+namespace contactscope::draw {
+
+/// Finds places for labels: never over a mark, another label or the border of the view.
+///
+/// Places are tried on rings around the anchor, nearest ring first and on each ring from the wanted
+/// direction outwards; the first one is taken that is free and that no line crosses. Where there is
+/// none nearby, lines may cross it. A label that found no free place on any ring is left out rather
+/// than drawn over something.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Rect& view) : view_(view) {}
+
+  /// Keeps labels off a disc, or off a line of some width; pixels.
+  void block(const Point2& center, float radius);
+  void block(const Point2& from, const Point2& to, float width);
+  /// Keeps labels off a line where they can.
+  void avoid(const Point2& from, const Point2& to);
+
+  struct Place {
+    Point2 left_baseline;  // where the text begins
+    bool needs_leader = false;
+    Point2 leader_end;  // point of the label's box nearest to the anchor
+  };
+
+  /// `ascent`, `descent`, `width`: size of the text; `direction`: unit, y down. `outwards`: rather
+  /// on a line than on the other side of the anchor.
+  std::optional<Place> place(const Point2& anchor, float width, float ascent, float descent,
+                             float clearance, const Point2& direction, bool outwards = false);
+
+ private:
+  bool is_free(const Rect& box) const;
+  bool is_crossed(const Rect& box) const;
+
+  Rect view_;
+  std::vector<Rect> taken_;
+  std::vector<Segment2> lines_;
+};
+
+}  // namespace contactscope::draw

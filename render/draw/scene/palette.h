@@ -1,0 +1,38 @@
+#pragma once
+
+#include "draw/scene/drawing.h"
+
+/// Roles of the picture language: Okabe-Ito colours, always with a form of their own.
+namespace contactscope::draw {
+
+constexpr Color rgb(unsigned hex, float alpha = 1.0f) {
+  return {static_cast<float>((hex >> 16) & 0xFF) / 255.0f,
+          static_cast<float>((hex >> 8) & 0xFF) / 255.0f, static_cast<float>(hex & 0xFF) / 255.0f,
+          alpha};
+}
+constexpr Color with_alpha(Color color, float alpha) {
+  color.a = alpha;
+  return color;
+}
+
+inline constexpr Color kShapeA = rgb(0xDDE3EA);
+inline constexpr Color kShapeB = rgb(0xEDE6DA);
+inline constexpr Color kShapeEdge = rgb(0x4A5058);
+// The greys of the shapes as ink, for their arcs on the Gauss map.
+inline constexpr Color kArcOfA = rgb(0x4F6076);
+inline constexpr Color kArcOfB = rgb(0x94764A);
+inline constexpr Color kReferenceFace = rgb(0x0072B2);
+inline constexpr Color kSidePlane = rgb(0x56B4E9);
+inline constexpr Color kIncidentFace = rgb(0xE69F00);
+inline constexpr Color kClipPolygon = rgb(0x009E73);
+inline constexpr Color kContact = rgb(0xD55E00);
+inline constexpr Color kDropped = rgb(0x666666);
+inline constexpr Color kNormal = rgb(0x000000);
+inline constexpr Color kAxis = rgb(0xCC79A7);
+// The axis colour is too light for letters on white; the same hue, darkened to a contrast of 4.6.
+inline constexpr Color kAxisText = rgb(0xA2477B);
+inline constexpr Color kText = rgb(0x1A1D21);
+inline constexpr Color kQuietText = rgb(0x666666);
+inline constexpr Color kWhite = rgb(0xFFFFFF);
+
+}  // namespace contactscope::draw

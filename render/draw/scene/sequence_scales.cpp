@@ -1,0 +1,147 @@
+#include "draw/scene/sequence_scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "core/view.h"
+#include "draw/scene/camera.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/quantity.h"
+#include "draw/scene/scene.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kUsualImpulse = 0.20;   // of the view's height
+constexpr double kUsualOfBody = 1.1;     // and of the smallest body's radius
+constexpr double kLeastUsual = 0.08;     // but this much of the view's height
+constexpr double kUsualFriction = 0.5;   // of a usual impulse's length, at a scale of its own
+constexpr double kLongestImpulse = 2.2;  // of a usual one
+constexpr double kLongestStated = 0.45;  // of the view's height, at a scale of the view's own
+constexpr double kFastest = 0.26;        // of the view's height
+constexpr double kWidestTurn = 1.2;      // of half a turn
+constexpr double kWidestDrift = 46;      // pixels
+constexpr double kPlainDrift = 16;       // pixels that need no exaggeration
+constexpr double kStill = 1e-3;          // pixels a frame: no faster, it is rounding
+constexpr double kTouching = 1e-4;       // of the smallest body's radius
+
+// What is elsewhere, or behind the eye, sets no scale.
+bool is_in_view(const Camera& camera, const Vec3d& point) {
+  const std::optional<Point2> at = camera.project(point);
+  return at && camera.viewport().contains(*at);
+}
+
+double smallest_radius(const std::vector<ShapeMesh>& meshes) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ShapeMesh& mesh : meshes) {
+    if (mesh.radius > 0) smallest = std::min(smallest, mesh.radius);
+  }
+  return smallest;
+}
+
+// An impact is many times what a resting body needs: the usual frame sets the scale.
+double usual(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+double round_down(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= value * (1 + 1e-12)) return step * decade;
+  }
+  return decade;
+}
+
+SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
+                          const std::vector<trace::Frame>& frames, const Camera& camera,
+                          const Layout& layout, const View& view) {
+  const auto shows = [&](const char* layer) {
+    return std::ranges::find(view.layers, layer) != view.layers.end();
+  };
+  SequenceScales scales;
+  if (frames.size() > 1) {
+    scales.step =
+        (frames.back().time - frames.front().time) / (frames.back().frame - frames.front().frame);
+  }
+  std::vector<double> impulses, frictions;  // largest of each frame that has any
+  double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
+  double drift = 0;                         // pixels
+  double pixels_per_metre = 0;
+  for (const trace::Frame& frame : frames) {
+    double largest = 0, largest_friction = 0;
+    for (const trace::Pair& pair : frame.pairs) {
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        for (const trace::Point& point : manifold.points) {
+          if (!point.impulse || !is_in_view(camera, point.position)) continue;
+          pixels_per_metre = std::max(pixels_per_metre, camera.pixels_per_metre(point.position));
+          largest = std::max(largest, point.impulse->normal);
+          largest_friction = std::max(largest_friction, point.impulse->friction.norm());
+          if (!point.relative_velocity || !shows("relative_velocity")) continue;
+          const Vec3d& before = point.relative_velocity->before;
+          scales.closing = std::max(scales.closing, std::abs(before.dot(manifold.normal)));
+          speed = std::max(speed, camera.pixels_per_metre(point.position) * before.norm());
+        }
+      }
+      if (!pair.incremental) continue;
+      for (const trace::PersistentPoint& point : pair.incremental->points) {
+        if (point.state == "broken") continue;  // it may have come off at any speed
+        drift = std::max(drift, camera.pixels_per_metre(point.point.position) *
+                                    (point.on_b - point.on_a).norm());
+      }
+    }
+    if (largest > 0) impulses.push_back(largest);
+    if (largest_friction > 0) frictions.push_back(largest_friction);
+    if (!frame.solver) continue;
+    for (const trace::Body& body : frame.solver->bodies) {
+      if (!is_in_view(camera, body.center_of_mass)) continue;
+      const double here = camera.pixels_per_metre(body.center_of_mass);
+      speed = std::max(speed, here * body.velocity.norm());
+      spin = std::max(spin, body.angular_velocity.norm());
+    }
+  }
+
+  scales.pixel = layout.scale;
+  const double smallest = smallest_radius(meshes);
+  if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
+  const double height = layout.view.height;
+  if (!impulses.empty()) {
+    const double share = height / pixels_per_metre;
+    const double length =
+        std::max(kLeastUsual * share, std::min(kUsualImpulse * share, kUsualOfBody * smallest));
+    // What the legend's round numbers are of.
+    const double unit = shows("loads") && scales.step > 0 ? scales.step : 1;
+    scales.impulse =
+        view.impulse_scale.value_or(round_down(length / usual(impulses) * unit)) / unit;
+    scales.longest_impulse = view.impulse_scale ? kLongestStated * share : kLongestImpulse * length;
+    scales.friction = scales.impulse;
+    if (shows("friction") && !frictions.empty()) {
+      scales.friction = round_down(kUsualFriction * length / usual(frictions) * unit) / unit;
+    }
+  }
+  if (speed * scales.step < kStill && scales.step > 0) speed = 0;
+  if (spin * scales.step < kStill / height && scales.step > 0) spin = 0;
+  if (speed > 0) scales.velocity = round_down(kFastest * height / speed);
+  if (spin > 0) scales.spin = round_down(kWidestTurn * std::numbers::pi / spin);
+  if (drift > 0 && drift < layout.px(kPlainDrift)) {
+    scales.drift = std::max(1.0, round_down(layout.px(kWidestDrift) / drift));
+  }
+  return scales;
+}
+
+std::string spell_impulse_scale(double metres_per_unit, const std::string& unit) {
+  // As many units as give a length that a person can imagine beside the bodies.
+  double units = 1;
+  while (metres_per_unit * units > 1) units /= 10;
+  while (metres_per_unit * units < 0.1) units *= 10;
+  return spell_quantity(units, unit, 1) + " = " + spell_quantity(metres_per_unit * units, "m", 1);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,197 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.h"
+#include "draw/scene/depth_order.h"
+#include "draw/scene/drawing.h"
+#include "draw/scene/hidden_lines.h"
+#include "draw/scene/round_body.h"
+
+/// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
+/// compose() turns it into a Drawing. Lengths in metres where they belong to the scene, in pixels
+/// at 720 lines where they belong to the picture.
+namespace contactscope::draw {
+
+struct LineStyle {
+  float width = 1;  // pixels
+  Color color{};
+  bool dashed = false;
+  enum class Hidden { Same, Faint, Gone } hidden = Hidden::Same;
+};
+
+struct Line {
+  Vec3d from, to;
+  LineStyle style;
+  bool keep_clear = false;  // no label may cover it
+};
+
+/// A line through many points, whose dashes run on from one to the next.
+struct Curve {
+  std::vector<Vec3d> points;
+  LineStyle style;
+  bool closed = false;
+};
+
+/// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
+struct Arrow {
+  Vec3d from;
+  Vec3d direction = Vec3d::Zero();  // unit
+  float pixels = 0;
+  std::optional<Vec3d> to;
+  bool double_headed = false;
+  float width = 2;
+  float head = 9;  // pixels
+  Color color;
+  bool halo = true;
+  bool open = false;         // a head of two strokes
+  float head_share = 0.45f;  // largest share of the length that the head takes
+  bool may_leave = false;    // cut at the border of the view; others are left out there
+};
+
+/// For what is drawn to scale: as long as it is, also beyond the border of the view.
+inline Arrow arrow_to_scale(const Vec3d& from, const Vec3d& way, float width, float head,
+                            const Color& color) {
+  return {.from = from,
+          .to = from + way,
+          .width = width,
+          .head = head,
+          .color = color,
+          .may_leave = true};
+}
+
+enum class MarkKind {
+  Dot,
+  Half,  // filled on its left
+  Hollow,
+  Ring,
+  WideRing,  // hollow, around what stands in the same place
+  Apart,     // a point that does not touch yet
+  Cross,
+  SmallCross,
+  Core,
+  Quartered,       // a centre of mass
+  SmallQuartered,  // and where it is projected to
+  Origin,          // of a space that has one
+  HeldOrigin,      // within what the picture is about
+  Square,          // a contact point that has no age
+  Node,            // where lines meet
+};
+
+/// Something of a fixed size on the screen.
+struct Mark {
+  MarkKind kind = MarkKind::Dot;
+  Vec3d at;
+  Color color;
+};
+
+/// Text that wants to stand near a point and finds its own place.
+struct Label {
+  Vec3d at;
+  std::string text;
+  Color color;
+  float size = 14;
+  bool bold = false;
+  double clearance = 8;  // pixels between the point and the text
+  // Places are tried starting in this direction (world); none: away from the sketch's centre.
+  std::optional<Vec3d> direction;
+  bool leader = false;  // a line to the point also from near by
+};
+
+/// What the legend can explain, in drawing order.
+enum class LegendKind {
+  ShapeA,
+  ShapeB,
+  Core,
+  Rounded,
+  Margins,
+  ReferenceFace,
+  SidePlane,
+  IncidentFace,
+  ClipPolygon,
+  Support,
+  Dropped,
+  Reduced,
+  BeforeMove,
+  Contact,
+  OneShotPoint,
+  NewPoint,
+  PersistedPoint,
+  BrokenPoint,
+  Anchors,
+  PlainPoint,
+  ApartPoint,
+  Kept,
+  KeptPolygon,
+  Deepest,
+  LostArea,
+  BestPolygon,
+  AxesBox,
+  Candidate,
+  OutsideTriangle,
+  InsideTriangle,
+  KeptIds,
+  Normal,
+  NormalImpulse,
+  WarmStart,
+  FrictionImpulse,
+  BreakMark,
+  Velocity,
+  RelativeVelocity,
+  NormalVelocity,
+  Spin,
+  Ahead,
+  CenterOfMass,
+  FreeAxis,
+  SupportMargin,
+  DecidingEdges,
+  Axis,
+  NarrowAxis,
+  ClosestPoints,
+  LineOfCenters,
+  TreeQuery,
+  TreeBox,
+  TreeMiss,
+  Difference,
+  Simplex,
+  Polytope,
+  SimplexPoints,
+  FacePoints,
+  NextOfSimplex,
+  NextOfPolytope,
+  ArcsOfA,
+  ArcsOfB,
+  Crossing,
+  BestAxis,
+};
+
+struct LegendEntry {
+  LegendKind kind;
+  std::string text;
+};
+
+struct Sketch {
+  std::vector<Surface> surfaces;
+  Occluders occluders;
+  std::vector<RoundBody> bodies;      // that surfaces belong to
+  std::vector<ConvexShadow> shadows;  // of bodies
+  std::vector<Curve> curves;
+  std::vector<Line> lines;
+  std::vector<Arrow> arrows;
+  std::vector<Mark> marks;
+  std::vector<Label> labels;
+  std::vector<LegendEntry> legend;
+  Vec3d center = Vec3d::Zero();  // labels stand away from it
+
+  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], style, false});
+    }
+  }
+  /// Adds an entry unless it stands there already.
+  void explain(LegendKind kind, const std::string& text);
+};
+
+}  // namespace contactscope::draw

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "draw/scene/scene.h"
+
+/// From one shape's surface to the other's at a contact point.
+namespace contactscope::draw {
+
+/// Where along the normal the two surfaces are at a contact point: an overlap from the surface of A
+/// to that of B, which is behind it. With the scene's depth factor the overlap is so many times as
+/// long, and begins at the surface on which the point lies, or in the middle of both.
+struct Whisker {
+  Vec3d on_a, on_b;
+};
+Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
+                   const trace::Point& point);
+
+/// The point is in the manifold although the shapes do not touch there, because they are within its
+/// margin.
+bool stands_off(const trace::Point& point, const SequenceScales& scales);
+
+}  // namespace contactscope::draw
