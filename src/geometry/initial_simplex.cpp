@@ -24,7 +24,10 @@ std::pair<int, double> farthest(std::size_t count, const Value& value) {
 Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
   const auto at = [&](int i) -> const Vec3d& { return points[static_cast<std::size_t>(i)]; };
   Simplex simplex;
-  auto& [a, b, c, d] = simplex.points;
+  int& a = simplex.points[0];
+  int& b = simplex.points[1];
+  int& c = simplex.points[2];
+  int& d = simplex.points[3];
 
   std::vector<int> extremes;
   for (int axis = 0; axis < 3; ++axis) {

@@ -116,7 +116,7 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
 
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      if (run.run_type != Run::RT_Iteration) continue;
       times_[run.run_name.function_name].push_back(run.cpu_accumulated_time * 1e9 /
                                                    static_cast<double>(run.iterations) / kPatches);
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 #include "core/convex_polygon.h"
 #include "draw/charts/id_strip.h"
@@ -302,7 +301,7 @@ void ContactCells::draw_points(const Rect& map, const std::vector<Point2>& place
 void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const {
   double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
   const float size = layout_.px(kNumber);
-  for (const ContactCell::Row& row : cell.rows | std::views::take(row_count())) {
+  for (const ContactCell::Row& row : shown_rows(cell)) {
     const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
     drawing.primitives.push_back(
         written(fitted(left_of(row), size, weight, static_cast<float>(rect.width)), rect.x,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,7 @@ class ContactCells {
   double furniture() const;
   double strip_height() const;
   std::size_t row_count() const;
+  std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
   bool has_row_ends() const;
   std::string left_of(const ContactCell::Row& row) const;
   double row_width() const;

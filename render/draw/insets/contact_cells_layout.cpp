@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "draw/insets/contact_cells.h"
 #include "image/font.h"
@@ -164,6 +163,10 @@ std::size_t ContactCells::row_count() const {
   return detail_.all_rows ? most : std::min<std::size_t>(most, 1);
 }
 
+std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& cell) const {
+  return std::span(cell.rows).first(std::min(row_count(), cell.rows.size()));
+}
+
 bool ContactCells::has_row_ends() const {
   return std::ranges::any_of(moments_, [](const ContactMoment& moment) {
     return std::ranges::any_of(moment.cells, [](const ContactCell& cell) {
@@ -180,12 +183,11 @@ std::string ContactCells::left_of(const ContactCell::Row& row) const {
 
 /// Width that the widest row of any cell needs, pixels.
 double ContactCells::row_width() const {
-  const std::size_t count = row_count();
   const float size = layout_.px(kNumber);
   double widest = 0;
   for (const ContactMoment& moment : moments_) {
     for (const ContactCell& cell : moment.cells) {
-      for (const ContactCell::Row& row : cell.rows | std::views::take(count)) {
+      for (const ContactCell::Row& row : shown_rows(cell)) {
         const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
         double width = text_width(left_of(row), size, weight);
         if (detail_.row_ends && !row.right.empty()) {
