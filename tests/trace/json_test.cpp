@@ -15,11 +15,11 @@
 namespace contactscope::trace {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
+std::vector<std::string> keys_of(const json& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
@@ -31,7 +31,7 @@ Trace read_back(const Header& header, const Frame& frame) {
 }
 
 TEST(TraceJson, HeaderHasTheKeysOfTheFormatInItsOrder) {
-  const auto line = nlohmann::ordered_json::parse(to_json_line(sample_header()));
+  const auto line = json::parse(to_json_line(sample_header()));
   EXPECT_THAT(keys_of(line), ElementsAre("schema", "scenario", "title", "source", "scalar", "up",
                                          "frames", "shapes"));
   EXPECT_EQ(line["schema"], "contactscope.trace/1");
@@ -47,7 +47,7 @@ TEST(TraceJson, HeaderHasTheKeysOfTheFormatInItsOrder) {
 }
 
 TEST(TraceJson, FrameHasTheKeysOfTheFormatInItsOrder) {
-  const auto line = nlohmann::ordered_json::parse(to_json_line(sample_frame()));
+  const auto line = json::parse(to_json_line(sample_frame()));
   EXPECT_THAT(keys_of(line), ElementsAre("frame", "time", "poses", "pairs", "solver"));
   EXPECT_THAT(keys_of(line["poses"]["zebra"]), ElementsAre("position", "quat_wxyz"));
   EXPECT_EQ(line["poses"]["zebra"]["quat_wxyz"], json({0.5, -0.5, 0.5, -0.5}));
@@ -87,7 +87,7 @@ TEST(TraceJson, AReductionWithoutStepsOrABestPolygonHasNoKeyForThem) {
   Frame frame = sample_frame();
   frame.pairs[0].reduction->best.clear();
   frame.pairs[0].reduction->choices.clear();
-  const auto line = nlohmann::ordered_json::parse(to_json_line(frame));
+  const auto line = json::parse(to_json_line(frame));
   EXPECT_THAT(keys_of(line["pairs"][0]["reduction"]),
               ElementsAre("method", "points", "kept", "area", "best_area"));
 }
@@ -95,7 +95,7 @@ TEST(TraceJson, AReductionWithoutStepsOrABestPolygonHasNoKeyForThem) {
 TEST(TraceJson, AMissOfASeparatingAxisHasNeitherANormalNorAWayMoved) {
   Frame frame = sample_frame();
   frame.pairs[0].cache = Cache{false, "separating_axis", "edge_edge", {}, {}};
-  const auto line = nlohmann::ordered_json::parse(to_json_line(frame));
+  const auto line = json::parse(to_json_line(frame));
   EXPECT_THAT(keys_of(line["pairs"][0]["cache"]), ElementsAre("hit", "kind", "axis"));
 }
 
@@ -106,7 +106,7 @@ TEST(TraceJson, TriangleIsNullWithoutOne) {
 }
 
 TEST(TraceJson, AStageThatDidNotRunHasNoKey) {
-  const auto line = nlohmann::ordered_json::parse(to_json_line(sample_frame()));
+  const auto line = json::parse(to_json_line(sample_frame()));
   EXPECT_THAT(keys_of(line["pairs"][1]),
               ElementsAre("a", "b", "kind", "state", "separation", "manifolds"));
   EXPECT_TRUE(line["pairs"][1]["manifolds"].is_array());

@@ -87,7 +87,7 @@ Label sum_label(const Vec3d& at, const std::string& text, const Color& color, co
 class SumOfMargins {
  public:
   SumOfMargins(const Scene& scene, const CorePair& cores, Sketch& sketch)
-      : scene_(scene), cores_(cores), sketch_(sketch) {
+      : cores_(cores), sketch_(sketch) {
     side_ = scene.camera.right() - scene.camera.right().dot(cores.normal) * cores.normal;
     side_ = side_.norm() > 1e-3 ? Vec3d(side_.normalized()) : any_perpendicular(cores.normal);
     pixel_ = 1 / scene.camera.pixels_per_metre(cores.on_a);
@@ -131,7 +131,6 @@ class SumOfMargins {
     return cores_.on_a + along * cores_.normal + column * kColumn * pixel_ * side_;
   }
 
-  const Scene& scene_;
   const CorePair& cores_;
   Sketch& sketch_;
   Vec3d side_;
