@@ -18,10 +18,6 @@ std::string moment(const trace::Frame& frame) {
   return text.data();
 }
 
-bool shows_panel(const View& view, const char* panel) {
-  return std::find(view.panels.begin(), view.panels.end(), panel) != view.panels.end();
-}
-
 // Labels stand away from the middle of what touches.
 Vec3d center_of_contact(const trace::Frame& frame, const std::vector<PlacedShape>& shapes) {
   Vec3d sum = Vec3d::Zero();
@@ -104,41 +100,41 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
   const Scene scene = scene_of(staging, frame);
   Sketch sketch;
   sketch.center = center_of_contact(frame, scene.shapes);
-  if (scene.shows("shapes")) draw_shapes(scene, sketch);
+  if (scene.shows(Layer::Shapes)) draw_shapes(scene, sketch);
   draw_touched_triangles(scene, sketch);
-  if (scene.shows("center_of_mass")) draw_centers_of_mass(scene, sketch);
+  if (scene.shows(Layer::CenterOfMass)) draw_centers_of_mass(scene, sketch);
   for (const trace::Pair& pair : frame.pairs) {
     draw_reference_face(scene, pair, sketch);
     draw_clipping(scene, pair, sketch);
     draw_incident_face(scene, pair, sketch);  // its dashes leave an equal clip polygon visible
-    if (scene.shows("tree")) draw_tree(scene, pair, sketch);
-    if (scene.shows("sat_axes")) draw_sat_axes(scene, pair, true, sketch);
-    if (scene.shows("contact_axis")) {
+    if (scene.shows(Layer::Tree)) draw_tree(scene, pair, sketch);
+    if (scene.shows(Layer::SatAxes)) draw_sat_axes(scene, pair, true, sketch);
+    if (scene.shows(Layer::ContactAxis)) {
       draw_sat_axes(scene, pair, false, sketch);
       draw_deciding_edges(scene, pair, sketch);
     }
-    if (scene.shows("core")) draw_cores(scene, pair, sketch);
-    if (scene.shows("simplex")) draw_simplex_points(scene, pair, sketch);
-    if (scene.shows("support")) draw_support(scene, pair, sketch);
-    if (shows_panel(staging.view, "stability")) explain_stability_panel(pair, sketch);
+    if (scene.shows(Layer::Core)) draw_cores(scene, pair, sketch);
+    if (scene.shows(Layer::Simplex)) draw_simplex_points(scene, pair, sketch);
+    if (scene.shows(Layer::Support)) draw_support(scene, pair, sketch);
+    if (staging.view.shows(Panel::Stability)) explain_stability_panel(pair, sketch);
     if (!pair.label.empty() && bears_name(scene, pair)) draw_pair_label(scene, pair, sketch);
     const bool told = staging.view.story != Story::ClipSteps || !pair.clip ||
                       frame.frame > static_cast<int>(pair.clip->steps.size());
     if (!told) continue;  // the story has not come to the contacts yet
-    if (scene.shows("coherent")) draw_coherent_points(pair, sketch);
+    if (scene.shows(Layer::Coherent)) draw_coherent_points(pair, sketch);
     draw_contacts(scene, pair, sketch);
-    if (scene.shows("ids")) draw_edge_names(scene, pair, sketch);
-    const bool measured =
-        scene.shows("sat_axes") || scene.shows("contact_axis") || scene.shows("simplex");
-    if (scene.shows("contacts") && !measured) draw_gap(scene, pair, sketch);
-    if (scene.shows("persistent")) draw_persistent_points(scene, pair, sketch);
-    if (scene.shows("impulses")) draw_impulses(scene, pair, sketch);
-    if (scene.shows("overlap")) draw_overlap(scene, pair, sketch);
-    if (scene.shows("relative_velocity")) draw_relative_velocity(scene, pair, sketch);
+    if (scene.shows(Layer::Ids)) draw_edge_names(scene, pair, sketch);
+    const bool measured = scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) ||
+                          scene.shows(Layer::Simplex);
+    if (scene.shows(Layer::Contacts) && !measured) draw_gap(scene, pair, sketch);
+    if (scene.shows(Layer::Persistent)) draw_persistent_points(scene, pair, sketch);
+    if (scene.shows(Layer::Impulses)) draw_impulses(scene, pair, sketch);
+    if (scene.shows(Layer::Overlap)) draw_overlap(scene, pair, sketch);
+    if (scene.shows(Layer::RelativeVelocity)) draw_relative_velocity(scene, pair, sketch);
   }
-  if (scene.shows("ahead")) draw_ahead(scene, sketch);
-  if (scene.shows("velocities")) draw_velocities(scene, sketch);
-  if (scene.shows("masses")) draw_masses(scene, sketch);
+  if (scene.shows(Layer::Ahead)) draw_ahead(scene, sketch);
+  if (scene.shows(Layer::Velocities)) draw_velocities(scene, sketch);
+  if (scene.shows(Layer::Masses)) draw_masses(scene, sketch);
   sort_legend(sketch);
   return sketch;
 }

@@ -6,10 +6,9 @@
 namespace contactscope::draw {
 namespace {
 
-bool names_any(const std::vector<std::string>& names, std::initializer_list<const char*> wanted) {
-  return std::any_of(wanted.begin(), wanted.end(), [&](const char* name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  });
+template <class Word>
+bool shows_any(const View& view, std::initializer_list<Word> words) {
+  return std::ranges::any_of(words, [&](Word word) { return view.shows(word); });
 }
 
 }  // namespace
@@ -17,28 +16,31 @@ bool names_any(const std::vector<std::string>& names, std::initializer_list<cons
 trace::Stages stages_shown(const std::vector<View>& views) {
   trace::Stages stages = trace::Stages::none();
   for (const View& view : views) {
-    stages.sat = stages.sat || names_any(view.layers, {"sat_axes", "contact_axis", "contacts"}) ||
-                 names_any(view.panels, {"summary", "axis_history"});
+    stages.sat = stages.sat ||
+                 shows_any(view, {Layer::SatAxes, Layer::ContactAxis, Layer::Contacts}) ||
+                 shows_any(view, {Panel::Summary, Panel::AxisHistory});
     stages.clip = stages.clip || view.story == Story::ClipSteps ||
-                  names_any(view.layers, {"reference_face", "incident_face", "side_planes",
-                                          "clip_polygons", "dropped", "coherent"}) ||
-                  names_any(view.panels, {"contact_plane"});
-    const bool minkowski = names_any(view.panels, {"minkowski"});
-    const bool gauss_map = names_any(view.panels, {"gauss_map"});
+                  shows_any(view, {Layer::ReferenceFace, Layer::IncidentFace, Layer::SidePlanes,
+                                   Layer::ClipPolygons, Layer::Dropped, Layer::Coherent}) ||
+                  shows_any(view, {Panel::ContactPlane});
+    const bool minkowski = shows_any(view, {Panel::Minkowski});
+    const bool gauss_map = shows_any(view, {Panel::GaussMap});
     const bool steps = minkowski || view.story == Story::GjkSteps ||
-                       view.story == Story::EpaSteps || names_any(view.layers, {"simplex", "core"});
+                       view.story == Story::EpaSteps ||
+                       shows_any(view, {Layer::Simplex, Layer::Core});
     stages.minkowski = stages.minkowski || minkowski;
     // Where shapes are apart, what kept them apart says where the gap is.
-    stages.gjk = stages.gjk || steps || names_any(view.layers, {"contacts"});
+    stages.gjk = stages.gjk || steps || shows_any(view, {Layer::Contacts});
     stages.penetration = stages.penetration || steps;
     stages.gauss_map = stages.gauss_map || gauss_map;
     stages.sat = stages.sat || gauss_map;
-    stages.tree = stages.tree || names_any(view.layers, {"tree"});
-    stages.stability = stages.stability || names_any(view.layers, {"center_of_mass", "support"}) ||
-                       names_any(view.panels, {"stability"});
-    stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane ||
-                       names_any(view.layers, {"contacts", "reduced", "ids", "coherent"}) ||
-                       names_any(view.panels, {"summary", "contact_plane"});
+    stages.tree = stages.tree || shows_any(view, {Layer::Tree});
+    stages.stability = stages.stability || shows_any(view, {Layer::CenterOfMass, Layer::Support}) ||
+                       shows_any(view, {Panel::Stability});
+    stages.reduction =
+        stages.reduction || view.kind == ViewKind::ContactPlane ||
+        shows_any(view, {Layer::Contacts, Layer::Reduced, Layer::Ids, Layer::Coherent}) ||
+        shows_any(view, {Panel::Summary, Panel::ContactPlane});
   }
   return stages;
 }

@@ -196,7 +196,7 @@ Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& 
 double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& view,
                         const Camera& camera, double scale) {
   // These have no whiskers there.
-  const bool by_age = std::ranges::find(view.layers, "persistent") != view.layers.end();
+  const bool by_age = view.shows(Layer::Persistent);
   double deepest = 0;  // pixels
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -224,7 +224,7 @@ double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& vie
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& asked, int width, int height) {
   View view = asked;
-  const std::vector<std::string> insets = take_insets(view);
+  const std::vector<Panel> insets = take_insets(view);
   std::vector<ShapeMesh> meshes;
   for (const trace::Shape& shape : header.shapes) meshes.push_back(make_mesh(shape));
   fit_patches(header, frames, meshes);

@@ -46,8 +46,8 @@ std::string more(std::size_t count, const char* one, const char* many) {
 
 namespace {
 
-struct Panel {
-  const char* name;
+struct PanelRow {
+  Panel panel;
   PanelNeed (*need)(const PanelFacts&);
   std::string (*draw)(const PanelFacts&, float);  // returns what it has no room for
 };
@@ -58,19 +58,20 @@ std::string whole(const PanelFacts& facts, float height) {
   return {};
 }
 
-constexpr Panel kPanels[] = {
-    {"summary", summary_need, summary_panel},
-    {"contact_plane", contact_plane_need, whole<contact_plane_panel>},
-    {"axis_history", axis_history_need, axis_history_panel},
-    {"stability", stability_need, whole<stability_panel>},
-    {"plots", plots_need, plots_panel},
+constexpr PanelRow kPanels[] = {
+    {Panel::Summary, summary_need, summary_panel},
+    {Panel::ContactPlane, contact_plane_need, whole<contact_plane_panel>},
+    {Panel::AxisHistory, axis_history_need, axis_history_panel},
+    {Panel::Stability, stability_need, whole<stability_panel>},
+    {Panel::Plots, plots_need, plots_panel},
 };
 
 /// Under the panels that have room.
-void name_left_out(const std::vector<const Panel*>& panels, const draw::Layout& layout, float y) {
+void name_left_out(const std::vector<const PanelRow*>& panels, const draw::Layout& layout,
+                   float y) {
   std::string text = "no room for";
-  for (const Panel* panel : panels) {
-    text += (panel == panels.front() ? " " : ", ") + std::string(panel->name);
+  for (const PanelRow* panel : panels) {
+    text += (panel == panels.front() ? " " : ", ") + std::string(name_of(panel->panel));
   }
   const float size = ImGui::GetFontSize();
   text = draw::fitted(text, size, FontWeight::Regular, static_cast<float>(layout.panels.width));
@@ -83,10 +84,10 @@ void name_left_out(const std::vector<const Panel*>& panels, const draw::Layout& 
 std::vector<std::string> draw_panels(const PanelFacts& facts) {
   const draw::Layout& layout = facts.staging.layout;
   const float gap = layout.px(12);
-  std::vector<const Panel*> panels;
+  std::vector<const PanelRow*> panels;
   std::vector<PanelNeed> needs;
-  for (const std::string& name : facts.staging.view.panels) {
-    const auto* const panel = std::ranges::find(kPanels, name, &Panel::name);
+  for (const Panel word : facts.staging.view.panels) {
+    const auto* const panel = std::ranges::find(kPanels, word, &PanelRow::panel);
     if (panel == std::end(kPanels)) continue;
     panels.push_back(panel);
     needs.push_back(panel->need(facts));
@@ -95,22 +96,23 @@ std::vector<std::string> draw_panels(const PanelFacts& facts) {
                                                    gap, ImGui::GetTextLineHeightWithSpacing());
 
   std::vector<std::string> left_out;
-  std::vector<const Panel*> without_room;
+  std::vector<const PanelRow*> without_room;
   float y = static_cast<float>(layout.panels.y);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const Panel& panel = *panels[i];
+    const PanelRow& panel = *panels[i];
+    const std::string name(name_of(panel.panel));
     if (heights[i] <= 0) {
-      left_out.push_back(std::string("panel ") + panel.name);
+      left_out.push_back("panel " + name);
       without_room.push_back(&panel);
       continue;
     }
     ImGui::SetNextWindowPos({static_cast<float>(layout.panels.x), y});
     ImGui::SetNextWindowSize({static_cast<float>(layout.panels.width), heights[i]});
-    ImGui::Begin(panel.name, nullptr,
+    ImGui::Begin(name.c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
     const std::string missing = panel.draw(facts, heights[i] - panel_frame());
-    if (!missing.empty()) left_out.push_back(missing + " of panel " + panel.name);
+    if (!missing.empty()) left_out.push_back(missing + " of panel " + name);
     ImGui::End();
     y += heights[i] + gap;
   }

@@ -60,8 +60,7 @@ std::string plots_panel(const PanelFacts& facts, float height) {
   const float top = ImGui::GetCursorPosY();
   heading("over time", scale);
   draw::Drawing drawing;
-  const std::vector<std::string>& layers = facts.staging.view.layers;
-  const bool shows_loads = std::ranges::find(layers, "loads") != layers.end();
+  const bool shows_loads = facts.staging.view.shows(Layer::Loads);
   const std::vector<draw::TimeSeries> series = draw::time_series(facts.frames);
   const auto painted = [&](draw::Drawing& out, float room) {
     return draw::draw_series_plots(series, facts.current, facts.frames.back().time,

@@ -78,7 +78,7 @@ void refuse_same_name(const std::string& file, const std::string& name, const st
 /// What an author of traces sees without having said what.
 View view_of_trace() {
   View view = scenario_file::default_view();
-  view.panels = {"summary"};
+  view.panels = {Panel::Summary};
   return view;
 }
 
@@ -175,24 +175,12 @@ std::vector<Scenario> load_scenarios(const Options& options) {
 
 namespace {
 
-void require_names(const char* option, const std::vector<std::string>& names,
-                   const std::vector<std::string>& known) {
-  for (const std::string& name : names) {
-    if (std::ranges::find(known, name) != known.end()) continue;
-    const std::vector<std::string_view> words(known.begin(), known.end());
-    const std::string near = nearest(name, words);
-    throw UsageError(
-        "--" + std::string(option) + " '" + name + "' is not known; " +
-        (near.empty() ? "there is " + quoted_list(words) : "did you mean '" + near + "'?"));
-  }
-}
-
 /// A contact plane has layers of its own, and no panels.
 void override_views(std::vector<View>& views, const Options& options) {
   for (View& view : views) {
     if (view.kind == ViewKind::ContactPlane) continue;
-    if (!options.layers.empty()) view.layers = options.layers;
-    if (!options.panels.empty()) view.panels = options.panels;
+    view.layers = options.layers.value_or(view.layers);
+    view.panels = options.panels.value_or(view.panels);
   }
 }
 
@@ -206,8 +194,6 @@ std::vector<Subject> load_subjects(const Options& options) {
     traces.push_back(argument);
     return true;
   });
-  require_names("layers", options.layers, known_layers());
-  require_names("panels", options.panels, known_panels());
   std::vector<Subject> subjects;
   std::map<std::string, std::string> paths;  // by name
   if (traces.empty() || !others.scenarios.empty()) {

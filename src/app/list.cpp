@@ -1,5 +1,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
@@ -23,16 +24,16 @@ std::vector<Item> scenario_items(const Options& options) {
   return items;
 }
 
-std::vector<Item> plain(const std::vector<std::string>& names) {
+std::vector<Item> plain(std::span<const std::string_view> names) {
   std::vector<Item> items;
-  for (const std::string& name : names) items.push_back({name, ""});
+  for (const std::string_view name : names) items.push_back({std::string(name), ""});
   return items;
 }
 
 std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "scenarios") return scenario_items(options);
-  if (what == "layers") return plain(known_layers());
-  if (what == "panels") return plain(known_panels());
+  if (what == "layers") return plain(kLayerNames);
+  if (what == "panels") return plain(kPanelNames);
   std::vector<Item> items;
   if (what == "studies") {
     for (const StudyInfo& info : studies()) items.push_back({info.name, info.summary});

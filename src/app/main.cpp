@@ -15,6 +15,7 @@ namespace {
 struct Command {
   Options options;
   std::string size, frames, update = "never", backend;
+  std::vector<std::string> layers, panels;
 };
 
 void add_common(CLI::App& verb, Command& command) {
@@ -44,6 +45,8 @@ void finish(Command& command) {
   Options& options = command.options;
   if (!command.size.empty()) options.size = parse_size(command.size);
   if (!command.frames.empty()) options.frames = parse_frame_range(command.frames);
+  options.layers = parse_layers(command.layers);
+  options.panels = parse_panels(command.panels);
   if (options.out.empty()) throw UsageError("--out is empty; name a folder");
   options.update = parse_update(command.update);
 }
@@ -92,12 +95,12 @@ int run(int argc, char** argv) {
       ->required();
   render_verb->add_option("--size", command.size, "WxH, default 1280x720");
   render_verb
-      ->add_option("--layers", options.layers,
-                   "Layers to draw instead of the views' own, as shapes,contacts")
+      ->add_option("--layers", command.layers,
+                   "Layers to draw instead of the views' own, as shapes,contacts; or none")
       ->delimiter(',');
   render_verb
-      ->add_option("--panels", options.panels,
-                   "Panels to draw instead of the views' own, as summary,contact_plane")
+      ->add_option("--panels", command.panels,
+                   "Panels to draw instead of the views' own, as summary,contact_plane; or none")
       ->delimiter(',');
   render_verb->add_flag("--timing", options.timing,
                         "Show the measured time of the pipeline in the summary panel");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "scenario/nearest_word.h"
+
 namespace contactscope::app {
 namespace {
 
@@ -24,7 +26,37 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+template <class Word, std::size_t N>
+std::optional<std::vector<Word>> parse_words(const std::string& option,
+                                             const std::vector<std::string>& names,
+                                             const std::array<std::string_view, N>& known) {
+  if (names.empty()) return std::nullopt;
+  std::vector<Word> words;
+  if (names.size() == 1 && names.front() == "none") return words;
+  for (const std::string& name : names) {
+    if (name == "none") throw UsageError(option + " 'none' stands alone; leave the others out");
+    const std::optional<Word> word = word_named<Word>(known, name);
+    if (!word) {
+      const std::vector<std::string_view> all(known.begin(), known.end());
+      const std::string near = nearest(name, all);
+      throw UsageError(
+          option + " '" + name + "' is not known; " +
+          (near.empty() ? "there is " + quoted_list(all) : "did you mean '" + near + "'?"));
+    }
+    words.push_back(*word);
+  }
+  return words;
+}
+
 }  // namespace
+
+std::optional<std::vector<Layer>> parse_layers(const std::vector<std::string>& names) {
+  return parse_words<Layer>("--layers", names, kLayerNames);
+}
+
+std::optional<std::vector<Panel>> parse_panels(const std::vector<std::string>& names) {
+  return parse_words<Panel>("--panels", names, kPanelNames);
+}
 
 std::vector<int> FrameRange::select(int frames) const {
   std::vector<int> selected;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/layers.h"
 #include "gl/context.h"
 
 namespace contactscope::app {
@@ -38,6 +39,11 @@ Size roomy_size(std::size_t methods);
 /// Parses a --size argument, "WxH". Throws UsageError.
 Size parse_size(const std::string& text);
 
+/// Parse the names of a --layers and of a --panels argument: none given is nothing, "none" alone is
+/// an empty list. Throw UsageError.
+std::optional<std::vector<Layer>> parse_layers(const std::vector<std::string>& names);
+std::optional<std::vector<Panel>> parse_panels(const std::vector<std::string>& names);
+
 enum class Update { Never, Failed, All };
 
 /// Parses an --update argument. Throws UsageError.
@@ -58,8 +64,8 @@ struct Options {
   std::optional<FrameRange> frames;
   std::string view;
   std::string reducer;
-  std::vector<std::string> layers;  // of every view, instead of its own; empty: its own
-  std::vector<std::string> panels;
+  std::optional<std::vector<Layer>> layers;  // of every view, instead of its own
+  std::optional<std::vector<Panel>> panels;
   std::string what;  // of `list`
   Update update = Update::Never;
   int jobs = 0;              // 0: as many as there are processors

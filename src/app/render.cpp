@@ -41,9 +41,10 @@ void account_facts(const Subject& subject, const Sequence& sequence, Ledger& led
               std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
   for (const View& view : subject.views) {
     std::string what = subject.name + ": view " + view.name + " paints";
-    for (const std::string& layer : view.layers) what += " " + layer;
+    if (view.layers.empty()) what += " no layers";
+    for (const Layer layer : view.layers) what += " " + std::string(name_of(layer));
     what += view.panels.empty() ? "; no panels" : "; panels";
-    for (const std::string& panel : view.panels) what += " " + panel;
+    for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
     ledger.note(what);
     if (view.panels.empty()) {
       ledger.left_out(subject.name + ": Dear ImGui, for view " + view.name + " names no panel");

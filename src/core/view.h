@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/layers.h"
 #include "core/vec3.h"
 
 namespace contactscope {
@@ -40,8 +42,11 @@ struct View {
   std::optional<double> impulse_scale;
   Focus focus = Focus::Contact;
   Story story = Story::None;
-  std::vector<std::string> layers;
-  std::vector<std::string> panels;
+  std::vector<Layer> layers;
+  std::vector<Panel> panels;
+
+  bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }
+  bool shows(Panel panel) const { return std::ranges::find(panels, panel) != panels.end(); }
 };
 
 }  // namespace contactscope

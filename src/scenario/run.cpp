@@ -59,28 +59,22 @@ bool remembers(const std::string& reducer) {
   return found != reducers().end() && found->remembers;
 }
 
-bool names(const std::vector<std::string>& list, const char* name) {
-  return std::ranges::find(list, name) != list.end();
-}
-
 bool shows_stability(const std::vector<View>& views) {
   return std::ranges::any_of(views, [](const View& view) {
-    return names(view.layers, "center_of_mass") || names(view.layers, "support") ||
-           names(view.panels, "stability");
+    return view.shows(Layer::CenterOfMass) || view.shows(Layer::Support) ||
+           view.shows(Panel::Stability);
   });
 }
 
 bool shows_plots(const std::vector<View>& views) {
-  return std::ranges::any_of(views, [](const View& view) { return names(view.panels, "plots"); });
+  return std::ranges::any_of(views, [](const View& view) { return view.shows(Panel::Plots); });
 }
 
 /// Also what is too large to be recorded where no view of the scenario shows it.
 trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
   for (const View& view : views) {
-    for (const std::string& panel : view.panels) {
-      stages.gauss_map = stages.gauss_map || panel == "gauss_map";
-      stages.minkowski = stages.minkowski || panel == "minkowski";
-    }
+    stages.gauss_map = stages.gauss_map || view.shows(Panel::GaussMap);
+    stages.minkowski = stages.minkowski || view.shows(Panel::Minkowski);
   }
   return stages;
 }

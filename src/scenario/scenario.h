@@ -222,10 +222,6 @@ struct Scenario {
   std::vector<std::string> warnings;  // what a reader should know though nothing is wrong
 };
 
-/// Names that a file may use; kept here so that `list` and the parser agree.
-const std::vector<std::string>& known_layers();
-const std::vector<std::string>& known_panels();
-
 /// Reads a scenario file. Throws InputError with line, column and remedy; FORMATS.md lists what is
 /// wrong with a file. Relative file names in it are relative to its folder.
 Scenario load_scenario(const std::string& path);

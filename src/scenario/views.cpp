@@ -9,23 +9,6 @@
 
 namespace contactscope {
 
-const std::vector<std::string>& known_layers() {
-  static const std::vector<std::string> layers = {
-      "shapes",   "reference_face", "incident_face", "side_planes", "clip_polygons",
-      "dropped",  "contacts",       "reduced",       "normals",     "ids",
-      "sat_axes", "contact_axis",   "coherent",      "tree",        "persistent",
-      "core",     "center_of_mass", "support",       "velocities",  "impulses",
-      "simplex",  "loads",          "friction",      "masses",      "relative_velocity",
-      "ahead",    "overlap"};
-  return layers;
-}
-
-const std::vector<std::string>& known_panels() {
-  static const std::vector<std::string> panels = {
-      "summary", "contact_plane", "axis_history", "stability", "plots", "minkowski", "gauss_map"};
-  return panels;
-}
-
 namespace scenario_file {
 namespace {
 
@@ -49,17 +32,20 @@ std::string read_view_name(const Value& value) {
   return name;
 }
 
-/// An array of known names, each once.
-std::vector<std::string> read_names(const Value& value, const std::vector<std::string>& known,
-                                    const char* kind) {
-  std::vector<std::string> names;
+/// An array of layers or panels, each once.
+template <class Word, std::size_t N>
+std::vector<Word> read_words(const Value& value, const std::array<std::string_view, N>& names,
+                             const char* kind) {
+  const std::vector<std::string> known(names.begin(), names.end());
+  std::vector<Word> words;
   for (const Value& item : value.array()) {
-    std::string name = item.one_of(known, kind);
-    if (std::ranges::find(names, name) != names.end())
+    const std::string name = item.one_of(known, kind);
+    const Word word = *word_named<Word>(names, name);
+    if (std::ranges::find(words, word) != words.end())
       item.fail(std::string("the ") + kind + " '" + name + "' is listed twice; once is enough");
-    names.push_back(std::move(name));
+    words.push_back(word);
   }
-  return names;
+  return words;
 }
 
 Story read_story(const Value& value) {
@@ -127,9 +113,9 @@ View read_view(const Value& value) {
         focus->one_of({"contact", "shapes"}, "focus") == "shapes" ? Focus::Shapes : Focus::Contact;
   if (const auto story = table.find("story")) view.story = read_story(*story);
   if (const auto layers = table.find("layers"))
-    view.layers = read_names(*layers, known_layers(), "layer");
+    view.layers = read_words<Layer>(*layers, kLayerNames, "layer");
   if (const auto panels = table.find("panels"))
-    view.panels = read_names(*panels, known_panels(), "panel");
+    view.panels = read_words<Panel>(*panels, kPanelNames, "panel");
   return view;
 }
 
@@ -137,9 +123,9 @@ View read_view(const Value& value) {
 
 View default_view() {
   View view;
-  view.focus = Focus::Shapes;  // FORMATS.md: "one view that fits all shapes"
-  view.layers = {"shapes",   "reference_face", "incident_face", "clip_polygons",
-                 "contacts", "reduced",        "normals"};
+  view.focus = Focus::Shapes;  // one view that fits all shapes
+  view.layers = {Layer::Shapes,   Layer::ReferenceFace, Layer::IncidentFace, Layer::ClipPolygons,
+                 Layer::Contacts, Layer::Reduced,       Layer::Normals};
   return view;
 }
 

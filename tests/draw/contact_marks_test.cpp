@@ -60,7 +60,7 @@ struct BallInSlab : CrateOnSlab {
     pair().b = "ball";
     pair().kind = "hull-sphere";
     manifold().points = {{Vec3d::Zero(), -0.2, "a:f2 b:v0"}};
-    view.layers = {"shapes", "contacts", "normals"};
+    view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
   }
 };
 
@@ -105,7 +105,7 @@ TEST(Whisker, OfACapsulePastAnEdgeReachesFromTheEdgeToItsSurface) {
 
 TEST(Whisker, OfTwoHullsEdgesIsCentredOnTheirMiddle) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   scene.manifold().axis = "edge_edge";
   scene.manifold().points = {{Vec3d(0, -0.1, 0), -0.2, "a:e1 b:e0"}};
   const auto ends = whiskers(scene.sketch());
@@ -120,17 +120,17 @@ TEST(Contacts, APointThatWasReducedAwayIsNoDot) {
   reduction.points = scene.manifold().points;
   reduction.points.push_back({{0, 0, -0.5}, -0.002, "b:v6"});
   reduction.kept = {1, 0};
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 0u);
-  scene.view.layers = {"shapes", "contacts", "reduced"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Reduced};
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Dot), 2u);
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Cross), 1u);
 }
 
 TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Apart), 0u);
   scene.manifold().points[0].separation = 0.02;
   const Sketch sketch = scene.sketch();
@@ -141,7 +141,7 @@ TEST(Contacts, APointWithinTheMarginLooksUnlikeOneThatTouches) {
 
 TEST(Gap, OfSeparatedHullsIsAsLongAsTheSeparationFromFaceToCorners) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   scene.frames[0].poses[1].second.position.y() = 0.8;
   scene.pair().state = "separated";
   scene.pair().separation = 0.3;
@@ -162,7 +162,7 @@ TEST(Gap, OfSeparatedHullsIsAsLongAsTheSeparationFromFaceToCorners) {
 
 TEST(Gap, TooNarrowForAnArrowIsPointedAtFromBothSides) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   scene.frames[0].poses[1].second.position.y() = 0.51;
   scene.pair().state = "separated";
   scene.pair().separation = 0.01;
@@ -181,7 +181,7 @@ TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
   CrateOnSlab scene;
   scene.pair().label = "a label";
   scene.view.focus = Focus::Shapes;
-  scene.view.layers = {"shapes"};
+  scene.view.layers = {Layer::Shapes};
   const Staging staging = scene.staged();
   const Drawing drawing = illustrate(staging, scene.frames[0]);
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
@@ -206,7 +206,7 @@ TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
 
 TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "contacts"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   trace::Clip& clip = scene.pair().clip.emplace();
   clip.reference = {"slab", 2, Vec3d::UnitY(), {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}}};
   clip.incident = {"crate", 3, -Vec3d::UnitY(), {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}}};
@@ -215,7 +215,7 @@ TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   const auto of = [&] { return crate_sample::texts(illustrate(scene.staged(), scene.frames[0])); };
   for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
     EXPECT_THAT(of(), ::testing::Not(Contains(name)));
-  scene.view.panels = {"contact_plane"};
+  scene.view.panels = {Panel::ContactPlane};
   for (const char* name : {"reference face", "incident face", "clip polygon", "above the face"})
     EXPECT_THAT(of(), Contains(name));
   EXPECT_THAT(of(), ::testing::Not(Contains("beside the face")));  // a contact point, after all
@@ -227,7 +227,7 @@ TEST(Ids, EachEdgeThatNamesAPointBearsItsNameOnce) {
   scene.header.shapes[1].edges = {{4, 5}};
   scene.manifold().points[0].id = "a:e1 b:e0";
   scene.manifold().points[1].id = "b:e0 b:v5";
-  scene.view.layers = {"shapes", "contacts", "ids"};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Ids};
   const std::vector<std::string> all =
       crate_sample::texts(illustrate(scene.staged(), scene.frames[0]));
   EXPECT_EQ(std::ranges::count(all, "a:e1"), 1);
@@ -262,7 +262,7 @@ TEST(AxisHistory, AnotherFaceOrPairOfEdgesIsASwitchAndACachedAxisIsNone) {
 
 TEST(PersistentPoints, OneThatWasTakenOutIsARingAroundTheOneInItsPlace) {
   CrateOnSlab scene;
-  scene.view.layers = {"shapes", "persistent"};
+  scene.view.layers = {Layer::Shapes, Layer::Persistent};
   scene.persist();
   EXPECT_EQ(marks(scene.sketch(), MarkKind::WideRing), 0u);
   std::vector<trace::PersistentPoint>& points = scene.pair().incremental->points;

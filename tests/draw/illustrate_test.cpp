@@ -57,7 +57,7 @@ struct BoxOnSlab {
     }
     pair.manifolds = {manifold};
     frame.pairs = {pair};
-    view.layers = {"shapes", "contacts", "normals"};
+    view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
   }
 
   Staging staged(int width = 1280, int height = 720) const {
@@ -103,7 +103,7 @@ TEST(Illustrate, LegendListsWhatIsVisibleAndNothingElse) {
   EXPECT_THAT(all, testing::Contains("B: crate"));
   EXPECT_THAT(all, testing::Contains("normal, from A to B"));
   EXPECT_THAT(all, testing::Not(testing::Contains("incident face")));
-  scene.view.layers = {"shapes"};
+  scene.view.layers = {Layer::Shapes};
   all = texts(illustrate(scene.staged(), scene.frame));
   EXPECT_THAT(all, testing::Not(testing::Contains("normal, from A to B")));
 }

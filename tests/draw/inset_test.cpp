@@ -71,9 +71,9 @@ trace::Gjk three_steps() {
           {},          {{corner(7)}, {corner(7), corner(2)}, {corner(2), corner(0), corner(1)}}};
 }
 
-View view_of(std::vector<std::string> panels, Story story = Story::None) {
+View view_of(std::vector<Panel> panels, Story story = Story::None) {
   View view;
-  view.layers = {"shapes", "simplex"};
+  view.layers = {Layer::Shapes, Layer::Simplex};
   view.focus = Focus::Shapes;
   view.panels = std::move(panels);
   view.story = story;
@@ -190,11 +190,11 @@ TEST(SimplexSteps, NoPointOfASimplexIsNearerThanTheNearest) {
 }
 
 TEST(Insets, StandBesideTheShapesAndLeaveThePanels) {
-  const Staged staged({two_cubes()}, view_of({"minkowski", "summary", "gauss_map"}));
-  EXPECT_THAT(staged.staging.view.panels, ElementsAre("summary"));
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski, Panel::Summary, Panel::GaussMap}));
+  EXPECT_THAT(staged.staging.view.panels, ElementsAre(Panel::Summary));
   ASSERT_EQ(staged.staging.insets.size(), 2u);
-  EXPECT_EQ(staged.staging.insets[0].panel, "minkowski");
-  EXPECT_EQ(staged.staging.insets[1].panel, "gauss_map");
+  EXPECT_EQ(staged.staging.insets[0].panel, Panel::Minkowski);
+  EXPECT_EQ(staged.staging.insets[1].panel, Panel::GaussMap);
   const Rect& view = staged.staging.layout.view;
   const Rect& above = staged.staging.insets[0].frame;
   const Rect& below = staged.staging.insets[1].frame;
@@ -206,14 +206,14 @@ TEST(Insets, StandBesideTheShapesAndLeaveThePanels) {
 }
 
 TEST(Insets, AViewWithoutOneIsAsItWas) {
-  const Staged with({two_cubes()}, view_of({"minkowski"}));
+  const Staged with({two_cubes()}, view_of({Panel::Minkowski}));
   const Staged without({two_cubes()}, view_of({}));
   EXPECT_THAT(without.staging.insets, IsEmpty());
   EXPECT_GT(without.staging.layout.view.width, 2 * with.staging.layout.view.width);
 }
 
 TEST(Insets, AllOfTheDifferenceIsInItsViewport) {
-  const Staged staged({two_cubes()}, view_of({"minkowski"}));
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski}));
   const Camera& camera = staged.staging.insets[0].camera;
   for (int k = 0; k < 8; ++k) {
     const auto at = camera.project(difference(corner(k)));
@@ -224,7 +224,7 @@ TEST(Insets, AllOfTheDifferenceIsInItsViewport) {
 }
 
 TEST(Insets, ThePictureHasItsHeadingAndOneLegend) {
-  const Staged staged({two_cubes()}, view_of({"minkowski"}));
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski}));
   std::vector<std::string> texts;
   for (const Primitive& primitive : illustrate(staged.staging, staged.frames[0]).primitives) {
     if (const Text* text = std::get_if<Text>(&primitive)) texts.push_back(text->text);
@@ -234,7 +234,7 @@ TEST(Insets, ThePictureHasItsHeadingAndOneLegend) {
 }
 
 TEST(MinkowskiInset, TheNearestFaceBearsItsDistance) {
-  const Staged staged({two_cubes()}, view_of({"minkowski"}));
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski}));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "EPA: converged");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::HeldOrigin, kNormal), 1u);
@@ -245,7 +245,7 @@ TEST(MinkowskiInset, TheNearestFaceBearsItsDistance) {
 }
 
 TEST(MinkowskiInset, AStepThatIsNotTheLastShowsWhatComesNext) {
-  const Staged staged({two_cubes()}, view_of({"minkowski"}, Story::EpaSteps));
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski}, Story::EpaSteps));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "EPA, expansion 0 of 1");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Hollow, kReferenceFace), 1u);
@@ -256,7 +256,7 @@ TEST(MinkowskiInset, ASimplexHasAnEdgeForEveryTwoVertices) {
   frame.pairs[0].penetration.reset();
   frame.pairs[0].minkowski.reset();
   frame.pairs[0].gjk = three_steps();
-  const Staged staged({frame}, view_of({"minkowski"}));
+  const Staged staged({frame}, view_of({Panel::Minkowski}));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.sketch.lines.size(), 3u);
   EXPECT_EQ(picture.sketch.surfaces.size(), 1u);
@@ -268,7 +268,7 @@ TEST(MinkowskiInset, WithoutFactsOnlyTheOriginIsLeft) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].penetration.reset();
   frame.pairs[0].minkowski.reset();
-  const Staged staged({frame}, view_of({"minkowski"}));
+  const Staged staged({frame}, view_of({Panel::Minkowski}));
   EXPECT_THAT(label_texts(staged.picture().sketch), ElementsAre("origin"));
   EXPECT_EQ(staged.picture().note, "");
 }
@@ -276,9 +276,9 @@ TEST(MinkowskiInset, WithoutFactsOnlyTheOriginIsLeft) {
 TEST(MinkowskiInset, WithoutStepsItSaysWhereTheOriginIs) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].penetration.reset();
-  EXPECT_EQ(Staged({frame}, view_of({"minkowski"})).picture().note, "holds the origin");
+  EXPECT_EQ(Staged({frame}, view_of({Panel::Minkowski})).picture().note, "holds the origin");
   frame.pairs[0].state = "separated";
-  EXPECT_EQ(Staged({frame}, view_of({"minkowski"})).picture().note, "the origin is outside");
+  EXPECT_EQ(Staged({frame}, view_of({Panel::Minkowski})).picture().note, "the origin is outside");
 }
 
 TEST(MinkowskiInset, TheBorderOfTheDifferenceIsAsFarAsTheBoxesAreDeepOrApart) {
@@ -288,7 +288,7 @@ TEST(MinkowskiInset, TheBorderOfTheDifferenceIsAsFarAsTheBoxesAreDeepOrApart) {
     frame.pairs[0].penetration.reset();
     for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += lift;
     frame.pairs[0].state = lift > 0 ? "separated" : "touching";
-    const InsetPicture picture = Staged({frame}, view_of({"minkowski"})).picture();
+    const InsetPicture picture = Staged({frame}, view_of({Panel::Minkowski})).picture();
     ASSERT_EQ(picture.sketch.arrows.size(), 1u);
     EXPECT_NEAR((*picture.sketch.arrows[0].to - Vec3d(0, lift - 0.2, 0)).norm(), 0, 1e-9);
     EXPECT_THAT(label_texts(picture.sketch),
@@ -303,7 +303,7 @@ TEST(MinkowskiInset, ANumberLongerThanItsArrowStandsAsideWithALeader) {
     trace::Frame frame = two_cubes();
     frame.pairs[0].penetration.reset();
     for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += 0.2 - depth;
-    const InsetPicture picture = Staged({frame}, view_of({"minkowski"})).picture();
+    const InsetPicture picture = Staged({frame}, view_of({Panel::Minkowski})).picture();
     const auto number = std::ranges::find_if(
         picture.sketch.labels, [](const Label& label) { return label.text.starts_with("depth"); });
     ASSERT_NE(number, picture.sketch.labels.end());
@@ -314,8 +314,8 @@ TEST(MinkowskiInset, ANumberLongerThanItsArrowStandsAsideWithALeader) {
 TEST(GaussMapInset, TheEdgesThatDecideAreNamedOnTheShapes) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].manifolds = {{Vec3d(0, 1, 0), "edge_edge", {}, {{kPlaceOfB, -0.2, "a:e3 b:e11"}}}};
-  View view = view_of({"gauss_map"});
-  view.layers = {"contact_axis"};
+  View view = view_of({Panel::GaussMap});
+  view.layers = {Layer::ContactAxis};
   const Staged staged({frame}, view);
   const Sketch sketch = sketch_frame(staged.staging, frame);
   EXPECT_THAT(label_texts(sketch), ElementsAre("edge 3", "edge 11"));
@@ -347,7 +347,7 @@ TEST(GaussMapInset, OneMarkForEachCrossingInFront) {
   const Vec3d front(0, 1, 0);
   sat.edge = trace::EdgeAxis{0, 3, -0.2, front, kPlaceOfB, kPlaceOfB};
   sat.edge_pairs = {{0, 3, -0.2, front}, {1, 2, -0.7, -front}};
-  const Staged staged({frame}, view_of({"gauss_map"}));
+  const Staged staged({frame}, view_of({Panel::GaussMap}));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "2 pairs of arcs cross, 1 in front");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Dot, kAxis), 1u);
@@ -364,7 +364,7 @@ TEST(GaussMapInset, TheBestAxisIsNeverBehindTheSphere) {
     const Vec3d axis =
         Vec3d(coordinate(random), coordinate(random), coordinate(random)).normalized();
     sat.edge = trace::EdgeAxis{0, 3, -0.2, axis, kPlaceOfB, kPlaceOfB};
-    const Staged staged({frame}, view_of({"gauss_map"}));
+    const Staged staged({frame}, view_of({Panel::GaussMap}));
     EXPECT_EQ(marks_of(staged.picture().sketch, MarkKind::Ring, kAxisText), 1u) << round;
   }
 }
@@ -381,7 +381,7 @@ TEST(GaussMapInset, ACapsulesRingCrossesTheArcsBetweenItsTwoSides) {
   frame.pairs[0].kind = "hull-capsule";
   frame.pairs[0].separation = -0.1;
   frame.pairs[0].manifolds = {{Vec3d(0, 1, 0), "edge_edge", {}, {}}};
-  const Staged staged({frame}, view_of({"gauss_map"}), {cube("lower", 0.5), pill});
+  const Staged staged({frame}, view_of({Panel::GaussMap}), {cube("lower", 0.5), pill});
   const InsetPicture picture = staged.picture();
   EXPECT_THAT(picture.note, testing::StartsWith("6 pairs of arcs cross, "));
   EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal: −0.100 m"));
@@ -391,15 +391,15 @@ TEST(StagesShown, InsetsAndStepsRecordWhatTheyShowAndNothingElse) {
   const trace::Stages none = stages_shown({view_of({})});
   EXPECT_TRUE(none.gjk && none.penetration);  // of the layer of support points
   View bare = view_of({});
-  bare.layers = {"shapes"};
+  bare.layers = {Layer::Shapes};
   const trace::Stages bare_stages = stages_shown({bare});
   EXPECT_FALSE(bare_stages.gjk || bare_stages.penetration || bare_stages.minkowski ||
                bare_stages.gauss_map || bare_stages.sat);
-  bare.panels = {"minkowski"};
+  bare.panels = {Panel::Minkowski};
   const trace::Stages minkowski = stages_shown({bare});
   EXPECT_TRUE(minkowski.gjk && minkowski.penetration && minkowski.minkowski);
   EXPECT_FALSE(minkowski.gauss_map || minkowski.sat);
-  bare.panels = {"gauss_map"};
+  bare.panels = {Panel::GaussMap};
   const trace::Stages gauss_map = stages_shown({bare});
   EXPECT_TRUE(gauss_map.gauss_map && gauss_map.sat);
   EXPECT_FALSE(gauss_map.minkowski || gauss_map.gjk);

@@ -81,7 +81,7 @@ struct BallOn {
       manifold.points = {{center - 0.495 * normal, -0.01, "a:f0 b:v0"}};
       if (below.type == "mesh") manifold.triangle = 0;
     }
-    view.layers = {"shapes", "contacts", "normals"};
+    view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
   }
   Staging staged() const { return stage(header, frames, view, 1280, 720); }
 };

@@ -43,7 +43,7 @@ std::vector<std::string> legend(const Sketch& sketch) {
 TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsReason) {
   CrateOnSlab scene;
   scene.persist();
-  scene.view.layers = {"persistent"};
+  scene.view.layers = {Layer::Persistent};
   const Sketch sketch = scene.sketch();
   std::vector<MarkKind> states = marks(sketch);
   std::erase(states, MarkKind::Core);  // of the anchors
@@ -61,7 +61,7 @@ TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHide
   }
   trace::PersistentPoint& drifted = scene.pair().incremental->points[0];
   drifted.on_a.x() += 0.002;
-  scene.view.layers = {"persistent"};
+  scene.view.layers = {Layer::Persistent};
   const Staging staging = scene.staged();
   EXPECT_GT(staging.scales.drift, 1);
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
@@ -75,7 +75,7 @@ TEST(IncrementalPicture, CoreOfABoxIsASmallerBoxWithTwelveDashedEdges) {
   CrateOnSlab scene;
   scene.persist();
   scene.pair().incremental->margin_a = 0;
-  scene.view.layers = {"core"};
+  scene.view.layers = {Layer::Core};
   const Staging staging = scene.staged();
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   ASSERT_EQ(sketch.lines.size(), 12u);
@@ -110,7 +110,7 @@ void part_cores(CrateOnSlab& scene, double distance) {
   gjk.distance = distance;
   gjk.point_a = Vec3d(-0.4, -0.05, 0.4);
   gjk.point_b = gjk.point_a + Vec3d(0, distance, 0);
-  scene.view.layers = {"core"};
+  scene.view.layers = {Layer::Core};
 }
 
 TEST(IncrementalPicture, DistanceOfTheCoresIsBothMarginsAndTheGapOrLessTheOverlap) {
@@ -139,7 +139,7 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   deepest.point.separation = -0.2;  // of which 0.15 are the margins
   deepest.on_a = Vec3d(0.5, 0.1, 0.5);
   deepest.on_b = Vec3d(0.5, -0.1, 0.5);
-  scene.view.layers = {"core"};
+  scene.view.layers = {Layer::Core};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by sat"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
@@ -149,7 +149,8 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
 
 TEST(IncrementalPicture, WithoutThoseFactsTheirLayersDrawNothing) {
   CrateOnSlab scene;
-  scene.view.layers = {"persistent", "core", "center_of_mass", "support", "velocities", "impulses"};
+  scene.view.layers = {Layer::Persistent, Layer::Core,       Layer::CenterOfMass,
+                       Layer::Support,    Layer::Velocities, Layer::Impulses};
   const Sketch sketch = scene.sketch();
   EXPECT_TRUE(sketch.lines.empty() && sketch.marks.empty() && sketch.arrows.empty());
   EXPECT_TRUE(sketch.labels.empty() && sketch.curves.empty() && sketch.surfaces.empty());
@@ -159,7 +160,7 @@ TEST(IncrementalPicture, WithoutThoseFactsTheirLayersDrawNothing) {
 TEST(StabilityPicture, CentreOfMassIsQuarteredAndDashedDownToItsProjection) {
   CrateOnSlab scene;
   scene.balance("stable");
-  scene.view.layers = {"center_of_mass"};
+  scene.view.layers = {Layer::CenterOfMass};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(marks(sketch), ElementsAre(MarkKind::Quartered, MarkKind::SmallQuartered));
   ASSERT_EQ(sketch.lines.size(), 2u);
@@ -171,7 +172,7 @@ TEST(StabilityPicture, CentreOfMassIsQuarteredAndDashedDownToItsProjection) {
 TEST(StabilityPicture, BodiesWithoutContactHaveACentreOfMassToo) {
   CrateOnSlab scene;
   scene.solve(1);
-  scene.view.layers = {"center_of_mass"};
+  scene.view.layers = {Layer::CenterOfMass};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(marks(sketch), ElementsAre(MarkKind::Quartered));
   EXPECT_THAT(legend(sketch), ElementsAre("centre of mass"));
@@ -180,7 +181,7 @@ TEST(StabilityPicture, BodiesWithoutContactHaveACentreOfMassToo) {
 TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
   CrateOnSlab scene;
   scene.balance("stable");
-  scene.view.layers = {"support"};
+  scene.view.layers = {Layer::Support};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("stable, 250 mm inside"));
   EXPECT_TRUE(sketch.curves.empty());
@@ -190,14 +191,14 @@ TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
 TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
   CrateOnSlab scene;
   scene.balance("turns about a line");
-  scene.view.panels = {"stability"};
+  scene.view.panels = {Panel::Stability};
   EXPECT_THAT(legend(scene.sketch()),
               ElementsAre("support: a line between two points", "axis about which the body turns",
                           "margin: to the border of the support"));
   scene.pair().stability->margin = 0;  // in balance: there is no such arrow
   EXPECT_THAT(legend(scene.sketch()),
               ElementsAre("support: a line between two points", "axis about which the body turns"));
-  scene.view.layers = {"support"};
+  scene.view.layers = {Layer::Support};
   EXPECT_THAT(legend(scene.sketch()),
               ElementsAre("support: a line between two points", "axis about which the body turns"));
 }
@@ -205,7 +206,7 @@ TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
 TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
   CrateOnSlab scene;
   scene.balance("turns about a line");
-  scene.view.layers = {"support"};
+  scene.view.layers = {Layer::Support};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("turns about a line"));
   EXPECT_THAT(legend(sketch), Contains("axis about which the body turns"));
@@ -222,7 +223,7 @@ TEST(StabilityPicture, FreeAxisIsNamedAndTurnsTheWayThatTheBodyFalls) {
 TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
   CrateOnSlab scene;
   scene.solve(2);
-  scene.view.layers = {"velocities", "impulses"};
+  scene.view.layers = {Layer::Velocities, Layer::Impulses};
   const Staging staging = scene.staged();
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   const SequenceScales& scales = staging.scales;
@@ -254,7 +255,7 @@ TEST(DynamicsPicture, SpinTurnsByItsAngleInTheStatedTime) {
   CrateOnSlab scene;
   scene.solve(1);
   scene.frames[0].solver->bodies[0].velocity = Vec3d::Zero();
-  scene.view.layers = {"velocities"};
+  scene.view.layers = {Layer::Velocities};
   const Staging staging = scene.staged();
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   ASSERT_EQ(sketch.arrows.size(), 1u);
@@ -272,7 +273,7 @@ TEST(DynamicsPicture, ImpulsesAreThoseOnTheBodyThatMoves) {
   scene.solve(2);
   std::swap(scene.pair().a, scene.pair().b);
   scene.manifold().normal = -Vec3d::UnitY();
-  scene.view.layers = {"impulses"};
+  scene.view.layers = {Layer::Impulses};
   for (const Arrow& arrow : scene.sketch().arrows) {
     EXPECT_GE(arrow.to->y(), arrow.from.y());
   }
@@ -286,7 +287,7 @@ TEST(DynamicsPicture, TwoBodiesThatMeetAtOnePointHaveEqualAndOppositeArrows) {
   slab.name = "slab";
   scene.frames[0].solver->bodies.push_back(slab);
   for (trace::Point& point : scene.manifold().points) point.impulse->friction = Vec3d::Zero();
-  scene.view.layers = {"impulses"};
+  scene.view.layers = {Layer::Impulses};
   const Sketch sketch = scene.sketch();
   ASSERT_EQ(sketch.arrows.size(), 2u);
   const Vec3d on_b = *sketch.arrows[0].to - sketch.arrows[0].from;
@@ -304,7 +305,7 @@ TEST(DynamicsPicture, AStackIsOneEntryOfTheLegend) {
     scene.frames[0].pairs.back().a = "crate";
     scene.frames[0].pairs.back().b = name;
   }
-  scene.view.layers = {"shapes"};
+  scene.view.layers = {Layer::Shapes};
   EXPECT_THAT(legend(scene.sketch()), ElementsAre("A: slab", "B: crate to crate 6"));
 }
 
@@ -331,7 +332,7 @@ TEST(DynamicsPicture, AnImpactIsCutAndMarkedSoThatRestingImpulsesStayLegible) {
     point.impulse->friction = {100, 0, 0};
     point.impulse->warm_start = 0;
   }
-  scene.view.layers = {"impulses"};
+  scene.view.layers = {Layer::Impulses};
   const Staging staging = scene.staged();
   const Sketch resting = sketch_frame(staging, scene.frames[0]);
   const Sketch impact = sketch_frame(staging, scene.frames[1]);
@@ -354,7 +355,7 @@ TEST(DynamicsPicture, LoadsAreForcesOverAFrameAndOneSumAPair) {
   scene.frames.push_back(scene.frames[0]);
   scene.frames[1].frame = 1;
   scene.frames[1].time = scene.frames[0].time + 0.01;
-  scene.view.layers = {"impulses", "loads"};
+  scene.view.layers = {Layer::Impulses, Layer::Loads};
   scene.view.impulse_scale = 0.002;  // metres for one newton
   const Staging staging = scene.staged();
   EXPECT_NEAR(staging.scales.step, 0.01, 1e-15);
@@ -368,9 +369,9 @@ TEST(DynamicsPicture, FrictionAsASubjectHasAScaleOfItsOwn) {
   CrateOnSlab scene;
   scene.solve(2);
   for (trace::Point& point : scene.manifold().points) point.impulse->friction = {0.02, 0, 0};
-  scene.view.layers = {"impulses"};
+  scene.view.layers = {Layer::Impulses};
   EXPECT_THAT(legend(scene.sketch()), Not(Contains(StartsWith("friction"))));
-  scene.view.layers = {"impulses", "friction"};
+  scene.view.layers = {Layer::Impulses, Layer::Friction};
   const Staging staging = scene.staged();
   EXPECT_GT(staging.scales.friction, 10 * staging.scales.impulse);
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
@@ -386,7 +387,7 @@ TEST(DynamicsPicture, OfTheRelativeVelocityThePartAlongTheNormalIsNamed) {
   point.relative_velocity = trace::RelativeVelocity{{0.5, -2.5, 0}, {0.5, 0, 0}};
   scene.frames.push_back(scene.frames[0]);
   scene.frames[1].pairs[0].manifolds[0].points[0].relative_velocity->before = {0.5, 0.004, 0};
-  scene.view.layers = {"relative_velocity"};
+  scene.view.layers = {Layer::RelativeVelocity};
   const Staging staging = scene.staged();
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   EXPECT_THAT(labels(sketch), ElementsAre("−2.50 m/s"));
@@ -411,7 +412,7 @@ TEST(DynamicsPicture, AheadIsWhereABodyWouldBeAFrameLaterAndTheGap) {
   scene.frames.push_back(scene.frames[0]);
   scene.frames[1].frame = 1;
   scene.frames[1].time = scene.frames[0].time + 0.01;
-  scene.view.layers = {"ahead", "masses"};
+  scene.view.layers = {Layer::Ahead, Layer::Masses};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("0.250 m", "100 kg"));
   std::vector<Line> dashed;
@@ -440,8 +441,8 @@ TEST(DynamicsPicture, LabelsAndLegendStayInsideOfTheFrameAtBothSizes) {
   scene.persist();
   scene.balance("turns about a line");
   scene.solve(2);
-  scene.view.layers = {"shapes",     "support",  "persistent", "center_of_mass",
-                       "velocities", "impulses", "core"};
+  scene.view.layers = {Layer::Shapes,     Layer::Support,  Layer::Persistent, Layer::CenterOfMass,
+                       Layer::Velocities, Layer::Impulses, Layer::Core};
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
     const Drawing drawing = illustrate(scene.staged(width, height), scene.frames[0]);
     for (const Primitive& primitive : drawing.primitives) {
@@ -460,12 +461,12 @@ TEST(DynamicsPicture, LabelsAndLegendStayInsideOfTheFrameAtBothSizes) {
 TEST(StagesShown, StabilityIsRecordedForWhatShowsIt) {
   View view;
   EXPECT_FALSE(stages_shown({view}).stability);
-  view.panels = {"stability"};
+  view.panels = {Panel::Stability};
   EXPECT_TRUE(stages_shown({view}).stability);
   view.panels.clear();
-  for (const char* layer : {"support", "center_of_mass"}) {
+  for (const Layer layer : {Layer::Support, Layer::CenterOfMass}) {
     view.layers = {layer};
-    EXPECT_TRUE(stages_shown({view}).stability) << layer;
+    EXPECT_TRUE(stages_shown({view}).stability) << name_of(layer);
   }
 }
 

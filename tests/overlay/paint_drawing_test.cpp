@@ -130,8 +130,8 @@ std::vector<trace::Frame> resting_ball(bool with_facts) {
 
 class SeriesPanels : public ::testing::Test {
  protected:
-  static Image rendered(const std::vector<trace::Frame>& frames, const char* panel, int width,
-                        int height, std::size_t current) {
+  static Image rendered(const std::vector<trace::Frame>& frames, Panel panel, int width, int height,
+                        std::size_t current) {
     trace::Header header;
     header.up = "y";
     trace::Shape ball;
@@ -170,16 +170,16 @@ class SeriesPanels : public ::testing::Test {
 TEST_F(SeriesPanels, PlotsGrowWithTheFrames) {
   const std::vector<trace::Frame> frames = resting_ball(false);
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
-    const int early = count(rendered(frames, "plots", width, height, 0), draw::kContact);
-    const int late = count(rendered(frames, "plots", width, height, 3), draw::kContact);
+    const int early = count(rendered(frames, Panel::Plots, width, height, 0), draw::kContact);
+    const int late = count(rendered(frames, Panel::Plots, width, height, 3), draw::kContact);
     EXPECT_GT(early, 0);
     EXPECT_GT(late, early + 100);
   }
 }
 
 TEST_F(SeriesPanels, StabilityShowsVerdictRowsOnlyWithTheFact) {
-  const Image with = rendered(resting_ball(true), "stability", 1280, 720, 3);
-  const Image without = rendered(resting_ball(false), "stability", 1280, 720, 3);
+  const Image with = rendered(resting_ball(true), Panel::Stability, 1280, 720, 3);
+  const Image without = rendered(resting_ball(false), Panel::Stability, 1280, 720, 3);
   EXPECT_GT(testing::ink(with), 2 * testing::ink(without)) << "map, margin and verdicts";
   EXPECT_GT(testing::ink(without), 0) << "it says that there is none";
 }

@@ -386,7 +386,7 @@ TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
     EXPECT_EQ(pair.manifolds.at(0).points.size(), 4u);
   }
 
-  scenario.views.at(0).panels = {"minkowski", "gauss_map"};
+  scenario.views.at(0).panels = {Panel::Minkowski, Panel::GaussMap};
   const trace::Frame shown = run_frame(scenario, 0);
   EXPECT_TRUE(shown.pairs[0].minkowski);
   EXPECT_FALSE(shown.pairs[2].sat->edge_pairs.empty());

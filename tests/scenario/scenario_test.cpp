@@ -54,8 +54,9 @@ TEST(Scenario, TheSmallestFileGetsTheDefaults) {
   EXPECT_FALSE(view.eye || view.target || view.fov_degrees || view.orthographic_height);
   EXPECT_EQ(view.focus, Focus::Shapes);
   EXPECT_EQ(view.story, Story::None);
-  EXPECT_THAT(view.layers, ElementsAre("shapes", "reference_face", "incident_face", "clip_polygons",
-                                       "contacts", "reduced", "normals"));
+  EXPECT_THAT(view.layers,
+              ElementsAre(Layer::Shapes, Layer::ReferenceFace, Layer::IncidentFace,
+                          Layer::ClipPolygons, Layer::Contacts, Layer::Reduced, Layer::Normals));
   EXPECT_THAT(view.panels, IsEmpty());
   EXPECT_THAT(scenario.expectations, IsEmpty());
   EXPECT_THAT(scenario.snapshots.frames, ElementsAre(0));
@@ -222,8 +223,9 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(view.fov_degrees, 35);
   EXPECT_EQ(view.focus, Focus::Shapes);
   EXPECT_EQ(view.story, Story::ClipSteps);
-  EXPECT_THAT(view.layers, ElementsAre("sat_axes", "ids", "coherent", "side_planes", "dropped"));
-  EXPECT_THAT(view.panels, ElementsAre("axis_history", "summary", "contact_plane"));
+  EXPECT_THAT(view.layers, ElementsAre(Layer::SatAxes, Layer::Ids, Layer::Coherent,
+                                       Layer::SidePlanes, Layer::Dropped));
+  EXPECT_THAT(view.panels, ElementsAre(Panel::AxisHistory, Panel::Summary, Panel::ContactPlane));
   EXPECT_EQ(scenario.views[1].name, "main");
   EXPECT_EQ(scenario.views[1].orthographic_height, 2.5);
   EXPECT_THAT(scenario.views[1].layers, IsEmpty());
@@ -267,7 +269,7 @@ TEST(Scenario, AViewMayBeOfTheContactPlane) {
   EXPECT_EQ(scenario.views[1].kind, ViewKind::ContactPlane);
   EXPECT_EQ(scenario.views[1].choices, 3);
   EXPECT_EQ(scenario.views[2].kind, ViewKind::Scene);
-  EXPECT_THAT(scenario.views[2].layers, ElementsAre("ids"));
+  EXPECT_THAT(scenario.views[2].layers, ElementsAre(Layer::Ids));
   EXPECT_EQ(parse_scenario(two_boxes(), "g/a.toml").views[0].kind, ViewKind::Scene);
   EXPECT_EQ(complaint(two_boxes("[[views]]\nkind = \"contact_plane\"\nchoices = 64")),
             "no complaint");
@@ -309,10 +311,13 @@ TEST(Scenario, EveryListedReducerLayerAndPanelIsAccepted) {
         parse_scenario(two_boxes("[pipeline]\nreducer = \"" + info.name + "\""), "g/a.toml");
     EXPECT_EQ(scenario.pairs[0].pipeline.reducer, info.name);
   }
-  for (const std::string& layer : known_layers())
-    EXPECT_EQ(complaint(two_boxes("[[views]]\nlayers = [\"" + layer + "\"]")), "no complaint");
-  for (const std::string& panel : known_panels())
-    EXPECT_EQ(complaint(two_boxes("[[views]]\npanels = [\"" + panel + "\"]")), "no complaint");
+  const auto naming = [](const std::string& key, std::string_view name) {
+    return complaint(two_boxes("[[views]]\n" + key + " = [\"" + std::string(name) + "\"]"));
+  };
+  for (const std::string_view layer : kLayerNames)
+    EXPECT_EQ(naming("layers", layer), "no complaint");
+  for (const std::string_view panel : kPanelNames)
+    EXPECT_EQ(naming("panels", panel), "no complaint");
 }
 
 TEST(Scenario, AScaleOfImpulsesIsOneThatALegendCanState) {

@@ -19,8 +19,8 @@ constexpr double kInsetHeading = 17;  // pixels at 720 lines
 constexpr double kInsetHeadingRow = 26;
 constexpr double kInsetPadding = 10;
 
-bool is_inset(const std::string& panel) {
-  return panel == "minkowski" || panel == "gauss_map";
+bool is_inset(Panel panel) {
+  return panel == Panel::Minkowski || panel == Panel::GaussMap;
 }
 
 Rect viewport_of(const Rect& frame, const Layout& layout) {
@@ -32,21 +32,21 @@ Rect viewport_of(const Rect& frame, const Layout& layout) {
 
 }  // namespace
 
-std::vector<std::string> take_insets(View& view) {
-  std::vector<std::string> insets;
-  for (const std::string& panel : view.panels) {
+std::vector<Panel> take_insets(View& view) {
+  std::vector<Panel> insets;
+  for (const Panel panel : view.panels) {
     if (is_inset(panel)) insets.push_back(panel);
   }
   std::erase_if(view.panels, is_inset);
   return insets;
 }
 
-std::vector<Inset> stage_insets(const std::vector<std::string>& panels, const Staging& staging,
+std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Staging& staging,
                                 const std::vector<trace::Frame>& frames) {
   const Vec3d world_up = staging.header->up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
   std::vector<Inset> insets;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const bool sphere = panels[i] == "gauss_map";
+    const bool sphere = panels[i] == Panel::GaussMap;
     const Rect viewport = viewport_of(staging.layout.insets[i], staging.layout);
     Vec3d direction = staging.camera.right().cross(staging.camera.up());
     if (sphere) direction = gauss_map_direction(frames, direction);
@@ -69,8 +69,8 @@ std::vector<Inset> stage_insets(const std::vector<std::string>& panels, const St
 }
 
 InsetPicture sketch_inset(const Inset& inset, const Scene& scene) {
-  return inset.panel == "gauss_map" ? sketch_gauss_map(inset, scene)
-                                    : sketch_minkowski(inset, scene);
+  return inset.panel == Panel::GaussMap ? sketch_gauss_map(inset, scene)
+                                        : sketch_minkowski(inset, scene);
 }
 
 void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& layout,

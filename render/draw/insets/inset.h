@@ -16,10 +16,10 @@ namespace contactscope::draw {
 struct Staging;
 
 struct Inset {
-  std::string panel;  // "minkowski", "gauss_map"
-  Rect frame;         // of the canvas, with its heading
-  Camera camera;      // looks from where the camera of the shapes does, so that directions agree
-  float scale = 1;    // pixels for one pixel at 720 lines
+  Panel panel;      // Minkowski or GaussMap
+  Rect frame;       // of the canvas, with its heading
+  Camera camera;    // looks from where the camera of the shapes does, so that directions agree
+  float scale = 1;  // pixels for one pixel at 720 lines
 };
 
 /// What an inset shows of one frame.
@@ -30,10 +30,10 @@ struct InsetPicture {
 };
 
 /// Takes the panels that are insets out of the view's, in their order.
-std::vector<std::string> take_insets(View& view);
+std::vector<Panel> take_insets(View& view);
 
 /// Fits a camera to all that an inset shows in a sequence. `layout.insets` are their places.
-std::vector<Inset> stage_insets(const std::vector<std::string>& panels, const Staging& staging,
+std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Staging& staging,
                                 const std::vector<trace::Frame>& frames);
 
 InsetPicture sketch_inset(const Inset& inset, const Scene& scene);

@@ -20,11 +20,8 @@ bool reduction_in_contact_plane(const trace::Pair& pair) {
 
 void explain_panels(const Staging& staging, const trace::Frame& frame, Sketch& sketch) {
   const View& view = staging.view;
-  const auto names = [](const std::vector<std::string>& list, const char* name) {
-    return std::ranges::find(list, name) != list.end();
-  };
   const trace::Pair* pair = pair_of_contact_plane(frame);
-  if (!names(view.panels, "contact_plane") || pair == nullptr) return;
+  if (!view.shows(Panel::ContactPlane) || pair == nullptr) return;
   if (pair->clip && pair->manifolds.size() == 1) {
     sketch.explain(LegendKind::ReferenceFace, "reference face");
     sketch.explain(LegendKind::IncidentFace, "incident face");
@@ -35,7 +32,7 @@ void explain_panels(const Staging& staging, const trace::Frame& frame, Sketch& s
       if (!is_kept(*pair, dropped)) sketch.explain(LegendKind::Dropped, dropped.reason);
     }
   }
-  if (!names(view.layers, "contacts")) sketch.explain(LegendKind::PlainPoint, "contact point");
+  if (!view.shows(Layer::Contacts)) sketch.explain(LegendKind::PlainPoint, "contact point");
   if (reduction_in_contact_plane(*pair) &&
       pair->reduction->kept.size() < pair->reduction->points.size()) {
     sketch.explain(LegendKind::Reduced, "reduced away");

@@ -60,12 +60,12 @@ void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   const std::size_t shown = steps_to_show(scene, clip);
   const bool story = scene.view.story == Story::ClipSteps;
 
-  if (scene.shows("side_planes")) {
+  if (scene.shows(Layer::SidePlanes)) {
     for (std::size_t k = 0; k < shown; ++k) {
       draw_side_plane(clip, k, !story || k + 1 == shown, sketch);
     }
   }
-  if (scene.shows("clip_polygons")) {
+  if (scene.shows(Layer::ClipPolygons)) {
     for (std::size_t k = 0; k < shown; ++k) {
       const trace::Polygon& polygon = clip.steps[k].polygon;
       if (polygon.empty()) continue;
@@ -75,7 +75,7 @@ void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     }
   }
-  if (scene.shows("dropped") && shown == clip.steps.size()) {
+  if (scene.shows(Layer::Dropped) && shown == clip.steps.size()) {
     for (const trace::DroppedPoint& point : clip.dropped) {
       if (is_kept(pair, point)) continue;
       sketch.marks.push_back({MarkKind::Cross, point.position, kDropped});

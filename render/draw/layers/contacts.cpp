@@ -45,7 +45,7 @@ void draw_point(const Scene& scene, const trace::Pair& pair, const trace::Manifo
                 const trace::Point& point, Sketch& sketch) {
   // Points that have an age are drawn by it, with the way between the places that met. Beside them
   // a filled dot means a new point, which those of a one-shot manifold all are and none is.
-  const bool ages = scene.shows("persistent");
+  const bool ages = scene.shows(Layer::Persistent);
   if (ages && pair.incremental) return;
   const bool apart = stands_off(point, scene.scales);
   const std::string factor =
@@ -70,7 +70,7 @@ void draw_point(const Scene& scene, const trace::Pair& pair, const trace::Manifo
 Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
                       const trace::Manifold& manifold) {
   const Vec3d middle = middle_of(manifold.points);
-  if (manifold.points.size() > 1 || !scene.shows("contacts")) return middle;
+  if (manifold.points.size() > 1 || !scene.shows(Layer::Contacts)) return middle;
   const Whisker whisker = whisker_at(scene, pair, manifold, manifold.points.front());
   const double ahead = std::max((whisker.on_a - middle).dot(manifold.normal),
                                 (whisker.on_b - middle).dot(manifold.normal));
@@ -98,12 +98,12 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 // Gregorius 2015, "Contact Points", "Contact Manifolds" and "Contact Point Reduction".
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (scene.shows("normals")) draw_normals(scene, pair, sketch);
+  if (scene.shows(Layer::Normals)) draw_normals(scene, pair, sketch);
   if (pair.manifolds.size() > 1) {  // each was reduced by itself, and the record holds one of these
     for (const trace::Manifold& manifold : pair.manifolds) {
       for (const trace::Point& point : manifold.points) {
-        if (scene.shows("contacts")) draw_point(scene, pair, manifold, point, sketch);
-        if (scene.shows("ids")) draw_id(point, sketch);
+        if (scene.shows(Layer::Contacts)) draw_point(scene, pair, manifold, point, sketch);
+        if (scene.shows(Layer::Ids)) draw_id(point, sketch);
       }
     }
     return;
@@ -111,7 +111,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (pair.manifolds.empty() || pair.manifolds.front().points.empty()) return;
 
   const trace::Manifold& manifold = pair.manifolds.front();
-  const bool reduced = scene.shows("reduced") && pair.reduction &&
+  const bool reduced = scene.shows(Layer::Reduced) && pair.reduction &&
                        pair.reduction->kept.size() < pair.reduction->points.size();
   const std::vector<trace::Point>& all = pair.reduction ? pair.reduction->points : manifold.points;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -131,7 +131,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       sketch.explain(LegendKind::Reduced, "reduced away");
       continue;
     }
-    if (scene.shows("contacts")) draw_point(scene, pair, manifold, all[i], sketch);
+    if (scene.shows(Layer::Contacts)) draw_point(scene, pair, manifold, all[i], sketch);
     if (reduced) {
       sketch.marks.push_back({MarkKind::Ring, all[i].position, kContact});
       sketch.labels.push_back({.at = all[i].position,
@@ -143,7 +143,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                                .direction = std::nullopt});
       sketch.explain(LegendKind::Kept, "kept, in order of choice");
     }
-    if (scene.shows("ids")) draw_id(all[i], sketch);
+    if (scene.shows(Layer::Ids)) draw_id(all[i], sketch);
   }
 }
 

@@ -31,7 +31,7 @@ Moved moved_of(const Scene& scene, const trace::Pair& pair) {
 }
 
 bool shows_loads(const Scene& scene) {
-  return scene.shows("loads") && scene.scales.step > 0;
+  return scene.shows(Layer::Loads) && scene.scales.step > 0;
 }
 
 // Two strokes across an arrow that goes on.
@@ -129,7 +129,7 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
                            .bold = true,
                            .clearance = 12,
                            .direction = right});
-  if (!scene.shows("friction") || friction.norm() < 1e-6 * normal) return;
+  if (!scene.shows(Layer::Friction) || friction.norm() < 1e-6 * normal) return;
   const Vec3d way = side * scene.scales.friction * outermost->impulse->friction;
   sketch.labels.push_back({.at = outermost->position + way,
                            .text = spell_quantity(friction.norm() / step, "N"),
@@ -159,7 +159,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
       if (!point.impulse) continue;
       const std::optional<Point2> seen = scene.camera.project(point.position);
       if (!seen || !scene.camera.viewport().contains(*seen)) continue;
-      if (!scene.shows("contacts")) {
+      if (!scene.shows(Layer::Contacts)) {
         sketch.marks.push_back({MarkKind::Core, point.position, kContact});
       }
       draw_normal_impulse(scene, point, out, sketch);

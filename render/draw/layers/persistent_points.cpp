@@ -62,7 +62,7 @@ void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& poi
   } else {
     sketch.explain(LegendKind::PersistedPoint, "kept point, its age in frames");
   }
-  if (scene.shows("ids") && !broken) return;  // its id stands there
+  if (scene.shows(Layer::Ids) && !broken) return;  // its id stands there
   sketch.labels.push_back({.at = point.point.position,
                            .text = state_of(point),
                            .color = broken ? kDropped : kContact,

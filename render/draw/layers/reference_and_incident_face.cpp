@@ -5,7 +5,7 @@ namespace contactscope::draw {
 
 // Gregorius 2015, "Hull vs Hull: Face Contact".
 void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip || !scene.shows("reference_face")) return;
+  if (!pair.clip || !scene.shows(Layer::ReferenceFace)) return;
   const trace::Polygon& polygon = pair.clip->reference.polygon;
   sketch.surfaces.push_back({polygon, with_alpha(kReferenceFace, 0.35f)});
   sketch.outline(polygon, {3.0f, kReferenceFace});
@@ -13,7 +13,7 @@ void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sk
 }
 
 void draw_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip || !scene.shows("incident_face")) return;
+  if (!pair.clip || !scene.shows(Layer::IncidentFace)) return;
   const trace::Polygon& polygon = pair.clip->incident.polygon;
   sketch.surfaces.push_back({polygon, with_alpha(kIncidentFace, 0.35f)});
   sketch.outline(polygon, {3.0f, kIncidentFace, true});

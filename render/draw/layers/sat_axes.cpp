@@ -24,7 +24,7 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Vec3d& s
                      bool all_queries, bool chosen, Sketch& sketch) {
   const double factor = separation > 0 ? 1.0 : scene.depth_factor;
   Vec3d from = support, to = support - factor * separation * normal;
-  if (chosen && separation < 0 && !all_queries && scene.shows("contacts")) {
+  if (chosen && separation < 0 && !all_queries && scene.shows(Layer::Contacts)) {
     Vec3d aside = scene.camera.to_eye(support).cross(normal);
     if (aside.dot(scene.camera.right()) < 0) aside = -aside;
     if (!aside.isZero()) aside.normalize();

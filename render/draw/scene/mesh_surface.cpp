@@ -185,7 +185,7 @@ std::vector<Touched> touched_triangles(const Scene& scene) {
 }  // namespace
 
 void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
-  if (!scene.shows("contacts") && !scene.shows("reference_face")) return;
+  if (!scene.shows(Layer::Contacts) && !scene.shows(Layer::ReferenceFace)) return;
   const std::vector<Touched> touched = touched_triangles(scene);
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   for (const auto& [mesh, triangle, incident] : touched) {

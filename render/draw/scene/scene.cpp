@@ -77,10 +77,6 @@ std::vector<Vec3d> PlacedShape::polygon(int face) const {
   return result;
 }
 
-bool Scene::shows(const char* layer) const {
-  return std::find(view.layers.begin(), view.layers.end(), layer) != view.layers.end();
-}
-
 const PlacedShape* Scene::find(const std::string& name) const {
   for (const PlacedShape& shape : shapes) {
     if (shape.mesh->shape->name == name) return &shape;

@@ -59,7 +59,7 @@ struct Scene {
   double depth_factor = 1;  // overlaps are drawn this many times as long
   SequenceScales scales{};
 
-  bool shows(const char* layer) const;
+  bool shows(Layer layer) const { return view.shows(layer); }
   const PlacedShape* find(const std::string& name) const;
 };
 

@@ -63,9 +63,6 @@ double round_down(double value) {
 SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
                           const std::vector<trace::Frame>& frames, const Camera& camera,
                           const Layout& layout, const View& view) {
-  const auto shows = [&](const char* layer) {
-    return std::ranges::find(view.layers, layer) != view.layers.end();
-  };
   SequenceScales scales;
   if (frames.size() > 1) {
     scales.step =
@@ -84,7 +81,7 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
           pixels_per_metre = std::max(pixels_per_metre, camera.pixels_per_metre(point.position));
           largest = std::max(largest, point.impulse->normal);
           largest_friction = std::max(largest_friction, point.impulse->friction.norm());
-          if (!point.relative_velocity || !shows("relative_velocity")) continue;
+          if (!point.relative_velocity || !view.shows(Layer::RelativeVelocity)) continue;
           const Vec3d& before = point.relative_velocity->before;
           scales.closing = std::max(scales.closing, std::abs(before.dot(manifold.normal)));
           speed = std::max(speed, camera.pixels_per_metre(point.position) * before.norm());
@@ -117,12 +114,12 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
     const double length =
         std::max(kLeastUsual * share, std::min(kUsualImpulse * share, kUsualOfBody * smallest));
     // What the legend's round numbers are of.
-    const double unit = shows("loads") && scales.step > 0 ? scales.step : 1;
+    const double unit = view.shows(Layer::Loads) && scales.step > 0 ? scales.step : 1;
     scales.impulse =
         view.impulse_scale.value_or(round_down(length / usual(impulses) * unit)) / unit;
     scales.longest_impulse = view.impulse_scale ? kLongestStated * share : kLongestImpulse * length;
     scales.friction = scales.impulse;
-    if (shows("friction") && !frictions.empty()) {
+    if (view.shows(Layer::Friction) && !frictions.empty()) {
       scales.friction = round_down(kUsualFriction * length / usual(frictions) * unit) / unit;
     }
   }

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+/// The layers that a view may show, in drawing order: a row has the enumerator and the word for it in
+/// scenarios and on the command line. All else about a layer stands in its own file, in
+/// render/draw/layers, which defines kShapesLayer and so on.
+// clang-format off
+#define CONTACTSCOPE_LAYERS(ROW)               \
+  ROW(Shapes, "shapes")                        \
+  ROW(CenterOfMass, "center_of_mass")          \
+  ROW(ReferenceFace, "reference_face")         \
+  ROW(SidePlanes, "side_planes")               \
+  ROW(ClipPolygons, "clip_polygons")           \
+  ROW(Dropped, "dropped")                      \
+  ROW(IncidentFace, "incident_face")           \
+  ROW(Tree, "tree")                            \
+  ROW(SatAxes, "sat_axes")                     \
+  ROW(ContactAxis, "contact_axis")             \
+  ROW(Core, "core")                            \
+  ROW(Simplex, "simplex")                      \
+  ROW(Support, "support")                      \
+  ROW(Coherent, "coherent")                    \
+  ROW(Normals, "normals")                      \
+  ROW(Contacts, "contacts")                    \
+  ROW(Reduced, "reduced")                      \
+  ROW(Ids, "ids")                              \
+  ROW(Persistent, "persistent")                \
+  ROW(Impulses, "impulses")                    \
+  ROW(Loads, "loads")                          \
+  ROW(Friction, "friction")                    \
+  ROW(Overlap, "overlap")                      \
+  ROW(RelativeVelocity, "relative_velocity")   \
+  ROW(Ahead, "ahead")                          \
+  ROW(Velocities, "velocities")                \
+  ROW(Masses, "masses")
+
+/// The panels that a view may show, likewise.
+#define CONTACTSCOPE_PANELS(ROW)               \
+  ROW(Summary, "summary")                      \
+  ROW(ContactPlane, "contact_plane")           \
+  ROW(AxisHistory, "axis_history")             \
+  ROW(Stability, "stability")                  \
+  ROW(Plots, "plots")                          \
+  ROW(Minkowski, "minkowski")                  \
+  ROW(GaussMap, "gauss_map")
+// clang-format on
+
+namespace contactscope {
+
+#define CONTACTSCOPE_ENUMERATOR(word, name) word,
+#define CONTACTSCOPE_NAME(word, name) std::string_view(name),
+
+enum class Layer { CONTACTSCOPE_LAYERS(CONTACTSCOPE_ENUMERATOR) };
+inline constexpr std::array kLayerNames = {CONTACTSCOPE_LAYERS(CONTACTSCOPE_NAME)};
+
+enum class Panel { CONTACTSCOPE_PANELS(CONTACTSCOPE_ENUMERATOR) };
+inline constexpr std::array kPanelNames = {CONTACTSCOPE_PANELS(CONTACTSCOPE_NAME)};
+
+#undef CONTACTSCOPE_ENUMERATOR
+#undef CONTACTSCOPE_NAME
+
+constexpr std::string_view name_of(Layer layer) {
+  return kLayerNames[static_cast<std::size_t>(layer)];
+}
+constexpr std::string_view name_of(Panel panel) {
+  return kPanelNames[static_cast<std::size_t>(panel)];
+}
+
+/// The Layer or Panel of that name; nothing where there is none.
+template <class Word, std::size_t N>
+constexpr std::optional<Word> word_named(const std::array<std::string_view, N>& names,
+                                         std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Word>(found - names.begin());
+}
+
+}  // namespace contactscope
