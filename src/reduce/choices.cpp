@@ -25,7 +25,7 @@ trace::Choice support_choice(Points points, const Vec3d& direction) {
   choice.direction = direction;
   for (int q = 0; q < steps::count(points); ++q) {
     const Vec3d arm = steps::at(points, q) - steps::at(points, 0);
-    choice.measures.push_back({q, -1, -1, direction.dot(arm)});
+    choice.measures.push_back({q, trace::kNoEdge, direction.dot(arm)});
   }
   return choice;
 }
@@ -35,7 +35,8 @@ trace::Choice first_choice(std::string_view reducer, Points points, const Vec3d&
   if (reducer == "area_deepest") {
     choice.rule = "deepest";
     for (int q = 0; q < steps::count(points); ++q) {
-      choice.measures.push_back({q, -1, -1, -points[static_cast<std::size_t>(q)].separation});
+      choice.measures.push_back(
+          {q, trace::kNoEdge, -points[static_cast<std::size_t>(q)].separation});
     }
     return choice;
   }
@@ -67,7 +68,7 @@ trace::Choice second_choice(Points points, int first) {
   for (int q = 0; q < steps::count(points); ++q) {
     if (q == first) continue;
     choice.measures.push_back(
-        {q, -1, -1, (steps::at(points, q) - steps::at(points, first)).norm()});
+        {q, trace::kNoEdge, (steps::at(points, q) - steps::at(points, first)).norm()});
   }
   return choice;
 }
@@ -77,7 +78,8 @@ trace::Choice third_choice(Points points, const Vec3d& normal, int first, int se
   choice.rule = "triangle";
   for (int q = 0; q < steps::count(points); ++q) {
     if (q == first || q == second) continue;
-    choice.measures.push_back({q, first, second, signed_area(points, normal, q, first, second)});
+    choice.measures.push_back(
+        {q, {{first, second}}, signed_area(points, normal, q, first, second)});
   }
   return choice;
 }
@@ -124,7 +126,7 @@ trace::Choice later_choice(std::string_view reducer, Points points, const Vec3d&
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const int a = ring[k];
       const int b = ring[(k + 1) % ring.size()];
-      all.push_back({q, a, b, measure(points, normal, q, a, b)});
+      all.push_back({q, {{a, b}}, measure(points, normal, q, a, b)});
     }
     if (q == chosen) {
       choice.measures.insert(choice.measures.end(), all.begin(), all.end());

@@ -90,7 +90,7 @@ Json choice(const Choice& c) {
   Json measures = Json::array();
   for (const Measure& m : c.measures) {
     Json measure = {{"point", m.point}};
-    if (m.a >= 0) measure["edge"] = Json::array({m.a, m.b});
+    if (m.edge[0] >= 0) measure["edge"] = m.edge;
     measure["value"] = number(m.value, "value");
     measures.push_back(std::move(measure));
   }

@@ -111,13 +111,7 @@ Choice read_choice(const Node& node, std::size_t points) {
   for (const Node& item : node.at("measures").items()) {
     Measure measure;
     measure.point = item.at("point").index(points, "points");
-    const bool against_edge =
-        choice.rule == "triangle" || choice.rule == "outside" || choice.rule == "distance";
-    if (against_edge) {
-      const std::array<int, 2> edge = item.at("edge").indices<2>(points, "points");
-      measure.a = edge[0];
-      measure.b = edge[1];
-    }
+    if (choice.is_against_edges()) measure.edge = item.at("edge").indices<2>(points, "points");
     measure.value = item.at("value").number();
     choice.measures.push_back(measure);
   }

@@ -28,14 +28,14 @@ std::vector<ContactMoment> chosen() {
   cell.choices[3].rule = "outside";
   for (int q = 0; q < 8; ++q) {
     if (q == 1) continue;
-    cell.choices[1].measures.push_back({q, -1, -1, 1.234 + q});
+    cell.choices[1].measures.push_back({q, trace::kNoEdge, 1.234 + q});
     if (q == 5) continue;
-    cell.choices[2].measures.push_back({q, 1, 5, q % 2 ? 0.5 : -0.25});
+    cell.choices[2].measures.push_back({q, {{1, 5}}, q % 2 ? 0.5 : -0.25});
     if (q == 3) continue;
-    cell.choices[3].measures.push_back({q, 1, 3, q == 0 ? -0.5 : -0.1});
+    cell.choices[3].measures.push_back({q, {{1, 3}}, q == 0 ? -0.5 : -0.1});
   }
-  cell.choices[3].measures.push_back({0, 3, 5, 0.75});
-  cell.choices[3].measures.push_back({0, 5, 1, 0.25});
+  cell.choices[3].measures.push_back({0, {{3, 5}}, 0.75});
+  cell.choices[3].measures.push_back({0, {{5, 1}}, 0.25});
   return moments;
 }
 

@@ -78,8 +78,8 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   EXPECT_LT(triangles[0] * triangles[1], 0);
   EXPECT_LT(triangles[2] * triangles[3], 0);
   for (const trace::Measure& measure : made[2].measures) {
-    EXPECT_EQ(measure.a, 2);
-    EXPECT_EQ(measure.b, 0);
+    EXPECT_EQ(measure.edge[0], 2);
+    EXPECT_EQ(measure.edge[1], 0);
   }
   // Of the triangle 2 0 5, point 1 lies outside 0-5, 4 outside 2-0, and the chosen 3 has all edges.
   EXPECT_THAT(candidates(made[3]), ElementsAre(1, 3, 3, 3, 4));
@@ -106,8 +106,8 @@ TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
   double most = 0;
   int farthest = -1;
   for (const trace::Measure& measure : made[3].measures) {
-    const Vec3d a = points[static_cast<std::size_t>(measure.a)].position;
-    const Vec3d along = points[static_cast<std::size_t>(measure.b)].position - a;
+    const Vec3d a = points[static_cast<std::size_t>(measure.edge[0])].position;
+    const Vec3d along = points[static_cast<std::size_t>(measure.edge[1])].position - a;
     const Vec3d arm = points[static_cast<std::size_t>(measure.point)].position - a;
     EXPECT_NEAR(std::abs(measure.value),
                 (arm - arm.dot(along) / along.squaredNorm() * along).norm(), 1e-12);

@@ -228,14 +228,12 @@ TEST(TraceJson, EveryFieldComesBack) {
   EXPECT_EQ(support.direction, Vec3d(0.6, 0, 0.8));
   ASSERT_EQ(support.measures.size(), 2u);
   EXPECT_EQ(support.measures[1].point, 1);
-  EXPECT_EQ(support.measures[1].a, -1);
-  EXPECT_EQ(support.measures[1].b, -1);
+  EXPECT_EQ(support.measures[1].edge, kNoEdge);
   EXPECT_EQ(support.measures[1].value, double(0.1f));
   const Choice& outside = pair.reduction->choices[1];
   EXPECT_EQ(outside.rule, "outside");
   EXPECT_EQ(outside.direction, Vec3d(0, 0, 0));
-  EXPECT_EQ(outside.measures.at(0).a, 1);
-  EXPECT_EQ(outside.measures.at(0).b, 0);
+  EXPECT_EQ(outside.measures.at(0).edge, (std::array<int, 2>{1, 0}));
   EXPECT_EQ(outside.measures.at(0).value, -1e-300);
   EXPECT_FALSE(read.pairs[1].sat || read.pairs[1].clip || read.pairs[1].reduction);
 }

@@ -108,9 +108,9 @@ class ChoicePainter {
                          color, winner});
     } else if (rule == "triangle") {
       if (winner) {
-        triangle(measure.a, measure.b, measure.point, kContact, 0.16f);
+        triangle(measure.edge[0], measure.edge[1], measure.point, kContact, 0.16f);
       } else {
-        for (const int end : {measure.a, measure.b})
+        for (const int end : measure.edge)
           stroke(place(end), place(measure.point), 1.2f, with_alpha(kDropped, 0.55f));
       }
       labels_.push_back({flat(place(measure.point)), spell_signed(measure.value), color, winner});
@@ -128,24 +128,24 @@ class ChoicePainter {
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance,
                bool winner) {
     if (!winner) {
-      for (const int end : {measure.a, measure.b})
+      for (const int end : measure.edge)
         stroke(place(end), place(measure.point), 1.2f, with_alpha(kDropped, 0.55f));
       labels_.push_back({flat(place(measure.point)), spelled, kDropped, false});
       return;
     }
-    const std::vector<Vec2d> corners = {flat(place(measure.a)), flat(place(measure.b)),
+    const std::vector<Vec2d> corners = {flat(place(measure.edge[0])), flat(place(measure.edge[1])),
                                         flat(place(measure.point))};
     const Vec2d middle = (corners[0] + corners[1] + corners[2]) / 3;
     if (!(measure.value < 0)) {
       if (by_distance) return;  // the edges that see it inside decide nothing
       out_.primitives.push_back(Fill{{pixel(corners[0]), pixel(corners[1]), pixel(corners[2])},
                                      with_alpha(kReferenceFace, 0.07f)});
-      for (const int end : {measure.a, measure.b}) rim(place(end), place(measure.point));
+      for (const int end : measure.edge) rim(place(end), place(measure.point));
       labels_.push_back({middle, spelled, kReferenceFace, false, true});
       return;
     }
     hatch(convex_polygon(corners), {}, layout_.px(5), layout_.px(1.3), kContact, out_);
-    for (const int end : {measure.a, measure.b}) line(end, measure.point, 2.5f, kContact);
+    for (const int end : measure.edge) line(end, measure.point, 2.5f, kContact);
     if (!by_distance) {
       labels_.push_back({middle, spelled, kContact, true});
       return;

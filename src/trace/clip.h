@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trace/shape.h"
+
+namespace contactscope::trace {
+
+struct ClipFace {
+  std::string shape;
+  int face = -1;
+  Vec3d normal = Vec3d::Zero();  // outward, unit
+  Polygon polygon;
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("shape", &ClipFace::shape),
+                      field::exact("face", &ClipFace::face),
+                      field::direction("normal", &ClipFace::normal).optional(),
+                      field::position("polygon", &ClipFace::polygon).says(""));
+  }
+};
+
+/// One side plane and the polygon that is left after it.
+struct ClipStep {
+  Vec3d normal = Vec3d::Zero();  // outward, unit; points with normal . x > offset are cut away
+  double offset = 0;
+  Polygon polygon;
+
+  static constexpr auto fields() {
+    return std::tuple(field::direction("normal", &ClipStep::normal).in("plane"),
+                      field::length("offset", &ClipStep::offset).in("plane"),
+                      field::position("polygon", &ClipStep::polygon).says(""));
+  }
+};
+
+struct DroppedPoint {
+  Vec3d position = Vec3d::Zero();
+  std::string reason;  // "above the reference face"
+
+  static constexpr auto fields() {
+    return std::tuple(field::position("position", &DroppedPoint::position).says(""),
+                      field::exact("reason", &DroppedPoint::reason));
+  }
+};
+
+struct Clip {
+  ClipFace reference;
+  ClipFace incident;
+  std::vector<ClipStep>
+      steps;  // in order; step k is the side plane of the reference polygon's edge k
+  std::vector<DroppedPoint> dropped;
+
+  static constexpr auto fields() {
+    return std::tuple(field::fact("reference", &Clip::reference).apart("reference face"),
+                      field::fact("incident", &Clip::incident).apart("incident face"),
+                      field::facts("steps", &Clip::steps).entries("clip step", "side planes"),
+                      field::facts("dropped", &Clip::dropped).entries("dropped point"));
+  }
+};
+
+}  // namespace contactscope::trace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.h"
+#include "trace/field.h"
+
+namespace contactscope::trace {
+
+using Polygon = std::vector<Vec3d>;
+
+/// Half-space of a shape of type "plane": normal . x <= offset.
+struct HalfSpace {
+  Vec3d normal = Vec3d::UnitY();  // unit
+  double offset = 0;              // metres
+
+  static constexpr auto fields() {
+    return std::tuple(field::direction("normal", &HalfSpace::normal),
+                      field::length("offset", &HalfSpace::offset));
+  }
+  friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
+};
+
+/// A shape as far as a drawing needs it, in its local frame.
+struct Shape {
+  std::string name;
+  std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "mesh", "plane"
+  /// Of a sphere its centre, of a capsule the ends of its segment, of a plane none.
+  std::vector<Vec3d> vertices;
+  std::vector<std::vector<int>> faces;  // vertex indices, counter-clockwise seen from outside
+  // Vertex indices. Ids such as "a:e3" count in this list; those of a mesh count within the
+  // manifold's triangle: edge k from its corner k to the next.
+  std::vector<std::array<int, 2>> edges;
+  Vec3d center_of_mass = Vec3d::Zero();
+  double radius = 0;  // metres; of a sphere or capsule: everything so near to its vertices and edge
+  std::optional<HalfSpace> half_space{};
+
+  /// Undirected edges in the order in which the faces first run along them.
+  static void edges_from_faces(Shape& shape);
+
+  static constexpr auto fields() {
+    return std::tuple(
+        field::name(&Shape::name),  //
+        field::exact("type", &Shape::type).optional(),
+        field::position("vertices", &Shape::vertices).says(""),
+        field::exact("faces", &Shape::faces).into("vertices").says("face"),
+        field::exact("edges", &Shape::edges)
+            .into("vertices")
+            .otherwise_by(&Shape::edges_from_faces)
+            .says("edge"),
+        field::position("center_of_mass", &Shape::center_of_mass).optional().says("centre of mass"),
+        field::length("radius", &Shape::radius).where_set(),
+        field::fact("half_space", &Shape::half_space).says("half-space"));
+  }
+};
+
+struct Header {
+  std::string scenario;  // "hull/face_contact"
+  std::string title;
+  std::string source;
+  std::string scalar;  // "float" or "double"
+  std::string up;      // "y" or "z"
+  int frames = 0;      // frames of the scenario, also when fewer were asked for
+  std::vector<Shape> shapes;
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("scenario", &Header::scenario),
+                      field::exact("title", &Header::title).optional(),
+                      field::exact("source", &Header::source).optional(),
+                      field::exact("scalar", &Header::scalar),  //
+                      field::exact("up", &Header::up),          //
+                      field::exact("frames", &Header::frames),  //
+                      field::facts("shapes", &Header::shapes).entries("shape"));
+  }
+};
+
+}  // namespace contactscope::trace
