@@ -44,6 +44,11 @@ template <class S>
 Reduction reduce(Reducer<S> reducer, std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
                  const ReduceOptions& options);
 
+/// What reduces where nobody says otherwise. The talk's steps (`area`) may drop the deepest point: of
+/// overlapping hulls of games, one pair in fifty then reports a depth up to 9 % too small. The best
+/// area that has the deepest point costs less, too.
+inline constexpr const char* kDefaultReducer = "optimal_deepest";
+
 /// A reducer by name, for scenarios and the command line; nullptr when there is none such.
 template <class S>
 Reducer<S> find_reducer(std::string_view name);

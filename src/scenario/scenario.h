@@ -13,98 +13,9 @@
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
 #include "manifold/incremental_settings.h"
+#include "reduce/reducer.h"
 
-/// The scenario format of FORMATS.md, and what it has grown since:
-///
-///     [shapes.crate]
-///     merge_coplanar = true            # of box, hull, cylinder, cone; false: faces are left in
-///                                      # triangles, and clipping sees one of them
-///
-///     [pipeline]
-///     preference = "relative"          # or "none": the axis of true minimum penetration
-///     penetration = "sat"              # or "epa", "mpr", "sampling": of hulls that overlap, how
-///                                      # their depth and normal are found
-///     manifold = "one-shot"            # or "incremental": a point a frame by GJK on the cores; of
-///                                      # spheres, capsules, hulls and planes, not of meshes
-///     core_margin = 0.02               # metres; incremental: how far a hull's core lies inside
-///     breaking_distance = 0.02         # metres; incremental: places farther apart are dismissed,
-///                                      # new points nearer than that to an old one replace it
-///     confirm = "distance"             # or "ids"; incremental: how old points are confirmed
-///     internal_edges = true            # false: meshes trip over edges that the surface lacks
-///     degenerate = "fallback"          # or "skip": what to do where geometry gives no normal
-///
-///     [[pairs]]                        # several settings for the same two shapes, told apart
-///     a = "crate"                      # by their labels
-///     b = "floor"
-///     label = "preference off"         # once a second entry names the same two shapes
-///     preference = "none"              # and any other key of [pipeline] but scalar
-///
-///     [[views]]
-///     focus = "contact"                # or "shapes": what the fitted camera frames
-///     kind  = "contact_plane"          # or "scene": one cell a pair, its reduction seen along the
-///                                      # normal; pairs of the same shapes with different reducers
-///                                      # stand side by side
-///     choices = 3                      # of a contact plane: so many choices, and what the last one
-///                                      # was made by; 0: the result
-///     impulse_scale = 0.05             # metres of an arrow for one newton second, where loads are
-///                                      # shown for one newton; default: fitted to the sequence
-///     layers = ["impulses", "loads"]   # loads: arrows are forces over the frame's time, and each
-///                                      # pair says the sum of its normal ones; friction: at a
-///                                      # scale of its own; masses; relative_velocity: of the two
-///                                      # bodies at their contact; ahead: where bodies would be
-///                                      # a frame later if nothing stopped them; overlap: how deep
-///                                      # each pair is
-///     story = "clip_steps"             # frame k shows k side planes; "none": all of them
-///
-///     [[expect]]
-///     label = "preference off"         # of the pair
-///     axis  = "face_b"                 # or "face_a", "edge_edge", "closest_points"
-///     type  = "point-face"             # which features touch, the simpler one first
-///
-///     [snapshots]
-///     frames = [0, 11, 23]             # that `check` stores; default first, middle, last
-///     size   = [640, 360]              # pixels
-///
-/// Lengths may be 1e-9 to 1e9 metres, frames up to 100000, segments 3 to 64, max_points 1 to 64,
-/// pairs up to 4096, points of a hull up to 100000, the file up to 16 MiB. `segments` has no
-/// default. A view's name becomes a folder: letters, digits, '_' and '-'.
-///
-///     [shapes.crate]
-///     friction    = 0.6                # of contacts: the geometric mean of both shapes'; default
-///     restitution = 0.0                # the world's; of contacts: the larger of both shapes'
-///
-///     [shapes.crate.motion]
-///     dynamic = true                   # moved by the solver; not planes and meshes
-///     mass    = 1.0                    # kilograms, or density = kilograms a cubic metre
-///     velocity = [0, 0, 0]             # at the start, of the centre of mass; and angular_velocity
-///
-///     [world]
-///     gravity     = [0, -9.81, 0]      # default along `up`
-///     friction    = 0.6
-///     restitution = 0.0
-///
-///     [solver]
-///     iterations = 10                  # sweeps over all points in each sub-step
-///     substeps   = 1                   # of each frame
-///     position_correction = "baumgarte"  # or "projection", "soft"
-///     warm_start = true
-///     baumgarte  = 0.1                 # share of the overlap that a sub-step works off
-///     hertz      = 30.0                # of soft contacts, and damping_ratio = 10.0
-///     slop       = 0.005               # metres of overlap that are let be; default 1/200 of the
-///                                      # smallest dynamic shape, 5 mm of a crate of a metre
-///     speculative_margin = 0.02        # metres: points up to that far apart are kept, and keep
-///                                      # bodies from passing through each other; default 1/50
-///
-///     [[expect]]
-///     load = 98.1                      # newtons: normal impulses of the frame over its time;
-///                                      # `tolerance` is a share of it
-///
-/// The smallest shape is the one of which the box that has its mass and inertia has the shortest
-/// edge; with slop = 0.0 and speculative_margin = 0.0 contacts come and go, and nothing rests.
-///
-/// Where shapes are dynamic, frame k shows them before step k, the contacts found there, and the
-/// impulses that the step then gives; pairs of which no shape is dynamic are left out by default. Of
-/// several entries for the same two shapes the first one moves them, the others are only shown.
+/// What a scenario file holds, read and checked; scenarios/README.md is the reference of the format.
 namespace contactscope {
 
 /// Position and rotation at a time; what a keyframe leaves out is taken from the keyframe before
@@ -152,7 +63,7 @@ enum class ManifoldKind { OneShot, Incremental };
 
 struct PipelineSettings {
   Scalar scalar = Scalar::Float;
-  std::string reducer = "area";
+  std::string reducer = kDefaultReducer;
   int max_points = 4;
   double margin = 0;  // metres
   bool cache = true;
@@ -222,8 +133,8 @@ struct Scenario {
   std::vector<std::string> warnings;  // what a reader should know though nothing is wrong
 };
 
-/// Reads a scenario file. Throws InputError with line, column and remedy; FORMATS.md lists what is
-/// wrong with a file. Relative file names in it are relative to its folder.
+/// Reads a scenario file. Throws InputError with line, column and remedy. Relative file names in it
+/// are relative to its folder.
 Scenario load_scenario(const std::string& path);
 
 /// The same from text already read; `path` serves messages and relative file names.

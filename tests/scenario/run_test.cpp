@@ -336,7 +336,7 @@ TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
   EXPECT_FALSE(frame.pairs[0].reduction);
   EXPECT_EQ(frame.pairs[1].label, "three");
   ASSERT_TRUE(frame.pairs[1].reduction);
-  EXPECT_EQ(frame.pairs[1].reduction->method, "area");
+  EXPECT_EQ(frame.pairs[1].reduction->method, "optimal_deepest");
   EXPECT_EQ(frame.pairs[1].manifolds.at(0).points.size(), 3u);
   EXPECT_EQ(frame.pairs[1].sat->preference, "relative");
   EXPECT_EQ(frame.pairs[2].sat->preference, "none");

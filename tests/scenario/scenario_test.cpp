@@ -42,7 +42,7 @@ TEST(Scenario, TheSmallestFileGetsTheDefaults) {
   EXPECT_EQ(pair.b, 1);
   EXPECT_EQ(pair.label, "");
   EXPECT_EQ(pair.pipeline.scalar, Scalar::Float);
-  EXPECT_EQ(pair.pipeline.reducer, "area");
+  EXPECT_EQ(pair.pipeline.reducer, "optimal_deepest");
   EXPECT_EQ(pair.pipeline.max_points, 4);
   EXPECT_EQ(pair.pipeline.margin, 0);
   EXPECT_TRUE(pair.pipeline.cache);
