@@ -342,7 +342,7 @@ TEST(Snapshots, AreTheLatestNotAfterAFrameAndBoundedInNumber) {
   Snapshots<Numbered> snapshots(8);
   EXPECT_EQ(snapshots.before(5), nullptr);
   for (int frame = 0; frame < 1000; ++frame) {
-    snapshots.put(std::make_shared<Numbered>(frame));
+    snapshots.put(std::make_shared<Numbered>(Numbered{frame}));
     ASSERT_LE(snapshots.size(), 10u);
     ASSERT_EQ(snapshots.before(frame)->frame, frame);
     ASSERT_EQ(snapshots.before(0)->frame, 0);
