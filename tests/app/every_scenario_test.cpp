@@ -45,7 +45,7 @@ trace::Frame without_records(const trace::Frame& recorded) {
   return bare;
 }
 
-TEST_P(EveryScenario, GivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
+TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
   const Scenario scenario = load_scenario(GetParam());
   const Runner watched(scenario), unwatched(scenario);
   for (int number = 0; number < scenario.frames; ++number) {

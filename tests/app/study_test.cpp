@@ -120,7 +120,7 @@ TEST(Study, JsonPrintsTheResultsOneALineAndQuietSilencesTheRest) {
             nlohmann::json::parse(read_text(folder / "out/study/reducers/results_wrench.json")));
 }
 
-TEST(Study, SeedChoosesTheCases) {
+TEST(Study, SlowSeedChoosesTheCases) {
   const TemporaryFolder folder;
   const auto errors = [&](const std::string& seed) {
     const ProgramRun result = run("study reducers --cases 10 --table --json --quiet --seed " +

@@ -166,7 +166,7 @@ TEST(ContactCells, StripsTakeTheRoomThatAFlatPatchLeaves) {
   EXPECT_GT(highest_bar(drawn(moments, 0)), 5);
 }
 
-TEST(ContactCells, HaveRowsThatAreLegibleOrNone) {
+TEST(ContactCells, SlowHaveRowsThatAreLegibleOrNone) {
   for (const auto& [width, height] :
        {std::pair{160, 90}, {320, 180}, {480, 270}, {640, 360}, {960, 540}, {1280, 720}}) {
     for (const int cells : {1, 2, 3, 7, 12, 19, 40}) {

@@ -57,7 +57,7 @@ std::optional<double> hit(const Vec3d& eye, const Vec3d& direction,
   return t;
 }
 
-TEST(DepthOrder, RandomCrossingTrianglesAreOrderedAlongEveryRay) {
+TEST(DepthOrder, SlowRandomCrossingTrianglesAreOrderedAlongEveryRay) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-2, 2);
   for (int round = 0; round < 30; ++round) {

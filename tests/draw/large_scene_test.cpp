@@ -162,7 +162,7 @@ TEST(LargeMesh, TenThousandTrianglesAreDrawn) {
   EXPECT_GT(illustrate(scene.staged(), scene.frames[0]).primitives.size(), 500u);
 }
 
-TEST(LargeMesh, LinesFadeAsTrianglesBecomeSmall) {
+TEST(LargeMesh, SlowLinesFadeAsTrianglesBecomeSmall) {
   const auto darkest = [](int n) {
     const BallOn scene(terrain(n, 1.5), {{0, 0.6, 0}}, Vec3d::UnitY());
     const Staging staging = scene.staged();

@@ -45,7 +45,7 @@ double nearest_on_ray(const RoundBody& body, const Vec3d& p, const Vec3d& direct
   return nearest;
 }
 
-TEST(RoundBody, OutlineIsWhereTheViewRayTouchesTheSurface) {
+TEST(RoundBody, SlowOutlineIsWhereTheViewRayTouchesTheSurface) {
   for (const RoundBody& body : {kBall, kPill}) {
     for (const Camera& camera : {looking_from({3, 2, 4}), looking_from({-1, 0.5, 1.2}),
                                  looking_from({4, 1.4, -2}), flat_from({1, 2, 3})}) {

@@ -47,7 +47,7 @@ double slide(Scene<double> scene, double degrees, double friction, double second
 }
 
 // Holds where tan(angle) <= mu, slides with g (sin - mu cos) where it is steeper.
-TEST_P(EveryMethod, ABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
+TEST_P(EveryMethod, SlowABoxHoldsBelowTheAngleOfFrictionAndSlidesAbove) {
   for (const double friction : {0.2, 0.5, 0.8}) {
     const double critical = std::atan(friction) / kDegree;
     EXPECT_NEAR(slide(scene(), critical - 1, friction, 1), 0, 1e-6) << friction;
@@ -100,7 +100,7 @@ TEST_P(EveryMethod, ABallRollsDownASlope) {
   EXPECT_NEAR(rolling.body(ball).angular_velocity.z(), -gained / 0.25, share * gained / 0.25);
 }
 
-TEST_P(EveryMethod, SlidingHasNoPreferredDirection) {
+TEST_P(EveryMethod, SlowSlidingHasNoPreferredDirection) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (int i = 0; i < 24; ++i) {
     Scene<double> level = scene();

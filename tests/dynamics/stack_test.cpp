@@ -63,7 +63,7 @@ void expect_loads_are_weights(const std::vector<double>& masses, PositionCorrect
   }
 }
 
-TEST_P(Stack, EachBoxCarriesTheWeightOfAllAbove) {
+TEST_P(Stack, SlowEachBoxCarriesTheWeightOfAllAbove) {
   expect_loads_are_weights<double>({5, 4, 3, 2, 1}, GetParam().correction, 1e-6);
   expect_loads_are_weights<float>({5, 4, 3, 2, 1}, GetParam().correction, 1e-3);
 }
@@ -79,7 +79,7 @@ TEST(MassRatio, AHundredKilogramsStandOnOne) {
 // Three boxes of 1 kg, two slops deep in what is below them or just touching: what works the overlap
 // off may lift them to where one slop is left, and no energy may come from anywhere else. Then nothing
 // may shake itself loose.
-TEST_P(Stack, EnergyNeverGrowsInTenThousandSteps) {
+TEST_P(Stack, SlowEnergyNeverGrowsInTenThousandSteps) {
   const double of_one_step = 0.5 * 3 * std::pow(kGravity / 60, 2);
   struct Start {
     double overlap;
@@ -155,7 +155,7 @@ double farthest_way(const Scene<S>& scene, const std::vector<Body<S>>& places) {
 }
 
 // Edges that lie on each other, places without an overlap: a stack as anybody would write it.
-TEST_P(Stack, EqualBoxesThatJustTouchStandStillByDefault) {
+TEST_P(Stack, SlowEqualBoxesThatJustTouchStandStillByDefault) {
   // Soft contacts yield.
   const double sinks = GetParam().correction == PositionCorrection::Soft ? 0.01 : 0.005;
   for (const int boxes : {1, 2, 4}) {
@@ -180,7 +180,7 @@ TEST_P(Stack, EqualBoxesThatJustTouchStandStillByDefault) {
 
 // Ten are more than ten sweeps can hold still: what they leave over of a sway needs hundreds of them.
 // Soft contacts damp it.
-TEST(TenEqualBoxes, ComeToRestOnSoftContactsInSubSteps) {
+TEST(TenEqualBoxes, SlowComeToRestOnSoftContactsInSubSteps) {
   Scene<float> scene = plain_stack<float>(PositionCorrection::Soft, 10);
   scene.settings.substeps = 4;
   scene.advance(600);

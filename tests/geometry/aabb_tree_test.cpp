@@ -162,14 +162,14 @@ TEST(AabbTree, AsksNoMoreTrianglesAfterTheFirstThatHolds) {
   EXPECT_GT(stopped, 50);
 }
 
-TEST(AabbTree, QueriesEqualBruteForceOnSoups) {
+TEST(AabbTree, SlowQueriesEqualBruteForceOnSoups) {
   Random random(1);
   for (const int count : {1, 2, 3, 4, 5, 9, 100, 2000}) {
     check(random, mesh_of(random_soup(random, count, 1, 0.1, Vec3d::Zero())));
   }
 }
 
-TEST(AabbTree, QueriesEqualBruteForceAtEveryScaleAndFarFromTheOrigin) {
+TEST(AabbTree, SlowQueriesEqualBruteForceAtEveryScaleAndFarFromTheOrigin) {
   Random random(2);
   for (const double side : {1e-4, 1.0, 1e4}) {
     for (const double away : {0.0, 1e2, 1e6}) {
@@ -179,18 +179,18 @@ TEST(AabbTree, QueriesEqualBruteForceAtEveryScaleAndFarFromTheOrigin) {
   }
 }
 
-TEST(AabbTree, QueriesEqualBruteForceOnSliversThatCrossTheWholeMesh) {
+TEST(AabbTree, SlowQueriesEqualBruteForceOnSliversThatCrossTheWholeMesh) {
   Random random(3);
   check(random, mesh_of(random_slivers(random, 1000, 1, Vec3d::Zero())));
 }
 
-TEST(AabbTree, QueriesEqualBruteForceOnFlatAndWavyGrids) {
+TEST(AabbTree, SlowQueriesEqualBruteForceOnFlatAndWavyGrids) {
   Random random(4);
   check(random, make_grid(10, 10, 30, 20, 0));
   check(random, make_grid(10, 1, 50, 3, 0.5));
 }
 
-TEST(AabbTree, QueriesEqualBruteForceOnASkewedMesh) {
+TEST(AabbTree, SlowQueriesEqualBruteForceOnASkewedMesh) {
   Random random(5);
   check(random, mesh_of(skewed_mesh(random, 2000)));
 }
@@ -262,7 +262,7 @@ TEST(AabbTree, AQueryMissedAtTheRootLooksAtNothingElse) {
   EXPECT_FALSE(record.visits[0].overlaps);
 }
 
-TEST(AabbTree, AMillionCopiesOfOneTriangleMakeABalancedTree) {
+TEST(AabbTree, SlowAMillionCopiesOfOneTriangleMakeABalancedTree) {
   const Aabb<double> box{Vec3d(0, 0, 0), Vec3d(1, 1, 0)};
   const std::vector<Aabb<double>> boxes(1'000'000, box);
   const AabbTree<double> tree = build_aabb_tree(boxes);

@@ -51,7 +51,7 @@ void PrintTo(const PointSet& set, std::ostream* out) {
 
 class HullOfRandomPoints : public ::testing::TestWithParam<PointSet> {};
 
-TEST_P(HullOfRandomPoints, AgreesWithQhull) {
+TEST_P(HullOfRandomPoints, SlowAgreesWithQhull) {
   Generator random(1);
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE("set " + std::to_string(i));
@@ -185,7 +185,7 @@ TEST(BuildHull, TheOrderOfThePointsDoesNotMatterInGeneralPosition) {
   EXPECT_NEAR(measure(build_hull(points)).volume, measure(build_hull(reversed)).volume, 1e-12);
 }
 
-TEST(BuildHull, AHundredThousandPointsOnASphereAreConvex) {
+TEST(BuildHull, SlowAHundredThousandPointsOnASphereAreConvex) {
   Generator random(6);
   const Points points = on_sphere(random, 100000);
   const Hull<double> hull = build_hull(points);

@@ -34,7 +34,7 @@ TEST(Grid, WithoutAmplitudeIsExactlyFlat) {
   for (const Vec3d& normal : grid.normals) EXPECT_EQ(normal, Vec3d::UnitY());
 }
 
-TEST(Grid, WavesThreeTimesAlongEachSideAndAsHighAsAsked) {
+TEST(Grid, SlowWavesThreeTimesAlongEachSideAndAsHighAsAsked) {
   const Mesh<double> grid = make_grid(12, 24, 120, 240, 0.25);
   const auto height = [&](int i, int j) {
     return grid.vertices[static_cast<std::size_t>(i + 121 * j)].y();

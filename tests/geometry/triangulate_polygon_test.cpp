@@ -126,7 +126,7 @@ TEST(TriangulatePolygon, CornersOnALineGiveNoFlatTriangle) {
   }
 }
 
-TEST(TriangulatePolygon, StaircasesOnALatticeGiveNoFlatTriangle) {
+TEST(TriangulatePolygon, SlowStaircasesOnALatticeGiveNoFlatTriangle) {
   Random random(5);
   for (int i = 0; i < 300; ++i) {
     // A skyline: columns of whole heights over a base, every lattice point on the outline a corner.

@@ -328,7 +328,7 @@ TYPED_TEST(CapsuleHull, SinksAcrossAnEdgeWithoutAJump) {
   }
 }
 
-TYPED_TEST(CapsuleHull, NothingJumpsWhereAnEndPassesAnEdgeOrAVertex) {
+TYPED_TEST(CapsuleHull, SlowNothingJumpsWhereAnEndPassesAnEdgeOrAVertex) {
   using S = TypeParam;
   Random random(7);
   int seconds = 0;

@@ -184,7 +184,7 @@ PlacedShapes random_capsules(test::Random& random) {
                      random.pose(size));
 }
 
-TYPED_TEST(CapsulePairs, RandomPairsAgreeWithASearchInBothParameters) {
+TYPED_TEST(CapsulePairs, SlowRandomPairsAgreeWithASearchInBothParameters) {
   using S = TypeParam;
   test::Random random(4);
   int one = 0;

@@ -115,7 +115,7 @@ TYPED_TEST(Coplanar, TrianglesThatDoNotMeetStillGiveAPoint) {
   EXPECT_EQ(test::collide(pair.cast<S>()).points.size(), 4u);
 }
 
-TYPED_TEST(Coplanar, UnmergedHullsAreNeverWithoutContactAndAsDeepAsBruteForceSays) {
+TYPED_TEST(Coplanar, SlowUnmergedHullsAreNeverWithoutContactAndAsDeepAsBruteForceSays) {
   using S = TypeParam;
   Random random(20150303);
   int touching = 0;
@@ -170,7 +170,7 @@ TYPED_TEST(Coplanar, ACachedContactOfUnmergedHullsIsNeverEmptyEither) {
   }
 }
 
-TYPED_TEST(Coplanar, SpheresCapsulesAndPlanesFeelNoCutInAFace) {
+TYPED_TEST(Coplanar, SlowSpheresCapsulesAndPlanesFeelNoCutInAFace) {
   using S = TypeParam;
   Random random(8);
   int touching = 0;

@@ -119,7 +119,7 @@ TEST(Dispatch, TwoPlanesMakeNoContact) {
   EXPECT_EQ(record.kind, "plane-plane");
 }
 
-TYPED_TEST(Dispatch, TradingShapesOfDifferentKindsMirrorsEveryBit) {
+TYPED_TEST(Dispatch, SlowTradingShapesOfDifferentKindsMirrorsEveryBit) {
   using S = TypeParam;
   test::Random random(1);
   for (const ShapeKind a : kKinds) {
@@ -170,7 +170,7 @@ TYPED_TEST(Dispatch, TradingTwoRoundShapesMirrorsEveryBitAlsoWhereTheirCentresCo
 }
 
 // With one face clearly the best, the order in which the hulls are given leaves rounding only.
-TYPED_TEST(Dispatch, TradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNearlyAsDeep) {
+TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNearlyAsDeep) {
   using S = TypeParam;
   constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
   test::Random random(5);
@@ -208,7 +208,7 @@ TYPED_TEST(Dispatch, TradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNearlyA
   EXPECT_GT(compared, 300);
 }
 
-TYPED_TEST(Dispatch, RecordingChangesNoBitOfAnyPair) {
+TYPED_TEST(Dispatch, SlowRecordingChangesNoBitOfAnyPair) {
   using S = TypeParam;
   test::Random random(3);
   for (const ShapeKind a : kKinds) {

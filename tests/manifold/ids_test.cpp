@@ -67,7 +67,7 @@ TYPED_TEST(ContactIds, OfAnEdgeContactFlipToo) {
   EXPECT_LT((there.points[0].position - back.points[0].position).norm(), rounding);
 }
 
-TYPED_TEST(ContactIds, AreUniqueWithinAManifold) {
+TYPED_TEST(ContactIds, SlowAreUniqueWithinAManifold) {
   using S = TypeParam;
   test::Random random(11);
   std::size_t points = 0;

@@ -145,12 +145,12 @@ TEST(MeshLedge, TheSurfaceOfACubeIsNoDeeperThanTheCube) {
       21, 4000, [](test::Random&) { return test::cube(0.5); }, 250);
 }
 
-TEST(MeshLedge, TheSurfaceOfARandomHullIsNoDeeperThanTheHull) {
+TEST(MeshLedge, SlowTheSurfaceOfARandomHullIsNoDeeperThanTheHull) {
   expect_like_the_solid(
       22, 4000, [](test::Random& random) { return test::random_hull(random, 14, 1, 1.5); }, 250);
 }
 
-TEST(MeshLedge, ASharpRimIsNoDeeperThanTheConeOfIt) {
+TEST(MeshLedge, SlowASharpRimIsNoDeeperThanTheConeOfIt) {
   expect_like_the_solid(
       123, 16000, [](test::Random&) { return make_cone(0.6, 0.4, 7); }, 1000);
 }

@@ -244,7 +244,7 @@ void slide(const Slider& slider, double size, bool internal_edges, double& worst
   }
 }
 
-TEST(MeshPairs, NothingTripsOverTheEdgesOfAFlatFloor) {
+TEST(MeshPairs, SlowNothingTripsOverTheEdgesOfAFlatFloor) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     for (const Slider& slider : sliders(size)) {
       double angle, depth;
@@ -357,7 +357,7 @@ TEST(MeshPairs, ASphereTouchesTheMeshOfACubeAsItTouchesTheCube) {
   EXPECT_GT(touching, 300);
 }
 
-TEST(MeshPairs, OnATerrainTheDeepestPointIsTheClosestOfTheWholeSurface) {
+TEST(MeshPairs, SlowOnATerrainTheDeepestPointIsTheClosestOfTheWholeSurface) {
   test::Random random(15);
   const Mesh<double> terrain = mesh_rounded_to_float(make_grid(10, 10, 20, 20, 0.5));
   int touching = 0;

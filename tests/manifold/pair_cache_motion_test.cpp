@@ -34,7 +34,7 @@ class PairCacheMotion : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PairCacheMotion, Scalars);
 
-TYPED_TEST(PairCacheMotion, ResultsEqualThoseWithoutACacheUpToThePreference) {
+TYPED_TEST(PairCacheMotion, SlowResultsEqualThoseWithoutACacheUpToThePreference) {
   using S = TypeParam;
   constexpr int kPairs = 200;
   constexpr int kFrames = 120;

@@ -42,7 +42,7 @@ class RandomPairs : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(RandomPairs, Scalars);
 
-TYPED_TEST(RandomPairs, AgreeWithBruteForceOverEveryAxis) {
+TYPED_TEST(RandomPairs, SlowAgreeWithBruteForceOverEveryAxis) {
   using S = TypeParam;
   Random random(20150302);
   int touching = 0;

@@ -100,7 +100,7 @@ class RandomRoundHull : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(RandomRoundHull, Scalars);
 
-TYPED_TEST(RandomRoundHull, SpheresAgreeWithExhaustion) {
+TYPED_TEST(RandomRoundHull, SlowSpheresAgreeWithExhaustion) {
   typename TestFixture::Tally tally;
   TestFixture::run(1, true, 100, 4000, tally);
   EXPECT_GT(tally.shallow, 1000);
@@ -108,13 +108,13 @@ TYPED_TEST(RandomRoundHull, SpheresAgreeWithExhaustion) {
   EXPECT_GT(tally.separated, 100);
 }
 
-TYPED_TEST(RandomRoundHull, SpheresOfVeryDifferentSizeAgreeWithExhaustion) {
+TYPED_TEST(RandomRoundHull, SlowSpheresOfVeryDifferentSizeAgreeWithExhaustion) {
   typename TestFixture::Tally tally;
   TestFixture::run(2, true, 1e4, 2000, tally);
   EXPECT_GT(tally.touching, 1000);
 }
 
-TYPED_TEST(RandomRoundHull, CapsulesAgreeWithExhaustion) {
+TYPED_TEST(RandomRoundHull, SlowCapsulesAgreeWithExhaustion) {
   typename TestFixture::Tally tally;
   TestFixture::run(3, false, 30, 4000, tally);
   EXPECT_GT(tally.shallow, 500);
@@ -122,7 +122,7 @@ TYPED_TEST(RandomRoundHull, CapsulesAgreeWithExhaustion) {
   EXPECT_GT(tally.two_points, 100);
 }
 
-TYPED_TEST(RandomRoundHull, CapsulesOfVeryDifferentSizeAgreeWithExhaustion) {
+TYPED_TEST(RandomRoundHull, SlowCapsulesOfVeryDifferentSizeAgreeWithExhaustion) {
   typename TestFixture::Tally tally;
   TestFixture::run(4, false, 1e4, 2000, tally);
   EXPECT_GT(tally.touching, 1000);

@@ -152,10 +152,10 @@ void expect_best_axis(std::uint64_t seed) {
   EXPECT_GT(gaps, 500);
 }
 
-TEST(CapsuleSat, FindsTheBestOfAllAxesInSinglePrecision) {
+TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInSinglePrecision) {
   expect_best_axis<float>(1);
 }
-TEST(CapsuleSat, FindsTheBestOfAllAxesInDoublePrecision) {
+TEST(CapsuleSat, SlowFindsTheBestOfAllAxesInDoublePrecision) {
   expect_best_axis<double>(2);
 }
 

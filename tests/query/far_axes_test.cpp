@@ -39,7 +39,7 @@ double sampled_far_separation(const PairCase<double>& pair, const Pose<double>& 
   return largest;
 }
 
-TEST(FarAxes, NoFarDirectionOfAnArcHasALargerSeparationThanTheBoundNorIsTheBoundMuchLarger) {
+TEST(FarAxes, SlowNoFarDirectionOfAnArcHasALargerSeparationThanTheBoundNorIsTheBoundMuchLarger) {
   Random random(41);
   int bounded = 0, tight = 0;
   for (int i = 0; i < 150; ++i) {

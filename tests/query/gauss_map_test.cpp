@@ -45,7 +45,7 @@ EdgePairs by_walk(const Hull<double>& a, const Hull<double>& b, const Quatd& b_i
   return pairs;
 }
 
-TEST(GaussMap, WalkMeetsTheEdgesWhoseArcsCross) {
+TEST(GaussMap, SlowWalkMeetsTheEdgesWhoseArcsCross) {
   test::Random random(2013);
   std::size_t faces = 0;
   for (int i = 0; i < 300; ++i) {

@@ -209,7 +209,7 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(GjkRandom, Scalars);
 
 /// Ten thousand pairs.
-TYPED_TEST(GjkRandom, DistanceAgreesWithExhaustionFromTenthsOfMillimetresToTenKilometres) {
+TYPED_TEST(GjkRandom, SlowDistanceAgreesWithExhaustionFromTenthsOfMillimetresToTenKilometres) {
   using S = TypeParam;
   Random random(1988);
   Sweep sweep;
@@ -225,7 +225,7 @@ TYPED_TEST(GjkRandom, DistanceAgreesWithExhaustionFromTenthsOfMillimetresToTenKi
   expect_all_kinds(sweep, kPairs);
 }
 
-TYPED_TEST(GjkRandom, DistanceKeepsWhatThePosesHaveFarFromTheOrigin) {
+TYPED_TEST(GjkRandom, SlowDistanceKeepsWhatThePosesHaveFarFromTheOrigin) {
   using S = TypeParam;
   Random random(1999);
   Sweep sweep;

@@ -95,7 +95,7 @@ class PenetrationPairs : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(PenetrationPairs, Scalars);
 
-TYPED_TEST(PenetrationPairs, TenThousandOverlapsAgreeWithExhaustion) {
+TYPED_TEST(PenetrationPairs, SlowTenThousandOverlapsAgreeWithExhaustion) {
   using S = TypeParam;
   constexpr int kOverlaps = sizeof(S) == sizeof(double) ? 10000 : 5000;
   constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,

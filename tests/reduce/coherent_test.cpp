@@ -96,7 +96,7 @@ class CoherentReducer : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(CoherentReducer, Scalars);
 
-TYPED_TEST(CoherentReducer, BoundsAreaAndDepthInEveryFrameOfAnyMotion) {
+TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthInEveryFrameOfAnyMotion) {
   using S = TypeParam;
   test::Random random(31);
   int frames = 0;
@@ -124,7 +124,7 @@ TYPED_TEST(CoherentReducer, BoundsAreaAndDepthInEveryFrameOfAnyMotion) {
 }
 
 // Of 16 to 64 points: the reference is the best choice through any of those that are deep enough.
-TYPED_TEST(CoherentReducer, BoundsAreaAndDepthOfManyPoints) {
+TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthOfManyPoints) {
   using S = TypeParam;
   test::Random random(35);
   for (const int count : {16, 24, 40, 64}) {
@@ -154,7 +154,7 @@ TYPED_TEST(CoherentReducer, BoundsAreaAndDepthOfManyPoints) {
   }
 }
 
-TYPED_TEST(CoherentReducer, BoundsAreaAndDepthWhateverWasKeptBefore) {
+TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthWhateverWasKeptBefore) {
   using S = TypeParam;
   test::Random random(32);
   for (const test::Shape shape : test::kShapes) {
@@ -266,7 +266,7 @@ TYPED_TEST(CoherentReducer, GivesUpFewerPointsOverMotionsThanOthers) {
   EXPECT_LT(2 * given_up[0], given_up[3]);
 }
 
-TYPED_TEST(CoherentReducer, KeepsAsManyOldIdsAsTheBoundsAllow) {
+TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
   using S = TypeParam;
   test::Random random(36);
   int chosen_anew = 0;

@@ -63,7 +63,7 @@ class OptimalReducer : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(OptimalReducer, Scalars);
 
-TYPED_TEST(OptimalReducer, NoChoiceOfAnyPointsHasMoreArea) {
+TYPED_TEST(OptimalReducer, SlowNoChoiceOfAnyPointsHasMoreArea) {
   using S = TypeParam;
   test::Random random(21);
   for (const Shape shape : test::kShapes) {
@@ -84,7 +84,7 @@ TYPED_TEST(OptimalReducer, NoChoiceOfAnyPointsHasMoreArea) {
   }
 }
 
-TYPED_TEST(OptimalReducer, NoChoiceWithTheDeepestHasMoreArea) {
+TYPED_TEST(OptimalReducer, SlowNoChoiceWithTheDeepestHasMoreArea) {
   using S = TypeParam;
   test::Random random(22);
   for (const Shape shape : test::kShapes) {

@@ -73,7 +73,7 @@ TEST(PolygonArea, DegenerateInputsHaveNone) {
   EXPECT_NEAR(best_convex_area(line, up, 3), 0, 1e-15);
 }
 
-TEST(PolygonArea, BestTriangleAndQuadrilateralAgreeWithBruteForce) {
+TEST(PolygonArea, SlowBestTriangleAndQuadrilateralAgreeWithBruteForce) {
   test::Random random(3);
   for (int i = 0; i < 300; ++i) {
     const Quatd turn = random.rotation();

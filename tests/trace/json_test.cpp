@@ -238,7 +238,7 @@ TEST(TraceJson, EveryFieldComesBack) {
   EXPECT_FALSE(read.pairs[1].sat || read.pairs[1].clip || read.pairs[1].reduction);
 }
 
-TEST(TraceJson, NumbersReadBackToTheSameBits) {
+TEST(TraceJson, SlowNumbersReadBackToTheSameBits) {
   std::vector<double> values = {0.0,
                                 -0.0,
                                 0.1,
