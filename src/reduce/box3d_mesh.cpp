@@ -1,14 +1,13 @@
-#include "reduce/box3d_mesh.h"
-
 #include "reduce/grow.h"
 
 namespace contactscope {
+namespace {
 
-/// Behaviour of Box3D's mesh contacts, written from a description. Steps: the farthest pair; the
-/// largest triangle; the most area outside. Deviation: depth does not decide between near ties,
-/// because Box3D's tolerances for that are lengths.
+/// As Box3D reduces a cluster of contacts with a mesh, written from a description. Steps: the
+/// farthest pair; the largest triangle; the most area outside. Four points at most. Deviation:
+/// depth does not decide between near ties, because Box3D's tolerances for that are lengths.
 template <class S>
-KeptIndices reduce_like_box3d_mesh(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+KeptIndices reduce_like_box3d_mesh(ContactPoints<S> points, const Vec3<S>& normal,
                                    const ReduceOptions& options) {
   const auto [a, b] = steps::farthest_pair(points);
   KeptIndices kept;
@@ -19,9 +18,11 @@ KeptIndices reduce_like_box3d_mesh(std::span<const ContactPoint<S>> points, cons
   return steps::first_of(kept, options);
 }
 
-template KeptIndices reduce_like_box3d_mesh(std::span<const ContactPoint<float>>,
-                                            const Vec3<float>&, const ReduceOptions&);
-template KeptIndices reduce_like_box3d_mesh(std::span<const ContactPoint<double>>,
-                                            const Vec3<double>&, const ReduceOptions&);
+}  // namespace
+
+ReducerInfo box3d_mesh_reducer() {
+  return {"box3d_mesh", "the farthest pair, largest triangle, most area",
+          &reduce_like_box3d_mesh<float>, &reduce_like_box3d_mesh<double>};
+}
 
 }  // namespace contactscope

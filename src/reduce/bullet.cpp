@@ -1,5 +1,3 @@
-#include "reduce/bullet.h"
-
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -16,20 +14,19 @@ S squared_area(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<
       {pairings[0].squaredNorm(), pairings[1].squaredNorm(), pairings[2].squaredNorm()});
 }
 
-}  // namespace
-
-/// Behaviour of Bullet, written from a description. Steps: the first four points take the four
-/// places; every further one looks which of the five is the deepest, and takes the place, other
-/// than that one's, which leaves the largest quadrilateral. The arriving point is never turned
-/// away, so that area gets lost, the more the more points there are. Deviations: areas of all three
-/// pairings of diagonals, the more careful of Bullet's two ways; where no place gives an area, the
-/// first that is free to go is taken.
+/// As Bullet's persistent manifold takes points one by one, written from a description. Steps: the
+/// first four points take the four places; every further one looks which of the five is the
+/// deepest, and takes the place, other than that one's, which leaves the largest quadrilateral. The
+/// arriving point is never turned away, so that area gets lost, the more the more points there are.
+/// The deepest is always kept; the rest depends on the order of the points. Four points at most.
+/// Deviations: areas of all three pairings of diagonals, the more careful of Bullet's two ways;
+/// where no place gives an area, the first that is free to go is taken.
 template <class S>
-KeptIndices reduce_like_bullet(std::span<const ContactPoint<S>> points, const Vec3<S>& /*normal*/,
+KeptIndices reduce_like_bullet(ContactPoints<S> points, const Vec3<S>& /*normal*/,
                                const ReduceOptions& options) {
-  const auto separation = [&](int i) { return points[static_cast<std::size_t>(i)].separation; };
+  const auto separation = [&](int i) { return at(points, i).separation; };
   std::array<int, kPlaces> places = {0, 1, 2, 3};
-  const int all = steps::count(points);
+  const int all = count_of(points);
   for (int arriving = static_cast<int>(kPlaces); arriving < all; ++arriving) {
     std::size_t deepest = kPlaces;  // the arriving point
     S least = separation(arriving);
@@ -44,9 +41,9 @@ KeptIndices reduce_like_bullet(std::span<const ContactPoint<S>> points, const Ve
     for (std::size_t k = 0; k < kPlaces; ++k) {
       if (k == deepest) continue;
       const auto other = [&](std::size_t turn) -> const Vec3<S>& {
-        return steps::at(points, places[(k + turn) % kPlaces]);
+        return steps::position(points, places[(k + turn) % kPlaces]);
       };
-      const S area = squared_area(steps::at(points, arriving), other(1), other(2), other(3));
+      const S area = squared_area(steps::position(points, arriving), other(1), other(2), other(3));
       if (area > most) {
         most = area;
         best = k;
@@ -63,9 +60,11 @@ KeptIndices reduce_like_bullet(std::span<const ContactPoint<S>> points, const Ve
   return steps::first_of(choices, options);
 }
 
-template KeptIndices reduce_like_bullet(std::span<const ContactPoint<float>>, const Vec3<float>&,
-                                        const ReduceOptions&);
-template KeptIndices reduce_like_bullet(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                        const ReduceOptions&);
+}  // namespace
+
+ReducerInfo bullet_reducer() {
+  return {"bullet", "one by one, the deepest protected, largest area", &reduce_like_bullet<float>,
+          &reduce_like_bullet<double>};
+}
 
 }  // namespace contactscope

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "reduce/area.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -11,8 +10,8 @@ namespace {
 using Points = std::span<const ContactPoint<double>>;
 
 double signed_area(Points points, const Vec3d& normal, int q, int a, int b) {
-  return 0.5 * steps::doubled_area(steps::at(points, q), steps::at(points, a), steps::at(points, b),
-                                   normal);
+  return 0.5 * steps::doubled_area(steps::position(points, q), steps::position(points, a),
+                                   steps::position(points, b), normal);
 }
 
 bool among(std::span<const int> kept, int point) {
@@ -23,8 +22,8 @@ trace::Choice support_choice(Points points, const Vec3d& direction) {
   trace::Choice choice;
   choice.rule = "support";
   choice.direction = direction;
-  for (int q = 0; q < steps::count(points); ++q) {
-    const Vec3d arm = steps::at(points, q) - steps::at(points, 0);
+  for (int q = 0; q < count_of(points); ++q) {
+    const Vec3d arm = steps::position(points, q) - steps::position(points, 0);
     choice.measures.push_back({q, trace::kNoEdge, direction.dot(arm)});
   }
   return choice;
@@ -34,13 +33,12 @@ trace::Choice first_choice(std::string_view reducer, Points points, const Vec3d&
   trace::Choice choice;
   if (reducer == "area_deepest") {
     choice.rule = "deepest";
-    for (int q = 0; q < steps::count(points); ++q) {
-      choice.measures.push_back(
-          {q, trace::kNoEdge, -points[static_cast<std::size_t>(q)].separation});
+    for (int q = 0; q < count_of(points); ++q) {
+      choice.measures.push_back({q, trace::kNoEdge, -at(points, q).separation});
     }
     return choice;
   }
-  return support_choice(points, fixed_direction(normal).normalized());
+  return support_choice(points, steps::fixed_direction(normal).normalized());
 }
 
 /// A support point of each end of both axes; a point that is extreme twice was chosen the first
@@ -65,10 +63,10 @@ std::vector<trace::Choice> extreme_choices(Points points, const Vec3d& normal,
 trace::Choice second_choice(Points points, int first) {
   trace::Choice choice;
   choice.rule = "farthest";
-  for (int q = 0; q < steps::count(points); ++q) {
+  for (int q = 0; q < count_of(points); ++q) {
     if (q == first) continue;
     choice.measures.push_back(
-        {q, trace::kNoEdge, (steps::at(points, q) - steps::at(points, first)).norm()});
+        {q, trace::kNoEdge, (steps::position(points, q) - steps::position(points, first)).norm()});
   }
   return choice;
 }
@@ -76,7 +74,7 @@ trace::Choice second_choice(Points points, int first) {
 trace::Choice third_choice(Points points, const Vec3d& normal, int first, int second) {
   trace::Choice choice;
   choice.rule = "triangle";
-  for (int q = 0; q < steps::count(points); ++q) {
+  for (int q = 0; q < count_of(points); ++q) {
     if (q == first || q == second) continue;
     choice.measures.push_back(
         {q, {{first, second}}, signed_area(points, normal, q, first, second)});
@@ -88,7 +86,7 @@ trace::Choice third_choice(Points points, const Vec3d& normal, int first, int se
 using EdgeMeasure = double (*)(Points points, const Vec3d& normal, int q, int a, int b);
 
 double signed_distance(Points points, const Vec3d& normal, int q, int a, int b) {
-  const double length = (steps::at(points, b) - steps::at(points, a)).norm();
+  const double length = (steps::position(points, b) - steps::position(points, a)).norm();
   return 2 * signed_area(points, normal, q, a, b) / length;
 }
 
@@ -120,7 +118,7 @@ trace::Choice later_choice(std::string_view reducer, Points points, const Vec3d&
   trace::Choice choice;
   choice.rule = by_distance ? "distance" : "outside";
   const std::vector<int> ring = ring_of(points, normal, before, measure);
-  for (int q = 0; q < steps::count(points); ++q) {
+  for (int q = 0; q < count_of(points); ++q) {
     if (among(before, q)) continue;
     std::vector<trace::Measure> all;
     for (std::size_t k = 0; k < ring.size(); ++k) {

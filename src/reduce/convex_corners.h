@@ -24,10 +24,10 @@ using Corners = StaticVector<Corner<S>, 2 * kMaxManifoldPoints>;
 /// The corners of the points' convex hull along two axes of the plane, counter-clockwise from u to
 /// v, without points on edges. Andrew's monotone chain (1979).
 template <class S>
-Corners<S> convex_corners(Points<S> points, const Vec3<S>& u, const Vec3<S>& v) {
+Corners<S> convex_corners(ContactPoints<S> points, const Vec3<S>& u, const Vec3<S>& v) {
   Corners<S> sorted;
-  for (int i = 0; i < count(points); ++i) {
-    const Vec3<S> offset = at(points, i) - at(points, 0);
+  for (int i = 0; i < count_of(points); ++i) {
+    const Vec3<S> offset = position(points, i) - position(points, 0);
     sorted.push_back({Vec2<S>(u.dot(offset), v.dot(offset)), i});
   }
   std::sort(sorted.begin(), sorted.end(), [](const Corner<S>& a, const Corner<S>& b) {

@@ -1,27 +1,29 @@
-#include "reduce/deepest.h"
-
 #include "reduce/steps.h"
 
 namespace contactscope {
+namespace {
 
-/// No source: the obvious choice, and a bad one, because deep points lie side by side.
+/// The deepest max_points points, deepest first, equally deep ones by index. No source: the obvious
+/// choice, and a bad one, because deep points lie side by side, and where two points exchange their
+/// depth the manifold jumps.
 template <class S>
-KeptIndices reduce_to_deepest(std::span<const ContactPoint<S>> points, const Vec3<S>& /*normal*/,
+KeptIndices reduce_to_deepest(ContactPoints<S> points, const Vec3<S>& /*normal*/,
                               const ReduceOptions& options) {
   KeptIndices order;
-  for (int i = 0; i < steps::count(points); ++i) order.push_back(i);
-  const int most = std::min(steps::count(points), options.max_points);
+  for (int i = 0; i < count_of(points); ++i) order.push_back(i);
+  const int most = std::min(count_of(points), options.max_points);
   std::partial_sort(order.begin(), order.begin() + most, order.end(), [&](int a, int b) {
-    const S of_a = points[static_cast<std::size_t>(a)].separation;
-    const S of_b = points[static_cast<std::size_t>(b)].separation;
+    const S of_a = at(points, a).separation;
+    const S of_b = at(points, b).separation;
     return of_a < of_b || (of_a == of_b && a < b);
   });
   return steps::first_of(order, options);
 }
 
-template KeptIndices reduce_to_deepest(std::span<const ContactPoint<float>>, const Vec3<float>&,
-                                       const ReduceOptions&);
-template KeptIndices reduce_to_deepest(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                       const ReduceOptions&);
+}  // namespace
+
+ReducerInfo deepest_reducer() {
+  return {"deepest", "the deepest", &reduce_to_deepest<float>, &reduce_to_deepest<double>};
+}
 
 }  // namespace contactscope

@@ -1,14 +1,16 @@
-#include "reduce/extremes.h"
-
 #include "reduce/steps.h"
 
 namespace contactscope {
+namespace {
 
-/// Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)". Steps: an orthonormal basis (u, v)
-/// of the plane from the world axis that the normal leans on least; lowest and highest along u,
-/// then along v. Points that are extreme along both count once.
+/// The alternative of Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)": the extreme
+/// points along two axes in the contact plane. The axes follow the world's, so that the choice
+/// changes when the same patch turns: a diamond on its corner loses two of four points when its
+/// long diagonal lies at 45 degrees to them. Steps: an orthonormal basis (u, v) of the plane from
+/// the world axis that the normal leans on least; lowest and highest along u, then along v. Points
+/// that are extreme along both count once.
 template <class S>
-KeptIndices reduce_to_extremes(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+KeptIndices reduce_to_extremes(ContactPoints<S> points, const Vec3<S>& normal,
                                const ReduceOptions& options) {
   const Vec3<S> u = any_perpendicular(normal);
   const Vec3<S> v = normal.cross(u);
@@ -20,9 +22,11 @@ KeptIndices reduce_to_extremes(std::span<const ContactPoint<S>> points, const Ve
   return steps::first_of(choices, options);
 }
 
-template KeptIndices reduce_to_extremes(std::span<const ContactPoint<float>>, const Vec3<float>&,
-                                        const ReduceOptions&);
-template KeptIndices reduce_to_extremes(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                        const ReduceOptions&);
+}  // namespace
+
+ReducerInfo extremes_reducer() {
+  return {"extremes", "extremes along two axes of the plane", &reduce_to_extremes<float>,
+          &reduce_to_extremes<double>};
+}
 
 }  // namespace contactscope

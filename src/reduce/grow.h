@@ -27,16 +27,16 @@ struct Addition {
 };
 
 template <Added added, class S>
-Addition largest_addition(Points<S> points, const Vec3<S>& normal, const Ring& ring, S negligible,
-                          S handicap) {
+Addition largest_addition(ContactPoints<S> points, const Vec3<S>& normal, const Ring& ring,
+                          S negligible, S handicap) {
   Addition best;
   S most = S(0);
-  for (int q = 0; q < count(points); ++q) {
+  for (int q = 0; q < count_of(points); ++q) {
     if (contains(ring, q)) continue;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec3<S>& a = at(points, ring[k]);
-      const Vec3<S>& b = at(points, ring[(k + 1) % ring.size()]);
-      const S area = -doubled_area(at(points, q), a, b, normal);
+      const Vec3<S>& a = position(points, ring[k]);
+      const Vec3<S>& b = position(points, ring[(k + 1) % ring.size()]);
+      const S area = -doubled_area(position(points, q), a, b, normal);
       if (area <= negligible) continue;
       S value = area;
       if constexpr (added == Added::Distance) value /= (b - a).norm();
@@ -55,13 +55,14 @@ Addition largest_addition(Points<S> points, const Vec3<S>& normal, const Ring& r
 /// line. Deviations: the third maximises the absolute area, so that winding does not hide half of
 /// the points, and fixes the winding of the triangle; areas within rounding of zero count as zero.
 template <Added added, class S>
-bool grow(Points<S> points, const Vec3<S>& normal, int max_points, KeptIndices& kept,
+bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIndices& kept,
           S handicap = S(1)) {
   const int first = kept[0];
   const int second = kept[1];
   const S negligible = negligible_area(points, first, second);
   const auto area = [&](int q) {
-    return doubled_area(at(points, q), at(points, first), at(points, second), normal);
+    return doubled_area(position(points, q), position(points, first), position(points, second),
+                        normal);
   };
   const int third = highest(
       points, negligible, [&](int q) { return std::abs(area(q)); }, handicap);
@@ -74,7 +75,7 @@ bool grow(Points<S> points, const Vec3<S>& normal, int max_points, KeptIndices& 
   ring.push_back(third);
   ring.push_back(left ? first : second);
   ring.push_back(left ? second : first);
-  while (static_cast<int>(kept.size()) < max_points) {
+  while (count_of(kept) < max_points) {
     const Addition next = largest_addition<added>(points, normal, ring, negligible, handicap);
     if (next.index < 0) break;
     kept.push_back(next.index);
@@ -91,7 +92,7 @@ enum class OnALine {
 
 /// The whole of "Contact Point Reduction" from a first point on. One point when all coincide.
 template <Added added, class S>
-KeptIndices grow_from(Points<S> points, const Vec3<S>& normal, int first, OnALine on_a_line,
+KeptIndices grow_from(ContactPoints<S> points, const Vec3<S>& normal, int first, OnALine on_a_line,
                       int max_points) {
   KeptIndices kept;
   kept.push_back(first);
@@ -102,7 +103,7 @@ KeptIndices grow_from(Points<S> points, const Vec3<S>& normal, int first, OnALin
   const int other = farthest_from(points, second);
   if (on_a_line == OnALine::ExchangeFirst) {
     kept[0] = other;
-  } else if (max_points > 2 && at(points, other) != at(points, first)) {
+  } else if (max_points > 2 && position(points, other) != position(points, first)) {
     kept.push_back(other);
   }
   return kept;

@@ -1,23 +1,23 @@
-#include "reduce/mjx.h"
-
 #include <cmath>
 
 #include "reduce/steps.h"
 
 namespace contactscope {
+namespace {
 
-/// Behaviour of MJX, written from a description. Steps: the first point given; the farthest from
-/// it; the farthest from the line through both, on either side; the farthest from the other two
-/// edges of that triangle, on either side of them, by area. A corner of the triangle may win, which
-/// wastes the fourth choice. Deviation: that corner is not reported twice.
+/// As MJX reduces a clip polygon, written from a description. Steps: the first point given; the
+/// farthest from it; the farthest from the line through both, on either side; the farthest from the
+/// other two edges of that triangle, on either side of them, by area. A corner of the triangle may
+/// win, which wastes the fourth choice: three points are left. Four points at most. Deviation: that
+/// corner is not reported twice.
 template <class S>
-KeptIndices reduce_like_mjx(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+KeptIndices reduce_like_mjx(ContactPoints<S> points, const Vec3<S>& normal,
                             const ReduceOptions& options) {
   const int a = 0;
   const int b = steps::farthest_from(points, a);
   const auto area = [&](int q, int from, int to) {
-    return std::abs(steps::doubled_area(steps::at(points, q), steps::at(points, from),
-                                        steps::at(points, to), normal));
+    return std::abs(steps::doubled_area(steps::position(points, q), steps::position(points, from),
+                                        steps::position(points, to), normal));
   };
   KeptIndices choices;
   choices.push_back(a);
@@ -33,9 +33,11 @@ KeptIndices reduce_like_mjx(std::span<const ContactPoint<S>> points, const Vec3<
   return steps::first_of(choices, options);
 }
 
-template KeptIndices reduce_like_mjx(std::span<const ContactPoint<float>>, const Vec3<float>&,
-                                     const ReduceOptions&);
-template KeptIndices reduce_like_mjx(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                     const ReduceOptions&);
+}  // namespace
+
+ReducerInfo mjx_reducer() {
+  return {"mjx", "the first, farthest from it, from the line, from the edges",
+          &reduce_like_mjx<float>, &reduce_like_mjx<double>};
+}
 
 }  // namespace contactscope

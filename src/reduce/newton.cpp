@@ -1,5 +1,3 @@
-#include "reduce/newton.h"
-
 #include <array>
 
 #include "reduce/convex_corners.h"
@@ -36,22 +34,22 @@ std::array<int, 2> diameter(const steps::Corners<S>& hull) {
   return best;
 }
 
-}  // namespace
-
-/// Behaviour of Newton, written from a description. Steps: the convex hull of the points in the
-/// plane; its diameter by rotating calipers; the farthest points on either side of it. Deviation:
-/// where a side is empty three points come back.
+/// As Newton prunes contacts, written from a description. Steps: the convex hull of the points in
+/// the plane; its diameter by rotating calipers; the farthest points on either side of it. Four
+/// points at most. Deviation: where a side is empty three points come back.
 template <class S>
-KeptIndices reduce_like_newton(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+KeptIndices reduce_like_newton(ContactPoints<S> points, const Vec3<S>& normal,
                                const ReduceOptions& options) {
   const Vec3<S> u = any_perpendicular(normal);
   const auto [a, b] = diameter(steps::convex_corners(points, u, Vec3<S>(normal.cross(u))));
   return steps::two_and_both_sides(points, normal, a, b, options);
 }
 
-template KeptIndices reduce_like_newton(std::span<const ContactPoint<float>>, const Vec3<float>&,
-                                        const ReduceOptions&);
-template KeptIndices reduce_like_newton(std::span<const ContactPoint<double>>, const Vec3<double>&,
-                                        const ReduceOptions&);
+}  // namespace
+
+ReducerInfo newton_reducer() {
+  return {"newton", "the diameter, then both sides", &reduce_like_newton<float>,
+          &reduce_like_newton<double>};
+}
 
 }  // namespace contactscope

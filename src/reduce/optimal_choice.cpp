@@ -2,18 +2,20 @@
 
 #include <bit>
 
+#include "core/at.h"
+
 namespace contactscope {
 namespace {
 
 /// The point at a place of a ring.
 template <class S>
 int point_at(const Patch<S>& patch, const CornerRing<S>& ring, int place) {
-  return patch.point(ring.corners[static_cast<std::size_t>(place)]);
+  return patch.point(at(ring.corners, place));
 }
 
 template <class S>
 void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
-  const int size = static_cast<int>(ring.corners.size());
+  const int size = count_of(ring.corners);
   const int step = patch.is_mirrored() ? size - 1 : 1;
   for (int i = 0; i < size; ++i) {
     kept.push_back(point_at(patch, ring, (begin + i * step) % size));
@@ -22,14 +24,13 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
 
 /// Position of the deepest in a ring, the earliest point of equals.
 template <class S>
-int deepest_of(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-               const CornerRing<S>& ring) {
+int deepest_of(ContactPoints<S> points, const Patch<S>& patch, const CornerRing<S>& ring) {
   int best = 0;
-  for (int i = 1; i < static_cast<int>(ring.corners.size()); ++i) {
+  for (int i = 1; i < count_of(ring.corners); ++i) {
     const int point = point_at(patch, ring, i);
     const int best_point = point_at(patch, ring, best);
-    const S depth = points[static_cast<std::size_t>(point)].separation;
-    const S most = points[static_cast<std::size_t>(best_point)].separation;
+    const S depth = at(points, point).separation;
+    const S most = at(points, best_point).separation;
     if (depth < most || (depth == most && point < best_point)) best = i;
   }
   return best;
@@ -38,17 +39,15 @@ int deepest_of(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
 /// The points of a ring of four, in order from the deepest, as by append() and deepest_of(), but
 /// without a branch that nothing could foresee.
 template <class S>
-KeptIndices kept_four(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-                      const CornerRing<S>& ring) {
+KeptIndices kept_four(ContactPoints<S> points, const Patch<S>& patch, const CornerRing<S>& ring) {
   using lanes::Pack;
   constexpr int kLanes = lanes::kWidth<S>;
-  const int at[4] = {point_at(patch, ring, 0), point_at(patch, ring, 1), point_at(patch, ring, 2),
-                     point_at(patch, ring, 3)};
+  const int four[4] = {point_at(patch, ring, 0), point_at(patch, ring, 1), point_at(patch, ring, 2),
+                       point_at(patch, ring, 3)};
   Pack<S> depths[4 / kLanes];
   for (int i = 0; i < 4; i += kLanes) {
-    depths[i / kLanes] = lanes::each<S>([&](int lane) {
-      return patch.separation(ring.corners[static_cast<std::size_t>(i + lane)]);
-    });
+    depths[i / kLanes] =
+        lanes::each<S>([&](int lane) { return patch.separation(at(ring.corners, i + lane)); });
   }
   Pack<S> deepest = depths[0];
   for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
@@ -62,7 +61,7 @@ KeptIndices kept_four(std::span<const ContactPoint<S>> points, const Patch<S>& p
 
   const int step = 1 - 2 * static_cast<int>(patch.is_mirrored());
   KeptIndices kept;
-  for (int i = 0; i < 4; ++i) kept.push_back(at[(begin + i * step) & 3]);
+  for (int i = 0; i < 4; ++i) kept.push_back(four[(begin + i * step) & 3]);
   return kept;
 }
 
@@ -100,8 +99,7 @@ CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
 }
 
 template <class S>
-KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-                        const CornerRing<S>& ring) {
+KeptIndices kept_points(ContactPoints<S> points, const Patch<S>& patch, const CornerRing<S>& ring) {
   if (ring.corners.size() == 4) return kept_four(points, patch, ring);
   KeptIndices kept;
   append(kept, patch, ring, deepest_of(points, patch, ring));
@@ -109,28 +107,27 @@ KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>&
 }
 
 template <class S>
-ChoiceWith<S> largest_with(std::span<const ContactPoint<S>> points, Patch<S>& patch, int point,
-                           int most) {
+ChoiceWith<S> largest_with(ContactPoints<S> points, Patch<S>& patch, int point, int most) {
   if (most == 1) return {{}, false};
-  const PlanePoint<S> place = patch.project(points[static_cast<std::size_t>(point)].position);
+  const PlanePoint<S> place = patch.project(at(points, point).position);
   if (most == 2) return {farthest_beside(patch, place), false};
   if (patch.is_flat()) return {extremes_beside(patch, place), false};
   const int corner = corner_at(patch, place);
   if (corner < 0) return {best_ring_around(patch, place, most - 1), false};
-  patch.rename(corner, point, points[static_cast<std::size_t>(point)].separation);
+  patch.rename(corner, point, at(points, point).separation);
   return {best_ring_through(patch, corner, most), true};
 }
 
 template <class S>
-KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-                        const ChoiceWith<S>& choice, int point) {
+KeptIndices kept_points(ContactPoints<S> points, const Patch<S>& patch, const ChoiceWith<S>& choice,
+                        int point) {
   KeptIndices kept;
   const CornerRing<S>& ring = choice.ring;
   if (!choice.is_in_ring) kept.push_back(point);
   if (ring.corners.empty()) return kept;
   int begin = 0;
   if (choice.is_in_ring) {
-    while (patch.point(ring.corners[static_cast<std::size_t>(begin)]) != point) ++begin;
+    while (patch.point(at(ring.corners, begin)) != point) ++begin;
   } else {
     begin = deepest_of(points, patch, ring);
   }
@@ -138,13 +135,11 @@ KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>&
   return kept;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                           \
-  template CornerRing<S> largest_ring(const Patch<S>&, int);                                  \
-  template KeptIndices kept_points(std::span<const ContactPoint<S>>, const Patch<S>&,         \
-                                   const CornerRing<S>&);                                     \
-  template ChoiceWith<S> largest_with(std::span<const ContactPoint<S>>, Patch<S>&, int, int); \
-  template KeptIndices kept_points(std::span<const ContactPoint<S>>, const Patch<S>&,         \
-                                   const ChoiceWith<S>&, int);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
+  template CornerRing<S> largest_ring(const Patch<S>&, int);                                 \
+  template KeptIndices kept_points(ContactPoints<S>, const Patch<S>&, const CornerRing<S>&); \
+  template ChoiceWith<S> largest_with(ContactPoints<S>, Patch<S>&, int, int);                \
+  template KeptIndices kept_points(ContactPoints<S>, const Patch<S>&, const ChoiceWith<S>&, int);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -14,8 +14,7 @@ CornerRing<S> largest_ring(const Patch<S>& patch, int most);
 
 /// The points of a ring, counter-clockwise seen against the normal, beginning with the deepest.
 template <class S>
-KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-                        const CornerRing<S>& ring);
+KeptIndices kept_points(ContactPoints<S> points, const Patch<S>& patch, const CornerRing<S>& ring);
 
 /// A choice of points that contains one given point.
 template <class S>
@@ -27,12 +26,11 @@ struct ChoiceWith {
 /// The choice of at most `most` >= 1 points that contains `point` and keeps the most. When another
 /// point at the same place is a corner of the patch, `point` takes its part.
 template <class S>
-ChoiceWith<S> largest_with(std::span<const ContactPoint<S>> points, Patch<S>& patch, int point,
-                           int most);
+ChoiceWith<S> largest_with(ContactPoints<S> points, Patch<S>& patch, int point, int most);
 
 /// The points of such a choice, `point` first.
 template <class S>
-KeptIndices kept_points(std::span<const ContactPoint<S>> points, const Patch<S>& patch,
-                        const ChoiceWith<S>& choice, int point);
+KeptIndices kept_points(ContactPoints<S> points, const Patch<S>& patch, const ChoiceWith<S>& choice,
+                        int point);
 
 }  // namespace contactscope

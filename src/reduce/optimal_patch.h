@@ -1,9 +1,7 @@
 #pragma once
 
-#include <span>
-
-#include "core/manifold.h"
 #include "core/pack.h"
+#include "reduce/reducer.h"
 
 namespace contactscope {
 
@@ -54,7 +52,7 @@ class Patch {
  public:
   /// At most kMaxManifoldPoints points, at least one; finite, `normal` a unit vector. Points off a
   /// common plane are laid into it along the normal.
-  Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
+  Patch(ContactPoints<S> points, const Vec3<S>& normal);
 
   static constexpr int kLanes = lanes::kWidest<S>;
 
@@ -91,7 +89,7 @@ class Patch {
   static constexpr int kRoom = static_cast<int>(2 * kMaxManifoldPoints) + 2 * kLanes;
 
   /// Reads and projects the points.
-  void project_all(std::span<const ContactPoint<S>> points);
+  void project_all(ContactPoints<S> points);
   /// Lets the first count_ values go round again.
   void repeat(S* values) const;
   void make_convex();

@@ -1,23 +1,23 @@
-#include "reduce/physx_cluster.h"
-
 #include <array>
 
 #include "reduce/steps.h"
 
 namespace contactscope {
+namespace {
 
-/// Behaviour of PhysX's cluster reduction, written from a description. Steps: the point farthest
+/// As PhysX reduces contacts by clusters, written from a description. Steps: the point farthest
 /// from the centre, the farthest from it, and the farthest on either side of the line through both;
-/// every point joins the nearest of these; the deepest of each cluster is kept. Deviations: the
-/// centre is that of the points, because a reducer knows no frame of a shape; where a side is empty
-/// three points come back; the clusters are listed by depth.
+/// every point joins the nearest of these; the deepest of each cluster is kept, so that the deepest
+/// of all always is, first. Four points at most. Deviations: the centre is that of the points,
+/// because a reducer knows no frame of a shape; where a side is empty three points come back; the
+/// clusters are listed by depth.
 template <class S>
-KeptIndices reduce_like_physx_cluster(std::span<const ContactPoint<S>> points,
-                                      const Vec3<S>& normal, const ReduceOptions& options) {
+KeptIndices reduce_like_physx_cluster(ContactPoints<S> points, const Vec3<S>& normal,
+                                      const ReduceOptions& options) {
   const Vec3<S> middle = steps::centre(points);
-  const auto separation = [&](int i) { return points[static_cast<std::size_t>(i)].separation; };
+  const auto separation = [&](int i) { return at(points, i).separation; };
   const auto apart = [&](int i, const Vec3<S>& from) {
-    return (steps::at(points, i) - from).squaredNorm();
+    return (steps::position(points, i) - from).squaredNorm();
   };
   const int first =
       std::max(0, steps::highest(points, S(0), [&](int i) { return apart(i, middle); }));
@@ -30,10 +30,11 @@ KeptIndices reduce_like_physx_cluster(std::span<const ContactPoint<S>> points,
   }
 
   KeptIndices deepest = centres;
-  for (int i = 0; i < steps::count(points); ++i) {
+  for (int i = 0; i < count_of(points); ++i) {
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < centres.size(); ++k) {
-      if (apart(i, steps::at(points, centres[k])) < apart(i, steps::at(points, centres[nearest]))) {
+      if (apart(i, steps::position(points, centres[k])) <
+          apart(i, steps::position(points, centres[nearest]))) {
         nearest = k;
       }
     }
@@ -44,9 +45,11 @@ KeptIndices reduce_like_physx_cluster(std::span<const ContactPoint<S>> points,
   return steps::first_of(deepest, options);
 }
 
-template KeptIndices reduce_like_physx_cluster(std::span<const ContactPoint<float>>,
-                                               const Vec3<float>&, const ReduceOptions&);
-template KeptIndices reduce_like_physx_cluster(std::span<const ContactPoint<double>>,
-                                               const Vec3<double>&, const ReduceOptions&);
+}  // namespace
+
+ReducerInfo physx_cluster_reducer() {
+  return {"physx_cluster", "the deepest of each of four clusters",
+          &reduce_like_physx_cluster<float>, &reduce_like_physx_cluster<double>};
+}
 
 }  // namespace contactscope

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {
@@ -40,7 +41,7 @@ double convex_area(std::span<const Vec3d> points, const Vec3d& normal) {
 /// corner. For four corners and n <= 16, the sizes of manifolds, this is some thousand steps.
 double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int max_points) {
   const std::vector<Vec2d> polygon = convex_polygon(project(points, normal));
-  if (static_cast<int>(polygon.size()) <= max_points) return area_of(polygon);
+  if (count_of(polygon) <= max_points) return area_of(polygon);
   if (max_points < 3) return 0;
   double best = 0;
   for (std::size_t start = 0; start < polygon.size(); ++start) {

@@ -11,6 +11,9 @@
 
 namespace contactscope {
 
+template <class S>
+using ContactPoints = std::span<const ContactPoint<S>>;
+
 /// Indices into the points that a reducer was given, in the order of choice.
 using KeptIndices = StaticVector<int, kMaxManifoldPoints>;
 
@@ -25,7 +28,7 @@ struct ReduceOptions {
 /// than max_points; at most max_points different ones of them are kept, at least one. The input is
 /// untouched and the same input gives the same answer. Call it through reduce().
 template <class S>
-using Reducer = KeptIndices (*)(std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+using Reducer = KeptIndices (*)(ContactPoints<S> points, const Vec3<S>& normal,
                                 const ReduceOptions& options);
 
 enum class ReduceStatus {
@@ -41,7 +44,7 @@ struct Reduction {
 /// Runs a reducer on any points, at most kMaxManifoldPoints. Up to max_points of them are all kept,
 /// in their order, without asking it; so are any number when it is nullptr.
 template <class S>
-Reduction reduce(Reducer<S> reducer, std::span<const ContactPoint<S>> points, const Vec3<S>& normal,
+Reduction reduce(Reducer<S> reducer, ContactPoints<S> points, const Vec3<S>& normal,
                  const ReduceOptions& options);
 
 /// What reduces where nobody says otherwise. The talk's steps (`area`) may drop the deepest point: of
@@ -49,17 +52,21 @@ Reduction reduce(Reducer<S> reducer, std::span<const ContactPoint<S>> points, co
 /// area that has the deepest point costs less, too.
 inline constexpr const char* kDefaultReducer = "optimal_deepest";
 
-/// A reducer by name, for scenarios and the command line; nullptr when there is none such.
-template <class S>
-Reducer<S> find_reducer(std::string_view name);
-
+/// What scenarios, the command line, studies and benchmarks know of a reducer. The last function of
+/// its file returns it.
 struct ReducerInfo {
   std::string name;
-  std::string summary;     // one line
+  std::string summary;      // one line
+  Reducer<float> in_float;  // nullptr keeps every point
+  Reducer<double> in_double;
   bool remembers = false;  // goes by ReduceOptions::previous
 };
 
 /// Every reducer, in the order in which to list them.
 const std::vector<ReducerInfo>& reducers();
+
+/// A reducer by name; nullptr when there is none such.
+template <class S>
+Reducer<S> find_reducer(std::string_view name);
 
 }  // namespace contactscope

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "reduce/area.h"
 #include "reduce/plane_points.h"
+#include "reduce/steps.h"
 #include "support/contact_polygons.h"
 
 namespace contactscope::test {
@@ -123,7 +123,7 @@ TEST(Choices, StartFromTheFixedDirection) {
   const std::vector<trace::Choice> made = choices("area", hand_made());
   EXPECT_NEAR(made[0].direction.norm(), 1, 1e-15);
   EXPECT_NEAR(made[0].direction.dot(kUp), 0, 1e-15);
-  EXPECT_NEAR(made[0].direction.cross(fixed_direction<double>(kUp)).norm(), 0, 1e-15);
+  EXPECT_NEAR(made[0].direction.cross(steps::fixed_direction<double>(kUp)).norm(), 0, 1e-15);
   for (std::size_t i = 1; i < made.size(); ++i) EXPECT_TRUE(made[i].direction.isZero());
   EXPECT_TRUE(choices("area_deepest", hand_made())[0].direction.isZero());
 }

@@ -1,10 +1,8 @@
-#include "reduce/optimal.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reduce/brute_force.h"
-#include "reduce/optimal_deepest.h"
+#include "reduce/reducer.h"
 
 namespace contactscope {
 namespace {
@@ -53,11 +51,11 @@ template <class S>
 class OptimalReducer : public testing::Test {
  protected:
   static std::vector<int> best(const std::vector<ContactPoint<S>>& points, int max_points) {
-    return reduced<S>(&reduce_to_optimal<S>, points, Vec3<S>::UnitZ(), max_points);
+    return reduced<S>(find_reducer<S>("optimal"), points, Vec3<S>::UnitZ(), max_points);
   }
   static std::vector<int> best_with_deepest(const std::vector<ContactPoint<S>>& points,
                                             int max_points) {
-    return reduced<S>(&reduce_to_optimal_deepest<S>, points, Vec3<S>::UnitZ(), max_points);
+    return reduced<S>(find_reducer<S>("optimal_deepest"), points, Vec3<S>::UnitZ(), max_points);
   }
 };
 using Scalars = testing::Types<float, double>;
@@ -75,7 +73,7 @@ TYPED_TEST(OptimalReducer, SlowNoChoiceOfAnyPointsHasMoreArea) {
       for (int most = 3; most <= 6; ++most) {
         if (count <= most) continue;
         const std::vector<int> kept =
-            reduced<S>(&reduce_to_optimal<S>, patch.points, patch.normal, most);
+            reduced<S>(find_reducer<S>("optimal"), patch.points, patch.normal, most);
         ASSERT_NEAR(test::hull_area(test::at(places, kept)), test::largest_area(places, most),
                     rounding)
             << "shape " << static_cast<int>(shape) << ", case " << i << ", most " << most;
@@ -101,7 +99,7 @@ TYPED_TEST(OptimalReducer, SlowNoChoiceWithTheDeepestHasMoreArea) {
       for (int most = 1; most <= 6; ++most) {
         if (count <= most) continue;
         const std::vector<int> kept =
-            reduced<S>(&reduce_to_optimal_deepest<S>, patch.points, patch.normal, most);
+            reduced<S>(find_reducer<S>("optimal_deepest"), patch.points, patch.normal, most);
         ASSERT_EQ(kept[0], first);
         const double largest = test::largest_area(
             places, most, [&](const std::vector<int>& c) { return std::ranges::count(c, first); });
@@ -121,11 +119,12 @@ TYPED_TEST(OptimalReducer, KeepsTheFarthestTwo) {
       const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
       const double extent = test::extent(places);
       const double tolerance = test::area_rounding(patch.points, places) / extent;
-      const std::vector<int> two = reduced<S>(&reduce_to_optimal<S>, patch.points, patch.normal, 2);
+      const std::vector<int> two =
+          reduced<S>(find_reducer<S>("optimal"), patch.points, patch.normal, 2);
       ASSERT_NEAR(test::extent(test::at(places, two)), extent, tolerance);
 
       const std::vector<int> with_deepest =
-          reduced<S>(&reduce_to_optimal_deepest<S>, patch.points, patch.normal, 2);
+          reduced<S>(find_reducer<S>("optimal_deepest"), patch.points, patch.normal, 2);
       const int first = deepest(patch.points);
       ASSERT_EQ(with_deepest[0], first);
       double farthest = 0;
