@@ -172,9 +172,7 @@ void print(const Outcome& outcome, const Options& options) {
   }
 }
 
-}  // namespace
-
-ExitCode check(const Options& options) {
+ExitCode run_check(const Options& options) {
   note_interrupts();
   const std::vector<Scenario> scenarios = load_scenarios(options);
   Checker checker(options);
@@ -206,6 +204,16 @@ ExitCode check(const Options& options) {
     std::cerr << '\n';
   }
   return failed == 0 ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace
+
+Verb check_verb() {
+  return {"check",
+          "Compare with the stored snapshots",
+          &run_check,
+          "[SCENARIO...] --snapshots --update --json --out --backend --view --jobs",
+          {{"SCENARIO", "Default: all scenarios"}, {"--json", "Print the verdicts as JSON"}}};
 }
 
 }  // namespace contactscope::app

@@ -56,10 +56,8 @@ std::string looked_through(const Subject& subject) {
   return text;
 }
 
-}  // namespace
-
 // What each route to OpenGL answers, and what to do where one does not.
-ExitCode doctor(const Options& options) {
+ExitCode run_doctor(const Options& options) {
   std::vector<std::string> files;
   for (const std::string& argument : options.scenarios) {
     Options one = options;  // each by itself: here two may have one name
@@ -108,6 +106,18 @@ ExitCode doctor(const Options& options) {
       << (any ? "Pictures can be rendered.\n"
               : "No route to OpenGL works, so nothing can be rendered; `trace` needs none.\n");
   return any ? ExitCode::Same : ExitCode::Trouble;
+}
+
+}  // namespace
+
+Verb doctor_verb() {
+  return {"doctor",
+          "Say what each route to OpenGL answers",
+          &run_doctor,
+          "[FILE...] --json",
+          {{"FILE",
+            "Scenarios and traces to look through as well: what they hold, or what is wrong with "
+            "them"}}};
 }
 
 }  // namespace contactscope::app

@@ -163,9 +163,7 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
   print_left_out(left_out, size);
 }
 
-}  // namespace
-
-ExitCode explore(const Options& options) {
+ExitCode run_explore(const Options& options) {
   note_interrupts();
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
@@ -198,6 +196,26 @@ ExitCode explore(const Options& options) {
   }
   if (options.verbose) ledger.print(std::cerr, "explore");
   return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb explore_verb() {
+  return {
+      "explore",
+      "Compare all reducers on a scenario's manifolds",
+      &run_explore,
+      "SCENARIO --size --table --json --frames --reducer --out --backend --view --jobs",
+      {{"SCENARIO", "A file or a name"},
+       {"--size", "WxH, default 1280x720, and 1280x1440 for more than 9 reducers"},
+       {"--json", "Print JSON lines, one a frame and pair"}},
+      R"(area: of the best that as many points can span. lost arm: how much shorter the lever of the
+kept points is than that of all, about the worst axis, as a share of the patch's radius (130 %
+when they are all on one side). depth error: of the plane through the kept depths. weight held:
+plumb below the centre of mass is the kept patch. ids changed: those that came or went.
+patch/bodies: the largest move of a kept point, or of their middle, from frame to frame over the
+largest move of the bodies' surfaces; inf where the bodies are at rest, - where nothing moves.
+ns: the median, the least, and the upper quartile of a call.)"};
 }
 
 }  // namespace contactscope::app

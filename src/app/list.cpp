@@ -43,9 +43,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   return items;
 }
 
-}  // namespace
-
-ExitCode list(const Options& options) {
+ExitCode run_list(const Options& options) {
   std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels", "studies"};
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
@@ -74,6 +72,16 @@ ExitCode list(const Options& options) {
   }
   if (options.json) std::cout << json.dump() << '\n';
   return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb list_verb() {
+  return {"list",
+          "List what a scenario may name",
+          &run_list,
+          "[WHAT] --json",
+          {{"WHAT", "scenarios, reducers, layers, panels or studies"}}};
 }
 
 }  // namespace contactscope::app

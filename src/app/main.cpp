@@ -5,73 +5,103 @@
 #include <iostream>
 
 #include "app/options.h"
-#include "app/usage.h"
 #include "app/verbs.h"
 #include "core/input_error.h"
 
 namespace contactscope::app {
 namespace {
 
-struct Command {
-  Options options;
-  std::string size, frames, update = "never", backend;
-  std::vector<std::string> layers, panels;
+struct Command : Options {
+  std::string size_text, frames_text, update_text = "never", backend_text;
+  std::vector<std::string> layer_names, panel_names;
 };
 
-void add_common(CLI::App& verb, Command& command) {
-  verb.add_option("--scenarios", command.options.scenario_root,
-                  "Folder where scenario names are looked up")
-      ->capture_default_str();
-  verb.add_flag("--quiet", command.options.quiet, "Print results and errors only");
-  verb.add_flag("--verbose", command.options.verbose,
-                "Say what ran, how long it took, and what was left out");
+/// Adds an argument to a verb: where its value goes, and its help where the verb has no words of its
+/// own.
+CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::string& own_help,
+                       Command& to) {
+  const auto value = [&](auto& target, const char* help = "") {
+    return verb.add_option(name, target, own_help.empty() ? help : own_help);
+  };
+  const auto value_with_default = [&](auto& target, const char* help) {
+    return value(target, help)->capture_default_str();
+  };
+  const auto flag = [&](bool& target, const char* help = "") {
+    return verb.add_flag(name, target, own_help.empty() ? help : own_help);
+  };
+  if (name == "SCENARIO" || name == "FILE") return value(to.scenarios);
+  if (name == "NAME") return value(to.study);
+  if (name == "WHAT")
+    return value(to.what)->check(
+        CLI::IsMember({"scenarios", "reducers", "layers", "panels", "studies"}));
+  if (name == "--size") return value(to.size_text, "WxH, default 1280x720");
+  if (name == "--layers")
+    return value(to.layer_names,
+                 "Layers to draw instead of the views' own, as shapes,contacts; or none")
+        ->delimiter(',');
+  if (name == "--panels")
+    return value(to.panel_names,
+                 "Panels to draw instead of the views' own, as summary,contact_plane; or none")
+        ->delimiter(',');
+  if (name == "--timing")
+    return flag(to.timing, "Show the measured time of the pipeline in the summary panel");
+  if (name == "--snapshots")
+    return value_with_default(to.snapshot_root, "Folder of the stored snapshots");
+  // A flag that may carry a value: a scenario that follows a bare --update is not taken for it.
+  if (name == "--update")
+    return verb.add_flag("--update{failed}", to.update_text,
+                         "Rewrite what failed, or with --update=all everything");
+  if (name == "--table") return flag(to.tables_only, "Write no pictures, and open no OpenGL");
+  if (name == "--cases")
+    return value(to.cases, "Cases a point of a line, default: the study's")
+        ->check(CLI::Range(1, 1000000));
+  if (name == "--seed") return value_with_default(to.seed, "Of the random cases");
+  if (name == "--json") return flag(to.json, "Print as JSON");
+  if (name == "--frames") return value(to.frames_text, "Frames A:B[:STEP], B inclusive");
+  if (name == "--reducer") return value(to.reducer, "Reducer for every pair");
+  if (name == "--out") return value_with_default(to.out, "Folder to write to");
+  if (name == "--backend")
+    return value(to.backend_text, "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
+  if (name == "--view") return value(to.view, "Only this view");
+  if (name == "--jobs")
+    return value(to.jobs, "Encoder threads; 0: one a processor")->check(CLI::Range(0, 256));
+  if (name == "--scenarios")
+    return value_with_default(to.scenario_root, "Folder where scenario names are looked up");
+  if (name == "--quiet") return flag(to.quiet, "Print results and errors only");
+  if (name == "--verbose")
+    return flag(to.verbose, "Say what ran, how long it took, and what was left out");
+  throw std::logic_error("no verb can take " + name);
 }
 
-void add_selection(CLI::App& verb, Command& command) {
-  verb.add_option("--frames", command.frames, "Frames A:B[:STEP], B inclusive");
-  verb.add_option("--reducer", command.options.reducer, "Reducer for every pair");
-}
-
-void add_rendering(CLI::App& verb, Command& command) {
-  verb.add_option("--out", command.options.out, "Folder to write to")->capture_default_str();
-  verb.add_option("--backend", command.backend,
-                  "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
-  verb.add_option("--view", command.options.view, "Only this view");
-  verb.add_option("--jobs", command.options.jobs, "Encoder threads; 0: one a processor")
-      ->check(CLI::Range(0, 256));
+void add_argument(CLI::App& app, const Verb& verb, std::string word, Command& command) {
+  const bool is_optional = word.starts_with('[') || word.starts_with('-');
+  const bool is_one = !word.ends_with("...");
+  std::erase_if(word, [](char c) { return c == '[' || c == ']' || c == '.'; });
+  const auto own = verb.help.find(word);
+  CLI::Option* const option =
+      add_named(app, word, own == verb.help.end() ? "" : own->second, command);
+  if (is_optional) return;
+  option->required();
+  if (is_one) option->expected(1);
 }
 
 void finish(Command& command) {
-  Options& options = command.options;
-  if (!command.size.empty()) options.size = parse_size(command.size);
-  if (!command.frames.empty()) options.frames = parse_frame_range(command.frames);
-  options.layers = parse_layers(command.layers);
-  options.panels = parse_panels(command.panels);
-  if (options.out.empty()) throw UsageError("--out is empty; name a folder");
-  options.update = parse_update(command.update);
+  if (!command.size_text.empty()) command.size = parse_size(command.size_text);
+  if (!command.frames_text.empty()) command.frames = parse_frame_range(command.frames_text);
+  command.layers = parse_layers(command.layer_names);
+  command.panels = parse_panels(command.panel_names);
+  if (command.out.empty()) throw UsageError("--out is empty; name a folder");
+  command.update = parse_update(command.update_text);
 }
 
 // Only for verbs that draw: a bad variable must not stop the others.
 void choose_backend(Command& command) {
   const char* variable = std::getenv("CONTACTSCOPE_BACKEND");
-  if (!command.backend.empty()) {
-    command.options.backend = parse_backend("--backend", command.backend);
+  if (!command.backend_text.empty()) {
+    command.backend = parse_backend("--backend", command.backend_text);
   } else if (variable != nullptr && *variable != '\0') {
-    command.options.backend = parse_backend("$CONTACTSCOPE_BACKEND", variable);
+    command.backend = parse_backend("$CONTACTSCOPE_BACKEND", variable);
   }
-}
-
-std::vector<VerbOptions> verbs_of(CLI::App& program) {
-  std::vector<VerbOptions> verbs;
-  for (CLI::App* verb : program.get_subcommands({})) {
-    VerbOptions& entry = verbs.emplace_back();
-    entry.verb = verb->get_name();
-    for (const CLI::Option* option : verb->get_options()) {
-      for (const std::string& name : option->get_lnames()) entry.options.push_back("--" + name);
-      for (const std::string& name : option->get_snames()) entry.options.push_back("-" + name);
-    }
-  }
-  return verbs;
 }
 
 /// What was printed must have arrived, help and version too.
@@ -86,104 +116,14 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", std::string("contactscope ") + CONTACTSCOPE_VERSION);
   Command command;
-  Options& options = command.options;
+  for (const Verb& verb : verbs()) {
+    CLI::App& subcommand = *program.add_subcommand(verb.name, verb.summary);
+    subcommand.footer(verb.footer);
+    for (const std::string& word : arguments_of(verb))
+      add_argument(subcommand, verb, word, command);
+  }
 
-  CLI::App* render_verb = program.add_subcommand("render", "Write PNG sequences");
-  render_verb
-      ->add_option("SCENARIO", options.scenarios,
-                   "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too")
-      ->required();
-  render_verb->add_option("--size", command.size, "WxH, default 1280x720");
-  render_verb
-      ->add_option("--layers", command.layers,
-                   "Layers to draw instead of the views' own, as shapes,contacts; or none")
-      ->delimiter(',');
-  render_verb
-      ->add_option("--panels", command.panels,
-                   "Panels to draw instead of the views' own, as summary,contact_plane; or none")
-      ->delimiter(',');
-  render_verb->add_flag("--timing", options.timing,
-                        "Show the measured time of the pipeline in the summary panel");
-  render_verb->add_flag("--json", options.json, "Print the paths of the pictures as JSON");
-  add_selection(*render_verb, command);
-  add_rendering(*render_verb, command);
-  add_common(*render_verb, command);
-
-  CLI::App* trace_verb =
-      program.add_subcommand("trace", "Print the pipeline's facts as JSON lines");
-  trace_verb->add_option("SCENARIO", options.scenarios, "A file or a name")
-      ->required()
-      ->expected(1);
-  trace_verb->add_flag("--json", options.json, "Accepted; a trace is always JSON lines");
-  add_selection(*trace_verb, command);
-  add_common(*trace_verb, command);
-
-  CLI::App* check_verb = program.add_subcommand("check", "Compare with the stored snapshots");
-  check_verb->add_option("SCENARIO", options.scenarios, "Default: all scenarios");
-  check_verb->add_option("--snapshots", options.snapshot_root, "Folder of the stored snapshots")
-      ->capture_default_str();
-  // A flag that may carry a value: a scenario that follows a bare --update is not taken for it.
-  check_verb->add_flag("--update{failed}", command.update,
-                       "Rewrite what failed, or with --update=all everything");
-  check_verb->add_flag("--json", options.json, "Print the verdicts as JSON");
-  add_rendering(*check_verb, command);
-  add_common(*check_verb, command);
-
-  CLI::App* explore_verb =
-      program.add_subcommand("explore", "Compare all reducers on a scenario's manifolds");
-  explore_verb->footer(
-      "area: of the best that as many points can span. lost arm: how much shorter the lever of "
-      "the\n"
-      "kept points is than that of all, about the worst axis, as a share of the patch's radius "
-      "(130 %\n"
-      "when they are all on one side). depth error: of the plane through the kept depths. weight "
-      "held:\n"
-      "plumb below the centre of mass is the kept patch. ids changed: those that came or went.\n"
-      "patch/bodies: the largest move of a kept point, or of their middle, from frame to frame "
-      "over the\n"
-      "largest move of the bodies' surfaces; inf where the bodies are at rest, - where nothing "
-      "moves.\n"
-      "ns: the median, the least, and the upper quartile of a call.");
-  explore_verb->add_option("SCENARIO", options.scenarios, "A file or a name")
-      ->required()
-      ->expected(1);
-  explore_verb->add_option("--size", command.size,
-                           "WxH, default 1280x720, and 1280x1440 for more than 9 reducers");
-  explore_verb->add_flag("--table", options.tables_only, "Write no pictures, and open no OpenGL");
-  explore_verb->add_flag("--json", options.json, "Print JSON lines, one a frame and pair");
-  add_selection(*explore_verb, command);
-  add_rendering(*explore_verb, command);
-  add_common(*explore_verb, command);
-
-  CLI::App* study_verb =
-      program.add_subcommand("study", "Measure error against run time: plot, CSV and JSON");
-  study_verb->add_option("NAME", options.study, "A name that `list studies` prints")->required();
-  study_verb->add_option("--size", command.size,
-                         "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods");
-  study_verb->add_option("--cases", options.cases, "Cases a point of a line, default: the study's")
-      ->check(CLI::Range(1, 1000000));
-  study_verb->add_option("--seed", options.seed, "Of the random cases")->capture_default_str();
-  study_verb->add_flag("--table", options.tables_only, "Write no plots, and open no OpenGL");
-  study_verb->add_flag("--json", options.json, "Print the results as JSON too, one a line");
-  study_verb->add_option("--out", options.out, "Folder to write to")->capture_default_str();
-  study_verb->add_option("--backend", command.backend,
-                         "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
-  add_common(*study_verb, command);
-
-  CLI::App* doctor_verb = program.add_subcommand("doctor", "Say what each route to OpenGL answers");
-  doctor_verb->add_option("FILE", options.scenarios,
-                          "Scenarios and traces to look through as well: what they hold, or what "
-                          "is wrong with them");
-  doctor_verb->add_flag("--json", options.json, "Print as JSON");
-  add_common(*doctor_verb, command);
-
-  CLI::App* list_verb = program.add_subcommand("list", "List what a scenario may name");
-  list_verb->add_option("WHAT", options.what, "scenarios, reducers, layers, panels or studies")
-      ->check(CLI::IsMember({"scenarios", "reducers", "layers", "panels", "studies"}));
-  list_verb->add_flag("--json", options.json, "Print as JSON");
-  add_common(*list_verb, command);
-
-  check_usage(verbs_of(program), {argv + std::min(argc, 1), argv + argc});
+  check_usage({argv + std::min(argc, 1), argv + argc});
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -193,15 +133,9 @@ int run(int argc, char** argv) {
     return static_cast<int>(ExitCode::Same);
   }
   finish(command);
-  if (*render_verb || *check_verb || *explore_verb || *study_verb) choose_backend(command);
-  ExitCode code = ExitCode::Same;
-  if (*render_verb) code = render(options);
-  if (*trace_verb) code = trace(options);
-  if (*check_verb) code = check(options);
-  if (*explore_verb) code = explore(options);
-  if (*study_verb) code = study(options);
-  if (*doctor_verb) code = doctor(options);
-  if (*list_verb) code = list(options);
+  CLI::App& chosen = *program.get_subcommands().front();
+  if (chosen.get_option_no_throw("--backend") != nullptr) choose_backend(command);
+  const ExitCode code = std::ranges::find(verbs(), chosen.get_name(), &Verb::name)->run(command);
   flush_output();
   return static_cast<int>(code);
 }

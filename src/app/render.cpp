@@ -86,9 +86,7 @@ Sequence sequence_of(Subject& subject, const Options& options, Ledger& ledger) {
   return sequence;
 }
 
-}  // namespace
-
-ExitCode render(const Options& options) {
+ExitCode run_render(const Options& options) {
   note_interrupts();
   Ledger total;
   std::vector<Subject> subjects;
@@ -146,6 +144,19 @@ ExitCode render(const Options& options) {
               << '\n';
   }
   return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb render_verb() {
+  return {"render",
+          "Write PNG sequences",
+          &run_render,
+          "SCENARIO... --size --layers --panels --timing --json --frames --reducer --out --backend "
+          "--view --jobs",
+          {{"SCENARIO",
+            "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
+           {"--json", "Print the paths of the pictures as JSON"}}};
 }
 
 }  // namespace contactscope::app

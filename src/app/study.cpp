@@ -76,11 +76,9 @@ draw::Drawing drawing_of(const trace::Study& result, const Size& size) {
   return draw::plot(result, size.width, size.height);
 }
 
-}  // namespace
-
 // All is computed before the first file is written: a study that fails leaves those of an earlier
 // run as they are.
-ExitCode study(const Options& options) {
+ExitCode run_study(const Options& options) {
   note_interrupts();
   const StudyInfo& info = find_study(options.study);
   Ledger ledger;
@@ -113,6 +111,19 @@ ExitCode study(const Options& options) {
   if (options.verbose) ledger.print(std::cerr, "study");
   if (!options.quiet) std::cerr << files.size() << " files in " << folder.string() << '\n';
   return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb study_verb() {
+  return {"study",
+          "Measure error against run time: plot, CSV and JSON",
+          &run_study,
+          "NAME --size --cases --seed --table --json --out --backend",
+          {{"NAME", "A name that `list studies` prints"},
+           {"--size", "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods"},
+           {"--table", "Write no plots, and open no OpenGL"},
+           {"--json", "Print the results as JSON too, one a line"}}};
 }
 
 }  // namespace contactscope::app

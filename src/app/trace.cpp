@@ -7,9 +7,10 @@
 #include "trace/json.h"
 
 namespace contactscope::app {
+namespace {
 
 // Prints the facts and opens no OpenGL library.
-ExitCode trace(const Options& options) {
+ExitCode run_trace(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("trace takes one scenario");
   const Scenario& scenario = scenarios.front();
@@ -20,6 +21,16 @@ ExitCode trace(const Options& options) {
     std::cout << trace::to_json_line(runner.frame(frame)) << '\n';
   }
   return ExitCode::Same;
+}
+
+}  // namespace
+
+Verb trace_verb() {
+  return {"trace",
+          "Print the pipeline's facts as JSON lines",
+          &run_trace,
+          "SCENARIO --json --frames --reducer",
+          {{"SCENARIO", "A file or a name"}, {"--json", "Accepted; a trace is always JSON lines"}}};
 }
 
 }  // namespace contactscope::app
