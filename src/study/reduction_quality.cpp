@@ -1,6 +1,5 @@
 #include "study/reduction_quality.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,6 +65,9 @@ double lost_reach(const std::vector<Vec2d>& all, std::span<const int> kept) {
   return most / radius;
 }
 
+/// Kept points in a row to rounding say nothing about the depth beside it.
+constexpr double kFlat = 1e-12;
+
 /// Separation as a linear function of the place, fitted to the kept points; of smallest slope where
 /// they do not determine one.
 double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoint<double>> points,
@@ -81,15 +83,28 @@ double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoin
   }
   mean /= static_cast<double>(kept.size());
   mean_depth /= static_cast<double>(kept.size());
-  const auto rows = static_cast<Eigen::Index>(kept.size());
-  Eigen::MatrixX2d arms(rows, 2);
-  Eigen::VectorXd depths(rows);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const auto i = static_cast<std::size_t>(kept[static_cast<std::size_t>(row)]);
-    arms.row(row) = (places[i] - mean).transpose() / scale;
-    depths[row] = points[i].separation - mean_depth;
+  // The places along their two principal directions make the normal equations diagonal.
+  double xx = 0, xy = 0, yy = 0;
+  for (const int i : kept) {
+    const Vec2d arm = (places[static_cast<std::size_t>(i)] - mean) / scale;
+    xx += arm.x() * arm.x();
+    xy += arm.x() * arm.y();
+    yy += arm.y() * arm.y();
   }
-  const Vec2d slope = arms.completeOrthogonalDecomposition().solve(depths);
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  const Vec2d longer(std::cos(angle), std::sin(angle));
+  double reach = 0;  // summed squares along the longer direction
+  Vec2d slope = Vec2d::Zero();
+  for (const Vec2d& direction : {longer, Vec2d(-longer.y(), longer.x())}) {
+    double squares = 0, product = 0;
+    for (const int i : kept) {
+      const double along = direction.dot(places[static_cast<std::size_t>(i)] - mean) / scale;
+      squares += along * along;
+      product += along * (points[static_cast<std::size_t>(i)].separation - mean_depth);
+    }
+    reach = std::max(reach, squares);
+    if (squares > kFlat * kFlat * reach) slope += product / squares * direction;
+  }
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double fitted = mean_depth + slope.dot(places[i] - mean) / scale;

@@ -164,7 +164,7 @@ TEST(ReductionScenarios, TheStagesShowWhyEachPointWasChosen) {
       continue;
     }
     // Signed areas of the fourth step are negative outside; of the third, either side counts.
-    const auto worth = [&](const trace::Measure& measure) {
+    const auto worth = [step = step](const trace::Measure& measure) {
       return step == 2 ? std::abs(measure.value) : step == 3 ? -measure.value : measure.value;
     };
     const auto best = std::ranges::max_element(choice.measures, {}, worth);

@@ -3,6 +3,7 @@
 
 #include "app/program.h"
 #include "image/png.h"
+#include "support/osmesa.h"
 
 namespace contactscope::test {
 namespace {
@@ -28,6 +29,7 @@ TEST(Render, WritesASequenceUnderGroupAndIdea) {
 }
 
 TEST(Render, EglAndOsmesaGiveTheSameFilesForEveryScenario) {
+  if (!test::osmesa_is_installed()) GTEST_SKIP() << "no OSMesa";
   const TemporaryFolder folder;
   for (const char* backend : {"egl", "osmesa"}) {
     const ProgramRun result = run("render scenarios --frames 0:0 --size 640x360 --backend " +
@@ -171,6 +173,7 @@ TEST(Render, RequestToStopLeavesWholeFilesOnly) {
 }
 
 TEST(Render, BackendComesFromTheEnvironmentToo) {
+  if (!test::osmesa_is_installed()) GTEST_SKIP() << "no OSMesa";
   const TemporaryFolder folder;
   const ProgramRun result =
       run("render hull/coherent_points --verbose --size 320x180 --out '" + (folder / "out") + "'",

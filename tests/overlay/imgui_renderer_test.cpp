@@ -10,6 +10,7 @@
 #include "gl/painting.h"
 #include "gl/rasterizer.h"
 #include "image/font.h"
+#include "support/osmesa.h"
 
 namespace contactscope::overlay {
 namespace {
@@ -93,6 +94,7 @@ TEST_F(PanelRendererTest, TextHasTheInkOfItsGlyphs) {
 }
 
 TEST_F(PanelRendererTest, EglAndOsmesaGiveIdenticalBytes) {
+  if (!test::osmesa_is_installed()) GTEST_SKIP() << "no OSMesa";
   const Image egl = paint_afresh(gl::Backend::Egl);
   EXPECT_EQ(paint_afresh(gl::Backend::Osmesa), egl);
   EXPECT_EQ(paint_afresh(gl::Backend::Egl), egl) << "a fresh context remembers nothing";

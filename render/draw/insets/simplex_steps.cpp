@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
-
 namespace contactscope::draw {
 namespace {
 
@@ -98,7 +96,8 @@ std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& fr
 }
 
 // The nearest point lies inside of one of the parts, a vertex, an edge, a triangle or the whole, and
-// is there the foot of the origin: all parts whose foot is inside of them are looked at.
+// is there the foot of the origin: all parts whose foot is inside of them are looked at. The weights
+// of a part's corners follow from Gram-Schmidt; a flat part is left to its own parts.
 Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
   Vec3d best = points.front();
   const unsigned parts = 1u << points.size();
@@ -107,17 +106,27 @@ Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if ((part >> i & 1u) != 0) corners.push_back(points[i]);
     }
-    const auto columns = static_cast<Eigen::Index>(corners.size()) - 1;
-    Eigen::MatrixXd ways(3, columns);
-    for (Eigen::Index i = 0; i < columns; ++i)
-      ways.col(i) = corners[static_cast<std::size_t>(i) + 1] - corners[0];
-    Vec3d foot = corners[0];
-    if (columns > 0) {
-      const Eigen::VectorXd weights = ways.colPivHouseholderQr().solve(-corners[0]);
-      if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) continue;
-      foot += ways * weights;
+    std::vector<Vec3d> across;  // the way to each corner from the first, across the ways before it
+    bool flat = false;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const Vec3d way = corners[i] - corners[0];
+      Vec3d rest = way;
+      for (const Vec3d& other : across) rest -= other.dot(rest) / other.squaredNorm() * other;
+      flat = flat || rest.norm() <= 1e-12 * way.norm();
+      across.push_back(rest);
     }
-    if (foot.norm() < best.norm()) best = foot;
+    if (flat) continue;
+    Vec3d foot = corners[0];
+    double first = 1;  // weight of the first corner
+    bool inside = true;
+    for (std::size_t i = corners.size(); i-- > 1;) {
+      const Vec3d way = corners[i] - corners[0];
+      const double weight = -across[i - 1].dot(foot) / across[i - 1].dot(way);
+      foot += weight * way;
+      first -= weight;
+      inside = inside && weight >= 0;
+    }
+    if (inside && first >= 0 && foot.norm() < best.norm()) best = foot;
   }
   return best;
 }
