@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdlib>
 
-// Static, and not Debian's shared object: our compile flags make the same glyphs everywhere.
+#include "image/glyph_coverage.h"
+
+// For reading the font alone. Static, so that a shared object of another version cannot stand in.
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>
@@ -31,6 +33,48 @@ const stbtt_fontinfo& font(FontWeight weight) {
 
 float scale_of(float size, FontWeight weight) {
   return stbtt_ScaleForPixelHeight(&font(weight), size);
+}
+
+/// How far a chord may be from its curve, pixels.
+constexpr float kFlatness = 0.35f;
+
+/// Halves a quadratic curve until its chords are near enough, and adds their ends.
+void add_curve(const ContourPoint& from, const ContourPoint& control, const ContourPoint& to,
+               Contour& contour) {
+  const ContourPoint middle{0.25 * (from.x + 2 * control.x + to.x),
+                            0.25 * (from.y + 2 * control.y + to.y)};
+  if (std::hypot(0.5 * (from.x + to.x) - middle.x, 0.5 * (from.y + to.y) - middle.y) <= kFlatness) {
+    contour.push_back(to);
+    return;
+  }
+  add_curve(from, {0.5 * (from.x + control.x), 0.5 * (from.y + control.y)}, middle, contour);
+  add_curve(middle, {0.5 * (control.x + to.x), 0.5 * (control.y + to.y)}, to, contour);
+}
+
+/// The outline of a glyph whose pen stands `left` and `top` before the bitmap's corner, pixels.
+/// TrueType has lines and quadratic curves.
+std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float scale, float left,
+                                float top) {
+  stbtt_vertex* vertices = nullptr;
+  const int count = stbtt_GetGlyphShape(&info, glyph, &vertices);
+  const auto place = [&](stbtt_vertex_type x, stbtt_vertex_type y) {
+    return ContourPoint{double{scale} * x + left, top - double{scale} * y};
+  };
+  std::vector<Contour> outline;
+  for (int i = 0; i < count; ++i) {
+    const stbtt_vertex& vertex = vertices[i];
+    const ContourPoint to = place(vertex.x, vertex.y);
+    if (vertex.type == STBTT_vmove) {
+      outline.push_back({to});
+    } else if (vertex.type == STBTT_vcurve) {
+      add_curve(ContourPoint(outline.back().back()), place(vertex.cx, vertex.cy), to,
+                outline.back());
+    } else {
+      outline.back().push_back(to);
+    }
+  }
+  stbtt_FreeShape(&info, vertices);
+  return outline;
 }
 
 /// Dilation of a coverage bitmap by a disc: each pixel takes the largest coverage within reach,
@@ -110,9 +154,9 @@ GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, 
   out.height = y1 - y0;
   out.left = x0;
   out.top = y0;
-  out.coverage.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
-  stbtt_MakeGlyphBitmapSubpixel(&info, out.coverage.data(), out.width, out.height, out.width, scale,
-                                scale, subpixel_x, 0, glyph);
+  out.coverage = coverage_of(outline_of(info, glyph, scale, subpixel_x - static_cast<float>(x0),
+                                        static_cast<float>(-y0)),
+                             out.width, out.height);
   return halo > 0 ? dilated(out, halo) : out;
 }
 

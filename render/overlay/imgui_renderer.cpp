@@ -75,7 +75,6 @@ PanelRenderer::Impl::Impl(gl::Context& owner, int w, int h, float scale)
   io.DeltaTime = 1.0f / 60;
   io.BackendRendererName = "contactscope";
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  add_fonts(*io.Fonts, scale);
   apply_style(ImGui::GetStyle(), scale);
   make_font_texture();
   vertices = gl::make_vertex_array(gl, sizeof(ImDrawVert),

@@ -8,8 +8,8 @@ struct ImGuiContext;
 
 namespace contactscope::overlay {
 
-/// Dear ImGui for pictures: a context of its own that knows no input, clock or file, so that equal
-/// calls make equal pixels, and a renderer on our own function table. The back ends inside
+/// Dear ImGui for the windows of panels: a context of its own that knows no input, clock or file, so
+/// that equal calls make equal pixels, and a renderer on our own function table. The back ends inside
 /// libimgui.a open libGL by themselves, which fails beside OSMesa and where libGL is absent.
 ///
 /// Use one renderer for one sequence, on one thread (Dear ImGui's current context is global). Steps
@@ -17,12 +17,12 @@ namespace contactscope::overlay {
 /// Rasterizer::read(). Draws into the framebuffer that is bound, whose row 0 is the picture's top:
 /// paint() leaves the rasterizer's bound.
 ///
-/// Fonts are the embedded Roboto: ImGui's default is regular, Fonts.back() is bold. They hold
-/// Latin, Greek, and the signs that labels use (minus, times, degree, superscripts, comparisons);
-/// Roboto has no arrows. Images other than the fonts' own are not supported.
+/// Text is no part of it: what stands in a window is a draw::Drawing with our own glyphs, so that no
+/// picture depends on the version of Dear ImGui. Its font is its own, of which only the white texel
+/// is used that shapes are painted with. Images other than the font's are not supported.
 class PanelRenderer {
  public:
-  /// `scale` multiplies text, padding and lines; 1 suits 720 lines. The context outlives this
+  /// `scale` multiplies padding; 1 suits 720 lines. The context outlives this
   /// object. Throws std::runtime_error where the driver refuses a shader.
   PanelRenderer(gl::Context& context, int width, int height, float scale);
   ~PanelRenderer();

@@ -2,121 +2,85 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <iterator>
-#include <string>
-
 #include "draw/scene/palette.h"
-#include "overlay/paint.h"
 
 namespace contactscope::overlay {
-
-void heading(const char* text, float scale) {
-  ImFont* bold = ImGui::GetIO().Fonts->Fonts.back();
-  ImGui::PushFont(bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::GetWindowDrawList()->AddLine(from, {from.x + width, from.y},
-                                      packed(draw::with_alpha(draw::kQuietText, 0.5f)), scale);
-  ImGui::Dummy({width, 4 * scale});
-}
-
-void centered_text(ImDrawList* list, ImVec2 at, const draw::Color& color, const char* text) {
-  const ImVec2 size = ImGui::CalcTextSize(text);
-  list->AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, packed(color), text);
-}
-
-float heading_height(float scale) {
-  const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  return ImGui::GetIO().Fonts->Fonts.back()->FontSize + 4 * scale + 2 * spacing;
-}
-
-float panel_frame() {
-  return 2 * ImGui::GetStyle().WindowPadding.y;
-}
-
-std::string more(std::size_t count, const char* one, const char* many) {
-  if (count == 0) return {};
-  const char* const noun = count == 1 ? one : many;
-  ImGui::TextColored(ImColor(packed(draw::kQuietText)), "and %zu more %s", count, noun);
-  return std::to_string(count) + " " + noun;
-}
-
 namespace {
 
-struct PanelRow {
-  Panel panel;
-  PanelNeed (*need)(const PanelFacts&);
-  std::string (*draw)(const PanelFacts&, float);  // returns what it has no room for
+constexpr double kBetweenPanels = 12;  // pixels at 720 lines
+
+struct Window {
+  draw::Rect outer, inner;  // with and without its padding
 };
 
-template <void (*kDraw)(const PanelFacts&, float)>
-std::string whole(const PanelFacts& facts, float height) {
-  kDraw(facts, height);
-  return {};
+Window open_window(const std::string& name, const ImVec2& corner, const ImVec2& size) {
+  ImGui::SetNextWindowPos(corner);
+  ImGui::SetNextWindowSize(size);
+  ImGui::Begin(name.c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
+  const auto rect = [](const ImVec2& at, const ImVec2& extent) {
+    return draw::Rect{at.x, at.y, extent.x, extent.y};
+  };
+  const Window window{rect(ImGui::GetWindowPos(), ImGui::GetWindowSize()),
+                      rect(ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail())};
+  ImGui::End();
+  return window;
 }
 
-constexpr PanelRow kPanels[] = {
-    {Panel::Summary, summary_need, summary_panel},
-    {Panel::ContactPlane, contact_plane_need, whole<contact_plane_panel>},
-    {Panel::AxisHistory, axis_history_need, axis_history_panel},
-    {Panel::Stability, stability_need, whole<stability_panel>},
-    {Panel::Plots, plots_need, plots_panel},
-};
+/// A line one pixel wide, on the outermost pixels of a window.
+void draw_border(const draw::Rect& outer, const draw::Pen& pen) {
+  const draw::Rect middle{outer.x + 0.5, outer.y + 0.5, outer.width - 1, outer.height - 1};
+  pen.frame(middle, 1 / pen.scale(), draw::with_alpha(draw::kQuietText, 0.35f));
+}
 
-/// Under the panels that have room.
-void name_left_out(const std::vector<const PanelRow*>& panels, const draw::Layout& layout,
-                   float y) {
-  std::string text = "no room for";
-  for (const PanelRow* panel : panels) {
-    text += (panel == panels.front() ? " " : ", ") + std::string(name_of(panel->panel));
-  }
-  const float size = ImGui::GetFontSize();
-  text = draw::fitted(text, size, FontWeight::Regular, static_cast<float>(layout.panels.width));
-  ImGui::GetForegroundDrawList()->AddText({static_cast<float>(layout.panels.x), y},
-                                          packed(draw::kQuietText), text.c_str());
+draw::PanelNeed with_padding(draw::PanelNeed need) {
+  const float around = 2 * ImGui::GetStyle().WindowPadding.y;
+  need.least += around;
+  need.good += around;
+  if (need.wanted > 0) need.wanted += around;
+  return need;
 }
 
 }  // namespace
 
-std::vector<std::string> draw_panels(const PanelFacts& facts) {
-  const draw::Layout& layout = facts.staging.layout;
-  const float gap = layout.px(12);
-  std::vector<const PanelRow*> panels;
-  std::vector<PanelNeed> needs;
-  for (const Panel word : facts.staging.view.panels) {
-    const auto* const panel = std::ranges::find(kPanels, word, &PanelRow::panel);
-    if (panel == std::end(kPanels)) continue;
-    panels.push_back(panel);
-    needs.push_back(panel->need(facts));
-  }
-  const std::vector<float> heights = divide_column(needs, static_cast<float>(layout.panels.height),
-                                                   gap, ImGui::GetTextLineHeightWithSpacing());
+PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames)
+    : layout_(staging.layout), panels_(draw::make_panels(staging, frames)) {}
 
+std::vector<std::string> PanelColumn::lay_out(const draw::PanelMoment& moment,
+                                              draw::Drawing& contents) const {
+  std::vector<draw::PanelNeed> needs;
+  for (const draw::FilledPanel& panel : panels_)
+    needs.push_back(with_padding(panel.content->need(moment)));
+  const draw::Rect& column = layout_.panels;
+  const float gap = layout_.px(kBetweenPanels);
+  const std::vector<float> heights =
+      draw::divide_column(needs, static_cast<float>(column.height), gap,
+                          draw::Sheet::line_height(layout_.scale));
+
+  const auto left = static_cast<float>(column.x), width = static_cast<float>(column.width);
+  auto y = static_cast<float>(column.y);
   std::vector<std::string> left_out;
-  std::vector<const PanelRow*> without_room;
-  float y = static_cast<float>(layout.panels.y);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const PanelRow& panel = *panels[i];
-    const std::string name(name_of(panel.panel));
+  std::string without_room;
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const std::string name(name_of(panels_[i].panel));
     if (heights[i] <= 0) {
       left_out.push_back("panel " + name);
-      without_room.push_back(&panel);
+      without_room += (without_room.empty() ? "no room for " : ", ") + name;
       continue;
     }
-    ImGui::SetNextWindowPos({static_cast<float>(layout.panels.x), y});
-    ImGui::SetNextWindowSize({static_cast<float>(layout.panels.width), heights[i]});
-    ImGui::Begin(name.c_str(), nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
-    const std::string missing = panel.draw(facts, heights[i] - panel_frame());
+    const Window window = open_window(name, {left, y}, {width, heights[i]});
+    draw::Sheet sheet(window.inner, layout_.scale, contents);
+    draw_border(window.outer, sheet.pen());
+    const std::string missing = panels_[i].content->lay_out(moment, sheet);
     if (!missing.empty()) left_out.push_back(missing + " of panel " + name);
-    ImGui::End();
     y += heights[i] + gap;
   }
-  if (!without_room.empty()) name_left_out(without_room, layout, y - gap + layout.px(4));
+  if (!without_room.empty()) {
+    draw::Sheet(draw::Rect{column.x, y - gap + layout_.px(4), column.width, column.height},
+                layout_.scale, contents)
+        .line(without_room, draw::kQuietText);
+  }
   return left_out;
 }
 

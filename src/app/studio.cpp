@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "gl/rasterizer.h"
 #include "overlay/imgui_renderer.h"
+#include "overlay/panels.h"
 
 namespace contactscope::app {
 
@@ -45,11 +46,13 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
   gl::Rasterizer& canvas = impl_->canvas(width, height);
 
   // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
-  std::unique_ptr<overlay::PanelRenderer> panels;
+  std::unique_ptr<overlay::PanelRenderer> windows;
+  std::optional<overlay::PanelColumn> panels;
   if (!staging.view.panels.empty()) {
     const Timed timed(ledger, "start Dear ImGui");
-    panels = std::make_unique<overlay::PanelRenderer>(*impl_->context, width, height,
-                                                      staging.layout.scale);
+    windows = std::make_unique<overlay::PanelRenderer>(*impl_->context, width, height,
+                                                       staging.layout.scale);
+    panels.emplace(staging, frames);
   }
   for (const std::size_t index : which) {
     stop_if_interrupted();
@@ -65,14 +68,16 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
     }
     if (panels) {
       const Timed timed(ledger, "panels");
-      overlay::PanelFacts facts{staging, frames, index, std::nullopt};
-      if (index < nanoseconds.size()) facts.pipeline_nanoseconds = nanoseconds[index];
-      panels->begin_frame();
-      for (const std::string& what : overlay::draw_panels(facts)) {
+      draw::PanelMoment moment{index};
+      if (index < nanoseconds.size()) moment.pipeline_nanoseconds = nanoseconds[index];
+      draw::Drawing contents;
+      windows->begin_frame();
+      for (const std::string& what : panels->lay_out(moment, contents)) {
         ledger.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
                         "x" + std::to_string(height) + " has no room; a larger --size has");
       }
-      panels->end_frame_and_draw();
+      windows->end_frame_and_draw();
+      canvas.paint(contents);
     }
     Image image;
     {

@@ -10,7 +10,6 @@
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "image/image.h"
-#include "overlay/panels.h"
 #include "trace/trace.h"
 
 namespace contactscope::app {

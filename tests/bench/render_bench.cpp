@@ -14,6 +14,7 @@
 #include "gl/rasterizer.h"
 #include "image/png.h"
 #include "overlay/imgui_renderer.h"
+#include "overlay/panels.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
 
@@ -95,14 +96,15 @@ void panels(benchmark::State& state) {
   const auto context = gl::open_context(gl::Backend::Auto);
   gl::Rasterizer canvas(*context, kWidth, kHeight);
   overlay::PanelRenderer renderer(*context, kWidth, kHeight, prepared().staging.layout.scale);
-  const overlay::PanelFacts facts{prepared().staging, prepared().frames,
-                                  prepared().frames.size() - 1, std::nullopt};
+  const overlay::PanelColumn column(prepared().staging, prepared().frames);
   for (auto _ : state) {
     canvas.begin({1, 1, 1, 1});
     canvas.paint({kWidth, kHeight, {}, {}});
     renderer.begin_frame();
-    overlay::draw_panels(facts);
+    draw::Drawing contents;
+    column.lay_out({prepared().frames.size() - 1}, contents);
     renderer.end_frame_and_draw();
+    canvas.paint(contents);
   }
 }
 BENCHMARK(panels)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -1,30 +1,52 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "draw/scene/camera.h"
-#include "draw/scene/drawing.h"
+#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 
 /// What became of a contact id in one frame.
-enum class IdState { Absent, Dropped, Kept };
+enum class IdState : std::uint8_t { Absent, Dropped, Kept };
 
-/// Ids over time: one row an id, each with a state for every frame; grey while the point is there,
-/// vermilion while it is kept. A line marks frame `moment`. `pixel`: of a pixel at 720 lines.
-void draw_id_strip(const std::vector<std::vector<IdState>>& rows, std::size_t frames,
-                   std::size_t moment, const Rect& strip, float pixel, Drawing& drawing);
+/// Ids over the time of a sequence: one row an id, grey while the point is there, vermilion while it
+/// is kept. Made once a sequence; a picture costs what it shows of it.
+class IdHistory {
+ public:
+  IdHistory() = default;
+  /// `rows`: a state for every frame; `pairs`: of each row its pair, those of one pair need not be
+  /// next to each other.
+  IdHistory(const std::vector<std::vector<IdState>>& rows, const std::vector<std::size_t>& pairs);
 
-/// The same where rows would be too many to tell apart: one band a pair, as high as it has kept
-/// points of the most that it ever had, and cut where one of them becomes another. `pairs`: of each
-/// row its pair.
-void draw_id_bands(const std::vector<std::vector<IdState>>& rows,
-                   const std::vector<std::size_t>& pairs, std::size_t frames, std::size_t moment,
-                   const Rect& strip, float pixel, Drawing& drawing);
+  std::size_t row_count() const { return rows_.size(); }
+  std::size_t pair_count() const { return bands_.size(); }
 
-/// The line alone.
-void draw_moment(const Rect& strip, std::size_t frames, std::size_t moment, float pixel,
-                 Drawing& drawing);
+  /// Frames before `until`; a line marks frame `moment`.
+  void draw_rows(const Rect& strip, std::size_t moment, std::size_t until, const Pen& pen) const;
+
+  /// The same where rows would be too many to tell apart: one band a pair, the first `count`, as
+  /// high as it has kept points of the most that it has had until then, and cut where one of them
+  /// becomes another.
+  void draw_bands(const Rect& strip, std::size_t moment, std::size_t until, std::size_t count,
+                  const Pen& pen) const;
+
+ private:
+  /// Frames in which nothing changes: from the first on, before the last.
+  struct Run {
+    std::size_t from = 0, to = 0;
+    IdState state = IdState::Absent;  // of a row
+    std::size_t kept = 0;             // points of a band
+  };
+
+  std::size_t frames_ = 0;
+  std::vector<std::vector<Run>> rows_;   // in the order of the pairs
+  std::vector<std::vector<Run>> bands_;  // a pair each
+};
+
+/// A line at a frame of so many, from a little above a chart to a little below it.
+void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen);
 
 }  // namespace contactscope::draw

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "draw/charts/plot_canvas.h"
+#include "draw/charts/plot_page.h"
 #include "draw/charts/plot_panel.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
@@ -17,15 +17,6 @@ constexpr double kTitle = 28;
 constexpr double kSubtitle = 15;
 constexpr double kCaption = 14;
 constexpr double kGutter = 22;
-
-std::string context_line(const trace::StudyContext& context) {
-  std::string line;
-  for (const std::string& part : {context.cpu, context.compiler, context.build_type, context.scalar,
-                                  context.date.substr(0, 10)}) {
-    if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
-  }
-  return line;
-}
 
 std::string subtitle(const trace::Study& study) {
   std::set<double> parameters;
@@ -61,18 +52,16 @@ Drawing plot(const trace::Study& study, int width, int height) {
   Drawing drawing;
   drawing.width = width;
   drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, context_line(study.context), layout,
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, true), layout,
                 drawing);
 
   const double left = layout.legend.x;
   const double inner = layout.legend.width;
   double top = left + layout.px(kTitle + 4);
-  Text note;
-  note.text = subtitle(study);
-  note.size = layout.px(kSubtitle);
-  note.at = {static_cast<float>(left), static_cast<float>(top) + 0.8f * note.size};
-  note.color = kQuietText;
-  drawing.primitives.push_back(note);
+  Pen(drawing, layout.scale, kSubtitle)
+      .text(subtitle(study),
+            {static_cast<float>(left), static_cast<float>(top) + 0.8f * layout.px(kSubtitle)},
+            Align::Left, kQuietText);
   top += layout.px(kSubtitle + 12);
   const double bottom = height - left - layout.px(kCaption + 6);
 

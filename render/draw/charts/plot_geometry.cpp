@@ -1,7 +1,6 @@
 #include "draw/charts/plot_geometry.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "image/font.h"
 
@@ -15,19 +14,6 @@ constexpr float kCross = 5;
 constexpr float kMargin = 16;
 constexpr float kMostLabelShare = 0.2f;  // of the width, kept free on the right
 constexpr float kMostCountShare = 0.4f;  // likewise, where counts of failures have no place else
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-
-  void include(double value) {
-    if (!(value > 0)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  /// Some range also where nothing was included.
-  Range or_else(double value) const { return high > 0 ? *this : Range{value, value}; }
-};
 
 std::string counted(const trace::StudySeries& series, int failed, int of) {
   return series.method + ": " + std::to_string(failed) + " of " + std::to_string(of);
@@ -64,12 +50,12 @@ class Mapping {
     const float right = static_cast<float>(area_.x + area_.width);
     const float top = static_cast<float>(area_.y);
     const float bottom = static_cast<float>(area_.y + area_.height);
-    const Range times = times_.or_else(1);
+    const PositiveRange times = times_.or_else(1);
     const auto axis = [&](float widest, float share) {
       const float room = std::min(widest + px(kMargin), share * static_cast<float>(area_.width));
-      return LogAxis(times.low, times.high, left, right, px(kMargin), room);
+      return Axis::logarithmic(times.low, times.high, left, right, px(kMargin), room);
     };
-    LogAxis x = axis(widest_, kMostLabelShare);
+    Axis x = axis(widest_, kMostLabelShare);
     if (!failures_fit(x, left, right)) x = axis(widest_count(), kMostCountShare);
 
     std::vector<Course> courses = failure_rows(x, left, right, top);
@@ -81,8 +67,8 @@ class Mapping {
     const float zeros_begin =
         zero_slots_ == 0 ? bottom
                          : bottom - px(kZeroSlot) * (static_cast<float>(zero_slots_) + 0.6f);
-    const Range errors = errors_.or_else(1);
-    const LogAxis y(errors.low, errors.high, zeros_begin, failures_end, px(kMargin), px(kMargin));
+    const PositiveRange errors = errors_.or_else(1);
+    const Axis y = Axis::logarithmic(errors.low, errors.high, zeros_begin, failures_end, px(kMargin), px(kMargin));
     add_points(x, y, zeros_begin, courses);
 
     const std::string label =
@@ -112,7 +98,7 @@ class Mapping {
 
   /// Whether each count of failures, in all panels, has room before its first cross or after its
   /// last.
-  bool failures_fit(const LogAxis& x, float left, float right) const {
+  bool failures_fit(const Axis& x, float left, float right) const {
     for (const trace::StudySeries& series : whole_.series) {
       float first = right, last = left;
       for (const trace::StudyPoint& point : series.points) {
@@ -127,7 +113,7 @@ class Mapping {
   }
 
   // A row for each method that failed; two share one where they do not meet.
-  std::vector<Course> failure_rows(const LogAxis& x, float left, float right, float top) const {
+  std::vector<Course> failure_rows(const Axis& x, float left, float right, float top) const {
     std::vector<Course> courses;
     std::vector<std::vector<std::array<float, 2>>> rows;
     for (const trace::StudySeries& series : study_.series) {
@@ -172,7 +158,7 @@ class Mapping {
     course.failure_text_at = {text_left, course.failure_row + 0.34f * px(kPlotText)};
   }
 
-  void add_points(const LogAxis& x, const LogAxis& y, float zeros_begin,
+  void add_points(const Axis& x, const Axis& y, float zeros_begin,
                   std::vector<Course>& courses) const {
     const std::vector<bool> front = on_front(study_, kind_);
     for (std::size_t i = 0; i < courses.size(); ++i) {
@@ -196,7 +182,7 @@ class Mapping {
   Rect area_;
   float scale_;
   float widest_ = 0;
-  Range times_, errors_;
+  PositiveRange times_, errors_;
   bool rounded_ = false;
   int zero_slots_ = 0;
   std::vector<int> zero_slot_;  // of each series; -1 where it has no zero

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "draw/charts/log_axis.h"
+#include "draw/charts/axis.h"
 #include "draw/charts/method_style.h"
+#include "draw/charts/plot_page.h"
 #include "draw/scene/camera.h"
 #include "trace/study.h"
 
@@ -32,11 +33,9 @@ struct PlotGeometry {
   float failures_end = 0;  // y where the rows of failures end; the area's top when there are none
   float zeros_begin = 0;   // y where the row of zeros begins; the area's bottom when there are none
   std::string zeros_label;  // "0", or "≤ 10⁻⁶" where some are not exactly zero
-  LogAxis x, y;
+  Axis x, y;
   std::vector<Course> courses;  // one a series, in order
 };
-
-inline constexpr float kPlotText = 14;  // labels on lines and ticks, pixels at 720 lines
 
 /// Maps a study's points into `area`, with room to the right of the slowest for the widest label.
 /// Axes span the points of `whole`, of which the study may be a panel.

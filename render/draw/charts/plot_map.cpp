@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "draw/charts/plot_canvas.h"
+#include "draw/charts/plot_page.h"
 #include "draw/scene/hatch.h"
 #include "draw/scene/palette.h"
 
@@ -27,14 +27,10 @@ std::size_t decade_of(double error) {
   return static_cast<std::size_t>(std::clamp(above, 0.0, double(kDecades.size() - 1)));
 }
 
-double largest(const trace::StudyPoint& point) {
-  return point.error_worst.value_or(point.error.value_or(0));
-}
-
 class Map {
  public:
   Map(const trace::Study& study, Drawing& drawing, float scale)
-      : study_(study), canvas_(drawing, scale) {
+      : study_(study), pen_(drawing, scale, kPlotText) {
     for (const trace::StudySeries& series : study.series) {
       numbered_ = numbered_ && series.row.has_value();
     }
@@ -46,27 +42,27 @@ class Map {
     std::size_t most = 0;
     for (const trace::StudySeries& series : study_.series) {
       for (const trace::StudyPoint& point : series.points) {
-        if (point.error) most = std::max(most, decade_of(largest(point)));
+        if (point.error) most = std::max(most, decade_of(largest_error(point)));
       }
     }
     for (std::size_t i = 0; i <= most; ++i) {
       const Rect box{at, middle - px(8), px(26), px(16)};
-      canvas_.fill(box, kDecades[i]);
-      canvas_.frame(box);
+      pen_.fill(box, kDecades[i]);
+      pen_.frame(box, 1.2, kChartBorder);
       const bool open = i + 1 == kDecades.size();
       const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));
       const std::string name = (open ? "> " : "≤ ") + spell_tick_error(bound, "");
-      canvas_.text(name, {at + px(32), middle + px(5)}, Align::Left, kText);
-      at += px(32) + canvas_.width_of(name) + px(18);
+      pen_.text(name, {at + px(32), middle + px(5)}, Align::Left, kText);
+      at += px(32) + pen_.width_of(name) + px(18);
     }
-    canvas_.cross({at + px(10), middle}, 5, kFailure);
+    pen_.cross({at + px(10), middle}, 5, 1.8, kFailure);
     at += px(22);
-    canvas_.text("cases failed", {at, middle + px(5)}, Align::Left, kText);
-    at += canvas_.width_of("cases failed") + px(18);
+    pen_.text("cases failed", {at, middle + px(5)}, Align::Left, kText);
+    at += pen_.width_of("cases failed") + px(18);
     const Rect box{at, middle - px(8), px(26), px(16)};
     hatched(box);
-    canvas_.frame(box);
-    canvas_.text("all of them", {at + px(32), middle + px(5)}, Align::Left, kText);
+    pen_.frame(box, 1.2, kChartBorder);
+    pen_.text("all of them", {at + px(32), middle + px(5)}, Align::Left, kText);
   }
 
   void panels(const Rect& space) {
@@ -79,14 +75,14 @@ class Map {
   }
 
  private:
-  float px(double at_720) const { return canvas_.px(at_720); }
+  float px(double at_720) const { return pen_.px(at_720); }
 
   /// Half a cell beyond the first and the last value.
-  static LogAxis axis_of(const std::vector<double>& values, double from, double to) {
+  static Axis axis_of(const std::vector<double>& values, double from, double to) {
     const double cell = std::abs(to - from) / static_cast<double>(values.size());
     const auto half = static_cast<float>(0.5 * cell);
-    return {values.front(),         values.back(), static_cast<float>(from),
-            static_cast<float>(to), half,          half};
+    return Axis::logarithmic(values.front(), values.back(), static_cast<float>(from),
+                             static_cast<float>(to), half, half);
   }
 
   void panel(const PlotPanel& panel, const Rect& area, bool labelled) {
@@ -96,7 +92,7 @@ class Map {
     }
     if (parameters.empty()) return;
     const double bottom = area.y + area.height;
-    const LogAxis x = axis_of(parameters, area.x, area.x + area.width);
+    const Axis x = axis_of(parameters, area.x, area.x + area.width);
     const double cell_width = area.width / static_cast<double>(parameters.size());
     const double cell_height = area.height / static_cast<double>(panel.series.size());
     for (std::size_t row = 0; row < panel.series.size(); ++row) {
@@ -108,7 +104,7 @@ class Map {
         cell(point, {left, area.y + from_top, cell_width, cell_height});
       }
       if (numbered_ || !labelled) continue;
-      canvas_.text(panel.series[row]->method,
+      pen_.text(panel.series[row]->method,
                    {static_cast<float>(area.x) - px(8),
                     static_cast<float>(area.y + from_top + 0.5 * cell_height) + px(5)},
                    Align::Right, kText);
@@ -116,16 +112,16 @@ class Map {
     if (numbered_) {
       std::vector<double> rows;
       for (const trace::StudySeries* series : panel.series) rows.push_back(*series->row);
-      canvas_.ticks_up(axis_of(rows, bottom, area.y), area, false, labelled);
+      draw_decades_up(axis_of(rows, bottom, area.y), area, false, labelled, pen_);
     }
-    canvas_.ticks_along(x, area, false);
-    canvas_.frame(area);
+    draw_decades_along(x, area, false, pen_);
+    pen_.frame(area, 1.2, kChartBorder);
     const float above = static_cast<float>(area.y) - px(6);
-    canvas_.text(panel.name, {static_cast<float>(area.x), above}, Align::Left, kText, Weight::Bold);
+    pen_.text(panel.name, {static_cast<float>(area.x), above}, Align::Left, kText, Weight::Bold);
     const std::string axes =
         "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
-    if (canvas_.width_of(axes) + canvas_.width_of(panel.name, Weight::Bold) + px(12) < area.width) {
-      canvas_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right,
+    if (pen_.width_of(axes) + pen_.width_of(panel.name, Weight::Bold) + px(12) < area.width) {
+      pen_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right,
                    kQuietText);
     }
   }
@@ -134,21 +130,21 @@ class Map {
   void hatched(const Rect& rect) {
     const double right = rect.x + rect.width, bottom = rect.y + rect.height;
     hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, px(6), px(1),
-          with_alpha(kDropped, 0.4f), canvas_.drawing());
+          with_alpha(kDropped, 0.4f), pen_.drawing());
   }
 
   void cell(const trace::StudyPoint& point, const Rect& rect) {
-    if (point.error) canvas_.fill(rect, kDecades[decade_of(largest(point))]);
+    if (point.error) pen_.fill(rect, kDecades[decade_of(largest_error(point))]);
     if (point.failed == 0) return;
     if (!point.error) hatched(rect);
     const double room = 0.32 * std::min(rect.width, rect.height) / px(1);
     const Point2 middle{static_cast<float>(rect.x + 0.5 * rect.width),
                         static_cast<float>(rect.y + 0.5 * rect.height)};
-    canvas_.cross(middle, std::clamp(room, 2.0, 5.0), kFailure);
+    pen_.cross(middle, std::clamp(room, 2.0, 5.0), 1.8, kFailure);
   }
 
   const trace::Study& study_;
-  PlotCanvas canvas_;
+  Pen pen_;
   bool numbered_ = true;
 };
 

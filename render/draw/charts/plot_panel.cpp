@@ -19,9 +19,7 @@ constexpr float kMutedMarker = 3.3f;
 constexpr float kCross = 4;
 constexpr float kLeastDecade = 70;  // shorter ones would be a grey of minor lines
 
-constexpr Color kGrid = rgb(0xD5DADF);
 constexpr Color kMinorGrid = rgb(0xEEF0F2);
-constexpr Color kBorder = rgb(0x8A9099);
 
 // Opaque, so that a marker on its line does not show the line.
 Color muted(const Color& color) {
@@ -44,8 +42,7 @@ class Panel {
       : study_(study),
         kind_(kind),
         rect_(rect),
-        scale_(scale),
-        out_(drawing),
+        pen_(drawing, scale, kPlotText),
         plot_(plot_geometry(study, kind, area_in(rect, scale), scale, whole)),
         left_(static_cast<float>(plot_.area.x)),
         right_(static_cast<float>(plot_.area.x + plot_.area.width)),
@@ -72,32 +69,16 @@ class Panel {
   }
 
  private:
-  float px(float at_720) const { return scale_ * at_720; }
-
-  void text(const std::string& what, const Point2& at, Align align, const Color& color,
-            Weight weight = Weight::Regular, float size = kPlotText) {
-    Text result;
-    result.text = what;
-    result.at = at;
-    result.size = px(size);
-    result.weight = weight;
-    result.align = align;
-    result.color = color;
-    out_.primitives.push_back(result);
-  }
-
-  void line(const Point2& from, const Point2& to, float width, const Color& color) {
-    out_.primitives.push_back(Stroke{from, to, px(width), color});
-  }
+  float px(double at_720) const { return pen_.px(at_720); }
 
   void draw_grid() {
     for (const bool decades : {false, true}) {
-      const Color& color = decades ? kGrid : kMinorGrid;
-      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) line({tick.at, top_}, {tick.at, bottom_}, 1, color);
+      const Color& color = decades ? kChartGrid : kMinorGrid;
+      for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) pen_.line({tick.at, top_}, {tick.at, bottom_}, 1, color);
       }
-      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) line({left_, tick.at}, {right_, tick.at}, 1, color);
+      for (const Axis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) pen_.line({left_, tick.at}, {right_, tick.at}, 1, color);
       }
     }
     draw_time_ticks();
@@ -108,7 +89,7 @@ class Panel {
   void draw_time_ticks() {
     std::vector<std::array<float, 2>> taken;
     for (const bool decades : {true, false}) {
-      for (const LogAxis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
+      for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
         if (!tick.labelled || tick.decade != decades) continue;
         const std::string label = spell_tick_time(tick.value);
         const float half = 0.5f * text_width(label, px(kPlotText), FontWeight::Regular);
@@ -118,8 +99,8 @@ class Panel {
           continue;
         }
         taken.push_back({begin, end});
-        line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kBorder);
-        text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
+        pen_.line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kChartBorder);
+        pen_.text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
       }
     }
   }
@@ -130,14 +111,14 @@ class Panel {
       const float clear = px(kPlotText);
       if (std::ranges::any_of(taken, [&](float t) { return std::abs(t - y) < clear; })) return;
       taken.push_back(y);
-      text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
+      pen_.text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
     };
     if (plot_.zeros_begin < bottom_) {
       label(plot_.zeros_label, 0.5f * (plot_.zeros_begin + bottom_));
     }
     if (plot_.failures_end > top_) label("failed", 0.5f * (top_ + plot_.failures_end));
     for (const bool decades : {true, false}) {
-      for (const LogAxis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
+      for (const Axis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
         if (!tick.labelled || tick.decade != decades) continue;
         label(spell_tick_error(tick.value, study_.unit), tick.at);
       }
@@ -148,14 +129,14 @@ class Panel {
     const std::string which = kind_ == ErrorKind::Mean ? "mean" : "worst";
     const float x = static_cast<float>(rect_.x);
     const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
-    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
+    pen_.text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
     if (!study_.series.empty() && !study_.series.front().panel.empty()) {
-      text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+      pen_.text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold, kHeading);
       return;
     }
-    text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
+    pen_.text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
     const float used = text_width(study_.error + "  ", px(kHeading), FontWeight::Regular);
-    text(which, {x + used, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+    pen_.text(which, {x + used, baseline}, Align::Left, kText, Weight::Bold, kHeading);
   }
 
   void draw_spread(const Course& course) {
@@ -164,59 +145,38 @@ class Panel {
       const float before = course.points[i - 1].y, after = course.points[i].y;
       const auto& [low, high] = course.spread[i];
       const auto& [low_before, high_before] = course.spread[i - 1];
-      out_.primitives.push_back(
-          Fill{{{low_before, before}, {high_before, before}, {high, after}, {low, after}}, color});
+      pen_.fill({{low_before, before}, {high_before, before}, {high, after}, {low, after}}, color);
     }
   }
 
   void draw_line(const Course& course) {
     const MethodStyle& style = course.style;
-    float run = 0;
-    for (std::size_t i = 1; i < course.points.size(); ++i) {
-      const Point2& from = course.points[i - 1];
-      const Point2& to = course.points[i];
-      Stroke stroke{from, to, px(course.strong ? 3.0f : 1.2f),
-                    course.strong ? style.color : muted(style.color), Cap::Round};
-      if (style.gap > 0) stroke.cap = Cap::Butt;
-      stroke.dash = px(style.dash);
-      stroke.gap = px(style.gap);
-      stroke.phase = run;
-      run += std::hypot(to.x - from.x, to.y - from.y);
-      out_.primitives.push_back(stroke);
-    }
+    pen_.path(course.points, course.strong ? 3.0 : 1.2,
+              course.strong ? style.color : muted(style.color), style.dash, style.gap);
   }
 
   void draw_markers(const Course& course) {
     const float radius = px(course.strong ? kStrongMarker : kMutedMarker);
     const Color color = course.strong ? course.style.color : muted(course.style.color);
     for (const Point2& point : course.points) {
-      if (course.strong) draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, out_);
-      draw_marker(course.style.marker, point, radius, color, out_);
+      if (course.strong) draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, pen_.drawing());
+      draw_marker(course.style.marker, point, radius, color, pen_.drawing());
     }
   }
 
   void draw_failures() {
-    const float r = px(kCross);
     for (const Course& course : plot_.courses) {
       if (course.failed == 0) continue;
-      for (const float x : course.failures) {
-        const Point2 at{x, course.failure_row};
-        line({at.x - r, at.y - r}, {at.x + r, at.y + r}, 2, course.style.color);
-        line({at.x - r, at.y + r}, {at.x + r, at.y - r}, 2, course.style.color);
-      }
-      text(course.failure_text, course.failure_text_at, Align::Left, course.style.text);
+      for (const float x : course.failures)
+        pen_.cross({x, course.failure_row}, kCross, 2, course.style.color);
+      pen_.text(course.failure_text, course.failure_text_at, Align::Left, course.style.text);
     }
   }
 
   void draw_border() {
-    const Point2 corners[4] = {{left_, top_}, {right_, top_}, {right_, bottom_}, {left_, bottom_}};
-    for (int i = 0; i < 4; ++i) line(corners[i], corners[(i + 1) % 4], 1.2f, kBorder);
+    pen_.frame(plot_.area, 1.2, kChartBorder);
     for (const float y : {plot_.failures_end, plot_.zeros_begin}) {
-      if (y <= top_ || y >= bottom_) continue;
-      Stroke split{{left_, y}, {right_, y}, px(1.2f), kBorder};
-      split.dash = px(4);
-      split.gap = px(4);
-      out_.primitives.push_back(split);
+      if (y > top_ && y < bottom_) pen_.line({left_, y}, {right_, y}, 1.2, kChartBorder, 4, 4);
     }
   }
 
@@ -269,11 +229,10 @@ class Panel {
     const float x = static_cast<float>(best.x) + px(3);
     const float y = static_cast<float>(best.y + best.height) - px(3);
     const float head = px(11);
-    line({x + 0.6f * head, y - 0.6f * head}, {x + reach, y - reach}, 3, kText);
-    out_.primitives.push_back(
-        Fill{{{x, y}, {x + 1.15f * head, y - 0.35f * head}, {x + 0.35f * head, y - 1.15f * head}},
-             kText});
-    text(word, {x + reach + px(3), y - reach + px(7)}, Align::Left, kText, Weight::Bold);
+    pen_.line({x + 0.6f * head, y - 0.6f * head}, {x + reach, y - reach}, 3, kText);
+    pen_.fill({{x, y}, {x + 1.15f * head, y - 0.35f * head}, {x + 0.35f * head, y - 1.15f * head}},
+              kText);
+    pen_.text(word, {x + reach + px(3), y - reach + px(7)}, Align::Left, kText, Weight::Bold);
     return best;
   }
 
@@ -306,29 +265,23 @@ class Panel {
     const Rect frame{left_ + inset, plot_.failures_end + inset, right_ - left_ - 2 * inset,
                      bottom_ - plot_.failures_end - 2 * inset};
     const std::vector<PlacedLabel> places =
-        place_line_labels(labels, obstacles, frame, height, scale_);
+        place_line_labels(labels, obstacles, frame, height, pen_.scale());
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (!places[i].needs_leader) continue;
-      line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
+      pen_.line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
-      Text label;
-      label.text = order[i]->method;
-      label.size = px(kPlotText);
-      label.weight = order[i]->strong ? Weight::Bold : Weight::Regular;
-      label.at = {static_cast<float>(places[i].box.x),
-                  static_cast<float>(places[i].box.y) + 0.5f * (height + 0.68f * px(kPlotText))};
-      label.color = order[i]->style.text;
-      label.halo = px(2);
-      out_.primitives.push_back(label);
+      const Point2 at{static_cast<float>(places[i].box.x),
+                      static_cast<float>(places[i].box.y) + 0.5f * (height + 0.68f * height)};
+      pen_.text(order[i]->method, at, Align::Left, order[i]->style.text,
+                order[i]->strong ? Weight::Bold : Weight::Regular, 0, 2);
     }
   }
 
   const trace::Study& study_;
   ErrorKind kind_;
   Rect rect_;
-  float scale_;
-  Drawing& out_;
+  Pen pen_;
   PlotGeometry plot_;
   float left_, right_, top_, bottom_;
 };

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "draw/charts/axis.h"
 #include "draw/charts/id_strip.h"
-#include "draw/charts/plot_canvas.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "image/font.h"
+#include "draw/scene/sequence_scales.h"
 
 namespace contactscope::draw {
 namespace {
@@ -18,37 +18,10 @@ constexpr double kChartHeading = 22;  // pixels at 720 lines, above the curves
 constexpr double kNothing = 1e-9;     // of any unit: what is left of zero by rounding
 constexpr double kChartHeadroom = 1.08;
 
-struct ValueSpan {
-  double low = 0, high = 0;
-};
-
-ValueSpan span_of(const SeriesChart& chart) {
-  ValueSpan span;
-  for (const std::vector<double>& curve : chart.curves) {
-    for (const double value : curve) {
-      if (std::isnan(value)) continue;
-      span.low = std::min(span.low, value);
-      span.high = std::max(span.high, value);
-    }
-  }
-  if (!chart.unit.empty() && span.high < kNothing && span.low > -kNothing) span = {};
-  if (span.high == span.low) span.high = 1;  // nothing but zeros
-  return span;
-}
-
 std::string plain_number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", std::abs(value));
   return (value < 0 ? "−" : "") + std::string(text.data());
-}
-
-/// 1, 2, 3, 4, 5, 6 or 8 times a power of ten: the largest up to `value` > 0.
-double tick_below(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0}) {
-    if (step * decade <= value * (1 + 1e-9)) return step * decade;
-  }
-  return decade;
 }
 
 /// In the axis' unit: numbers that follow each other in one place should not change theirs.
@@ -77,123 +50,89 @@ Prefix axis_prefix(const std::string& unit, double largest) {
 
 class ChartPainter {
  public:
-  ChartPainter(const SeriesChart& chart, std::size_t moment, const Rect& rect, float pixel,
-               Drawing& drawing)
-      : chart_(chart), moment_(moment), rect_(rect), pixel_(pixel), out_(drawing) {
-    span_ = span_of(chart);
-    const double gutter = pixel * kChartGutter, heading = pixel * kChartHeading;
-    area_ = {rect.x + gutter, rect.y + heading, rect.width - gutter,
-             rect.height - heading - 4 * pixel};
+  ChartPainter(const SeriesChart& chart, std::size_t moment, const Rect& rect, const Pen& pen)
+      : chart_(chart), moment_(moment), rect_(rect), area_(area_in(rect, pen)), pen_(pen) {
     frames_ = chart.curves.empty() ? 0 : chart.curves.front().size();
+    y_ = Axis::linear(kChartHeadroom * chart.low, kChartHeadroom * chart.high,
+                      static_cast<float>(area_.y + area_.height), static_cast<float>(area_.y));
+    prefix_ = axis_prefix(chart.unit, std::max(chart.high, -chart.low));
   }
 
   void run() {
     if (frames_ == 0) return;
-    const Prefix prefix = axis_prefix(chart_.unit, std::max(span_.high, -span_.low));
-    head(prefix);
-    fill_ground();
-    tick(0, "0");
-    const double top = tick_below(span_.high > 0 ? span_.high : -span_.low);
-    const double at = span_.high > 0 ? top : -top;
-    tick(at, plain_number(at / prefix.size));
-    if (span_.high > 0 && span_.low < 0) {
-      const double bottom = -tick_below(-span_.low);
-      tick(bottom, plain_number(bottom / prefix.size));
-    }
+    head();
+    pen_.fill(area_, with_alpha(kQuietText, 0.07f));
+    tick(0);
+    if (chart_.high > 0) tick(round_down(chart_.high));
+    if (chart_.low < 0) tick(-round_down(-chart_.low));
     for (const SeriesChange& change : chart_.changes) draw_change(change);
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) curve(chart_.curves[i], style(i));
+    draw_moment(area_, frames_, moment_, pen_);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
-      curve(chart_.curves[i], style(i));
-    }
-    draw_moment(area_, frames_, moment_, pixel_, out_);
-    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
-      if (std::isnan(chart_.curves[i][moment_])) continue;
-      out_.primitives.push_back(
-          Disc{place(moment_, chart_.curves[i][moment_]), 0, 3.6f * pixel_, style(i).color});
+      const double newest = chart_.curves[i][moment_];
+      if (!std::isnan(newest)) pen_.disc(place(moment_, newest), 3.6, style(i).color);
     }
   }
 
  private:
+  static Rect area_in(const Rect& rect, const Pen& pen) {
+    const double gutter = pen.px(kChartGutter), heading = pen.px(kChartHeading);
+    return {rect.x + gutter, rect.y + heading, rect.width - gutter,
+            rect.height - heading - pen.px(4)};
+  }
+
   SeriesStyle style(std::size_t curve) const {
     return chart_.total ? SeriesStyle{kText, 0} : series_style(curve);
   }
 
   Point2 place(std::size_t frame, double value) const {
-    const double x =
-        area_.x + area_.width * (static_cast<double>(frame) + 0.5) / static_cast<double>(frames_);
-    return {static_cast<float>(x), y_of(value)};
+    const double share = (static_cast<double>(frame) + 0.5) / static_cast<double>(frames_);
+    return {static_cast<float>(area_.x + area_.width * share), y_.at(value)};
   }
 
-  float y_of(double value) const {
-    const double high = kChartHeadroom * span_.high, low = kChartHeadroom * span_.low;
-    return static_cast<float>(area_.y + area_.height * (high - value) / (high - low));
-  }
-
-  void line(const Point2& from, const Point2& to, double width, const Color& color, float dash,
-            float phase) {
-    Stroke stroke{from, to, pixel_ * static_cast<float>(width), color};
-    stroke.cap = dash > 0 ? Cap::Butt : Cap::Round;
-    stroke.dash = pixel_ * dash;
-    stroke.gap = 0.6f * stroke.dash;
-    stroke.phase = phase;
-    out_.primitives.push_back(stroke);
-  }
-
-  void head(const Prefix& prefix) {
-    const auto baseline = static_cast<float>(rect_.y + pixel_ * (kChartHeading - 8));
+  void head() {
+    const auto baseline = static_cast<float>(rect_.y + pen_.px(kChartHeading - 8));
     std::string name = chart_.name;
-    if (!chart_.unit.empty()) name += ", " + (prefix.name + chart_.unit);
-    // The newest_value values stand above the newest_value end of the axis, each in its curve's colour.
-    double right = area_.x + area_.width;
+    if (!chart_.unit.empty()) name += ", " + (prefix_.name + chart_.unit);
+    // The newest values stand above the newest end of the axis, each in its curve's colour.
+    auto right = static_cast<float>(area_.x + area_.width);
     for (std::size_t i = chart_.curves.size(); i-- > 0;) {
-      std::string text = newest_value(chart_, chart_.curves[i][moment_], prefix);
-      if (!chart_.subject.empty()) text = chart_.subject + " " + text;
-      const float size = pixel_ * static_cast<float>(kChartText);
-      const double width = text_width(text, size, FontWeight::Bold);
-      chart_text(text, {static_cast<float>(right), baseline}, Align::Right, style(i).color, pixel_,
-                 out_, Weight::Bold);
-      right -= width + 10 * pixel_;
+      std::string text = newest_value(chart_, chart_.curves[i][moment_], prefix_);
+      if (moment_ < chart_.subjects.size() && !chart_.subjects[moment_].empty())
+        text = chart_.subjects[moment_] + " " + text;
+      pen_.text(text, {right, baseline}, Align::Right, style(i).color, Weight::Bold);
+      right -= pen_.width_of(text, Weight::Bold) + pen_.px(10);
     }
-    chart_text(name, {static_cast<float>(rect_.x), baseline}, Align::Left, kText, pixel_, out_);
+    pen_.text(name, {static_cast<float>(rect_.x), baseline}, Align::Left, kText);
   }
 
-  void fill_ground() {
-    const auto x0 = static_cast<float>(area_.x), x1 = static_cast<float>(area_.x + area_.width);
-    const auto y0 = static_cast<float>(area_.y), y1 = static_cast<float>(area_.y + area_.height);
-    out_.primitives.push_back(
-        Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, with_alpha(kQuietText, 0.07f)});
-  }
-
-  void tick(double value, const std::string& text) {
-    const float y = y_of(value);
-    const auto left = static_cast<float>(area_.x),
-               right = static_cast<float>(area_.x + area_.width);
+  void tick(double value) {
+    const float y = y_.at(value);
+    const auto left = static_cast<float>(area_.x);
     const bool strong = value == 0 && chart_.baseline;
-    line({left, y}, {right, y}, strong ? 1.6 : 1.0, strong ? kText : kPlotBorder, 0, 0);
-    const float size = pixel_ * static_cast<float>(kChartText - 1);
-    if (value != 0 && std::abs(y - y_of(0)) < 0.9f * size) return;  // no room beside the zero
-    chart_text(text, {left - 6 * pixel_, y + 0.34f * size}, Align::Right, kQuietText, pixel_, out_);
+    pen_.line({left, y}, {static_cast<float>(area_.x + area_.width), y}, strong ? 1.6 : 1.0,
+              strong ? kText : kChartBorder);
+    const float size = pen_.px(kChartText - 1);
+    if (value != 0 && std::abs(y - y_.at(0)) < 0.9f * size) return;  // no room beside the zero
+    pen_.text(value == 0 ? "0" : plain_number(value / prefix_.size),
+              {left - pen_.px(6), y + 0.34f * size}, Align::Right, kQuietText);
   }
 
   // A thin line across, with what was on its left and what is on its right.
   void draw_change(const SeriesChange& change) {
     if (change.frame == 0 || change.frame > moment_ || change.frame >= frames_) return;
     const float x = 0.5f * (place(change.frame - 1, 0).x + place(change.frame, 0).x);
-    const auto top = static_cast<float>(area_.y),
-               bottom = static_cast<float>(area_.y + area_.height);
-    line({x, top}, {x, bottom}, 1.4, kAxisText, 4, 0);
-    const float baseline = bottom - 5 * pixel_;
-    chart_text(change.before, {x - 5 * pixel_, baseline}, Align::Right, kAxisText, pixel_, out_);
-    chart_text(change.after, {x + 5 * pixel_, baseline}, Align::Left, kAxisText, pixel_, out_);
+    const auto bottom = static_cast<float>(area_.y + area_.height);
+    pen_.line({x, static_cast<float>(area_.y)}, {x, bottom}, 1.4, kAxisText, 4);
+    const float baseline = bottom - pen_.px(5);
+    pen_.text(change.before, {x - pen_.px(5), baseline}, Align::Right, kAxisText);
+    pen_.text(change.after, {x + pen_.px(5), baseline}, Align::Left, kAxisText);
   }
 
   void curve(const std::vector<double>& values, const SeriesStyle& style) {
     std::vector<Point2> points;
     const auto finish = [&] {
-      float run = 0;
-      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        line(points[i], points[i + 1], 2.2, style.color, style.dash, run);
-        run += std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y);
-      }
+      pen_.path(points, 2.2, style.color, style.dash);
       points.clear();
     };
     for (std::size_t f = 0; f <= moment_ && f < values.size(); ++f) {
@@ -215,13 +154,26 @@ class ChartPainter {
   const SeriesChart& chart_;
   std::size_t moment_;
   Rect rect_, area_;
-  float pixel_;
-  Drawing& out_;
-  ValueSpan span_;
+  Pen pen_;
+  Axis y_;
+  Prefix prefix_;
   std::size_t frames_ = 0;
 };
 
 }  // namespace
+
+void SeriesChart::fit() {
+  low = high = 0;
+  for (const std::vector<double>& curve : curves) {
+    for (const double value : curve) {
+      if (std::isnan(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (!unit.empty() && high < kNothing && low > -kNothing) low = high = 0;
+  if (high == low) high = 1;  // nothing but zeros
+}
 
 SeriesStyle series_style(std::size_t index) {
   constexpr std::array<SeriesStyle, 4> kStyles{
@@ -229,21 +181,24 @@ SeriesStyle series_style(std::size_t index) {
   return kStyles[index % kStyles.size()];
 }
 
-void chart_text(const std::string& text, const Point2& at, Align align, const Color& color,
-                float pixel, Drawing& drawing, Weight weight) {
-  Text result;
-  result.text = text;
-  result.at = at;
-  result.size = pixel * static_cast<float>(kChartText);
-  result.weight = weight;
-  result.align = align;
-  result.color = color;
-  drawing.primitives.push_back(result);
+void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,
+                       const Pen& pen) {
+  ChartPainter(chart, moment, rect, pen).run();
 }
 
-void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect, float pixel,
-                       Drawing& drawing) {
-  ChartPainter(chart, moment, rect, pixel, drawing).run();
+void draw_series_swatch(std::size_t index, const Point2& left, double length, const Pen& pen) {
+  const SeriesStyle style = series_style(index);
+  pen.line(left, {left.x + pen.px(length), left.y}, 2.4, style.color, style.dash);
+}
+
+void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen) {
+  const auto at = [&](const std::string& what, double share, Align align) {
+    pen.text(what, {static_cast<float>(left + share * width), static_cast<float>(baseline)}, align,
+             kQuietText);
+  };
+  at("0", 0, Align::Left);
+  at("time", 0.5, Align::Center);
+  at(spell_quantity(duration, "s"), 1, Align::Right);
 }
 
 }  // namespace contactscope::draw

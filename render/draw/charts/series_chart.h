@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "draw/scene/camera.h"
-#include "draw/scene/drawing.h"
+#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 
@@ -31,20 +31,27 @@ struct SeriesChart {
   bool baseline = false;                      // values go below zero: the zero line is drawn strong
   std::vector<SeriesChange> changes{};
   bool total = false;     // one curve of what other charts have several of: in the colour of text
-  std::string subject{};  // whose the newest value is; of one curve
+  std::vector<std::string> subjects{};  // of one curve: whose its value is, a name a frame
+
+  /// Bounds of all values and zero, of a sequence in which nothing happens zero and one. fit() sets
+  /// them, once the curves are there.
+  double low = 0, high = 1;
+  void fit();
 };
 
-/// Pixels at 720 lines.
+/// Sizes in pixels at 720 lines: of text, and of the room for ticks left of a chart.
 inline constexpr double kChartText = 15;
 inline constexpr double kChartGutter = 46;
 
 /// Draws frames 0 to `moment` on an axis that holds all frames. `rect` is all that the chart may
-/// use, its gutter and heading included; `pixel` is one pixel at 720 lines.
-void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect, float pixel,
-                       Drawing& drawing);
+/// use, its gutter and heading included.
+void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,
+                       const Pen& pen);
 
-/// Text of a chart; `at` on the baseline.
-void chart_text(const std::string& text, const Point2& at, Align align, const Color& color,
-                float pixel, Drawing& drawing, Weight weight = Weight::Regular);
+/// How the curve of this number looks, `length` pixels at 720 lines.
+void draw_series_swatch(std::size_t index, const Point2& left, double length, const Pen& pen);
+
+/// Under charts of the whole sequence: "0", "time", and how long it is in seconds.
+void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen);
 
 }  // namespace contactscope::draw

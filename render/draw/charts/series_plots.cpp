@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "draw/charts/series_chart.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -15,8 +12,10 @@ constexpr double kLeastPlot = 46;
 constexpr double kMostPlot = 120;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
+constexpr double kNameSwatch = 22;
 constexpr double kStripHeading = 19;
 constexpr double kMostIdStrip = 72;
+constexpr double kStripShare = 0.16;  // of the height of all charts
 constexpr double kIdRow = 9;
 constexpr double kLeastIdRow = 2.6;
 constexpr double kLegibleIdRow = 3.4;  // thinner rows are a solid block
@@ -27,8 +26,7 @@ std::vector<double> divided(std::vector<double> values, double by) {
 }
 
 /// Lines of pairs in the charts that have them; the other quantities belong to no pair.
-std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series, std::size_t moment,
-                                   double step) {
+std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series, double step) {
   const std::vector<PairSeries>* pairs =
       series.size() == 1 && !series[0].pairs.empty() ? &series[0].pairs : nullptr;
   const double unit = step > 0 ? step : 1;
@@ -50,9 +48,7 @@ std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series, std::s
     penetration.curves.push_back(one.penetration);
     impulse.curves.push_back(divided(one.impulse, unit));
   }
-  if (series.size() == 1 && moment < series[0].deepest.size()) {
-    penetration.subject = series[0].deepest[moment];
-  }
+  if (series.size() == 1) penetration.subjects = series[0].deepest;
   const std::vector<std::string>& query = series.front().query;
   for (std::size_t f = 1; f < query.size(); ++f) {
     if (query[f].empty() || query[f - 1].empty() || query[f] == query[f - 1]) continue;
@@ -60,17 +56,25 @@ std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series, std::s
   }
   std::vector<SeriesChart> charts = {penetration, energy, impulse, points};
   std::erase_if(charts, [](const SeriesChart& one) { return one.curves.front().empty(); });
+  for (SeriesChart& chart : charts) chart.fit();
   return charts;
 }
 
-/// Only what has been so far.
-std::vector<std::vector<IdState>> until(const TimeSeries& series, std::size_t moment) {
-  std::vector<std::vector<IdState>> rows = series.ids;
-  for (std::vector<IdState>& row : rows) {
-    std::fill(row.begin() + static_cast<std::ptrdiff_t>(std::min(moment + 1, row.size())),
-              row.end(), IdState::Absent);
+/// The ids of all series; pairs of one series have numbers of their own.
+IdHistory ids_of(const std::vector<TimeSeries>& series) {
+  std::vector<std::vector<IdState>> rows;
+  std::vector<std::size_t> pairs;
+  std::size_t before = 0;
+  for (const TimeSeries& one : series) {
+    rows.insert(rows.end(), one.ids.begin(), one.ids.end());
+    std::size_t next = before;
+    for (const std::size_t pair : one.id_pairs) {
+      pairs.push_back(before + pair);
+      next = std::max(next, before + pair + 1);
+    }
+    before = next;
   }
-  return rows;
+  return {rows, pairs};
 }
 
 std::vector<std::string> names_of(const std::vector<TimeSeries>& series) {
@@ -83,109 +87,88 @@ std::vector<std::string> names_of(const std::vector<TimeSeries>& series) {
   return names;
 }
 
-/// Returns the height of the rows, or draws them too.
-double names_rows(const std::vector<std::string>& names, const Rect& rect, float pixel,
-                  Drawing* drawing) {
-  if (names.empty()) return 0;
-  double x = rect.x, y = rect.y;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const double width = 28 * pixel + text_width(names[i], pixel * static_cast<float>(kChartText),
-                                                 FontWeight::Regular);
-    if (x > rect.x && x + width > rect.x + rect.width) {
-      x = rect.x;
-      y += pixel * kNamesRow;
-    }
-    if (drawing != nullptr) {
-      const auto left = static_cast<float>(x);
-      const auto middle = static_cast<float>(y + 0.45 * pixel * kNamesRow);
-      const SeriesStyle style = series_style(i);
-      Stroke swatch{{left, middle}, {left + 22 * pixel, middle}, 2.4f * pixel, style.color};
-      swatch.dash = pixel * style.dash;
-      swatch.gap = 0.6f * swatch.dash;
-      drawing->primitives.push_back(swatch);
-      chart_text(names[i], {left + 28 * pixel, middle + 5 * pixel}, Align::Left, kText, pixel,
-                 *drawing);
-    }
-    x += width + 16 * pixel;
-  }
-  return y + pixel * kNamesRow - rect.y;
-}
-
-/// The rows of all series by pair, those of one pair next to each other.
-struct IdRows {
-  std::vector<std::vector<IdState>> states;
-  std::vector<std::size_t> pairs;
-  std::size_t pair_count = 0;
-};
-
-IdRows id_rows(const std::vector<TimeSeries>& series, std::size_t moment) {
-  IdRows all;
-  for (const TimeSeries& one : series) {
-    const std::vector<std::vector<IdState>> rows = until(one, moment);
-    std::size_t pairs = 0;
-    for (const std::size_t pair : one.id_pairs) pairs = std::max(pairs, pair + 1);
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-      for (std::size_t row = 0; row < rows.size(); ++row) {
-        if (one.id_pairs[row] != pair) continue;
-        all.states.push_back(rows[row]);
-        all.pairs.push_back(all.pair_count + pair);
-      }
-    }
-    all.pair_count += pairs;
-  }
-  return all;
-}
-
 }  // namespace
 
-std::size_t draw_series_plots(const std::vector<TimeSeries>& series, std::size_t moment,
-                              double duration, const Rect& rect, float pixel, Drawing& drawing,
-                              double step) {
-  if (series.empty() || series.front().points.empty()) return 0;
-  const std::size_t frames = series.front().points.size();
-  std::vector<SeriesChart> charts = charts_of(series, moment, step);
-  const std::vector<std::string> names = names_of(series);
-  const double named = names_rows(names, rect, pixel, &drawing);
-  double y = rect.y + named, room = rect.height - pixel * kTimeAxis - named;
-  const IdRows ids = id_rows(series, moment);
-  const auto id_count = static_cast<double>(ids.states.size());
-  const double least = pixel * kLeastPlot;
-  const double wanted = std::min({pixel * kMostIdStrip, 0.16 * room, pixel * kIdRow * id_count});
-  double strip = pixel * kStripHeading +
-                 std::max(wanted, std::min(0.16 * room, pixel * kLeastIdRow * id_count));
-  if (ids.states.empty() || room - strip < least * static_cast<double>(charts.size())) strip = 0;
-  const std::size_t all_charts = charts.size();
-  while (charts.size() > 1 && room - strip < least * static_cast<double>(charts.size())) {
-    charts.pop_back();
-  }
-  const double height =
-      std::min(pixel * kMostPlot, (room - strip) / static_cast<double>(charts.size()));
-  for (const SeriesChart& chart : charts) {
-    draw_series_chart(chart, moment, {rect.x, y, rect.width, height}, pixel, drawing);
-    y += height;
-  }
-  const double left = rect.x + pixel * kChartGutter;
-  const double width = rect.x + rect.width - left;
-  if (strip > 0) {
-    const auto baseline = static_cast<float>(y + pixel * (kStripHeading - 6));
-    const Rect inner{left, y + pixel * kStripHeading, width, strip - pixel * (kStripHeading + 4)};
-    const bool bands = inner.height < pixel * kLegibleIdRow * id_count && ids.pair_count > 1;
-    chart_text(bands ? "contact ids by pair, cut where one changes" : "contact ids, a row each",
-               {static_cast<float>(rect.x), baseline}, Align::Left, kText, pixel, drawing);
-    if (bands) {
-      draw_id_bands(ids.states, ids.pairs, frames, moment, inner, pixel, drawing);
-    } else {
-      draw_id_strip(ids.states, frames, moment, inner, pixel, drawing);
+SeriesPlots::SeriesPlots(const std::vector<TimeSeries>& series, double duration, double step)
+    : duration_(duration) {
+  if (series.empty() || series.front().points.empty()) return;
+  charts_ = charts_of(series, step);
+  names_ = names_of(series);
+  ids_ = ids_of(series);
+}
+
+/// The names of the curves, in as many rows as they take. Returns the height of these.
+double SeriesPlots::draw_names(const Rect& rect, const Pen& pen) const {
+  if (names_.empty()) return 0;
+  double x = rect.x, y = rect.y;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const double width = pen.px(kNameSwatch + 6) + pen.width_of(names_[i]);
+    if (x > rect.x && x + width > rect.x + rect.width) {
+      x = rect.x;
+      y += pen.px(kNamesRow);
     }
-    y += strip;
+    const Point2 left{static_cast<float>(x), static_cast<float>(y + 0.45 * pen.px(kNamesRow))};
+    draw_series_swatch(i, left, kNameSwatch, pen);
+    pen.text(names_[i], {left.x + pen.px(kNameSwatch + 6), left.y + pen.px(5)}, Align::Left, kText);
+    x += width + pen.px(16);
   }
-  const auto baseline = static_cast<float>(y + pixel * (kTimeAxis - 4));
-  chart_text("0", {static_cast<float>(left), baseline}, Align::Left, kQuietText, pixel, drawing);
-  chart_text("time", {static_cast<float>(left + 0.5 * width), baseline}, Align::Center, kQuietText,
-             pixel, drawing);
-  chart_text(spell_quantity(duration, "s"), {static_cast<float>(left + width), baseline},
-             Align::Right, kQuietText, pixel, drawing);
-  return all_charts - charts.size();
+  return y + pen.px(kNamesRow) - rect.y;
+}
+
+/// 0 where the charts need all the room.
+double SeriesPlots::strip_height(double room, const Pen& pen) const {
+  if (ids_.row_count() == 0) return 0;
+  const auto rows = static_cast<double>(ids_.row_count());
+  const double share = kStripShare * room;
+  const double wanted = std::min<double>({pen.px(kMostIdStrip), share, pen.px(kIdRow) * rows});
+  const double strip =
+      pen.px(kStripHeading) + std::max(wanted, std::min(share, pen.px(kLeastIdRow) * rows));
+  const double charts = pen.px(kLeastPlot) * static_cast<double>(charts_.size());
+  return room - strip < charts ? 0 : strip;
+}
+
+void SeriesPlots::draw_ids(std::size_t moment, const Rect& strip, const Pen& pen) const {
+  const double gutter = pen.px(kChartGutter), heading = pen.px(kStripHeading);
+  const Rect inner{strip.x + gutter, strip.y + heading, strip.width - gutter,
+                   strip.height - heading - pen.px(4)};
+  const auto rows = static_cast<double>(ids_.row_count());
+  const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_.pair_count() > 1;
+  const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
+  std::string text = "contact ids, a row each";
+  if (bands && ids_.pair_count() > most) {
+    text = "contact ids of the first " + std::to_string(most) + " of " +
+           std::to_string(ids_.pair_count()) + " pairs";
+  } else if (bands) {
+    text = "contact ids by pair, cut where one changes";
+  }
+  pen.text(text,
+           {static_cast<float>(strip.x), static_cast<float>(strip.y + pen.px(kStripHeading - 6))},
+           Align::Left, kText);
+  if (bands) {
+    ids_.draw_bands(inner, moment, moment + 1, most, pen);
+  } else {
+    ids_.draw_rows(inner, moment, moment + 1, pen);
+  }
+}
+
+std::size_t SeriesPlots::draw(std::size_t moment, const Rect& rect, const Pen& pen) const {
+  if (charts_.empty()) return 0;
+  const double named = draw_names(rect, pen);
+  double y = rect.y + named;
+  const double room = rect.height - pen.px(kTimeAxis) - named;
+  const double strip = strip_height(room, pen);
+  const auto fitting = static_cast<std::size_t>(std::max(0.0, room - strip) / pen.px(kLeastPlot));
+  const std::size_t shown = std::clamp<std::size_t>(fitting, 1, charts_.size());
+  const double height =
+      std::min<double>(pen.px(kMostPlot), (room - strip) / static_cast<double>(shown));
+  for (std::size_t i = 0; i < shown; ++i, y += height) {
+    draw_series_chart(charts_[i], moment, {rect.x, y, rect.width, height}, pen);
+  }
+  if (strip > 0) draw_ids(moment, {rect.x, y, rect.width, strip}, pen);
+  const double gutter = pen.px(kChartGutter);
+  draw_time_axis(duration_, rect.x + gutter, rect.width - gutter,
+                 y + strip + pen.px(kTimeAxis - 4), pen);
+  return charts_.size() - shown;
 }
 
 }  // namespace contactscope::draw

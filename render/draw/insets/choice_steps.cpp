@@ -15,18 +15,10 @@ namespace {
 constexpr double kLabelSize = 17;
 constexpr double kDigit = 22;
 
-Vec2d flat(const Point2& p) {
-  return {p.x, p.y};
-}
-
-Point2 pixel(const Vec2d& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
-}
-
 class ChoicePainter {
  public:
   ChoicePainter(const ChoiceStep& step, Drawing& drawing)
-      : step_(step), layout_(step.layout), out_(drawing), placer_(step.map) {
+      : step_(step), pen_(drawing, step.layout.scale, kLabelSize), placer_(step.map) {
     shown_ = std::min(static_cast<std::size_t>(step.shown), step.kept.size());
     for (const Point2& place : step.places) {
       middle_ += flat(place) / static_cast<double>(step.places.size());
@@ -34,7 +26,7 @@ class ChoicePainter {
   }
 
   void run() {
-    for (const Point2& place : step_.places) placer_.block(place, layout_.px(9));
+    for (const Point2& place : step_.places) placer_.block(place, pen_.px(9));
     const bool known = shown_ > 0 && shown_ <= step_.choices.size();
     if (shown_ > 3) triangle(step_.kept[0], step_.kept[1], step_.kept[2], kContact, 0.16f);
     if (shown_ == 3) line(step_.kept[0], step_.kept[1], 2.5f, kContact);
@@ -59,15 +51,13 @@ class ChoicePainter {
     stroke(place(a), place(b), width, color);
   }
 
-  void stroke(const Point2& a, const Point2& b, float width, const Color& color, float dash = 0) {
-    Stroke result{a, b, layout_.px(width), color, dash > 0 ? Cap::Butt : Cap::Round};
-    result.dash = layout_.px(dash);
-    result.gap = layout_.px(0.7f * dash);
-    out_.primitives.push_back(result);
+  void stroke(const Point2& a, const Point2& b, double width, const Color& color,
+              double dash = 0) {
+    pen_.path({a, b}, width, color, dash);
   }
 
   void triangle(int a, int b, int c, const Color& color, float fill) {
-    out_.primitives.push_back(Fill{{place(a), place(b), place(c)}, with_alpha(color, fill)});
+    pen_.fill({place(a), place(b), place(c)}, with_alpha(color, fill));
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) line(from, to, 2, color);
   }
 
@@ -90,13 +80,13 @@ class ChoicePainter {
     stroke(pixel(at - half * across), pixel(at + half * across), 2, kNormal, 7);
     const Vec2d from = middle_;
     const Vec2d tip = middle_ + half * along;
-    stroke(pixel(from), pixel(tip - layout_.px(8) * along), 3, kNormal);
-    const double head = layout_.px(13);
-    out_.primitives.push_back(Fill{{pixel(tip), pixel(tip - head * along + 0.42 * head * across),
-                                    pixel(tip - head * along - 0.42 * head * across)},
-                                   kNormal});
-    placer_.block(pixel(from), pixel(tip), layout_.px(8));
-    labels_.push_back({from - layout_.px(10) * along, "fixed direction", kText, false});
+    stroke(pixel(from), pixel(tip - pen_.px(8) * along), 3, kNormal);
+    const double head = pen_.px(13);
+    pen_.fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
+               pixel(tip - head * along - 0.42 * head * across)},
+              kNormal);
+    placer_.block(pixel(from), pixel(tip), pen_.px(8));
+    labels_.push_back({from - pen_.px(10) * along, "fixed direction", kText, false});
   }
 
   void candidate(const std::string& rule, const trace::Measure& measure, bool winner) {
@@ -138,13 +128,13 @@ class ChoicePainter {
     const Vec2d middle = (corners[0] + corners[1] + corners[2]) / 3;
     if (!(measure.value < 0)) {
       if (by_distance) return;  // the edges that see it inside decide nothing
-      out_.primitives.push_back(Fill{{pixel(corners[0]), pixel(corners[1]), pixel(corners[2])},
-                                     with_alpha(kReferenceFace, 0.07f)});
+      pen_.fill({pixel(corners[0]), pixel(corners[1]), pixel(corners[2])},
+                with_alpha(kReferenceFace, 0.07f));
       for (const int end : measure.edge) rim(place(end), place(measure.point));
       labels_.push_back({middle, spelled, kReferenceFace, false, true});
       return;
     }
-    hatch(convex_polygon(corners), {}, layout_.px(5), layout_.px(1.3), kContact, out_);
+    hatch(convex_polygon(corners), {}, pen_.px(5), pen_.px(1.3), kContact, pen_.drawing());
     for (const int end : measure.edge) line(end, measure.point, 2.5f, kContact);
     if (!by_distance) {
       labels_.push_back({middle, spelled, kContact, true});
@@ -167,7 +157,7 @@ class ChoicePainter {
   /// A side that labels keep off.
   void rim(const Point2& from, const Point2& to) {
     stroke(from, to, 1.2f, with_alpha(kReferenceFace, 0.6f), 6);
-    placer_.block(from, to, layout_.px(4));
+    placer_.block(from, to, pen_.px(4));
   }
 
   /// Areas as the talk has them: negative outside.
@@ -182,10 +172,10 @@ class ChoicePainter {
       const auto end = step_.kept.begin() + static_cast<std::ptrdiff_t>(shown_);
       const auto found = std::find(step_.kept.begin(), end, static_cast<int>(i));
       if (found == end) {
-        draw_plain_point(step_.places[i], layout_, out_);
+        draw_plain_point(step_.places[i], pen_);
         continue;
       }
-      draw_kept_point(step_.places[i], layout_, 1, out_);
+      draw_kept_point(step_.places[i], pen_, 1);
       number(step_.places[i], static_cast<int>(found - step_.kept.begin()) + 1);
     }
   }
@@ -194,48 +184,34 @@ class ChoicePainter {
   void number(const Point2& at, int number) {
     Vec2d out = flat(at) - middle_;
     out = out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
-    const double reach = layout_.px(kKeptReach + 0.5 * kDigit);
-    Text digit;
-    digit.text = std::to_string(number);
-    digit.at = {static_cast<float>(at.x + reach * out.x()),
-                static_cast<float>(at.y + reach * out.y()) + layout_.px(0.34 * kDigit)};
-    digit.size = layout_.px(kDigit);
-    digit.weight = Weight::Bold;
-    digit.align = Align::Center;
-    digit.color = kContact;
-    digit.halo = layout_.px(2);
-    out_.primitives.push_back(digit);
-    placer_.block(pixel(flat(at) + layout_.px(19) * out), layout_.px(12));
+    const double reach = pen_.px(kKeptReach + 0.5 * kDigit);
+    pen_.text(std::to_string(number),
+              {static_cast<float>(at.x + reach * out.x()),
+               static_cast<float>(at.y + reach * out.y()) + pen_.px(0.34 * kDigit)},
+              Align::Center, kContact, Weight::Bold, kDigit, 2);
+    placer_.block(pixel(flat(at) + pen_.px(19) * out), pen_.px(12));
   }
 
   void write(const Label& label) {
-    const float size = layout_.px(kLabelSize);
-    const FontWeight weight = label.bold ? FontWeight::Bold : FontWeight::Regular;
+    const float size = pen_.px(kLabelSize);
+    const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
     const Point2 anchor = pixel(label.at);
     Vec2d away = label.at - middle_;
     away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
     if (label.inwards) away = -away;
     const auto found =
-        placer_.place(anchor, text_width(label.text, size, weight), 0.76f * ascent(size, weight),
-                      descent(size, weight), layout_.px(14), pixel(away));
+        placer_.place(anchor, pen_.width_of(label.text, weight), 0.76f * ascent(size, font_weight(weight)),
+                      descent(size, font_weight(weight)), pen_.px(14), pixel(away));
     if (!found) return;
     if (found->needs_leader) {
       stroke(anchor, found->leader_end, 3.5f, with_alpha(kWhite, 0.8f));
       stroke(anchor, found->leader_end, 1, label.color);
     }
-    Text text;
-    text.text = label.text;
-    text.at = found->left_baseline;
-    text.size = size;
-    text.weight = label.bold ? Weight::Bold : Weight::Regular;
-    text.color = label.color;
-    text.halo = layout_.px(2.5);
-    out_.primitives.push_back(text);
+    pen_.text(label.text, found->left_baseline, Align::Left, label.color, weight, 0, 2.5);
   }
 
   const ChoiceStep& step_;
-  const Layout& layout_;
-  Drawing& out_;
+  Pen pen_;
   LabelPlacer placer_;
   std::size_t shown_ = 0;
   Vec2d middle_ = Vec2d::Zero();
@@ -243,49 +219,6 @@ class ChoicePainter {
 };
 
 }  // namespace
-
-void draw_kept_point(const Point2& at, const Layout& layout, double size, Drawing& drawing) {
-  drawing.primitives.push_back(Disc{at, 0, layout.px(5.6 * size), kWhite});
-  drawing.primitives.push_back(Disc{at, 0, layout.px(4.2 * size), kContact});
-  drawing.primitives.push_back(
-      Disc{at, layout.px(6.4 * size), layout.px(kKeptReach * size), kContact});
-}
-
-void draw_plain_point(const Point2& at, const Layout& layout, Drawing& drawing) {
-  drawing.primitives.push_back(Disc{at, 0, layout.px(6.6), kWhite});
-  drawing.primitives.push_back(Disc{at, 0, layout.px(5), kContact});
-}
-
-void draw_dropped_point(const Point2& at, const Layout& layout, double size, Drawing& drawing) {
-  const float reach = layout.px(3.6 * size);
-  for (const auto& [color, width] :
-       {std::pair{with_alpha(kWhite, 0.9f), 4.5 * size}, {kDropped, 2.0 * size}}) {
-    drawing.primitives.push_back(Stroke{{at.x - reach, at.y - reach},
-                                        {at.x + reach, at.y + reach},
-                                        layout.px(width),
-                                        color,
-                                        Cap::Round});
-    drawing.primitives.push_back(Stroke{{at.x - reach, at.y + reach},
-                                        {at.x + reach, at.y - reach},
-                                        layout.px(width),
-                                        color,
-                                        Cap::Round});
-  }
-}
-
-void draw_deepest_mark(const Point2& at, const Layout& layout, double size, const Color& color,
-                       Drawing& drawing) {
-  const float h = layout.px(10.4 * size);
-  const Point2 corners[] = {
-      {at.x - h, at.y - h}, {at.x + h, at.y - h}, {at.x + h, at.y + h}, {at.x - h, at.y + h}};
-  for (const bool halo : {true, false}) {
-    for (int i = 0; i < 4; ++i) {
-      drawing.primitives.push_back(Stroke{corners[i], corners[(i + 1) % 4],
-                                          layout.px(halo ? 3.6 * size : 1.6 * size),
-                                          halo ? with_alpha(kWhite, 0.8f) : color, Cap::Round});
-    }
-  }
-}
 
 void draw_choice(const ChoiceStep& step, Drawing& drawing) {
   ChoicePainter(step, drawing).run();

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/convex_polygon.h"
-#include "draw/charts/id_strip.h"
 #include "draw/insets/choice_steps.h"
 #include "draw/scene/hatch.h"
-#include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"
 
@@ -17,36 +14,6 @@ namespace {
 constexpr double kHatchSpacing = 5;  // pixels between lines
 // A patch whose depths differ by less than this part of its extent is level: none is the deepest.
 constexpr double kLevelPatch = 1e-6;
-
-Vec2d flat(const Point2& p) {
-  return {p.x, p.y};
-}
-
-Point2 pixel(const Vec2d& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
-}
-
-Text written(const std::string& text, double x, double baseline, float size, Weight weight,
-             const Color& color) {
-  Text result;
-  result.text = text;
-  result.at = {static_cast<float>(x), static_cast<float>(baseline)};
-  result.size = size;
-  result.weight = weight;
-  result.color = color;
-  return result;
-}
-
-void outline(const std::vector<Vec2d>& polygon, float width, const Color& color, float dash,
-             Drawing& drawing) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    Stroke stroke{pixel(polygon[i]), pixel(polygon[(i + 1) % polygon.size()]), width, color,
-                  dash > 0 ? Cap::Butt : Cap::Round};
-    stroke.dash = dash;
-    stroke.gap = 0.7f * dash;
-    drawing.primitives.push_back(stroke);
-  }
-}
 
 /// The point of least separation; empty where the patch is level.
 std::optional<std::size_t> deepest_of(const std::vector<trace::Point>& points) {
@@ -66,11 +33,27 @@ bool by_extremes(const ContactCell& cell) {
                              [](const trace::Choice& choice) { return choice.rule == "support"; });
 }
 
-Fill filled(const std::vector<Vec2d>& polygon, const Color& color) {
-  Fill fill;
-  fill.color = color;
-  for (const Vec2d& corner : polygon) fill.polygon.push_back(pixel(corner));
-  return fill;
+/// Of extremes along axes: the smallest box with sides along them.
+std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell) {
+  const PlaneAxes axes{cell.choices.front().direction,
+                       cell.normal.cross(cell.choices.front().direction)};
+  const Vec3d origin = cell.points.front().position;
+  PlaneExtent extent;
+  for (const trace::Point& point : cell.points) extent.include(axes, point.position - origin);
+  std::vector<Point2> box;
+  for (const auto& [x, y] : {std::pair{extent.low[0], extent.low[1]},
+                             {extent.high[0], extent.low[1]},
+                             {extent.high[0], extent.high[1]},
+                             {extent.low[0], extent.high[1]}}) {
+    box.push_back(plane.at(origin + x * axes.u + y * axes.v));
+  }
+  return box;
+}
+
+std::vector<Point2> pixels(const std::vector<Vec2d>& polygon) {
+  std::vector<Point2> corners;
+  for (const Vec2d& corner : polygon) corners.push_back(pixel(corner));
+  return corners;
 }
 
 }  // namespace
@@ -80,6 +63,7 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
                            int width, int height)
     : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
   frame_patches(up);
+  gather_ids();
   fit(width, height);
 }
 
@@ -148,17 +132,17 @@ Drawing ContactCells::frame(int number) const {
   Drawing drawing;
   drawing.width = layout_.width;
   drawing.height = layout_.height;
+  const Pen pen(drawing, layout_.scale, kNumber);
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, drawing);
   if (cell_count() == 0) {
     double line = 0;
     for (const char* words : {"nothing is reduced as one patch here:",
                               "nothing touches, or a mesh, a triangle at a time"}) {
-      Text nothing = written(words, layout_.view.x + 0.5 * layout_.view.width,
-                             layout_.view.y + 0.5 * layout_.view.height + line, layout_.px(kName),
-                             Weight::Regular, kQuietText);
-      nothing.align = Align::Center;
-      drawing.primitives.push_back(nothing);
+      pen.text(words,
+               {static_cast<float>(layout_.view.x + 0.5 * layout_.view.width),
+                static_cast<float>(layout_.view.y + 0.5 * layout_.view.height + line)},
+               Align::Center, kQuietText, Weight::Regular, kName);
       line += 1.3 * layout_.px(kName);
     }
   }
@@ -170,40 +154,40 @@ Drawing ContactCells::frame(int number) const {
 void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& drawing) const {
   const Rect rect = cell_rect(number);
   const ContactCell& cell = moments_[moment].cells[number];
-  const double name_room = layout_.px(name_height());
+  const Pen pen(drawing, layout_.scale, kNumber);
+  const auto width = static_cast<float>(rect.width);
   if (cell_count() > 1 && detail_.names) {
-    drawing.primitives.push_back(written(
-        fitted(cell.name, layout_.px(kName), FontWeight::Bold, static_cast<float>(rect.width)),
-        rect.x, rect.y + 0.8 * layout_.px(kName), layout_.px(kName), Weight::Bold, kText));
+    pen.text(fitted(cell.name, layout_.px(kName), FontWeight::Bold, width),
+             {static_cast<float>(rect.x), static_cast<float>(rect.y + 0.8 * layout_.px(kName))},
+             Align::Left, kText, Weight::Bold, kName);
   }
-  const Rect map{rect.x, rect.y + name_room, rect.width, grid_.map_height};
+  const Rect map{rect.x, rect.y + layout_.px(name_height()), rect.width, grid_.map_height};
   if (cell.points.empty()) {
-    Text none = written(fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular,
-                               static_cast<float>(map.width)),
-                        map.x + 0.5 * map.width, map.y + 0.5 * map.height, layout_.px(kNumber),
-                        Weight::Regular, kQuietText);
-    none.align = Align::Center;
-    drawing.primitives.push_back(none);
+    pen.text(fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular, width),
+             {static_cast<float>(map.x + 0.5 * map.width),
+              static_cast<float>(map.y + 0.5 * map.height)},
+             Align::Center, kQuietText);
   } else {
-    draw_map(map, cell, patches_[number], drawing);
+    draw_map(map, cell, patches_[number], pen);
   }
   const double strip = grid_.strip;
   if (strip > 0) {
     const double inset = layout_.px(3);
-    draw_strip({rect.x, map.y + map.height + inset, rect.width, strip - 2 * inset}, number, moment,
-               drawing);
+    ids_[number].draw_rows({rect.x, map.y + map.height + inset, rect.width, strip - 2 * inset},
+                           moment, moments_.size(), pen);
   }
   const double top = map.y + map.height + strip;
   if (choices_ == 0 && detail_.rows)
-    draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, drawing);
+    draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, pen);
 }
 
 void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
-                            Drawing& drawing) const {
+                            const Pen& pen) const {
+  const ContactPlane plane(patch.axes, patch.center, grid_.pixels_per_metre, map, pen);
   std::vector<Point2> places;
   std::vector<Vec2d> flats;
   for (const trace::Point& point : cell.points) {
-    places.push_back(at(map, patch, point.position));
+    places.push_back(plane.at(point.position));
     flats.push_back(flat(places.back()));
   }
   const auto chosen = [&](const std::vector<int>& indices) {
@@ -212,129 +196,59 @@ void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patc
     return convex_polygon(result);
   };
   const std::vector<Vec2d> all = convex_polygon(flats);
-  drawing.primitives.push_back(filled(all, with_alpha(kClipPolygon, 0.10f)));
+  pen.fill(pixels(all), with_alpha(kClipPolygon, 0.10f));
   if (choices_ > 0) {
-    outline(all, layout_.px(2), kClipPolygon, 0, drawing);
+    pen.outline(pixels(all), 2, kClipPolygon);
     const Vec3d direction = choices_ <= static_cast<int>(cell.choices.size())
                                 ? cell.choices[static_cast<std::size_t>(choices_) - 1].direction
                                 : Vec3d(Vec3d::Zero());
     draw_choice({places, cell.kept, cell.choices, choices_,
-                 Vec2d(patch.u.dot(direction), -patch.v.dot(direction)), grid_.pixels_per_metre,
-                 map, layout_},
-                drawing);
+                 Vec2d(patch.axes.u.dot(direction), -patch.axes.v.dot(direction)),
+                 grid_.pixels_per_metre, map, layout_},
+                pen.drawing());
     return;
   }
   const std::vector<Vec2d> kept = chosen(cell.kept);
-  if (kept.size() > 2) drawing.primitives.push_back(filled(kept, with_alpha(kContact, 0.16f)));
-  hatch(all, kept, layout_.px(kHatchSpacing), layout_.px(1.1), with_alpha(kDropped, 0.8f), drawing);
-  outline(all, layout_.px(2), kClipPolygon, 0, drawing);
-  outline(kept, layout_.px(2), kContact, 0, drawing);
-  if (cell.best.size() > 2) {
-    outline(chosen(cell.best), layout_.px(1.6), kNormal, layout_.px(6), drawing);
-  }
-  if (by_extremes(cell)) draw_axes_box(map, cell, patch, drawing);
-  draw_points(map, places, cell, drawing);
+  if (kept.size() > 2) pen.fill(pixels(kept), with_alpha(kContact, 0.16f));
+  hatch(all, kept, layout_.px(kHatchSpacing), layout_.px(1.1), with_alpha(kDropped, 0.8f),
+        pen.drawing());
+  pen.outline(pixels(all), 2, kClipPolygon);
+  pen.outline(pixels(kept), 2, kContact);
+  if (cell.best.size() > 2) pen.outline(pixels(chosen(cell.best)), 1.6, kNormal, 6);
+  if (by_extremes(cell)) pen.outline(axes_box(plane, cell), 1.8, kAxis, 6);
+  draw_points(plane, places, cell, pen);
 }
 
-/// Of extremes along axes: the smallest box with sides along them, and the axes.
-void ContactCells::draw_axes_box(const Rect& map, const ContactCell& cell, const Patch& patch,
-                                 Drawing& drawing) const {
-  const Vec3d u = cell.choices.front().direction;
-  const Vec3d v = cell.normal.cross(u);
-  const Vec3d origin = cell.points.front().position;
-  double low_u = 0, high_u = 0, low_v = 0, high_v = 0;
-  for (const trace::Point& point : cell.points) {
-    const Vec3d way = point.position - origin;
-    low_u = std::min(low_u, u.dot(way));
-    high_u = std::max(high_u, u.dot(way));
-    low_v = std::min(low_v, v.dot(way));
-    high_v = std::max(high_v, v.dot(way));
-  }
-  std::vector<Vec2d> box;
-  for (const auto& [x, y] :
-       {std::pair{low_u, low_v}, {high_u, low_v}, {high_u, high_v}, {low_u, high_v}}) {
-    box.push_back(flat(at(map, patch, origin + x * u + y * v)));
-  }
-  outline(box, layout_.px(1.8), kAxis, layout_.px(6), drawing);
-}
-
-void ContactCells::draw_points(const Rect& map, const std::vector<Point2>& places,
-                               const ContactCell& cell, Drawing& drawing) const {
-  Vec2d middle = Vec2d::Zero();
-  for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
-  const bool reduces = cell.kept.size() < cell.points.size();
+void ContactCells::draw_points(const ContactPlane& plane, const std::vector<Point2>& places,
+                               const ContactCell& cell, const Pen& pen) const {
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (std::ranges::find(cell.kept, static_cast<int>(i)) == cell.kept.end())
-      draw_dropped_point(places[i], layout_, grid_.mark, drawing);
+      draw_dropped_point(places[i], pen, grid_.mark);
   }
   for (const int kept : cell.kept)
-    draw_kept_point(places[static_cast<std::size_t>(kept)], layout_, grid_.mark, drawing);
+    draw_kept_point(places[static_cast<std::size_t>(kept)], pen, grid_.mark);
   const std::optional<std::size_t> deepest = deepest_of(cell.points);
-  if (deepest) draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, drawing);
-  if (!reduces) return;  // nothing was chosen
-
-  // Digits keep off all points and each other; one without room is left out.
-  LabelPlacer placer(map);
-  for (const Point2& place : places) placer.block(place, layout_.px(kKeptReach * grid_.mark));
-  if (deepest) placer.block(places[*deepest], layout_.px(12 * grid_.mark));
-  const float size = layout_.px(kNumber);
-  for (std::size_t k = 0; k < cell.kept.size(); ++k) {
-    const Point2& place = places[static_cast<std::size_t>(cell.kept[k])];
-    Vec2d away = flat(place) - middle;
-    away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
-    const std::string digit = std::to_string(k + 1);
-    const auto found = placer.place(place, text_width(digit, size, FontWeight::Bold),
-                                    0.76f * ascent(size, FontWeight::Bold), 0,
-                                    layout_.px(kKeptReach * grid_.mark + 2), pixel(away));
-    if (!found) continue;
-    if (found->needs_leader) {
-      drawing.primitives.push_back(
-          Stroke{place, found->leader_end, layout_.px(1), kContact, Cap::Butt});
-    }
-    Text text = written(digit, found->left_baseline.x, found->left_baseline.y, size, Weight::Bold,
-                        kContact);
-    text.halo = layout_.px(2);
-    drawing.primitives.push_back(text);
-  }
+  if (deepest)
+    draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, pen.drawing());
+  const bool chosen = cell.kept.size() < cell.points.size();
+  if (chosen) plane.number_kept(places, cell.kept, grid_.mark, deepest);
 }
 
-void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const {
+void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const {
   double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
-  const float size = layout_.px(kNumber);
-  for (const ContactCell::Row& row : shown_rows(cell)) {
-    const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
-    drawing.primitives.push_back(
-        written(fitted(left_of(row), size, weight, static_cast<float>(rect.width)), rect.x,
-                baseline, size, row.strong ? Weight::Bold : Weight::Regular, kText));
+  const std::size_t count = std::min(row_count(), cell.rows.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContactCell::Row& row = cell.rows[i];
+    const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
+    const auto y = static_cast<float>(baseline);
+    pen.text(fitted(left_of(row), layout_.px(kNumber), font_weight(weight),
+                    static_cast<float>(rect.width)),
+             {static_cast<float>(rect.x), y}, Align::Left, kText, weight);
     if (detail_.row_ends && !row.right.empty()) {
-      Text right =
-          written(row.right, rect.x + rect.width, baseline, size, Weight::Regular, kQuietText);
-      right.align = Align::Right;
-      drawing.primitives.push_back(right);
+      pen.text(row.right, {static_cast<float>(rect.x + rect.width), y}, Align::Right, kQuietText);
     }
     baseline += layout_.px(kNumberRow);
   }
-}
-
-/// One row an id, in the order of appearance.
-void ContactCells::draw_strip(const Rect& strip, std::size_t cell, std::size_t moment,
-                              Drawing& drawing) const {
-  std::vector<std::vector<IdState>> rows;
-  for (const std::string& id : ids_) {
-    std::vector<IdState>& states = rows.emplace_back();
-    for (const ContactMoment& at_moment : moments_) {
-      const ContactCell& facts = at_moment.cells[cell];
-      const auto found = std::ranges::find(facts.points, id, &trace::Point::id);
-      if (found == facts.points.end()) {
-        states.push_back(IdState::Absent);
-        continue;
-      }
-      const auto place = static_cast<int>(found - facts.points.begin());
-      const bool kept = std::ranges::find(facts.kept, place) != facts.kept.end();
-      states.push_back(kept ? IdState::Kept : IdState::Dropped);
-    }
-  }
-  draw_id_strip(rows, moments_.size(), moment, strip, layout_.scale, drawing);
 }
 
 }  // namespace contactscope::draw

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <span>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "core/view.h"
+#include "draw/charts/id_strip.h"
+#include "draw/insets/contact_plane.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/layout.h"
 #include "trace/exploration.h"
@@ -83,8 +86,8 @@ class ContactCells {
 
   /// Where the contacts of one cell are in the world, in all frames.
   struct Patch {
-    Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitY();  // right and up on the page
-    Vec3d center = Vec3d::Zero();
+    PlaneAxes axes;
+    std::array<double, 2> center{};  // along them
   };
 
   // Pixels at 720 lines.
@@ -108,24 +111,22 @@ class ContactCells {
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
   bool has_row_ends() const;
+  std::size_t id_count() const { return ids_.empty() ? 0 : ids_.front().row_count(); }
   std::string left_of(const ContactCell::Row& row) const;
   double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   std::vector<LegendEntry> legend_of_choice() const;
   Rect cell_rect(std::size_t cell) const;
-  Point2 at(const Rect& map, const Patch& patch, const Vec3d& position) const;
   void frame_patches(const std::string& up);
+  void gather_ids();
   void frame_patch(std::size_t cell, const Vec3d& above);
   void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
   void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
-                Drawing& drawing) const;
-  void draw_axes_box(const Rect& map, const ContactCell& cell, const Patch& patch,
-                     Drawing& drawing) const;
-  void draw_points(const Rect& map, const std::vector<Point2>& places, const ContactCell& cell,
-                   Drawing& drawing) const;
-  void draw_rows(const Rect& rect, const ContactCell& cell, Drawing& drawing) const;
-  void draw_strip(const Rect& strip, std::size_t cell, std::size_t moment, Drawing& drawing) const;
+                const Pen& pen) const;
+  void draw_points(const ContactPlane& plane, const std::vector<Point2>& places,
+                   const ContactCell& cell, const Pen& pen) const;
+  void draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const;
 
   std::string title_, source_;
   std::vector<ContactMoment> moments_;
@@ -133,7 +134,7 @@ class ContactCells {
   Layout layout_;
   std::vector<Patch> patches_;          // of each cell
   double extent_u_ = 0, extent_v_ = 0;  // metres that the largest of them fill
-  std::vector<std::string> ids_;        // in order of appearance
+  std::vector<IdHistory> ids_;          // of each cell, a row an id in order of appearance
   Detail detail_;                       // what is shown, of what there is
   Grid grid_;
 };

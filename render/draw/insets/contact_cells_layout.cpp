@@ -48,7 +48,7 @@ void ContactCells::share_out(Grid& grid) const {
   grid.strip = layout_.px(strip_height());
   if (grid.strip > 0) {
     const double needed = layout_.px(2 * kReserve) + grid.pixels_per_metre * extent_v_;
-    const double wide = layout_.px(kWideRow * static_cast<double>(ids_.size()) + 6);
+    const double wide = layout_.px(kWideRow * static_cast<double>(id_count()) + 6);
     const double more = std::clamp(wide - grid.strip, 0.0, std::max(0.0, grid.map_height - needed));
     grid.strip += more;
     grid.map_height -= more;
@@ -101,57 +101,61 @@ std::vector<std::string> ContactCells::left_out() const {
   return list;
 }
 
-/// Axes and middle of each cell's patch, the extent of the largest, and the ids in order.
+/// Axes and middle of each cell's patch, and the extent of the largest.
 void ContactCells::frame_patches(const std::string& up) {
   patches_.resize(cell_count());
   for (std::size_t cell = 0; cell < cell_count(); ++cell)
     frame_patch(cell, up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
-  for (const ContactMoment& moment : moments_) {
-    for (const ContactCell& cell : moment.cells) {
-      for (const trace::Point& point : cell.points)
-        if (std::ranges::find(ids_, point.id) == ids_.end()) ids_.push_back(point.id);
-    }
-  }
   // A patch without size is drawn in the middle, at any scale.
   const double least = std::max({extent_u_, extent_v_, 1e-12});
   extent_u_ = std::max(extent_u_, 1e-3 * least);
   extent_v_ = std::max(extent_v_, 1e-3 * least);
 }
 
-/// Seen from above where there is an above, with x to the right, as on a map.
-void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
-  Vec3d normal = above;
+/// Every cell has a row for every id of any cell, so that the same ids stand at the same height.
+void ContactCells::gather_ids() {
+  if (moments_.size() < 2) return;
+  std::map<std::string, std::size_t> known;  // rows, in the order of appearance
   for (const ContactMoment& moment : moments_) {
-    if (moment.cells[cell].points.empty()) continue;
-    normal = moment.cells[cell].normal;
-    break;
-  }
-  if (normal.dot(above) < 0) normal = -normal;
-  Patch& patch = patches_[cell];
-  const Vec3d right = Vec3d::UnitX() - normal.x() * normal;
-  patch.u = right.norm() > 0.1 ? Vec3d(right.normalized()) : any_perpendicular(normal);
-  patch.v = normal.cross(patch.u);
-
-  double low_u = std::numeric_limits<double>::max(), high_u = -low_u;
-  double low_v = low_u, high_v = -low_u;
-  for (const ContactMoment& moment : moments_) {
-    for (const trace::Point& point : moment.cells[cell].points) {
-      low_u = std::min(low_u, patch.u.dot(point.position));
-      high_u = std::max(high_u, patch.u.dot(point.position));
-      low_v = std::min(low_v, patch.v.dot(point.position));
-      high_v = std::max(high_v, patch.v.dot(point.position));
+    for (const ContactCell& cell : moment.cells) {
+      for (const trace::Point& point : cell.points) known.try_emplace(point.id, known.size());
     }
   }
-  if (low_u > high_u) return;
-  patch.center = 0.5 * (low_u + high_u) * patch.u + 0.5 * (low_v + high_v) * patch.v;
-  extent_u_ = std::max(extent_u_, high_u - low_u);
-  extent_v_ = std::max(extent_v_, high_v - low_v);
+  const std::vector<IdState> absent(moments_.size(), IdState::Absent);
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) {
+    std::vector<std::vector<IdState>> rows(known.size(), absent);
+    for (std::size_t m = 0; m < moments_.size(); ++m) {
+      const ContactCell& now = moments_[m].cells[cell];
+      for (std::size_t i = now.points.size(); i-- > 0;) {  // of equal ids the first one counts
+        const bool kept = std::ranges::find(now.kept, static_cast<int>(i)) != now.kept.end();
+        rows[known[now.points[i].id]][m] = kept ? IdState::Kept : IdState::Dropped;
+      }
+    }
+    ids_.emplace_back(rows, std::vector<std::size_t>(rows.size(), 0));
+  }
+}
+
+void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
+  const auto touching = std::ranges::find_if(
+      moments_, [&](const ContactMoment& moment) { return !moment.cells[cell].points.empty(); });
+  Patch& patch = patches_[cell];
+  patch.axes =
+      axes_from_above(touching == moments_.end() ? above : touching->cells[cell].normal, above);
+  PlaneExtent extent;
+  for (const ContactMoment& moment : moments_) {
+    for (const trace::Point& point : moment.cells[cell].points)
+      extent.include(patch.axes, point.position);
+  }
+  if (extent.empty()) return;
+  patch.center = extent.center();
+  extent_u_ = std::max(extent_u_, extent.width());
+  extent_v_ = std::max(extent_v_, extent.height());
 }
 
 double ContactCells::strip_height() const {
-  if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || ids_.empty()) return 0;
+  if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || id_count() == 0) return 0;
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
-  return wide * std::min(kMostStrip, kStripRow * static_cast<double>(ids_.size())) + 6;
+  return wide * std::min(kMostStrip, kStripRow * static_cast<double>(id_count())) + 6;
 }
 
 std::size_t ContactCells::row_count() const {
@@ -252,12 +256,6 @@ Rect ContactCells::cell_rect(std::size_t cell) const {
   const double gap = layout_.px(kGap);
   return {layout_.view.x + column * (grid_.cell_width + gap),
           layout_.view.y + row * (grid_.cell_height + gap), grid_.cell_width, grid_.cell_height};
-}
-
-Point2 ContactCells::at(const Rect& map, const Patch& patch, const Vec3d& position) const {
-  const Vec3d way = grid_.pixels_per_metre * (position - patch.center);
-  return {static_cast<float>(map.x + 0.5 * map.width + patch.u.dot(way)),
-          static_cast<float>(map.y + 0.5 * map.height - patch.v.dot(way))};
 }
 
 }  // namespace contactscope::draw

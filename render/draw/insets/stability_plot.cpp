@@ -5,17 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
-#include <string>
 
 #include "draw/charts/id_strip.h"
-#include "draw/charts/series_chart.h"
-#include "draw/insets/stability_map.h"
+#include "draw/charts/pair_history.h"
 #include "draw/scene/layout.h"
+#include "draw/scene/marks.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/sequence_scales.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -29,6 +25,9 @@ constexpr double kMostMarginChart = 120;
 constexpr double kVerdictRow = 17;
 constexpr double kTimeRow = 20;
 constexpr double kNameSwatch = 30;
+constexpr double kMapDot = 5.2;
+constexpr double kMapSquare = 4.6;
+constexpr double kMapCenter = 7.5;
 constexpr std::size_t kMostMaps = 3;
 
 struct VerdictRow {
@@ -38,296 +37,261 @@ struct VerdictRow {
 constexpr std::array<VerdictRow, 3> kVerdictRows{
     {{"stable", "stable"}, {"turns about a line", "line"}, {"turns about a point", "point"}}};
 
-const trace::Pair* same_pair(const trace::Frame& frame, const trace::Pair& wanted) {
-  for (const trace::Pair& pair : frame.pairs) {
-    if (pair.a == wanted.a && pair.b == wanted.b && pair.label == wanted.label) return &pair;
-  }
-  return nullptr;
-}
-
 /// The pairs whose stability was recorded in any frame.
-std::vector<trace::Pair> pairs_of(const std::vector<trace::Frame>& frames) {
-  std::vector<trace::Pair> pairs;
+std::vector<const trace::Pair*> pairs_that_rest(const std::vector<trace::Frame>& frames) {
+  std::vector<const trace::Pair*> pairs;
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
-      const bool known = std::ranges::any_of(pairs, [&](const trace::Pair& other) {
-        return pair.a == other.a && pair.b == other.b && pair.label == other.label;
-      });
-      if (pair.stability && !known && pairs.size() < kMostMaps) pairs.push_back(pair);
+      if (pairs.size() == kMostMaps) return pairs;
+      if (!pair.stability) continue;
+      const auto same = [&](const trace::Pair* known) { return same_pair(*known, pair); };
+      if (std::ranges::none_of(pairs, same)) pairs.push_back(&pair);
     }
   }
   return pairs;
 }
 
-/// Beside points that have an age, those without are drawn as such.
-bool has_ages(const std::vector<trace::Frame>& frames) {
-  return std::ranges::any_of(frames, [](const trace::Frame& frame) {
+bool in_contact(const trace::Pair& pair) {
+  return pair.stability && pair.stability->verdict != "no contact" && !pair.manifolds.empty();
+}
+
+Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
+  const float dx = to.x - from.x, dy = to.y - from.y;
+  const float squared = dx * dx + dy * dy;
+  if (!(squared > 0)) return from;
+  const float t = std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / squared, 0.0f, 1.0f);
+  return {from.x + t * dx, from.y + t * dy};
+}
+
+/// From the projection to the nearest place of the border.
+void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pen& pen) {
+  Point2 nearest = from;
+  float least = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const Point2 place = nearest_on(border[i], border[(i + 1) % border.size()], from);
+    const float length = std::hypot(place.x - from.x, place.y - from.y);
+    if (length >= least) continue;
+    least = length;
+    nearest = place;
+  }
+  if (border.empty() || least <= pen.px(14)) return;
+  pen.path({from, nearest}, 2.2, kAxis);
+  const float head = pen.px(8) / least;
+  const Point2 back{head * (from.x - nearest.x), head * (from.y - nearest.y)};
+  pen.fill({nearest,
+            {nearest.x + back.x - 0.45f * back.y, nearest.y + back.y + 0.45f * back.x},
+            {nearest.x + back.x + 0.45f * back.y, nearest.y + back.y - 0.45f * back.x}},
+           kAxis);
+}
+
+}  // namespace
+
+StabilityPlot::StabilityPlot(const std::vector<trace::Frame>& frames) {
+  if (frames.empty()) return;
+  duration_ = frames.back().time;
+  has_ages_ = std::ranges::any_of(frames, [](const trace::Frame& frame) {
     return std::ranges::any_of(
         frame.pairs, [](const trace::Pair& pair) { return pair.incremental.has_value(); });
   });
+  for (const trace::Pair* wanted : pairs_that_rest(frames)) {
+    History& history = histories_.emplace_back();
+    history.name = pair_name(*wanted);
+    history.pairs = pair_history(frames, *wanted);
+    std::vector<double>& margins = margins_.curves.emplace_back();
+    for (const trace::Pair*& pair : history.pairs) {
+      if (pair != nullptr && !in_contact(*pair)) pair = nullptr;
+      margins.push_back(pair == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                        : pair->stability->margin);
+      if (pair == nullptr) continue;
+      std::vector<Vec3d>& points = history.points;
+      points.insert(points.end(), pair->stability->support.begin(), pair->stability->support.end());
+      points.push_back(pair->stability->projection);
+      for (const trace::Manifold& manifold : pair->manifolds) {
+        for (const trace::Point& point : manifold.points) points.push_back(point.position);
+      }
+    }
+  }
+  margins_.baseline = true;
+  margins_.fit();
 }
 
-bool in_contact(const trace::Pair* pair) {
-  return pair != nullptr && pair->stability && pair->stability->verdict != "no contact" &&
-         !pair->manifolds.empty();
+void StabilityPlot::draw(std::size_t moment, const Camera& camera, const Rect& rect,
+                         const Pen& pen) const {
+  if (histories_.empty()) {
+    pen.text("no stability in this sequence",
+             {static_cast<float>(rect.x), static_cast<float>(rect.y + 0.8 * pen.px(kWordsLine))},
+             Align::Left, kQuietText);
+    return;
+  }
+  const double words = pen.px(kWordsLine) * (histories_.size() > 1 ? 3 : 2) + pen.px(8);
+  double chart = std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart),
+                                    pen.px(kMostMarginChart));
+  double band =
+      pen.px(kVerdictRow) * static_cast<double>(kVerdictRows.size()) + pen.px(kTimeRow + 6);
+  // The map says most; over time comes next, and the verdicts' rows last.
+  const auto map_height = [&] { return rect.height - words - chart - band; };
+  if (histories_[0].pairs.size() < 2) chart = band = 0;
+  if (map_height() < pen.px(kLeastStabilityMap)) band = 0;
+  if (map_height() < pen.px(kLeastStabilityMap)) chart = 0;
+  const double map = map_height();
+  if (map > pen.px(0.5 * kLeastStabilityMap)) draw_maps(moment, camera, rect, map, pen);
+  double y = rect.y + words + std::max(0.0, map);
+  if (chart > 0) draw_series_chart(margins_, moment, {rect.x, y, rect.width, chart}, pen);
+  y += chart + pen.px(6);
+  if (band > 0) draw_verdicts(moment, {rect.x, y, rect.width, band}, pen);
 }
 
-class StabilityPainter {
- public:
-  StabilityPainter(const std::vector<trace::Frame>& frames, std::size_t moment,
-                   const Camera& camera, const Rect& rect, float pixel, Drawing& drawing)
-      : frames_(frames),
-        moment_(moment),
-        camera_(camera),
-        rect_(rect),
-        pixel_(pixel),
-        out_(drawing),
-        pairs_(pairs_of(frames)),
-        has_ages_(has_ages(frames)) {}
-
-  void run() {
-    if (pairs_.empty()) {
-      text("no stability in this sequence", rect_.x, rect_.y + 0.8 * px(kWordsLine), kQuietText);
-      return;
+// One scale for all pairs and frames; each pair has a middle of its own.
+void StabilityPlot::draw_maps(std::size_t moment, const Camera& camera, const Rect& rect,
+                              double height, const Pen& pen) const {
+  const bool named = histories_.size() > 1;
+  const double above = named ? pen.px(kWordsLine) : 0;
+  const double column = rect.width / static_cast<double>(histories_.size());
+  const auto cell = [&](std::size_t h) {
+    return Rect{rect.x + column * static_cast<double>(h), rect.y + above,
+                column - (named ? pen.px(8) : 0), height};
+  };
+  double scale = std::numeric_limits<double>::max();
+  std::vector<PlaneAxes> axes;
+  std::vector<PlaneExtent> extents;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    // The newest normal, or where there was none yet the first one to come.
+    const std::vector<const trace::Pair*>& pairs = histories_[h].pairs;
+    const auto now = pairs.begin() + static_cast<std::ptrdiff_t>(moment) + 1;
+    const auto touches = [](const trace::Pair* pair) { return pair != nullptr; };
+    const auto newest = std::find_if(std::make_reverse_iterator(now), pairs.rend(), touches);
+    const auto next = std::find_if(now, pairs.end(), touches);
+    const trace::Pair* pair = newest != pairs.rend() ? *newest
+                              : next != pairs.end()  ? *next
+                                                     : nullptr;
+    axes.push_back(pair == nullptr ? PlaneAxes{}
+                                   : axes_as_seen(camera, pair->manifolds.front().normal));
+    PlaneExtent& extent = extents.emplace_back();
+    for (const Vec3d& point : histories_[h].points) extent.include(axes[h], point);
+    if (extent.empty()) continue;
+    const auto [x, y] = extent.center();
+    const double least = 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
+    const double reserve = pen.px(2 * kMapReserve);
+    const double free_width = std::max<double>(pen.px(10), cell(h).width - reserve);
+    const double free_height = std::max<double>(pen.px(10), height - reserve);
+    scale = std::min({scale, free_width / std::max(least, extent.width()),
+                      free_height / std::max(least, extent.height())});
+  }
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const Rect map = cell(h);
+    const trace::Pair* pair = pair_at(h, moment);
+    if (named) {
+      const auto left = static_cast<float>(map.x), top = static_cast<float>(rect.y);
+      draw_series_swatch(h, {left, top + 0.5f * pen.px(kWordsLine)}, kNameSwatch - 6, pen);
+      pen.text(fitted(histories_[h].name, pen.px(kChartText), FontWeight::Bold,
+                      static_cast<float>(map.width) - pen.px(kNameSwatch)),
+               {left + pen.px(kNameSwatch), top + 0.75f * pen.px(kWordsLine)}, Align::Left,
+               series_style(h).color, Weight::Bold);
     }
-    const bool named = pairs_.size() > 1;
-    const double words = px(kWordsLine) * (named ? 3 : 2) + px(8);
-    const double rows =
-        px(kVerdictRow) * static_cast<double>(kVerdictRows.size()) + px(kTimeRow + 6);
-    double chart = std::clamp(0.26 * rect_.height, px(kLeastMarginChart), px(kMostMarginChart));
-    double band = rows;
-    // The map says most; over time comes next, and the verdicts' rows last.
-    const auto map_height = [&] { return rect_.height - words - chart - band; };
-    if (frames_.size() < 2) chart = band = 0;
-    if (map_height() < px(kLeastStabilityMap)) band = 0;
-    if (map_height() < px(kLeastStabilityMap)) chart = 0;
-    const double map = map_height();
-    if (map > px(0.5 * kLeastStabilityMap)) draw_maps(map, named);
-    double y = rect_.y + words + std::max(0.0, map);
-    if (chart > 0) {
-      draw_series_chart(margins(), moment_, {rect_.x, y, rect_.width, chart}, pixel_, out_);
+    const ContactPlane plane(axes[h], extents[h].center(), scale, map, pen);
+    if (pair != nullptr) draw_map(*pair, plane, pen);
+    draw_words(pair, map, pen);
+    if (h + 1 < histories_.size() || scale > 1e299) continue;
+    plane.scale_bar(0.25, map.y + map.height + pen.px(0.5 * kWordsLine));
+  }
+}
+
+void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane,
+                             const Pen& pen) const {
+  const trace::Stability& stability = *pair.stability;
+  const std::vector<Point2> support = plane.at(stability.support);
+  if (support.size() > 2) pen.fill(support, with_alpha(kClipPolygon, 0.25f));
+  if (stability.axis && stability.verdict != "stable")
+    plane.line_through((*stability.axis)[0], (*stability.axis)[1], 2.2, kNormal, 7);
+  if (support.size() > 1) pen.outline(support, 2.6, kClipPolygon);
+  const Point2 projection = plane.at(stability.projection);
+  draw_margin(projection, support, pen);
+  const auto dot = [&](const Vec3d& position, const std::string& state) {
+    draw_state_dot(state, plane.at(position), pen.px(kMapDot), kContact, pen.drawing());
+  };
+  if (pair.incremental) {
+    for (const trace::PersistentPoint& point : pair.incremental->points) {
+      if (point.state != "broken") dot(point.point.position, point.state);
     }
-    y += chart + px(6);
-    if (band > 0) draw_verdicts(y);
-  }
-
- private:
-  double px(double at_720) const { return pixel_ * at_720; }
-
-  void text(const std::string& what, double x, double baseline, const Color& color,
-            Weight weight = Weight::Regular) {
-    chart_text(what, {static_cast<float>(x), static_cast<float>(baseline)}, Align::Left, color,
-               pixel_, out_, weight);
-  }
-
-  Rect cell(std::size_t pair, double height, bool named) const {
-    const double width = rect_.width / static_cast<double>(pairs_.size());
-    return {rect_.x + width * static_cast<double>(pair), rect_.y + (named ? px(kWordsLine) : 0),
-            width - (named ? px(8) : 0), height};
-  }
-
-  // One scale for all pairs and frames; each pair has a middle of its own.
-  void draw_maps(double height, bool named) {
-    const auto normal_of = [&](const trace::Pair& wanted) -> std::optional<Vec3d> {
-      std::optional<Vec3d> normal;
-      for (std::size_t f = 0; f < frames_.size(); ++f) {
-        const trace::Pair* pair = same_pair(frames_[f], wanted);
-        if (in_contact(pair) && (!normal || f <= moment_)) {
-          normal = pair->manifolds.front().normal;
-        }
-      }
-      return normal;
-    };
-    double scale = std::numeric_limits<double>::max();
-    std::vector<std::optional<StabilityMap>> maps;
-    std::vector<std::array<double, 2>> centers;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      maps.emplace_back();
-      centers.emplace_back();
-      const std::optional<Vec3d> normal = normal_of(pairs_[p]);
-      if (!normal) continue;
-      const Rect rect = cell(p, height, named);
-      maps[p].emplace(*normal, camera_, rect);
-      std::array<double, 2> low{1e300, 1e300}, high{-1e300, -1e300};
-      for (const trace::Frame& frame : frames_) {
-        const trace::Pair* pair = same_pair(frame, pairs_[p]);
-        if (!in_contact(pair)) continue;
-        for (const Vec3d& point : stability_extent(*pair)) {
-          const std::array<double, 2> at = maps[p]->flat(point);
-          for (std::size_t k = 0; k < 2; ++k) {
-            low[k] = std::min(low[k], at[k]);
-            high[k] = std::max(high[k], at[k]);
-          }
-        }
-      }
-      centers[p] = {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
-      const double least = 1e-9 * std::max({1.0, std::abs(centers[p][0]), std::abs(centers[p][1])});
-      const double free_width = std::max(px(10), rect.width - px(2 * kMapReserve));
-      const double free_height = std::max(px(10), rect.height - px(2 * kMapReserve));
-      scale = std::min({scale, free_width / std::max(least, high[0] - low[0]),
-                        free_height / std::max(least, high[1] - low[1])});
-    }
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const Rect rect = cell(p, height, named);
-      const trace::Pair* pair = same_pair(frames_[moment_], pairs_[p]);
-      if (named) {
-        const std::string& label = pairs_[p].label;
-        const std::string name = label.empty() ? pairs_[p].a + ", " + pairs_[p].b : label;
-        const auto size = static_cast<float>(px(kChartText));
-        draw_name_swatch(p, rect.x);
-        text(fitted(name, size, FontWeight::Bold, static_cast<float>(rect.width - px(kNameSwatch))),
-             rect.x + px(kNameSwatch), rect_.y + 0.75 * px(kWordsLine), series_style(p).color,
-             Weight::Bold);
-      }
-      if (maps[p] && in_contact(pair)) {
-        maps[p]->show(centers[p], scale);
-        maps[p]->draw(*pair, !has_ages_, pixel_, out_);
-      }
-      draw_words(pair, rect);
-    }
-    draw_scale_bar(scale, cell(pairs_.size() - 1, height, named));
-  }
-
-  // How the pair's lines look below.
-  void draw_name_swatch(std::size_t p, double x) {
-    const SeriesStyle style = series_style(p);
-    const auto y = static_cast<float>(rect_.y + 0.5 * px(kWordsLine));
-    Stroke swatch{{static_cast<float>(x), y},
-                  {static_cast<float>(x + px(kNameSwatch - 6)), y},
-                  2.4f * pixel_,
-                  style.color};
-    swatch.dash = pixel_ * style.dash;
-    swatch.gap = 0.6f * swatch.dash;
-    out_.primitives.push_back(swatch);
-  }
-
-  void draw_words(const trace::Pair* pair, const Rect& rect) {
-    const bool touching = in_contact(pair);
-    const double first = rect.y + rect.height + 0.75 * px(kWordsLine);
-    const auto write = [&](const std::string& what, double baseline, Weight weight) {
-      const auto size = static_cast<float>(px(kChartText));
-      const FontWeight font = weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
-      text(fitted(what, size, font, static_cast<float>(rect.width)), rect.x, baseline, kText,
-           weight);
-    };
-    write(touching ? pair->stability->verdict : "no contact", first, Weight::Bold);
-    if (!touching) return;
-    const double margin = pair->stability->margin;
-    std::string side = margin < 0 ? " outside" : " inside";
-    if (pairs_.size() == 1) side += " of the support";
-    write(margin == 0 ? "on the border of the support" : spell_margin(std::abs(margin)) + side,
-          first + px(kWordsLine), Weight::Regular);
-  }
-
-  void draw_scale_bar(double scale, const Rect& rect) {
-    if (!std::isfinite(scale) || scale > 1e299) return;
-    const double length = round_down(0.25 * rect.width / scale);
-    const auto right = static_cast<float>(rect.x + rect.width - px(2));
-    const auto left = right - static_cast<float>(length * scale);
-    const auto y = static_cast<float>(rect.y + rect.height + px(0.5 * kWordsLine));
-    const auto end = static_cast<float>(px(3));
-    const auto line = [&](const Point2& from, const Point2& to) {
-      out_.primitives.push_back(Stroke{from, to, 1.5f * pixel_, kQuietText});
-    };
-    line({left, y}, {right, y});
-    line({left, y - end}, {left, y + end});
-    line({right, y - end}, {right, y + end});
-    chart_text(spell_quantity(length, "m", 1),
-               {left - static_cast<float>(px(6)), y + static_cast<float>(px(4))}, Align::Right,
-               kQuietText, pixel_, out_);
-  }
-
-  SeriesChart margins() const {
-    SeriesChart chart{"margin", "m", {}, false, true};
-    for (const trace::Pair& wanted : pairs_) {
-      std::vector<double>& values = chart.curves.emplace_back();
-      for (const trace::Frame& frame : frames_) {
-        const trace::Pair* pair = same_pair(frame, wanted);
-        values.push_back(in_contact(pair) ? pair->stability->margin
-                                          : std::numeric_limits<double>::quiet_NaN());
+  } else {
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      for (const trace::Point& point : manifold.points) {
+        if (has_ages_)
+          draw_square(plane.at(point.position), pen.px(kMapSquare), kContact, pen.drawing());
+        else
+          dot(point.position, "");
       }
     }
-    return chart;
   }
+  draw_quartered_disc(projection, pen.px(kMapCenter), pen.px(1.4), pen.drawing());
+}
 
-  // A row a verdict, and in them a stepped line a pair, drawn as in the chart above.
-  void draw_verdicts(double y) {
-    const double left = rect_.x + px(kChartGutter), width = rect_.x + rect_.width - left;
-    const double row = px(kVerdictRow);
-    for (std::size_t i = 0; i < kVerdictRows.size(); ++i) {
-      const double top = y + row * static_cast<double>(i);
-      chart_text(kVerdictRows[i].name,
-                 {static_cast<float>(left - px(6)), static_cast<float>(top + 0.78 * row)},
-                 Align::Right, kQuietText, pixel_, out_);
-      const auto x0 = static_cast<float>(left), x1 = static_cast<float>(left + width);
-      const auto y0 = static_cast<float>(top + px(1)), y1 = static_cast<float>(top + row - px(1));
-      out_.primitives.push_back(
-          Fill{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, with_alpha(kQuietText, 0.10f)});
+void StabilityPlot::draw_words(const trace::Pair* pair, const Rect& rect, const Pen& pen) const {
+  const double first = rect.y + rect.height + 0.75 * pen.px(kWordsLine);
+  const auto write = [&](const std::string& what, double baseline, Weight weight) {
+    pen.text(fitted(what, pen.px(kChartText), font_weight(weight), static_cast<float>(rect.width)),
+             {static_cast<float>(rect.x), static_cast<float>(baseline)}, Align::Left, kText,
+             weight);
+  };
+  write(pair == nullptr ? "no contact" : pair->stability->verdict, first, Weight::Bold);
+  if (pair == nullptr) return;
+  const double margin = pair->stability->margin;
+  std::string side = margin < 0 ? " outside" : " inside";
+  if (histories_.size() == 1) side += " of the support";
+  write(margin == 0 ? "on the border of the support" : spell_margin(std::abs(margin)) + side,
+        first + pen.px(kWordsLine), Weight::Regular);
+}
+
+// A row a verdict, and in them a stepped line a pair, drawn as in the chart above.
+void StabilityPlot::draw_verdicts(std::size_t moment, const Rect& rect, const Pen& pen) const {
+  const double gutter = pen.px(kChartGutter), row = pen.px(kVerdictRow);
+  const Rect rows{rect.x + gutter, rect.y, rect.width - gutter,
+                  row * static_cast<double>(kVerdictRows.size())};
+  double top = rows.y;
+  for (const VerdictRow& verdict : kVerdictRows) {
+    pen.text(verdict.name,
+             {static_cast<float>(rows.x) - pen.px(6), static_cast<float>(top + 0.78 * row)},
+             Align::Right, kQuietText);
+    pen.fill({rows.x, top + pen.px(1), rows.width, row - pen.px(2)}, with_alpha(kQuietText, 0.10f));
+    top += row;
+  }
+  for (std::size_t h = 0; h < histories_.size(); ++h) draw_verdict_line(h, moment, rows, pen);
+  draw_moment(rows, histories_[0].pairs.size(), moment, pen);
+  draw_time_axis(duration_, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
+}
+
+void StabilityPlot::draw_verdict_line(std::size_t h, std::size_t moment, const Rect& rows,
+                                      const Pen& pen) const {
+  const SeriesStyle style = series_style(h);
+  const std::vector<const trace::Pair*>& pairs = histories_[h].pairs;
+  const double column = rows.width / static_cast<double>(pairs.size());
+  // Beside each other where verdicts are the same.
+  const double aside =
+      pen.px(4.5) * (static_cast<double>(h) - 0.5 * static_cast<double>(histories_.size() - 1));
+  std::vector<Point2> corners;
+  const auto finish = [&] {
+    pen.path(corners, 2.6, style.color, style.dash);
+    corners.clear();
+  };
+  for (std::size_t f = 0; f <= moment && f < pairs.size(); ++f) {
+    const auto* known = std::ranges::find_if(kVerdictRows, [&](const VerdictRow& verdict) {
+      return pairs[f] != nullptr && pairs[f]->stability->verdict == verdict.verdict;
+    });
+    if (known == kVerdictRows.end()) {
+      finish();
+      continue;
     }
-    for (std::size_t p = 0; p < pairs_.size(); ++p) draw_verdict_line(p, left, width, y);
-    const double height = row * static_cast<double>(kVerdictRows.size());
-    draw_moment({left, y, width, height}, frames_.size(), moment_, pixel_, out_);
-    const auto baseline = static_cast<float>(y + height + 0.82 * px(kTimeRow));
-    const auto at = [&](const std::string& what, double x, Align align) {
-      chart_text(what, {static_cast<float>(x), baseline}, align, kQuietText, pixel_, out_);
-    };
-    at("0", left, Align::Left);
-    at("time", left + 0.5 * width, Align::Center);
-    at(spell_quantity(frames_.back().time, "s"), left + width, Align::Right);
+    const auto level = static_cast<double>(known - kVerdictRows.begin());
+    const auto y = static_cast<float>(rows.y + pen.px(kVerdictRow) * (level + 0.5) + aside);
+    const auto from = static_cast<float>(rows.x + column * static_cast<double>(f));
+    if (corners.size() > 1 && corners.back().y == y)
+      corners.pop_back();  // goes on
+    else
+      corners.push_back({from, y});
+    corners.push_back({from + static_cast<float>(column), y});
   }
-
-  void draw_verdict_line(std::size_t p, double left, double width, double top) {
-    const SeriesStyle style = series_style(p);
-    const double column = width / static_cast<double>(frames_.size());
-    // Beside each other where verdicts are the same.
-    const double aside =
-        px(4.5) * (static_cast<double>(p) - 0.5 * static_cast<double>(pairs_.size() - 1));
-    std::vector<Point2> corners;
-    const auto finish = [&] {
-      float run = 0;
-      for (std::size_t i = 1; i < corners.size(); ++i) {
-        Stroke stroke{corners[i - 1], corners[i], 2.6f * pixel_, style.color,
-                      style.dash > 0 ? Cap::Butt : Cap::Round};
-        stroke.dash = pixel_ * style.dash;
-        stroke.gap = 0.6f * stroke.dash;
-        stroke.phase = run;
-        out_.primitives.push_back(stroke);
-        run += std::hypot(corners[i].x - corners[i - 1].x, corners[i].y - corners[i - 1].y);
-      }
-      corners.clear();
-    };
-    for (std::size_t f = 0; f <= moment_ && f < frames_.size(); ++f) {
-      const trace::Pair* pair = same_pair(frames_[f], pairs_[p]);
-      const auto* known = std::ranges::find_if(kVerdictRows, [&](const VerdictRow& verdict) {
-        return in_contact(pair) && pair->stability->verdict == verdict.verdict;
-      });
-      if (known == kVerdictRows.end()) {
-        finish();
-        continue;
-      }
-      const auto level = static_cast<double>(known - kVerdictRows.begin());
-      const auto y = static_cast<float>(top + px(kVerdictRow) * (level + 0.5) + aside);
-      const auto from = static_cast<float>(left + column * static_cast<double>(f));
-      if (corners.size() > 1 && corners.back().y == y)
-        corners.pop_back();  // goes on
-      else
-        corners.push_back({from, y});
-      corners.push_back({from + static_cast<float>(column), y});
-    }
-    finish();
-  }
-
-  const std::vector<trace::Frame>& frames_;
-  std::size_t moment_;
-  const Camera& camera_;
-  Rect rect_;
-  float pixel_;
-  Drawing& out_;
-  std::vector<trace::Pair> pairs_;
-  bool has_ages_;
-};
-
-}  // namespace
+  finish();
+}
 
 std::string spell_margin(double metres) {
   const bool usual = metres >= 1e-4 && metres < 1;
@@ -335,11 +299,6 @@ std::string spell_margin(double metres) {
   const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
   std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
   return usual ? text.data() : spell_length(metres);
-}
-
-void draw_stability(const std::vector<trace::Frame>& frames, std::size_t moment,
-                    const Camera& camera, const Rect& rect, float pixel, Drawing& drawing) {
-  StabilityPainter(frames, moment, camera, rect, pixel, drawing).run();
 }
 
 }  // namespace contactscope::draw

@@ -111,11 +111,14 @@ std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3
   std::vector<Point2> pixels;
   pixels.reserve(in_camera.size());
   for (const Vec3d& p : in_camera) pixels.push_back(camera.to_pixels(p));
-  for (const auto& border : borders(camera.viewport())) {
-    pixels = clip_polygon(pixels, border, mix2);
-  }
+  pixels = clip_polygon(camera.viewport(), std::move(pixels));
   if (pixels.size() < 3) pixels.clear();
   return pixels;
+}
+
+std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon) {
+  for (const auto& border : borders(rect)) polygon = clip_polygon(polygon, border, mix2);
+  return polygon;
 }
 
 std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to) {

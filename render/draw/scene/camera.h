@@ -70,6 +70,9 @@ struct Segment2 {
 /// The same for a segment.
 std::optional<Segment2> project_segment(const Camera& camera, const Vec3d& from, const Vec3d& to);
 
+/// Part of a convex polygon inside a rectangle.
+std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon);
+
 /// Part of a segment inside a rectangle.
 std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to);
 

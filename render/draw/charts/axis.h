@@ -3,14 +3,23 @@
 #include <string>
 #include <vector>
 
+#include "draw/scene/drawing.h"
+
 namespace contactscope::draw {
 
-/// A logarithmic axis: values > 0 to pixels of the canvas, along x or y.
-class LogAxis {
+/// Colours of what stands around the values of every chart.
+inline constexpr Color kChartGrid{0.835f, 0.855f, 0.875f, 1};
+inline constexpr Color kChartBorder{0.541f, 0.565f, 0.600f, 1};
+
+/// Values to pixels of the canvas, along x or y. `from` is the pixel of the low end, `to` of the
+/// high one.
+class Axis {
  public:
+  Axis() = default;
+  static Axis linear(double low, double high, float from, float to);
   /// Spans at least `low` to `high` (0 < low <= high), widened to a factor of three, with so many
-  /// pixels before and after. `from` is the pixel of the low end, `to` of the high one.
-  LogAxis(double low, double high, float from, float to, float before, float after);
+  /// pixels before and after.
+  static Axis logarithmic(double low, double high, float from, float to, float before, float after);
 
   /// Values beyond the axis lie on its ends.
   float at(double value) const;
@@ -21,14 +30,15 @@ class LogAxis {
     bool decade = false;  // a power of ten
     bool labelled = false;
   };
-  /// Every power of ten on the axis, and 2 to 9 times each where a decade is at least
+  /// Of a logarithmic axis: every power of ten on it, and 2 to 9 times each where a decade is at least
   /// `least_decade` pixels long, in growing order. Decades are labelled; where there are fewer than
   /// three of them, 2 and 5 as well.
   std::vector<Tick> ticks(float least_decade = 0) const;
 
  private:
-  double low_, high_;  // logarithms
-  float from_, to_;
+  bool logarithmic_ = false;
+  double low_ = 0, high_ = 1;  // or their logarithms
+  float from_ = 0, to_ = 1;
 };
 
 /// "50 ns", "1 µs", "2 ms" for a tick at 1, 2 or 5 times a power of ten.

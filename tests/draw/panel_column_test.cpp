@@ -1,8 +1,8 @@
-#include "overlay/panel_heights.h"
+#include "draw/panels/column.h"
 
 #include <gmock/gmock.h>
 
-namespace contactscope::overlay {
+namespace contactscope::draw {
 namespace {
 
 using ::testing::ElementsAre;
@@ -53,4 +53,4 @@ TEST(PanelHeights, EveryColumnIsFilledAndNeverOverfull) {
 }
 
 }  // namespace
-}  // namespace contactscope::overlay
+}  // namespace contactscope::draw

@@ -1,8 +1,8 @@
-#include "overlay/panel_heights.h"
+#include "draw/panels/column.h"
 
 #include <algorithm>
 
-namespace contactscope::overlay {
+namespace contactscope::draw {
 namespace {
 
 /// Divides `room` by shares; who would get less than it has in `heights` keeps that, and the others
@@ -68,4 +68,4 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
   return heights;
 }
 
-}  // namespace contactscope::overlay
+}  // namespace contactscope::draw

@@ -1,15 +1,14 @@
-#include "draw/charts/plot_canvas.h"
+#include "draw/charts/plot_page.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kTextSize = 14;
 constexpr double kHeading = 22;
 constexpr double kUnder = 26;
 constexpr double kBetween = 18;
@@ -18,9 +17,9 @@ constexpr double kLegend = 24;
 constexpr double kCaption = 20;
 
 /// Every how many decades a label has room.
-int stride(const std::vector<LogAxis::Tick>& ticks, float room) {
+int stride(const std::vector<Axis::Tick>& ticks, float room) {
   std::vector<float> places;
-  for (const LogAxis::Tick& tick : ticks) {
+  for (const Axis::Tick& tick : ticks) {
     if (tick.decade) places.push_back(tick.at);
   }
   if (places.size() < 2) return 1;
@@ -31,88 +30,52 @@ int stride(const std::vector<LogAxis::Tick>& ticks, float room) {
   return 8;
 }
 
-int exponent_of(const LogAxis::Tick& tick) {
+int exponent_of(const Axis::Tick& tick) {
   return static_cast<int>(std::lround(std::log10(tick.value)));
 }
 
 }  // namespace
 
-void PlotCanvas::text(const std::string& what, const Point2& at, Align align, const Color& color,
-                      Weight weight) {
-  Text result;
-  result.text = what;
-  result.at = at;
-  result.size = px(kTextSize);
-  result.weight = weight;
-  result.align = align;
-  result.color = color;
-  out_.primitives.push_back(result);
-}
-
-float PlotCanvas::width_of(const std::string& what, Weight weight) const {
-  return text_width(what, px(kTextSize),
-                    weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular);
-}
-
-void PlotCanvas::line(const Point2& from, const Point2& to, double width, const Color& color,
-                      double dash) {
-  Stroke stroke{from, to, px(width), color};
-  stroke.dash = px(dash);
-  stroke.gap = px(0.7 * dash);
-  out_.primitives.push_back(stroke);
-}
-
-void PlotCanvas::fill(const Rect& rect, const Color& color) {
-  const auto left = static_cast<float>(rect.x), top = static_cast<float>(rect.y);
-  const auto right = static_cast<float>(rect.x + rect.width);
-  const auto bottom = static_cast<float>(rect.y + rect.height);
-  out_.primitives.push_back(
-      Fill{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}, color});
-}
-
-void PlotCanvas::cross(const Point2& at, double radius, const Color& color) {
-  const float r = px(radius);
-  line({at.x - r, at.y - r}, {at.x + r, at.y + r}, 1.8, color);
-  line({at.x - r, at.y + r}, {at.x + r, at.y - r}, 1.8, color);
-}
-
-void PlotCanvas::frame(const Rect& area) {
-  const auto left = static_cast<float>(area.x), top = static_cast<float>(area.y);
-  const auto right = static_cast<float>(area.x + area.width);
-  const auto bottom = static_cast<float>(area.y + area.height);
-  const Point2 corners[4] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-  for (int i = 0; i < 4; ++i) line(corners[i], corners[(i + 1) % 4], 1.2, kPlotBorder);
-}
-
-void PlotCanvas::ticks_along(const LogAxis& axis, const Rect& area, bool grid) {
-  const std::vector<LogAxis::Tick> ticks = axis.ticks(1e9f);
-  const int every = stride(ticks, px(44));
+void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen) {
+  const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);
+  const int every = stride(ticks, pen.px(44));
   const auto top = static_cast<float>(area.y);
   const auto bottom = static_cast<float>(area.y + area.height);
-  for (const LogAxis::Tick& tick : ticks) {
+  for (const Axis::Tick& tick : ticks) {
     if (!tick.decade) continue;
-    if (grid) line({tick.at, top}, {tick.at, bottom}, 1, kPlotGrid);
+    if (grid) pen.line({tick.at, top}, {tick.at, bottom}, 1, kChartGrid);
     const bool labelled = exponent_of(tick) % every == 0;
-    line({tick.at, bottom}, {tick.at, bottom + px(labelled ? 5 : 3)}, 1.2, kPlotBorder);
+    pen.line({tick.at, bottom}, {tick.at, bottom + pen.px(labelled ? 5 : 3)}, 1.2, kChartBorder);
     if (!labelled) continue;
-    text(spell_tick_error(tick.value, ""), {tick.at, bottom + px(18)}, Align::Center, kQuietText);
+    pen.text(spell_tick_error(tick.value, ""), {tick.at, bottom + pen.px(18)}, Align::Center,
+             kQuietText);
   }
 }
 
-void PlotCanvas::ticks_up(const LogAxis& axis, const Rect& area, bool grid, bool labels) {
-  const std::vector<LogAxis::Tick> ticks = axis.ticks(1e9f);
-  const int every = stride(ticks, px(22));
+void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen) {
+  const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);
+  const int every = stride(ticks, pen.px(22));
   const auto left = static_cast<float>(area.x);
   const auto right = static_cast<float>(area.x + area.width);
-  for (const LogAxis::Tick& tick : ticks) {
+  for (const Axis::Tick& tick : ticks) {
     if (!tick.decade) continue;
     const bool labelled = exponent_of(tick) % every == 0;
-    if (grid && labelled) line({left, tick.at}, {right, tick.at}, 1, kPlotGrid);
-    line({left - px(labelled ? 5 : 3), tick.at}, {left, tick.at}, 1.2, kPlotBorder);
+    if (grid && labelled) pen.line({left, tick.at}, {right, tick.at}, 1, kChartGrid);
+    pen.line({left - pen.px(labelled ? 5 : 3), tick.at}, {left, tick.at}, 1.2, kChartBorder);
     if (!labelled || !labels) continue;
-    text(spell_tick_error(tick.value, ""), {left - px(8), tick.at + px(5)}, Align::Right,
-         kQuietText);
+    pen.text(spell_tick_error(tick.value, ""), {left - pen.px(8), tick.at + pen.px(5)},
+             Align::Right, kQuietText);
   }
+}
+
+void PositiveRange::include(double value) {
+  if (!(value > 0)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+double largest_error(const trace::StudyPoint& point) {
+  return point.error_worst.value_or(point.error.value_or(0));
 }
 
 std::vector<PlotPanel> panels_of(const trace::Study& study) {
@@ -147,10 +110,11 @@ std::vector<Rect> panel_areas(const Rect& space, std::size_t count, double left,
   return areas;
 }
 
-std::string spell_context(const trace::StudyContext& context) {
+std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
   std::string line;
   for (const std::string& part :
-       {context.cpu, context.compiler, context.build_type, context.date.substr(0, 10)}) {
+       {context.cpu, context.compiler, context.build_type, with_scalar ? context.scalar : "",
+        context.date.substr(0, 10)}) {
     if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
   }
   return line;
@@ -162,13 +126,13 @@ PlotPage plot_page(const trace::Study& study, const std::string& shown, int widt
   page.scale = layout.scale;
   page.drawing.width = width;
   page.drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context), layout,
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, false), layout,
                 page.drawing);
   const double left = layout.legend.x;
   const double top = left + layout.px(kTitle + 4);
-  PlotCanvas canvas(page.drawing, layout.scale);
-  canvas.text(shown, {static_cast<float>(left), static_cast<float>(top) + layout.px(12)},
-              Align::Left, kQuietText);
+  Pen(page.drawing, layout.scale, kPlotText)
+      .text(shown, {static_cast<float>(left), static_cast<float>(top) + layout.px(12)},
+            Align::Left, kQuietText);
   const double legend_at = top + layout.px(16 + 0.5 * kLegend);
   page.legend = {static_cast<float>(left), static_cast<float>(legend_at)};
   const double begin = legend_at + layout.px(0.5 * kLegend + 4);

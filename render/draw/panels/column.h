@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace contactscope::overlay {
+namespace contactscope::draw {
 
 /// How high one panel of a column must, can and would be, in pixels.
 struct PanelNeed {
@@ -20,4 +20,4 @@ struct PanelNeed {
 std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float height, float gap,
                                  float note);
 
-}  // namespace contactscope::overlay
+}  // namespace contactscope::draw

@@ -1,4 +1,4 @@
-#include "draw/charts/log_axis.h"
+#include "draw/charts/axis.h"
 
 #include <algorithm>
 #include <array>
@@ -36,25 +36,36 @@ std::string power_of_ten(double value) {
 
 }  // namespace
 
-LogAxis::LogAxis(double low, double high, float from, float to, float before, float after)
-    : low_(std::log10(low)), high_(std::log10(high)), from_(from), to_(to) {
-  const double missing = kLeastSpan - (high_ - low_);
-  if (missing > 0) {
-    low_ -= 0.5 * missing;
-    high_ += 0.5 * missing;
-  }
-  const double length = std::abs(to - from);
-  const double per_pixel = (high_ - low_) / std::max(1.0, length - before - after);
-  low_ -= before * per_pixel;
-  high_ += after * per_pixel;
+Axis Axis::linear(double low, double high, float from, float to) {
+  Axis axis;
+  axis.low_ = low;
+  axis.high_ = high;
+  axis.from_ = from;
+  axis.to_ = to;
+  return axis;
 }
 
-float LogAxis::at(double value) const {
-  const double share = (std::log10(value) - low_) / (high_ - low_);
+Axis Axis::logarithmic(double low, double high, float from, float to, float before, float after) {
+  Axis axis = linear(std::log10(low), std::log10(high), from, to);
+  axis.logarithmic_ = true;
+  const double missing = kLeastSpan - (axis.high_ - axis.low_);
+  if (missing > 0) {
+    axis.low_ -= 0.5 * missing;
+    axis.high_ += 0.5 * missing;
+  }
+  const double length = std::abs(to - from);
+  const double per_pixel = (axis.high_ - axis.low_) / std::max(1.0, length - before - after);
+  axis.low_ -= before * per_pixel;
+  axis.high_ += after * per_pixel;
+  return axis;
+}
+
+float Axis::at(double value) const {
+  const double share = ((logarithmic_ ? std::log10(value) : value) - low_) / (high_ - low_);
   return from_ + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to_ - from_);
 }
 
-std::vector<LogAxis::Tick> LogAxis::ticks(float least_decade) const {
+std::vector<Axis::Tick> Axis::ticks(float least_decade) const {
   const bool minor = std::abs(to_ - from_) >= least_decade * (high_ - low_);
   std::vector<Tick> list;
   int decades = 0;

@@ -1,0 +1,92 @@
+// The panels "stability" and "plots": charts over time.
+#include <algorithm>
+
+#include "draw/charts/series_plots.h"
+#include "draw/insets/stability_plot.h"
+#include "draw/panels/panel.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines, of what the drawings below need.
+constexpr double kStabilityWords = 65;  // lines under the map, and the name over it
+constexpr double kStabilityMap = 70;
+constexpr double kStabilityOverTime = 64;
+constexpr double kPlotsAxis = 40;  // of time, and a row of names
+constexpr double kPlotsChart = 46;
+
+/// Charts have a text size of their own, which is not a whole number of pixels everywhere.
+Pen chart_pen(const Sheet& sheet) {
+  return {sheet.pen().drawing(), sheet.pen().scale(), kChartText};
+}
+
+/// Whether the centre of mass projects into the manifold, by what margin, and over time.
+class StabilityPanel : public PanelContent {
+ public:
+  StabilityPanel(const Staging& staging, const Frames& frames) : staging_(staging), plot_(frames) {}
+
+  PanelNeed need(const PanelMoment&) const override {
+    const Layout& layout = staging_.layout;
+    const float least =
+        Sheet::heading_height(layout.scale) + layout.px(kStabilityWords + kStabilityMap);
+    return {least, least + layout.px(kStabilityOverTime), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+    sheet.heading("stability: centre of mass over the contact");
+    plot_.draw(moment.frame, staging_.camera, sheet.rest(), chart_pen(sheet));
+    return {};
+  }
+
+ private:
+  const Staging& staging_;
+  StabilityPlot plot_;
+};
+
+/// What the solver made of it, up to the current frame.
+class PlotsPanel : public PanelContent {
+ public:
+  PlotsPanel(const Staging& staging, const Frames& frames)
+      : layout_(staging.layout),
+        plots_(time_series(frames), frames.back().time,
+               staging.view.shows(Layer::Loads) ? staging.scales.step : 0) {}
+
+  PanelNeed need(const PanelMoment&) const override {
+    const float least = Sheet::heading_height(layout_.scale) + layout_.px(kPlotsAxis + kPlotsChart);
+    const double more = static_cast<double>(std::max<std::size_t>(1, plots_.chart_count()) - 1);
+    return {least, least + layout_.px(more * kPlotsChart), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+    sheet.heading("over time");
+    const Rect rest = sheet.rest();
+    Drawing whole;
+    std::size_t missing = plots_.draw(moment.frame, rest, {whole, layout_.scale, kChartText});
+    if (missing > 0) {  // again, with a line below that says so
+      whole = {};
+      const double line = sheet.line_height();
+      const Rect above{rest.x, rest.y, rest.width, rest.height - line};
+      missing = plots_.draw(moment.frame, above, {whole, layout_.scale, kChartText});
+      sheet.skip_to(rest.y + above.height);
+    }
+    std::vector<Primitive>& all = sheet.pen().drawing().primitives;
+    all.insert(all.end(), whole.primitives.begin(), whole.primitives.end());
+    return sheet.more(missing, "chart", "charts");
+  }
+
+ private:
+  const Layout& layout_;
+  SeriesPlots plots_;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_stability_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<StabilityPanel>(staging, frames);
+}
+
+std::unique_ptr<PanelContent> make_plots_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<PlotsPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kUsualRows = 5;   // of two hulls that touch
+constexpr float kAroundRows = 2.2f;     // lines of text: a heading, and space below
+constexpr float kBetweenPairs = 0.4f;   // of the height of text
+
+using Rows = std::vector<NamedValue>;
+
+std::string spoken(const std::string& axis) {
+  if (axis == "face_a") return "face of A";
+  if (axis == "face_b") return "face of B";
+  if (axis == "edge_edge") return "edge of A, edge of B";
+  return axis;
+}
+
+// "point-face", or of a mesh's many manifolds each type once.
+std::string types_of(const trace::Pair& pair) {
+  std::vector<std::string> types;
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (std::ranges::find(types, manifold.type) == types.end()) types.push_back(manifold.type);
+  }
+  std::string text;
+  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + type;
+  return text;
+}
+
+std::string answered(const std::string& answer) {
+  return answer == "skip" ? "no contact made" : "fallback";
+}
+
+std::string counted(const trace::Pair& pair) {
+  std::size_t kept = 0;
+  for (const trace::Manifold& manifold : pair.manifolds) kept += manifold.points.size();
+  std::string text = std::to_string(kept);
+  if (pair.manifolds.size() > 1) {
+    return text + " in " + std::to_string(pair.manifolds.size()) + " manifolds";
+  }
+  if (pair.reduction && pair.reduction->points.size() > kept) {
+    text +=
+        " of " + std::to_string(pair.reduction->points.size()) + ", by " + pair.reduction->method;
+  }
+  return text;
+}
+
+/// Calls `add` with the name of each row and with what spells its value.
+template <class Add>
+void for_each_row(const trace::Pair& pair, Add&& add) {
+  add("pair", [&] { return pair.kind; });
+  add("state", [&] { return pair.state; });
+  if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
+  if (!pair.manifolds.empty()) add("contact", [&] { return types_of(pair); });
+  add(pair.separation > 0 ? "gap" : "separation", [&] { return spell_length(pair.separation); });
+  if (pair.state != "separated") add("points", [&] { return counted(pair); });
+  if (pair.incremental) {
+    const trace::Incremental& incremental = *pair.incremental;
+    add("cores", [&] {
+      return incremental.query == "gjk" ? "apart, by gjk" : "overlap, by " + incremental.query;
+    });
+    add("confirmed", [&] { return "by " + incremental.confirm; });
+  }
+  if (pair.degenerate) {
+    add("no normal",
+        [&] { return pair.degenerate->geometry + "; " + answered(pair.degenerate->answer); });
+  }
+}
+
+// A degenerate geometry's name takes a second line.
+std::size_t lines_of(const trace::Pair& pair) {
+  std::size_t lines = pair.degenerate ? 1 : 0;
+  for_each_row(pair, [&](const char*, auto&&) { ++lines; });
+  return lines;
+}
+
+std::string title_of(const trace::Pair& pair) {
+  const std::string names = pair.a + ", " + pair.b;
+  return pair.label.empty() ? names : pair.label + ": " + names;
+}
+
+/// What the pipeline says of each pair, and when that is.
+class SummaryPanel : public PanelContent {
+ public:
+  // A pair has the rows of a touching one, so that panels below keep their place when it comes
+  // apart; and those of the frame that has most to say.
+  SummaryPanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {
+    std::size_t rows = kUsualRows;
+    for (const trace::Frame& frame : frames) {
+      for (const trace::Pair& pair : frame.pairs) rows = std::max(rows, lines_of(pair));
+    }
+    pair_height_ = (kAroundRows + static_cast<float>(rows)) * Sheet::line_height(scale_);
+  }
+
+  PanelNeed need(const PanelMoment& moment) const override {
+    const std::size_t all = frames_[moment.frame].pairs.size();
+    const float least = height_of(std::min<std::size_t>(1, all), moment);
+    return {least, least, height_of(all, moment), 0};
+  }
+
+  // The first pairs, as many as have room whole, so that the same ones are there in every frame.
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+    const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
+    constexpr float kRounding = 0.5f;  // pixels; heights were added in another order
+    const auto room = static_cast<float>(sheet.rest().height) + kRounding;
+    std::size_t shown = pairs.size();
+    if (shown > 1 && height_of(shown, moment) > room) {
+      const float others = std::max(0.0f, room - height_of(0, moment));
+      shown = std::clamp<std::size_t>(static_cast<std::size_t>(others / pair_height_), 1,
+                                      pairs.size() - 1);
+    }
+    for (std::size_t i = 0; i < shown; ++i) {
+      sheet.heading(title_of(pairs[i]));
+      for_each_row(pairs[i], [&](const char* name, auto&& spell) { sheet.row({name, spell()}); });
+      sheet.skip(kBetweenPairs * sheet.text_height());
+    }
+    std::string missing = sheet.more(pairs.size() - shown, "pair", "pairs");
+    for (const NamedValue& row : time_rows(moment)) sheet.row(row);
+    return missing;
+  }
+
+ private:
+  Rows time_rows(const PanelMoment& moment) const {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.3f s", frames_[moment.frame].time);
+    Rows rows{{"time", text.data()}};
+    if (moment.pipeline_nanoseconds) {
+      std::snprintf(text.data(), text.size(), "%.2f µs", *moment.pipeline_nanoseconds / 1000);
+      rows.emplace_back("pipeline", text.data());
+    }
+    return rows;
+  }
+
+  /// With so many of the frame's pairs, and a line that tells of the others.
+  float height_of(std::size_t pairs, const PanelMoment& moment) const {
+    const bool all = pairs == frames_[moment.frame].pairs.size();
+    const std::size_t lines = 1 + moment.pipeline_nanoseconds.has_value() + !all;
+    return pair_height_ * static_cast<float>(pairs) +
+           Sheet::line_height(scale_) * static_cast<float>(lines);
+  }
+
+  const Frames& frames_;
+  float scale_;
+  float pair_height_ = 0;  // pixels
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_summary_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<SummaryPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,147 @@
+#include "draw/scene/pen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace contactscope::draw {
+namespace {
+
+constexpr float kOnALine = 0.1f;  // pixels
+
+float distance(const Point2& a, const Point2& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// Whether every point after `first` and before `last` is near the segment between these two, in
+/// its order.
+bool is_straight(const std::vector<Point2>& points, std::size_t first, std::size_t last) {
+  const Point2& a = points[first];
+  const Point2& b = points[last];
+  const float length = distance(a, b);
+  if (!(length > 0)) return last == first + 1;
+  const Point2 along{(b.x - a.x) / length, (b.y - a.y) / length};
+  float before = 0;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const Point2 way{points[i].x - a.x, points[i].y - a.y};
+    const float run = along.x * way.x + along.y * way.y;
+    const float aside = along.x * way.y - along.y * way.x;
+    if (std::abs(aside) > kOnALine || run < before || run > length) return false;
+    before = run;
+  }
+  return true;
+}
+
+/// Without the points between which the way is straight.
+std::vector<Point2> straightened(const std::vector<Point2>& points) {
+  // Looking further ahead for a longer stroke would cost the square of the number of points.
+  constexpr std::size_t kMostMerged = 64;
+  std::vector<Point2> corners;
+  std::size_t at = 0;
+  while (at + 1 < points.size()) {
+    corners.push_back(points[at]);
+    std::size_t next = at + 1;
+    while (next + 1 < points.size() && next < at + kMostMerged && is_straight(points, at, next + 1))
+      ++next;
+    at = next;
+  }
+  if (!points.empty()) corners.push_back(points.back());
+  return corners;
+}
+
+}  // namespace
+
+FontWeight font_weight(Weight weight) {
+  return weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
+}
+
+std::vector<Point2> corners_of(const Rect& rect) {
+  const auto left = static_cast<float>(rect.x), top = static_cast<float>(rect.y);
+  const auto right = static_cast<float>(rect.x + rect.width);
+  const auto bottom = static_cast<float>(rect.y + rect.height);
+  return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+void Pen::text(const std::string& what, const Point2& at, Align align, const Color& color,
+               Weight weight, double size, double halo) const {
+  Text text;
+  text.text = what;
+  text.at = at;
+  text.size = px(size > 0 ? size : text_size_);
+  text.weight = weight;
+  text.align = align;
+  text.color = color;
+  text.halo = px(halo);
+  out_.primitives.push_back(std::move(text));
+}
+
+float Pen::width_of(const std::string& what, Weight weight) const {
+  return text_width(what, px(text_size_), font_weight(weight));
+}
+
+Stroke Pen::stroke(const Point2& from, const Point2& to, double width, const Color& color,
+                   double dash, double gap) const {
+  Stroke stroke{from, to, px(width), color};
+  stroke.dash = px(dash);
+  stroke.gap = gap > 0 ? px(gap) : 0.7f * stroke.dash;
+  return stroke;
+}
+
+void Pen::line(const Point2& from, const Point2& to, double width, const Color& color, double dash,
+               double gap) const {
+  out_.primitives.push_back(stroke(from, to, width, color, dash, gap));
+}
+
+void Pen::path(const std::vector<Point2>& points, double width, const Color& color, double dash,
+               double gap) const {
+  const std::vector<Point2> corners = straightened(points);
+  float run = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    Stroke piece = stroke(corners[i - 1], corners[i], width, color, dash, gap);
+    piece.cap = dash > 0 ? Cap::Butt : Cap::Round;
+    piece.phase = run;
+    run += distance(corners[i - 1], corners[i]);
+    out_.primitives.push_back(piece);
+  }
+}
+
+void Pen::outline(const std::vector<Point2>& polygon, double width, const Color& color,
+                  double dash) const {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    Stroke side = stroke(polygon[i], polygon[(i + 1) % polygon.size()], width, color, dash, 0);
+    if (dash == 0) side.cap = Cap::Round;
+    out_.primitives.push_back(side);
+  }
+}
+
+void Pen::frame(const Rect& rect, double width, const Color& color) const {
+  const std::vector<Point2> corners = corners_of(rect);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    line(corners[i], corners[(i + 1) % corners.size()], width, color);
+}
+
+void Pen::fill(std::vector<Point2> polygon, const Color& color) const {
+  out_.primitives.push_back(Fill{std::move(polygon), color});
+}
+
+void Pen::fill(const Rect& rect, const Color& color) const {
+  fill(corners_of(rect), color);
+}
+
+void Pen::disc(const Point2& center, double radius, const Color& color) const {
+  ring(center, 0, radius, color);
+}
+
+void Pen::ring(const Point2& center, double inner, double outer, const Color& color) const {
+  out_.primitives.push_back(Disc{center, px(inner), px(outer), color});
+}
+
+void Pen::cross(const Point2& at, double radius, double width, const Color& color, Cap cap) const {
+  const float r = px(radius);
+  for (const float rise : {r, -r}) {
+    Stroke stroke{{at.x - r, at.y - rise}, {at.x + r, at.y + rise}, px(width), color, cap};
+    out_.primitives.push_back(stroke);
+  }
+}
+
+}  // namespace contactscope::draw
