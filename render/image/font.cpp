@@ -154,9 +154,9 @@ GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, 
   out.height = y1 - y0;
   out.left = x0;
   out.top = y0;
-  out.coverage = coverage_of(outline_of(info, glyph, scale, subpixel_x - static_cast<float>(x0),
-                                        static_cast<float>(-y0)),
-                             out.width, out.height);
+  out.coverage = coverage_of(
+      outline_of(info, glyph, scale, subpixel_x - static_cast<float>(x0), static_cast<float>(-y0)),
+      out.width, out.height);
   return halo > 0 ? dilated(out, halo) : out;
 }
 

@@ -54,9 +54,8 @@ std::vector<std::string> PanelColumn::lay_out(const draw::PanelMoment& moment,
     needs.push_back(with_padding(panel.content->need(moment)));
   const draw::Rect& column = layout_.panels;
   const float gap = layout_.px(kBetweenPanels);
-  const std::vector<float> heights =
-      draw::divide_column(needs, static_cast<float>(column.height), gap,
-                          draw::Sheet::line_height(layout_.scale));
+  const std::vector<float> heights = draw::divide_column(
+      needs, static_cast<float>(column.height), gap, draw::Sheet::line_height(layout_.scale));
 
   const auto left = static_cast<float>(column.x), width = static_cast<float>(column.width);
   auto y = static_cast<float>(column.y);

@@ -1,14 +1,16 @@
-// Drawings painted into panels, and the panels that are made of them.
+// Panels in their windows, as pixels.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "draw/scene/palette.h"
 #include "gl/painting.h"
 #include "gl/rasterizer.h"
 #include "overlay/imgui_renderer.h"
-#include "overlay/paint.h"
 #include "overlay/panels.h"
 
 namespace contactscope::overlay {
@@ -16,90 +18,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using testing::pixel;
-
-constexpr draw::Color kRed{1, 0, 0, 1}, kBlue{0, 0, 1, 1};
-
-class PaintedPanel : public ::testing::Test {
- protected:
-  static Image painted(const draw::Drawing& drawing) {
-    const auto context = gl::open_context(gl::Backend::Auto);
-    gl::Rasterizer rasterizer(*context, 200, 100);
-    PanelRenderer panels(*context, 200, 100, 1);
-    rasterizer.begin({1, 1, 1, 1});
-    panels.begin_frame();
-    paint(drawing, ImGui::GetForegroundDrawList());
-    panels.end_frame_and_draw();
-    return rasterizer.read();
-  }
-};
-
-TEST_F(PaintedPanel, FillsOfEitherWindingDiscsAndRingsCoverTheirInside) {
-  draw::Drawing drawing;
-  drawing.primitives = {
-      draw::Fill{{{10, 10}, {30, 10}, {30, 30}, {10, 30}}, kRed},
-      draw::Fill{{{40, 10}, {40, 30}, {60, 30}, {60, 10}}, kBlue},
-      draw::Disc{{90, 20}, 0, 10, kRed},
-      draw::Disc{{130, 20}, 8, 12, kBlue},
-  };
-  const Image image = painted(drawing);
-  EXPECT_THAT(pixel(image, 20, 20), ElementsAre(255, 0, 0));
-  EXPECT_THAT(pixel(image, 50, 20), ElementsAre(0, 0, 255));
-  EXPECT_THAT(pixel(image, 35, 20), ElementsAre(255, 255, 255));
-  EXPECT_THAT(pixel(image, 90, 20), ElementsAre(255, 0, 0));
-  EXPECT_THAT(pixel(image, 130, 20), ElementsAre(255, 255, 255));
-  EXPECT_THAT(pixel(image, 140, 20), ElementsAre(0, 0, 255));
-}
-
-TEST_F(PaintedPanel, DashesLeaveGapsAndGoOnWhereThePhaseSays) {
-  draw::Drawing drawing;
-  draw::Stroke stroke{{0, 20}, {200, 20}, 6, kRed};
-  stroke.dash = 20;
-  stroke.gap = 20;
-  drawing.primitives.push_back(stroke);
-  stroke.from.y = stroke.to.y = 60;
-  stroke.phase = 20;
-  drawing.primitives.push_back(stroke);
-  const Image image = painted(drawing);
-  for (const int x : {10, 50, 90}) {
-    EXPECT_THAT(pixel(image, x, 20), ElementsAre(255, 0, 0)) << x;
-    EXPECT_THAT(pixel(image, x + 20, 20), ElementsAre(255, 255, 255)) << x;
-    EXPECT_THAT(pixel(image, x, 60), ElementsAre(255, 255, 255)) << x;
-    EXPECT_THAT(pixel(image, x + 20, 60), ElementsAre(255, 0, 0)) << x;
-  }
-}
-
-TEST_F(PaintedPanel, StrokesThatGoOnAreOneLineWithoutBeads) {
-  draw::Drawing one, many;
-  one.primitives = {draw::Stroke{{20, 50}, {180, 50}, 3, kRed, draw::Cap::Round}};
-  for (int x = 20; x < 180; x += 4) {
-    const auto from = static_cast<float>(x);
-    many.primitives.push_back(draw::Stroke{{from, 50}, {from + 4, 50}, 3, kRed, draw::Cap::Round});
-  }
-  EXPECT_NEAR(testing::ink(painted(many)), testing::ink(painted(one)),
-              0.01 * testing::ink(painted(one)));
-}
-
-TEST_F(PaintedPanel, TextStandsOnItsBaselineAtTheEndThatItIsAlignedTo) {
-  draw::Drawing drawing;
-  draw::Text text;
-  text.text = "HH";
-  text.at = {100, 60};
-  text.size = 15;
-  text.align = draw::Align::Right;
-  text.color = {0, 0, 0, 1};
-  drawing.primitives = {text};
-  const Image image = painted(drawing);
-  int right = 0, bottom = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      if (pixel(image, x, y)[0] > 128) continue;
-      right = std::max(right, x);
-      bottom = std::max(bottom, y);
-    }
-  }
-  EXPECT_NEAR(right, 98, 2);
-  EXPECT_NEAR(bottom, 59, 1);
-}
 
 /// A ball on the ground that comes to rest, with or without what the panels show.
 std::vector<trace::Frame> resting_ball(bool with_facts) {
@@ -128,11 +46,10 @@ std::vector<trace::Frame> resting_ball(bool with_facts) {
   return frames;
 }
 
-class SeriesPanels : public ::testing::Test {
+class PanelColumnTest : public ::testing::Test {
  protected:
-  static Image rendered(const std::vector<trace::Frame>& frames, Panel panel, int width, int height,
-                        std::size_t current) {
-    trace::Header header;
+  static draw::Staging staged(trace::Header& header, const std::vector<trace::Frame>& frames,
+                              const std::vector<Panel>& panels, int width, int height) {
     header.up = "y";
     trace::Shape ball;
     ball.name = "ball";
@@ -141,15 +58,27 @@ class SeriesPanels : public ::testing::Test {
     ball.radius = 0.5;
     header.shapes = {ball};
     View view;
-    view.panels = {panel};
-    const draw::Staging staging = draw::stage(header, frames, view, width, height);
+    view.panels = panels;
+    return draw::stage(header, frames, view, width, height);
+  }
+
+  /// `prepare` is called once Dear ImGui's context is there.
+  static Image rendered(
+      const std::vector<trace::Frame>& frames, const std::vector<Panel>& names, int width,
+      int height, std::size_t current, const std::function<void()>& prepare = [] {}) {
+    trace::Header header;
+    const draw::Staging staging = staged(header, frames, names, width, height);
     const auto context = gl::open_context(gl::Backend::Auto);
     gl::Rasterizer rasterizer(*context, width, height);
-    PanelRenderer panels(*context, width, height, staging.layout.scale);
-    rasterizer.begin({1, 1, 1, 1});
-    panels.begin_frame();
-    draw_panels({staging, frames, current, std::nullopt});
-    panels.end_frame_and_draw();
+    PanelRenderer windows(*context, width, height, staging.layout.scale);
+    prepare();
+    const PanelColumn panels(staging, frames);
+    draw::Drawing contents;
+    rasterizer.begin({0.5f, 0.5f, 0.5f, 1});
+    windows.begin_frame();
+    panels.lay_out({current}, contents);
+    windows.end_frame_and_draw();
+    rasterizer.paint(contents);
     return rasterizer.read();
   }
   /// Pixels of a colour.
@@ -167,21 +96,69 @@ class SeriesPanels : public ::testing::Test {
   }
 };
 
-TEST_F(SeriesPanels, PlotsGrowWithTheFrames) {
+TEST_F(PanelColumnTest, PlotsGrowWithTheFrames) {
   const std::vector<trace::Frame> frames = resting_ball(false);
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
-    const int early = count(rendered(frames, Panel::Plots, width, height, 0), draw::kContact);
-    const int late = count(rendered(frames, Panel::Plots, width, height, 3), draw::kContact);
+    const int early = count(rendered(frames, {Panel::Plots}, width, height, 0), draw::kContact);
+    const int late = count(rendered(frames, {Panel::Plots}, width, height, 3), draw::kContact);
     EXPECT_GT(early, 0);
     EXPECT_GT(late, early + 100);
   }
 }
 
-TEST_F(SeriesPanels, StabilityShowsVerdictRowsOnlyWithTheFact) {
-  const Image with = rendered(resting_ball(true), Panel::Stability, 1280, 720, 3);
-  const Image without = rendered(resting_ball(false), Panel::Stability, 1280, 720, 3);
+TEST_F(PanelColumnTest, StabilityShowsVerdictRowsOnlyWithTheFact) {
+  const Image with = rendered(resting_ball(true), {Panel::Stability}, 1280, 720, 3);
+  const Image without = rendered(resting_ball(false), {Panel::Stability}, 1280, 720, 3);
   EXPECT_GT(testing::ink(with), 2 * testing::ink(without)) << "map, margin and verdicts";
   EXPECT_GT(testing::ink(without), 0) << "it says that there is none";
+}
+
+TEST_F(PanelColumnTest, WindowsAreWhiteWithABorderOfOnePixelAndContentsLieOnThem) {
+  const std::vector<trace::Frame> frames = resting_ball(false);
+  trace::Header header;
+  const draw::Rect column = staged(header, frames, {Panel::Summary}, 1280, 720).layout.panels;
+  const Image image = rendered(frames, {Panel::Summary}, 1280, 720, 0);
+  const int left = static_cast<int>(column.x), top = static_cast<int>(column.y);
+  const auto grey = [&](int x, int y) { return pixel(image, x, y)[0]; };
+  EXPECT_EQ(grey(left - 1, top + 20), 128) << "outside";
+  EXPECT_EQ(grey(left, top + 20), 255 - 54) << "the border";
+  EXPECT_EQ(grey(left + 1, top + 20), 255) << "inside of it";
+  EXPECT_EQ(grey(left + 100, top), 255 - 54);
+  EXPECT_GT(count(image, draw::kText), 50) << "letters";
+}
+
+TEST_F(PanelColumnTest, NoPixelDependsOnTheFontOfDearImGui) {
+  const std::vector<trace::Frame> frames = resting_ball(true);
+  const std::vector<Panel> all = {Panel::Summary, Panel::ContactPlane, Panel::Stability,
+                                  Panel::AxisHistory, Panel::Plots};
+  const Image usual = rendered(frames, all, 1280, 1440, 3);
+  const Image larger = rendered(frames, all, 1280, 1440, 3, [] {
+    ImGui::GetIO().FontGlobalScale = 2;
+    ImGui::GetStyle().ItemSpacing = {20, 20};
+  });
+  EXPECT_EQ(larger, usual);
+}
+
+TEST_F(PanelColumnTest, WhatHasNoRoomIsNamedAndTheFirstPanelIsThere) {
+  const std::vector<trace::Frame> frames = resting_ball(true);
+  trace::Header header;
+  const draw::Staging staging =
+      staged(header, frames, {Panel::Stability, Panel::Plots, Panel::ContactPlane}, 640, 360);
+  const auto context = gl::open_context(gl::Backend::Auto);
+  PanelRenderer windows(*context, 640, 360, staging.layout.scale);
+  const PanelColumn panels(staging, frames);
+  draw::Drawing contents;
+  windows.begin_frame();
+  EXPECT_THAT(panels.lay_out({3}, contents), ::testing::Contains("panel contact_plane"));
+  windows.end_frame_and_draw();
+  const auto says = [&](const std::string& what) {
+    return std::ranges::any_of(contents.primitives, [&](const draw::Primitive& primitive) {
+      const auto* text = std::get_if<draw::Text>(&primitive);
+      return text != nullptr && text->text.find(what) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says("stability: centre of mass"));
+  EXPECT_TRUE(says("no room for"));
 }
 
 }  // namespace

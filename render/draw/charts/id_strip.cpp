@@ -82,8 +82,7 @@ void IdHistory::draw_bands(const Rect& strip, std::size_t moment, std::size_t un
     for (const Run& run : bands_[b]) {
       if (!begun(run)) break;
       const double x = strip.x + column * static_cast<double>(run.from);
-      const double height =
-          0.8 * pitch * static_cast<double>(run.kept) / static_cast<double>(most);
+      const double height = 0.8 * pitch * static_cast<double>(run.kept) / static_cast<double>(most);
       const std::size_t length = std::min(run.to, until) - run.from;
       if (run.kept > 0)
         pen.fill({x, low - height, column * static_cast<double>(length), height}, kContact);

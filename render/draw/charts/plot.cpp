@@ -52,8 +52,8 @@ Drawing plot(const trace::Study& study, int width, int height) {
   Drawing drawing;
   drawing.width = width;
   drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, true), layout,
-                drawing);
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, true),
+                layout, drawing);
 
   const double left = layout.legend.x;
   const double inner = layout.legend.width;

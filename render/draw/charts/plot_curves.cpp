@@ -54,7 +54,7 @@ class Curves {
       const CurveStyle style = style_of(study_, series.method);
       entry(series.method, [&](float left) {
         pen_.line({left, middle}, {left + px(30), middle}, style.signal ? 1.5 : 2.5, style.color,
-                     style.dashed ? 5 : 0);
+                  style.dashed ? 5 : 0);
         if (!style.signal) marker({left + px(15), middle}, style);
       });
     }
@@ -104,7 +104,7 @@ class Curves {
     draw_decades_up(y, area, true, labelled, pen_);
     pen_.frame(area, 1.2, kChartBorder);
     pen_.text(panel.parameter, {left, static_cast<float>(area.y) - px(6)}, Align::Left, kText,
-                 Weight::Bold);
+              Weight::Bold);
     for (const bool signal : {true, false}) {
       for (const trace::StudySeries* series : panel.series) {
         const CurveStyle style = style_of(study_, series->method);
@@ -124,8 +124,8 @@ class Curves {
     for (const trace::StudyPoint& point : series.points) {
       if (before != nullptr && before->error && point.error) {
         pen_.line({x.at(before->parameter), y.at(largest_error(*before))},
-                     {x.at(point.parameter), y.at(largest_error(point))}, style.signal ? 1.5 : 2.2,
-                     style.color, style.dashed ? 5 : 0);
+                  {x.at(point.parameter), y.at(largest_error(point))}, style.signal ? 1.5 : 2.2,
+                  style.color, style.dashed ? 5 : 0);
       }
       before = &point;
     }
@@ -149,7 +149,7 @@ class Curves {
     const std::string count = std::to_string(failed) + " of " + std::to_string(of);
     const bool at_left = 2 * on_the_left < crosses;
     pen_.text(count, {at_left ? left + px(6) : right - px(6), row + px(5)},
-                 at_left ? Align::Left : Align::Right, kQuietText);
+              at_left ? Align::Left : Align::Right, kQuietText);
   }
 
   const trace::Study& study_;

@@ -68,7 +68,8 @@ class Mapping {
         zero_slots_ == 0 ? bottom
                          : bottom - px(kZeroSlot) * (static_cast<float>(zero_slots_) + 0.6f);
     const PositiveRange errors = errors_.or_else(1);
-    const Axis y = Axis::logarithmic(errors.low, errors.high, zeros_begin, failures_end, px(kMargin), px(kMargin));
+    const Axis y = Axis::logarithmic(errors.low, errors.high, zeros_begin, failures_end,
+                                     px(kMargin), px(kMargin));
     add_points(x, y, zeros_begin, courses);
 
     const std::string label =

@@ -105,9 +105,9 @@ class Map {
       }
       if (numbered_ || !labelled) continue;
       pen_.text(panel.series[row]->method,
-                   {static_cast<float>(area.x) - px(8),
-                    static_cast<float>(area.y + from_top + 0.5 * cell_height) + px(5)},
-                   Align::Right, kText);
+                {static_cast<float>(area.x) - px(8),
+                 static_cast<float>(area.y + from_top + 0.5 * cell_height) + px(5)},
+                Align::Right, kText);
     }
     if (numbered_) {
       std::vector<double> rows;
@@ -121,8 +121,7 @@ class Map {
     const std::string axes =
         "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
     if (pen_.width_of(axes) + pen_.width_of(panel.name, Weight::Bold) + px(12) < area.width) {
-      pen_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right,
-                   kQuietText);
+      pen_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right, kQuietText);
     }
   }
 

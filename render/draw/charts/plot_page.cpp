@@ -112,9 +112,8 @@ std::vector<Rect> panel_areas(const Rect& space, std::size_t count, double left,
 
 std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
   std::string line;
-  for (const std::string& part :
-       {context.cpu, context.compiler, context.build_type, with_scalar ? context.scalar : "",
-        context.date.substr(0, 10)}) {
+  for (const std::string& part : {context.cpu, context.compiler, context.build_type,
+                                  with_scalar ? context.scalar : "", context.date.substr(0, 10)}) {
     if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
   }
   return line;
@@ -126,13 +125,13 @@ PlotPage plot_page(const trace::Study& study, const std::string& shown, int widt
   page.scale = layout.scale;
   page.drawing.width = width;
   page.drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, false), layout,
-                page.drawing);
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, false),
+                layout, page.drawing);
   const double left = layout.legend.x;
   const double top = left + layout.px(kTitle + 4);
   Pen(page.drawing, layout.scale, kPlotText)
-      .text(shown, {static_cast<float>(left), static_cast<float>(top) + layout.px(12)},
-            Align::Left, kQuietText);
+      .text(shown, {static_cast<float>(left), static_cast<float>(top) + layout.px(12)}, Align::Left,
+            kQuietText);
   const double legend_at = top + layout.px(16 + 0.5 * kLegend);
   page.legend = {static_cast<float>(left), static_cast<float>(legend_at)};
   const double begin = legend_at + layout.px(0.5 * kLegend + 4);

@@ -129,9 +129,11 @@ class Panel {
     const std::string which = kind_ == ErrorKind::Mean ? "mean" : "worst";
     const float x = static_cast<float>(rect_.x);
     const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
-    pen_.text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
+    pen_.text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right,
+              kText);
     if (!study_.series.empty() && !study_.series.front().panel.empty()) {
-      pen_.text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+      pen_.text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold,
+                kHeading);
       return;
     }
     pen_.text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
@@ -159,7 +161,8 @@ class Panel {
     const float radius = px(course.strong ? kStrongMarker : kMutedMarker);
     const Color color = course.strong ? course.style.color : muted(course.style.color);
     for (const Point2& point : course.points) {
-      if (course.strong) draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, pen_.drawing());
+      if (course.strong)
+        draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, pen_.drawing());
       draw_marker(course.style.marker, point, radius, color, pen_.drawing());
     }
   }

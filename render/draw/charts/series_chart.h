@@ -30,7 +30,7 @@ struct SeriesChart {
   bool steps = false;                         // whole numbers: drawn as stairs
   bool baseline = false;                      // values go below zero: the zero line is drawn strong
   std::vector<SeriesChange> changes{};
-  bool total = false;     // one curve of what other charts have several of: in the colour of text
+  bool total = false;  // one curve of what other charts have several of: in the colour of text
   std::vector<std::string> subjects{};  // of one curve: whose its value is, a name a frame
 
   /// Bounds of all values and zero, of a sequence in which nothing happens zero and one. fit() sets

@@ -12,7 +12,7 @@ constexpr double kLeastPlot = 46;
 constexpr double kMostPlot = 120;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
-constexpr double kNameSwatch = 22;
+constexpr double kCurveSwatch = 22;
 constexpr double kStripHeading = 19;
 constexpr double kMostIdStrip = 72;
 constexpr double kStripShare = 0.16;  // of the height of all charts
@@ -102,14 +102,15 @@ double SeriesPlots::draw_names(const Rect& rect, const Pen& pen) const {
   if (names_.empty()) return 0;
   double x = rect.x, y = rect.y;
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const double width = pen.px(kNameSwatch + 6) + pen.width_of(names_[i]);
+    const double width = pen.px(kCurveSwatch + 6) + pen.width_of(names_[i]);
     if (x > rect.x && x + width > rect.x + rect.width) {
       x = rect.x;
       y += pen.px(kNamesRow);
     }
     const Point2 left{static_cast<float>(x), static_cast<float>(y + 0.45 * pen.px(kNamesRow))};
-    draw_series_swatch(i, left, kNameSwatch, pen);
-    pen.text(names_[i], {left.x + pen.px(kNameSwatch + 6), left.y + pen.px(5)}, Align::Left, kText);
+    draw_series_swatch(i, left, kCurveSwatch, pen);
+    pen.text(names_[i], {left.x + pen.px(kCurveSwatch + 6), left.y + pen.px(5)}, Align::Left,
+             kText);
     x += width + pen.px(16);
   }
   return y + pen.px(kNamesRow) - rect.y;
@@ -166,8 +167,8 @@ std::size_t SeriesPlots::draw(std::size_t moment, const Rect& rect, const Pen& p
   }
   if (strip > 0) draw_ids(moment, {rect.x, y, rect.width, strip}, pen);
   const double gutter = pen.px(kChartGutter);
-  draw_time_axis(duration_, rect.x + gutter, rect.width - gutter,
-                 y + strip + pen.px(kTimeAxis - 4), pen);
+  draw_time_axis(duration_, rect.x + gutter, rect.width - gutter, y + strip + pen.px(kTimeAxis - 4),
+                 pen);
   return charts_.size() - shown;
 }
 

@@ -67,30 +67,31 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
   fit(width, height);
 }
 
+bool ContactCells::any_cell(const std::function<bool(const ContactCell&)>& holds) const {
+  return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
+    return std::ranges::any_of(moment.cells, holds);
+  });
+}
+
 std::vector<LegendEntry> ContactCells::legend() const {
   if (cell_count() == 0 || !detail_.legend) return {};
   if (choices_ > 0) return legend_of_choice();
   std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"}};
-  const auto any = [&](auto&& holds) {
-    return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
-      return std::ranges::any_of(moment.cells, holds);
-    });
-  };
   const bool reduces =
-      any([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+      any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
   if (reduces) entries.push_back({LegendKind::Reduced, "reduced away"});
   entries.push_back({LegendKind::Kept, reduces ? "kept, in order of choice" : "kept"});
-  if (any([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); })) {
+  if (any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); })) {
     entries.push_back({LegendKind::Deepest, "deepest"});
   }
   if (reduces) {
     entries.push_back({LegendKind::KeptPolygon, "kept area"});
     entries.push_back({LegendKind::LostArea, "lost area"});
   }
-  if (any([](const ContactCell& cell) { return cell.best.size() > 2; })) {
+  if (any_cell([](const ContactCell& cell) { return cell.best.size() > 2; })) {
     entries.push_back({LegendKind::BestPolygon, "best polygon"});
   }
-  if (any(by_extremes)) entries.push_back({LegendKind::AxesBox, "box along the axes"});
+  if (any_cell(by_extremes)) entries.push_back({LegendKind::AxesBox, "box along the axes"});
   if (moments_.size() > 1) entries.push_back({LegendKind::KeptIds, "ids kept, over the frames"});
   return entries;
 }
@@ -101,11 +102,9 @@ std::vector<LegendEntry> ContactCells::legend_of_choice() const {
                                       {LegendKind::PlainPoint, "contact point"},
                                       {LegendKind::Kept, "kept, in order of choice"}};
   const auto shows = [&](const std::string& rule) {
-    return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
-      return std::ranges::any_of(moment.cells, [&](const ContactCell& cell) {
-        const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
-        return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
-      });
+    return any_cell([&](const ContactCell& cell) {
+      const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
+      return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
     });
   };
   // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
@@ -163,10 +162,10 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& dr
   }
   const Rect map{rect.x, rect.y + layout_.px(name_height()), rect.width, grid_.map_height};
   if (cell.points.empty()) {
-    pen.text(fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular, width),
-             {static_cast<float>(map.x + 0.5 * map.width),
-              static_cast<float>(map.y + 0.5 * map.height)},
-             Align::Center, kQuietText);
+    pen.text(
+        fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular, width),
+        {static_cast<float>(map.x + 0.5 * map.width), static_cast<float>(map.y + 0.5 * map.height)},
+        Align::Center, kQuietText);
   } else {
     draw_map(map, cell, patches_[number], pen);
   }
@@ -228,8 +227,7 @@ void ContactCells::draw_points(const ContactPlane& plane, const std::vector<Poin
   for (const int kept : cell.kept)
     draw_kept_point(places[static_cast<std::size_t>(kept)], pen, grid_.mark);
   const std::optional<std::size_t> deepest = deepest_of(cell.points);
-  if (deepest)
-    draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, pen.drawing());
+  if (deepest) draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, pen.drawing());
   const bool chosen = cell.kept.size() < cell.points.size();
   if (chosen) plane.number_kept(places, cell.kept, grid_.mark, deepest);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <span>
 #include <array>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,7 @@ class ContactCells {
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
   bool has_row_ends() const;
+  bool any_cell(const std::function<bool(const ContactCell&)>& holds) const;
   std::size_t id_count() const { return ids_.empty() ? 0 : ids_.front().row_count(); }
   std::string left_of(const ContactCell::Row& row) const;
   double row_width() const;
@@ -122,8 +124,7 @@ class ContactCells {
   void gather_ids();
   void frame_patch(std::size_t cell, const Vec3d& above);
   void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
-  void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
-                const Pen& pen) const;
+  void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch, const Pen& pen) const;
   void draw_points(const ContactPlane& plane, const std::vector<Point2>& places,
                    const ContactCell& cell, const Pen& pen) const;
   void draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const;

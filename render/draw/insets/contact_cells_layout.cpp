@@ -80,10 +80,8 @@ double ContactCells::nearest_points() const {
 
 std::vector<std::string> ContactCells::left_out() const {
   std::vector<std::string> list;
-  const bool has_rows = choices_ == 0 && std::ranges::any_of(moments_, [](const auto& moment) {
-                          return std::ranges::any_of(
-                              moment.cells, [](const auto& cell) { return !cell.rows.empty(); });
-                        });
+  const bool has_rows =
+      choices_ == 0 && any_cell([](const ContactCell& cell) { return !cell.rows.empty(); });
   if (has_rows && !detail_.rows) {
     list.emplace_back("the numbers");
   } else if (has_rows && !detail_.all_rows) {
@@ -172,11 +170,9 @@ std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& ce
 }
 
 bool ContactCells::has_row_ends() const {
-  return std::ranges::any_of(moments_, [](const ContactMoment& moment) {
-    return std::ranges::any_of(moment.cells, [](const ContactCell& cell) {
-      return std::ranges::any_of(cell.rows,
-                                 [](const ContactCell::Row& row) { return !row.right.empty(); });
-    });
+  return any_cell([](const ContactCell& cell) {
+    return std::ranges::any_of(cell.rows,
+                               [](const ContactCell::Row& row) { return !row.right.empty(); });
   });
 }
 

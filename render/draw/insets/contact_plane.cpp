@@ -84,17 +84,15 @@ void ContactPlane::line_through(const Vec3d& a, const Vec3d& b, double width, co
   const float length = std::hypot(dx, dy);
   if (!(length > 0)) return;
   const float reach = static_cast<float>(map_.width + map_.height) / length;
-  const std::optional<Segment2> seen =
-      clip_segment(map_, {from.x - reach * dx, from.y - reach * dy},
-                   {to.x + reach * dx, to.y + reach * dy});
+  const std::optional<Segment2> seen = clip_segment(
+      map_, {from.x - reach * dx, from.y - reach * dy}, {to.x + reach * dx, to.y + reach * dy});
   if (seen) pen_.line(seen->from, seen->to, width, color, dash);
 }
 
 void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vector<int>& kept,
                                double size, const std::optional<std::size_t>& deepest) const {
   Vec2d middle = Vec2d::Zero();
-  for (const Point2& place : places)
-    middle += flat(place) / static_cast<double>(places.size());
+  for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
   LabelPlacer placer(map_);
   for (const Point2& place : places) placer.block(place, pen_.px(kKeptReach * size));
   if (deepest) placer.block(places[*deepest], pen_.px(12 * size));
@@ -104,9 +102,9 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
     Vec2d away = flat(place) - middle;
     away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
     const std::string digit = std::to_string(k + 1);
-    const auto found = placer.place(
-        place, text_width(digit, height, FontWeight::Bold), 0.76f * ascent(height, FontWeight::Bold),
-        0, pen_.px(kKeptReach * size + 2), pixel(away));
+    const auto found = placer.place(place, text_width(digit, height, FontWeight::Bold),
+                                    0.76f * ascent(height, FontWeight::Bold), 0,
+                                    pen_.px(kKeptReach * size + 2), pixel(away));
     if (!found) continue;
     if (found->needs_leader) pen_.line(place, found->leader_end, 1, kContact);
     pen_.text(digit, found->left_baseline, Align::Left, kContact, Weight::Bold, kOrderDigit, 2);

@@ -5,9 +5,9 @@
 
 #include "draw/scene/compose.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
 #include "draw/scene/view_fit.h"
 #include "draw/staging.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -16,6 +16,7 @@ constexpr double kInsetFieldOfView = 30 * 3.14159265358979323846 / 180;
 constexpr double kInsetShare = 0.82;  // of the viewport: labels stand around what it shows
 constexpr double kSphereShare = 0.9;
 constexpr double kInsetHeading = 17;  // pixels at 720 lines
+constexpr double kInsetNote = 15;
 constexpr double kInsetHeadingRow = 26;
 constexpr double kInsetPadding = 10;
 
@@ -79,33 +80,18 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
   inner.view = inset.camera.viewport();
   compose(picture.sketch, inset.camera, inner, drawing);
 
-  const auto x0 = static_cast<float>(inset.frame.x), y0 = static_cast<float>(inset.frame.y);
-  const auto x1 = static_cast<float>(inset.frame.x + inset.frame.width);
-  const auto y1 = static_cast<float>(inset.frame.y + inset.frame.height);
-  const Point2 corners[4] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-  for (int i = 0; i < 4; ++i) {
-    drawing.primitives.push_back(Stroke{corners[i], corners[(i + 1) % 4], layout.px(1),
-                                        with_alpha(kQuietText, 0.5f), Cap::Butt});
-  }
-  const float padding = layout.px(kInsetPadding);
-  const float baseline = y0 + padding + 0.8f * layout.px(kInsetHeading);
-  Text heading;
-  heading.size = layout.px(kInsetHeading);
-  heading.weight = Weight::Bold;
-  heading.color = kText;
-  heading.at = {x0 + padding, baseline};
-  const float room = x1 - x0 - 2 * padding;
-  heading.text = fitted(picture.heading, heading.size, FontWeight::Bold, room);
-  const float used = text_width(heading.text, heading.size, FontWeight::Bold);
-  drawing.primitives.push_back(heading);
-  Text note;
-  note.size = layout.px(15);
-  note.color = kQuietText;
-  note.align = Align::Right;
-  note.at = {x1 - padding, baseline};
-  note.text = fitted(picture.note, note.size, FontWeight::Regular, room - used - 2 * padding);
+  const Pen pen(drawing, layout.scale, kInsetNote);
+  pen.frame(inset.frame, 1, with_alpha(kQuietText, 0.5f));
+  const float padding = pen.px(kInsetPadding), size = pen.px(kInsetHeading);
+  const float left = static_cast<float>(inset.frame.x) + padding;
+  const float right = static_cast<float>(inset.frame.x + inset.frame.width) - padding;
+  const float baseline = static_cast<float>(inset.frame.y) + padding + 0.8f * size;
+  const std::string heading = fitted(picture.heading, size, FontWeight::Bold, right - left);
+  pen.text(heading, {left, baseline}, Align::Left, kText, Weight::Bold, kInsetHeading);
   // A word that lost its end tells nothing.
-  if (note.text == picture.note) drawing.primitives.push_back(note);
+  const float used = text_width(heading, size, FontWeight::Bold) + 2 * padding;
+  if (pen.width_of(picture.note) <= right - left - used)
+    pen.text(picture.note, {right, baseline}, Align::Right, kQuietText);
 }
 
 }  // namespace contactscope::draw

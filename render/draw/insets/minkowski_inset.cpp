@@ -15,7 +15,7 @@ namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
 constexpr std::size_t kManyFaces = 120;
-constexpr double kAside = 46;  // pixels from a short arrow to its number
+constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
 bool has_difference(const trace::Pair& pair) {
   return pair.minkowski || pair.gjk || pair.penetration;
@@ -80,7 +80,7 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
     const float length = std::hypot(tip->x - from->x, tip->y - from->y);
     label.leader = length < text_width(label.text, size, FontWeight::Bold);
     if (label.leader) {  // on the other side of the origin's name
-      label.clearance = kAside;
+      label.clearance = kNumberAside;
       label.direction = inset.camera.right();
     }
   }

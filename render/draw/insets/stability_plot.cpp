@@ -124,8 +124,8 @@ void StabilityPlot::draw(std::size_t moment, const Camera& camera, const Rect& r
     return;
   }
   const double words = pen.px(kWordsLine) * (histories_.size() > 1 ? 3 : 2) + pen.px(8);
-  double chart = std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart),
-                                    pen.px(kMostMarginChart));
+  double chart =
+      std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart), pen.px(kMostMarginChart));
   double band =
       pen.px(kVerdictRow) * static_cast<double>(kVerdictRows.size()) + pen.px(kTimeRow + 6);
   // The map says most; over time comes next, and the verdicts' rows last.

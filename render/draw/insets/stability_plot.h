@@ -46,7 +46,7 @@ class StabilityPlot {
 
   std::vector<History> histories_;
   SeriesChart margins_{"margin", "m"};
-  double duration_ = 0;   // seconds
+  double duration_ = 0;    // seconds
   bool has_ages_ = false;  // beside points that have an age, those without are drawn as such
 };
 

@@ -21,8 +21,8 @@ constexpr std::array<AxisRow, 3> kAxisRows{
 // Lines of text.
 constexpr float kMostRow = 1.8f;
 constexpr float kLeastRow = 0.9f;
-constexpr float kAroundRows = 1.6f;  // a title and space below
-constexpr float kLeastHistory = kAroundRows + kLeastRow * static_cast<float>(kAxisRows.size());
+constexpr float kAroundHistory = 1.6f;  // a title and space below
+constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
 constexpr double kNameColumn = 62;  // pixels at 720 lines
 
@@ -44,16 +44,16 @@ struct PairAxes {
   std::vector<Counts> counts;
 };
 
-std::string counted(int number, const char* one, const char* many) {
+std::string number_of(int number, const char* one, const char* many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
 /// "2 switches", and where a cache is at work how often the full test ran.
-std::string spoken(const Counts& counts) {
-  std::string text = counted(counts.switches, "switch", "switches");
+std::string told(const Counts& counts) {
+  std::string text = number_of(counts.switches, "switch", "switches");
   if (counts.hits > 0)
-    text += ", " + counted(counts.tests, "full test", "full tests") + ", " +
-            counted(counts.hits, "cache hit", "cache hits");
+    text += ", " + number_of(counts.tests, "full test", "full tests") + ", " +
+            number_of(counts.hits, "cache hit", "cache hits");
   return text;
 }
 
@@ -93,8 +93,8 @@ class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames)
       : scale_(staging.layout.scale), pairs_(axes_of(frames)) {
-    cached_ = std::ranges::any_of(
-        pairs_, [](const PairAxes& pair) { return pair.counts.back().hits > 0; });
+    cached_ = std::ranges::any_of(pairs_,
+                                  [](const PairAxes& pair) { return pair.counts.back().hits > 0; });
   }
 
   PanelNeed need(const PanelMoment&) const override {
@@ -122,10 +122,10 @@ class AxisHistoryPanel : public PanelContent {
       shown = std::min(shown, static_cast<std::size_t>(fitting));
     }
     const float row =
-        std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundRows * line) /
+        std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
                                       static_cast<float>(kAxisRows.size()));
     for (std::size_t p = 0; p < shown; ++p) {
-      sheet.line(pairs_[p].name + ": " + spoken(pairs_[p].counts[moment.frame]), kText);
+      sheet.line(pairs_[p].name + ": " + told(pairs_[p].counts[moment.frame]), kText);
       draw_rows(pairs_[p].moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()) + 0.5f * line);
     }
@@ -181,7 +181,8 @@ class AxisHistoryPanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_axis_history_panel(const Staging& staging, const Frames& frames) {
+std::unique_ptr<PanelContent> make_axis_history_panel(const Staging& staging,
+                                                      const Frames& frames) {
   return std::make_unique<AxisHistoryPanel>(staging, frames);
 }
 

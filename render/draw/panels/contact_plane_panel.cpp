@@ -16,10 +16,10 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kReserve = 0.14;    // of the map's size, free on every side
+constexpr double kMapFree = 0.14;    // of the map's size, free on every side
 constexpr float kLeastMapLines = 5;  // lines of text that the map and its scale are high
 constexpr float kCaptionLines = 2.4f;
-constexpr int kOutlineSteps = 96;
+constexpr int kRoundSteps = 96;
 
 /// Shapes of the pair that are round: their outline along the normal is context for one or two
 /// points, which have no extent of their own.
@@ -34,9 +34,8 @@ std::vector<const trace::Shape*> round_shapes(const Staging& staging, const trac
 
 /// The role in the first pair that names it, as its colour in the 3D view.
 bool is_a(const trace::Frame& frame, const std::string& shape) {
-  const auto named = std::ranges::find_if(frame.pairs, [&](const trace::Pair& pair) {
-    return pair.a == shape || pair.b == shape;
-  });
+  const auto named = std::ranges::find_if(
+      frame.pairs, [&](const trace::Pair& pair) { return pair.a == shape || pair.b == shape; });
   return named != frame.pairs.end() && named->a == shape;
 }
 
@@ -55,8 +54,8 @@ std::vector<Point2> outline_of(const std::vector<Point2>& core, float radius) {
   const Point2& first = core.front();
   const Point2& last = core.back();
   std::vector<Point2> points;
-  for (int i = 0; i < kOutlineSteps; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kOutlineSteps;
+  for (int i = 0; i < kRoundSteps; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRoundSteps;
     const Point2 out{std::cos(angle), std::sin(angle)};
     const bool at_first = out.x * (first.x - last.x) + out.y * (first.y - last.y) > 0;
     const Point2& end = at_first ? first : last;
@@ -140,7 +139,7 @@ class ContactPlanePanel : public PanelContent {
         extent.include(axes, center - radius * side);
       }
     }
-    const double share = 1 - 2 * kReserve;
+    const double share = 1 - 2 * kMapFree;
     const double scale = std::min(map.width * share / std::max(extent.width(), 1e-12),
                                   map.height * share / std::max(extent.height(), 1e-12));
     return {axes, extent.center(), scale, map, pen};
@@ -245,7 +244,8 @@ class ContactPlanePanel : public PanelContent {
 
 }  // namespace
 
-std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging, const Frames& frames) {
+std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging,
+                                                       const Frames& frames) {
   return std::make_unique<ContactPlanePanel>(staging, frames);
 }
 

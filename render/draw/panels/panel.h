@@ -51,7 +51,8 @@ std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frame
 
 // The panels, one file each.
 std::unique_ptr<PanelContent> make_summary_panel(const Staging& staging, const Frames& frames);
-std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging, const Frames& frames);
+std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging,
+                                                       const Frames& frames);
 std::unique_ptr<PanelContent> make_axis_history_panel(const Staging& staging, const Frames& frames);
 std::unique_ptr<PanelContent> make_stability_panel(const Staging& staging, const Frames& frames);
 std::unique_ptr<PanelContent> make_plots_panel(const Staging& staging, const Frames& frames);

@@ -9,9 +9,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kUsualRows = 5;   // of two hulls that touch
-constexpr float kAroundRows = 2.2f;     // lines of text: a heading, and space below
-constexpr float kBetweenPairs = 0.4f;   // of the height of text
+constexpr std::size_t kUsualRows = 5;  // of two hulls that touch
+constexpr float kAroundRows = 2.2f;    // lines of text: a heading, and space below
+constexpr float kBetweenPairs = 0.4f;  // of the height of text
 
 using Rows = std::vector<NamedValue>;
 

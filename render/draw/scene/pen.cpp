@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kOnALine = 0.1f;  // pixels
 
-float distance(const Point2& a, const Point2& b) {
+float length_between(const Point2& a, const Point2& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
@@ -18,7 +18,7 @@ float distance(const Point2& a, const Point2& b) {
 bool is_straight(const std::vector<Point2>& points, std::size_t first, std::size_t last) {
   const Point2& a = points[first];
   const Point2& b = points[last];
-  const float length = distance(a, b);
+  const float length = length_between(a, b);
   if (!(length > 0)) return last == first + 1;
   const Point2 along{(b.x - a.x) / length, (b.y - a.y) / length};
   float before = 0;
@@ -100,7 +100,7 @@ void Pen::path(const std::vector<Point2>& points, double width, const Color& col
     Stroke piece = stroke(corners[i - 1], corners[i], width, color, dash, gap);
     piece.cap = dash > 0 ? Cap::Butt : Cap::Round;
     piece.phase = run;
-    run += distance(corners[i - 1], corners[i]);
+    run += length_between(corners[i - 1], corners[i]);
     out_.primitives.push_back(piece);
   }
 }
