@@ -6,7 +6,7 @@
 
 namespace contactscope::gl {
 
-// Every OpenGL 3.3 function that render/gl and render/overlay call: name without "gl", and its type
+// Every OpenGL 3.3 function that render/gl calls: name without "gl", and its type
 // in GL/glcorearb.h.
 #define CONTACTSCOPE_GL_FUNCTIONS(X)                           \
   X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                     \
@@ -35,7 +35,6 @@ namespace contactscope::gl {
   X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)           \
   X(Disable, PFNGLDISABLEPROC)                                 \
   X(DrawElements, PFNGLDRAWELEMENTSPROC)                       \
-  X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)   \
   X(Enable, PFNGLENABLEPROC)                                   \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
   X(Finish, PFNGLFINISHPROC)                                   \
@@ -57,12 +56,10 @@ namespace contactscope::gl {
   X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
   X(ReadPixels, PFNGLREADPIXELSPROC)                           \
   X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)         \
-  X(Scissor, PFNGLSCISSORPROC)                                 \
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
   X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
   X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \
-  X(Uniform1i, PFNGLUNIFORM1IPROC)                             \
   X(Uniform2f, PFNGLUNIFORM2FPROC)                             \
   X(UseProgram, PFNGLUSEPROGRAMPROC)                           \
   X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \

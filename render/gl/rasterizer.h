@@ -13,8 +13,7 @@ namespace contactscope::gl {
 /// a driver's wide lines or sample patterns.
 ///
 /// Steps of a frame: begin() clears; paint() draws primitives in order with as few draw calls as
-/// the glyph atlas allows; others may draw into framebuffer() (panels do); read() copies out, top
-/// row first. Colours mix in sRGB as the bytes stand. The framebuffer's row 0 is the picture's top.
+/// the glyph atlas allows; read() copies out, top row first. Colours mix in sRGB as the bytes stand. The framebuffer's row 0 is the picture's top.
 ///
 /// The context outlives the rasterizer and is made current on each call. The constructor throws
 /// std::runtime_error where the driver refuses the size or a shader; read() where drawing failed.

@@ -45,7 +45,19 @@ draw::PanelNeed with_padding(draw::PanelNeed need) {
 }  // namespace
 
 PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames)
-    : layout_(staging.layout), panels_(draw::make_panels(staging, frames)) {}
+    : layout_(staging.layout),
+      panels_(draw::make_panels(staging, frames)),
+      windows_(layout_.width, layout_.height, layout_.scale) {}
+
+std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw::Drawing& drawing) {
+  draw::Drawing contents;
+  windows_.begin_frame();
+  std::vector<std::string> left_out = lay_out(moment, contents);
+  windows_.end_frame(drawing);
+  drawing.primitives.insert(drawing.primitives.end(), contents.primitives.begin(),
+                            contents.primitives.end());
+  return left_out;
+}
 
 std::vector<std::string> PanelColumn::lay_out(const draw::PanelMoment& moment,
                                               draw::Drawing& contents) const {

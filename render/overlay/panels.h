@@ -6,6 +6,7 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
+#include "overlay/imgui_windows.h"
 #include "trace/trace.h"
 
 namespace contactscope::overlay {
@@ -16,14 +17,16 @@ class PanelColumn {
  public:
   PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames);
 
-  /// Issues the windows of one picture, between the renderer's begin_frame and end_frame, and adds
-  /// what they show to `contents`, to be painted after them. Returns what the column has no room
-  /// for, "panel plots" or "2 pairs of panel summary"; the picture says it too.
-  std::vector<std::string> lay_out(const draw::PanelMoment& moment, draw::Drawing& contents) const;
+  /// Adds the panels of one picture. Returns what the column has no room for, "panel plots" or "2
+  /// pairs of panel summary"; the picture says it too.
+  std::vector<std::string> add(const draw::PanelMoment& moment, draw::Drawing& drawing);
 
  private:
+  std::vector<std::string> lay_out(const draw::PanelMoment& moment, draw::Drawing& contents) const;
+
   const draw::Layout& layout_;
   std::vector<draw::FilledPanel> panels_;
+  Windows windows_;
 };
 
 }  // namespace contactscope::overlay

@@ -4,7 +4,6 @@
 #include "draw/illustrate.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"
-#include "overlay/imgui_renderer.h"
 #include "overlay/panels.h"
 
 namespace contactscope::app {
@@ -46,12 +45,9 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
   gl::Rasterizer& canvas = impl_->canvas(width, height);
 
   // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
-  std::unique_ptr<overlay::PanelRenderer> windows;
   std::optional<overlay::PanelColumn> panels;
   if (!staging.view.panels.empty()) {
     const Timed timed(ledger, "start Dear ImGui");
-    windows = std::make_unique<overlay::PanelRenderer>(*impl_->context, width, height,
-                                                       staging.layout.scale);
     panels.emplace(staging, frames);
   }
   for (const std::size_t index : which) {
@@ -61,23 +57,19 @@ void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame
       const Timed timed(ledger, "illustrate");
       drawing = draw::illustrate(staging, frames[index]);
     }
+    if (panels) {
+      const Timed timed(ledger, "panels");
+      draw::PanelMoment moment{index, {}};
+      if (index < nanoseconds.size()) moment.pipeline_nanoseconds = nanoseconds[index];
+      for (const std::string& what : panels->add(moment, drawing)) {
+        ledger.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
+                        "x" + std::to_string(height) + " has no room; a larger --size has");
+      }
+    }
     {
       const Timed timed(ledger, "paint");
       canvas.begin(drawing.background);
       canvas.paint(drawing);
-    }
-    if (panels) {
-      const Timed timed(ledger, "panels");
-      draw::PanelMoment moment{index};
-      if (index < nanoseconds.size()) moment.pipeline_nanoseconds = nanoseconds[index];
-      draw::Drawing contents;
-      windows->begin_frame();
-      for (const std::string& what : panels->lay_out(moment, contents)) {
-        ledger.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
-                        "x" + std::to_string(height) + " has no room; a larger --size has");
-      }
-      windows->end_frame_and_draw();
-      canvas.paint(contents);
     }
     Image image;
     {

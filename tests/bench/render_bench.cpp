@@ -13,7 +13,6 @@
 #include "gl/context.h"
 #include "gl/rasterizer.h"
 #include "image/png.h"
-#include "overlay/imgui_renderer.h"
 #include "overlay/panels.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
@@ -95,16 +94,12 @@ BENCHMARK(paint_and_read_back)->Unit(benchmark::kMillisecond)->UseRealTime();
 void panels(benchmark::State& state) {
   const auto context = gl::open_context(gl::Backend::Auto);
   gl::Rasterizer canvas(*context, kWidth, kHeight);
-  overlay::PanelRenderer renderer(*context, kWidth, kHeight, prepared().staging.layout.scale);
-  const overlay::PanelColumn column(prepared().staging, prepared().frames);
+  overlay::PanelColumn column(prepared().staging, prepared().frames);
   for (auto _ : state) {
+    draw::Drawing drawing;
+    column.add({prepared().frames.size() - 1, {}}, drawing);
     canvas.begin({1, 1, 1, 1});
-    canvas.paint({kWidth, kHeight, {}, {}});
-    renderer.begin_frame();
-    draw::Drawing contents;
-    column.lay_out({prepared().frames.size() - 1}, contents);
-    renderer.end_frame_and_draw();
-    canvas.paint(contents);
+    canvas.paint(drawing);
   }
 }
 BENCHMARK(panels)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -88,7 +88,7 @@ TEST_F(PanelSheet, SummaryWantsRoomForAllPairsAndTheFrameThatSaysMost) {
   const float one = need(Panel::Summary).wanted;
   repeat_pair(3);
   EXPECT_GT(need(Panel::Summary).wanted, 2.5f * one);
-  EXPECT_EQ(need(Panel::Summary).least, one + Sheet::line_height(1))
+  EXPECT_FLOAT_EQ(need(Panel::Summary).least, one + Sheet::line_height(1))
       << "one, and a line for others";
   scene.frames.push_back(scene.frames[0]);
   const float before = need(Panel::Summary).wanted;

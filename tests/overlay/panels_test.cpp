@@ -2,15 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <imgui.h>
-
 #include <algorithm>
-#include <functional>
 
 #include "draw/scene/palette.h"
 #include "gl/painting.h"
 #include "gl/rasterizer.h"
-#include "overlay/imgui_renderer.h"
 #include "overlay/panels.h"
 
 namespace contactscope::overlay {
@@ -62,23 +58,17 @@ class PanelColumnTest : public ::testing::Test {
     return draw::stage(header, frames, view, width, height);
   }
 
-  /// `prepare` is called once Dear ImGui's context is there.
-  static Image rendered(
-      const std::vector<trace::Frame>& frames, const std::vector<Panel>& names, int width,
-      int height, std::size_t current, const std::function<void()>& prepare = [] {}) {
+  static Image rendered(const std::vector<trace::Frame>& frames, const std::vector<Panel>& names,
+                        int width, int height, std::size_t current) {
     trace::Header header;
     const draw::Staging staging = staged(header, frames, names, width, height);
     const auto context = gl::open_context(gl::Backend::Auto);
     gl::Rasterizer rasterizer(*context, width, height);
-    PanelRenderer windows(*context, width, height, staging.layout.scale);
-    prepare();
-    const PanelColumn panels(staging, frames);
-    draw::Drawing contents;
+    PanelColumn panels(staging, frames);
+    draw::Drawing drawing;
+    panels.add({current, {}}, drawing);
     rasterizer.begin({0.5f, 0.5f, 0.5f, 1});
-    windows.begin_frame();
-    panels.lay_out({current}, contents);
-    windows.end_frame_and_draw();
-    rasterizer.paint(contents);
+    rasterizer.paint(drawing);
     return rasterizer.read();
   }
   /// Pixels of a colour.
@@ -127,16 +117,33 @@ TEST_F(PanelColumnTest, WindowsAreWhiteWithABorderOfOnePixelAndContentsLieOnThem
   EXPECT_GT(count(image, draw::kText), 50) << "letters";
 }
 
-TEST_F(PanelColumnTest, NoPixelDependsOnTheFontOfDearImGui) {
+TEST_F(PanelColumnTest, EveryLetterIsOneOfOurOwn) {
   const std::vector<trace::Frame> frames = resting_ball(true);
-  const std::vector<Panel> all = {Panel::Summary, Panel::ContactPlane, Panel::Stability,
-                                  Panel::AxisHistory, Panel::Plots};
-  const Image usual = rendered(frames, all, 1280, 1440, 3);
-  const Image larger = rendered(frames, all, 1280, 1440, 3, [] {
-    ImGui::GetIO().FontGlobalScale = 2;
-    ImGui::GetStyle().ItemSpacing = {20, 20};
-  });
-  EXPECT_EQ(larger, usual);
+  trace::Header header;
+  const draw::Staging staging = staged(
+      header, frames,
+      {Panel::Summary, Panel::ContactPlane, Panel::Stability, Panel::AxisHistory, Panel::Plots},
+      1280, 1440);
+  PanelColumn panels(staging, frames);
+  draw::Drawing drawing, again;
+  EXPECT_THAT(panels.add({3, {}}, drawing), ::testing::IsEmpty());
+  const auto letters = [](const draw::Drawing& all) {
+    return std::ranges::count_if(all.primitives, [](const draw::Primitive& primitive) {
+      return std::holds_alternative<draw::Text>(primitive);
+    });
+  };
+  EXPECT_GT(letters(drawing), 30);
+  // What Dear ImGui makes of the same windows is two triangles each.
+  const auto triangles = [](const draw::Drawing& all) {
+    return std::ranges::count_if(all.primitives, [](const draw::Primitive& primitive) {
+      const auto* fill = std::get_if<draw::Fill>(&primitive);
+      return fill != nullptr && fill->polygon.size() == 3 && fill->color.r == 1;
+    });
+  };
+  EXPECT_EQ(triangles(drawing), 5 * 2);
+  panels.add({3, {}}, again);
+  EXPECT_EQ(letters(again), letters(drawing));
+  EXPECT_EQ(again.primitives.size(), drawing.primitives.size()) << "equal calls, equal pictures";
 }
 
 TEST_F(PanelColumnTest, WhatHasNoRoomIsNamedAndTheFirstPanelIsThere) {
@@ -144,15 +151,11 @@ TEST_F(PanelColumnTest, WhatHasNoRoomIsNamedAndTheFirstPanelIsThere) {
   trace::Header header;
   const draw::Staging staging =
       staged(header, frames, {Panel::Stability, Panel::Plots, Panel::ContactPlane}, 640, 360);
-  const auto context = gl::open_context(gl::Backend::Auto);
-  PanelRenderer windows(*context, 640, 360, staging.layout.scale);
-  const PanelColumn panels(staging, frames);
-  draw::Drawing contents;
-  windows.begin_frame();
-  EXPECT_THAT(panels.lay_out({3}, contents), ::testing::Contains("panel contact_plane"));
-  windows.end_frame_and_draw();
+  PanelColumn panels(staging, frames);
+  draw::Drawing drawing;
+  EXPECT_THAT(panels.add({3, {}}, drawing), ::testing::Contains("panel contact_plane"));
   const auto says = [&](const std::string& what) {
-    return std::ranges::any_of(contents.primitives, [&](const draw::Primitive& primitive) {
+    return std::ranges::any_of(drawing.primitives, [&](const draw::Primitive& primitive) {
       const auto* text = std::get_if<draw::Text>(&primitive);
       return text != nullptr && text->text.find(what) != std::string::npos;
     });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "draw/charts/id_strip.h"
@@ -291,14 +290,6 @@ void StabilityPlot::draw_verdict_line(std::size_t h, std::size_t moment, const R
     corners.push_back({from + static_cast<float>(column), y});
   }
   finish();
-}
-
-std::string spell_margin(double metres) {
-  const bool usual = metres >= 1e-4 && metres < 1;
-  std::array<char, 32> text{};
-  const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
-  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
-  return usual ? text.data() : spell_length(metres);
 }
 
 }  // namespace contactscope::draw

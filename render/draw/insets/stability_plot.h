@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,9 +48,5 @@ class StabilityPlot {
   double duration_ = 0;    // seconds
   bool has_ages_ = false;  // beside points that have an age, those without are drawn as such
 };
-
-/// A margin as the panel and the layer "support" both spell it: in millimetres, as the panel's chart
-/// has them, unless that would be a strange number of them.
-std::string spell_margin(double metres);
 
 }  // namespace contactscope::draw

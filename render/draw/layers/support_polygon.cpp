@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/insets/stability_plot.h"
 #include "draw/scene/curved_arrow.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"

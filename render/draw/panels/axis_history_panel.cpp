@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "draw/charts/axis_history.h"
@@ -57,33 +59,38 @@ std::string told(const Counts& counts) {
   return text;
 }
 
-/// The pairs of which an axis is known in some frame.
-std::vector<PairAxes> axes_of(const Frames& frames) {
-  std::vector<PairAxes> all;
-  std::vector<const trace::Pair*> known;
+/// The pairs of which an axis is known in some frame, in the order of appearance.
+std::vector<const trace::Pair*> pairs_with_axes(const Frames& frames) {
+  std::set<std::array<std::string_view, 3>> known;
+  std::vector<const trace::Pair*> pairs;
   for (const trace::Frame& frame : frames) {
-    for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
-      const trace::Pair& pair = frame.pairs[i];
+    for (const trace::Pair& pair : frame.pairs) {
       if (axis_of(pair).empty()) continue;
-      if (i < known.size() && same_pair(*known[i], pair)) continue;  // mostly the same ones
-      const auto same = [&](const trace::Pair* other) { return same_pair(*other, pair); };
-      if (std::ranges::none_of(known, same)) known.push_back(&pair);
+      if (known.insert({pair.a, pair.b, pair.label}).second) pairs.push_back(&pair);
     }
   }
-  for (const trace::Pair* pair : known) {
-    PairAxes& axes = all.emplace_back();
-    axes.name = pair_name(*pair);
-    axes.moments = axis_history(pair_history(frames, *pair));
-    Counts counts;
-    for (const AxisMoment& moment : axes.moments) {
-      if (moment.pair != nullptr) {
-        counts.switches += moment.switched;
-        ++(from_cache(*moment.pair) ? counts.hits : counts.tests);
-      }
-      axes.counts.push_back(counts);
+  return pairs;
+}
+
+PairAxes axes_of(const Frames& frames, const trace::Pair& pair) {
+  PairAxes axes;
+  axes.name = pair_name(pair);
+  axes.moments = axis_history(pair_history(frames, pair));
+  Counts counts;
+  for (const AxisMoment& moment : axes.moments) {
+    if (moment.pair != nullptr) {
+      counts.switches += moment.switched;
+      ++(from_cache(*moment.pair) ? counts.hits : counts.tests);
     }
+    axes.counts.push_back(counts);
   }
-  return all;
+  return axes;
+}
+
+bool cache_is_told(const Frames& frames) {
+  return std::ranges::any_of(frames, [](const trace::Frame& frame) {
+    return std::ranges::any_of(frame.pairs, from_cache);
+  });
 }
 
 /// Which axis made the contact, frame by frame: a switch of rows is a flip-flop, and so is a gap in
@@ -92,14 +99,19 @@ std::vector<PairAxes> axes_of(const Frames& frames) {
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames)
-      : scale_(staging.layout.scale), pairs_(axes_of(frames)) {
-    cached_ = std::ranges::any_of(pairs_,
-                                  [](const PairAxes& pair) { return pair.counts.back().hits > 0; });
+      : scale_(staging.layout.scale), cached_(cache_is_told(frames)) {
+    const std::vector<const trace::Pair*> pairs = pairs_with_axes(frames);
+    count_ = pairs.size();
+    // No more than a column of their own would hold.
+    const double least = kLeastHistory * Sheet::line_height(scale_);
+    const double most = std::max(1.0, staging.layout.panels.height / least);
+    for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(most)); ++i)
+      pairs_.push_back(axes_of(frames, *pairs[i]));
   }
 
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
-    const std::size_t pairs = std::max<std::size_t>(1, pairs_.size());
+    const std::size_t pairs = std::max<std::size_t>(1, count_);
     const float frame = Sheet::heading_height(scale_) + (cached_ ? line : 0);
     const float each = kLeastHistory * line;
     return {frame + each + (pairs > 1 ? line : 0), frame + each * static_cast<float>(pairs), 0, 1};
@@ -115,12 +127,10 @@ class AxisHistoryPanel : public PanelContent {
     if (cached_) sheet.line("half as high: from the cache, untested", kText);
     const float line = sheet.line_height();
     auto available = static_cast<float>(sheet.rest().height);
-    std::size_t shown = pairs_.size();
-    if (kLeastHistory * line * static_cast<float>(shown) > available) {
+    if (kLeastHistory * line * static_cast<float>(count_) > available)
       available -= line;  // for the words below
-      const float fitting = std::max(1.0f, available / (kLeastHistory * line));
-      shown = std::min(shown, static_cast<std::size_t>(fitting));
-    }
+    const float fitting = std::max(1.0f, available / (kLeastHistory * line));
+    const std::size_t shown = std::min(pairs_.size(), static_cast<std::size_t>(fitting));
     const float row =
         std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
                                       static_cast<float>(kAxisRows.size()));
@@ -129,7 +139,7 @@ class AxisHistoryPanel : public PanelContent {
       draw_rows(pairs_[p].moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()) + 0.5f * line);
     }
-    return sheet.more(pairs_.size() - shown, "pair", "pairs");
+    return sheet.more(count_ - shown, "pair", "pairs");
   }
 
  private:
@@ -175,8 +185,9 @@ class AxisHistoryPanel : public PanelContent {
   }
 
   float scale_;
+  bool cached_;            // some answers came from the cache
+  std::size_t count_ = 0;  // pairs of which an axis is known
   std::vector<PairAxes> pairs_;
-  bool cached_ = false;
 };
 
 }  // namespace

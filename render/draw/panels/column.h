@@ -14,9 +14,10 @@ struct PanelNeed {
 
 /// Divides a column among its panels: a height for each, in their order, 0 for those that have no
 /// room. Each gets its least height; from what is left first the good ones are reached and then the
-/// wanted ones, in order; the others divide the rest by their shares, none less than it has. Where even the least heights do not fit, the last panels are left out, and `note` pixels are kept
-/// below the others for a line that says so. The first panel is always there, cut to the column.
-/// `gap`: between two panels.
+/// wanted ones, in order; the others divide the rest by their shares, none less than it has. Where
+/// even the least heights do not fit, the last panels are left out, and `note` pixels are kept below
+/// the others for a line that says so. The first panel is always there, cut to the column. `gap`:
+/// between two panels.
 std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float height, float gap,
                                  float note);
 

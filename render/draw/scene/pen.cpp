@@ -13,39 +13,52 @@ float length_between(const Point2& a, const Point2& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// Whether every point after `first` and before `last` is near the segment between these two, in
-/// its order.
-bool is_straight(const std::vector<Point2>& points, std::size_t first, std::size_t last) {
-  const Point2& a = points[first];
-  const Point2& b = points[last];
-  const float length = length_between(a, b);
-  if (!(length > 0)) return last == first + 1;
-  const Point2 along{(b.x - a.x) / length, (b.y - a.y) / length};
-  float before = 0;
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const Point2 way{points[i].x - a.x, points[i].y - a.y};
-    const float run = along.x * way.x + along.y * way.y;
-    const float aside = along.x * way.y - along.y * way.x;
-    if (std::abs(aside) > kOnALine || run < before || run > length) return false;
-    before = run;
+/// How far a straight way from one point leads: slopes against its first direction that pass all
+/// points so far. A corridor as wide as the tolerance narrows with every point, so that a path of n
+/// points costs n steps. Williams 1978, "An efficient algorithm for the piecewise linear
+/// approximation of planar curves".
+class Corridor {
+ public:
+  explicit Corridor(const Point2& from) : from_(from) {}
+
+  /// Whether the way may end at `point`, having passed all before; takes it in.
+  bool reaches(const Point2& point) {
+    const float x = point.x - from_.x, y = point.y - from_.y;
+    if (length_ == 0) {
+      const float first = std::hypot(x, y);
+      if (!(first > 0)) return true;  // the same place
+      along_ = {x / first, y / first};
+    }
+    const float run = along_.x * x + along_.y * y, aside = along_.x * y - along_.y * x;
+    if (run < length_) return false;  // it turns back
+    length_ = run;
+    const float slope = aside / run;
+    if (slope < least_ || slope > most_) return false;
+    least_ = std::max(least_, (aside - kOnALine) / run);
+    most_ = std::min(most_, (aside + kOnALine) / run);
+    return true;
   }
-  return true;
-}
+
+ private:
+  Point2 from_, along_;
+  float length_ = 0;
+  float least_ = -1, most_ = 1;
+};
 
 /// Without the points between which the way is straight.
 std::vector<Point2> straightened(const std::vector<Point2>& points) {
-  // Looking further ahead for a longer stroke would cost the square of the number of points.
-  constexpr std::size_t kMostMerged = 64;
   std::vector<Point2> corners;
-  std::size_t at = 0;
-  while (at + 1 < points.size()) {
-    corners.push_back(points[at]);
-    std::size_t next = at + 1;
-    while (next + 1 < points.size() && next < at + kMostMerged && is_straight(points, at, next + 1))
-      ++next;
-    at = next;
+  for (std::size_t i = 0; i < points.size();) {
+    corners.push_back(points[i]);
+    Corridor corridor(points[i]);
+    std::size_t next = i + 1;
+    while (next < points.size() && corridor.reaches(points[next])) ++next;
+    if (next == points.size()) {
+      if (next > i + 1) corners.push_back(points.back());
+      break;
+    }
+    i = std::max(i + 1, next - 1);
   }
-  if (!points.empty()) corners.push_back(points.back());
   return corners;
 }
 

@@ -47,6 +47,14 @@ std::string spell_length(double metres) {
   return "0 m";
 }
 
+std::string spell_margin(double metres) {
+  const bool usual = metres >= 1e-4 && metres < 1;
+  std::array<char, 32> text{};
+  const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
+  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
+  return usual ? text.data() : spell_length(metres);
+}
+
 std::string spell_area(double square_metres) {
   struct Unit {
     double size;

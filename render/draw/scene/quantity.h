@@ -10,6 +10,10 @@ std::string spell_number(double value);
 /// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
 std::string spell_length(double metres);
 
+/// A margin as the panel and the layer "support" both spell it: in millimetres, as the panel's chart
+/// has them, unless that would be a strange number of them.
+std::string spell_margin(double metres);
+
 /// An area in the unit that fits (km², m², mm², µm²), four significant digits: "0.5858 m²".
 /// Signed areas have a real minus sign.
 std::string spell_area(double square_metres);
