@@ -38,42 +38,48 @@ float scale_of(float size, FontWeight weight) {
 /// How far a chord may be from its curve, pixels.
 constexpr float kFlatness = 0.35f;
 
-/// Halves a quadratic curve until its chords are near enough, and adds their ends.
+/// Halves a quadratic curve until its chords are as near as `flatness`, and adds their ends.
 void add_curve(const ContourPoint& from, const ContourPoint& control, const ContourPoint& to,
-               Contour& contour) {
+               double flatness, Contour& contour) {
   const ContourPoint middle{0.25 * (from.x + 2 * control.x + to.x),
                             0.25 * (from.y + 2 * control.y + to.y)};
-  if (std::hypot(0.5 * (from.x + to.x) - middle.x, 0.5 * (from.y + to.y) - middle.y) <= kFlatness) {
+  const double dx = 0.5 * (from.x + to.x) - middle.x, dy = 0.5 * (from.y + to.y) - middle.y;
+  if (dx * dx + dy * dy <= flatness * flatness) {
     contour.push_back(to);
     return;
   }
-  add_curve(from, {0.5 * (from.x + control.x), 0.5 * (from.y + control.y)}, middle, contour);
-  add_curve(middle, {0.5 * (control.x + to.x), 0.5 * (control.y + to.y)}, to, contour);
+  add_curve(from, {0.5 * (from.x + control.x), 0.5 * (from.y + control.y)}, middle, flatness,
+            contour);
+  add_curve(middle, {0.5 * (control.x + to.x), 0.5 * (control.y + to.y)}, to, flatness, contour);
 }
 
-/// The outline of a glyph whose pen stands `left` and `top` before the bitmap's corner, pixels.
-/// TrueType has lines and quadratic curves.
+/// The outline of a glyph whose pen stands at (left, top) in the bitmap, pixels. TrueType has lines
+/// and quadratic curves.
 std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float scale, float left,
                                 float top) {
   stbtt_vertex* vertices = nullptr;
   const int count = stbtt_GetGlyphShape(&info, glyph, &vertices);
-  const auto place = [&](stbtt_vertex_type x, stbtt_vertex_type y) {
-    return ContourPoint{double{scale} * x + left, top - double{scale} * y};
-  };
-  std::vector<Contour> outline;
+  std::vector<Contour> outline;  // in units of the font, y up
   for (int i = 0; i < count; ++i) {
     const stbtt_vertex& vertex = vertices[i];
-    const ContourPoint to = place(vertex.x, vertex.y);
+    const ContourPoint to{static_cast<double>(vertex.x), static_cast<double>(vertex.y)};
     if (vertex.type == STBTT_vmove) {
       outline.push_back({to});
     } else if (vertex.type == STBTT_vcurve) {
-      add_curve(ContourPoint(outline.back().back()), place(vertex.cx, vertex.cy), to,
-                outline.back());
+      const ContourPoint from = outline.back().back();
+      add_curve(from, {static_cast<double>(vertex.cx), static_cast<double>(vertex.cy)}, to,
+                kFlatness / scale, outline.back());
     } else {
       outline.back().push_back(to);
     }
   }
   stbtt_FreeShape(&info, vertices);
+  for (Contour& contour : outline) {
+    for (ContourPoint& point : contour) {
+      point = {static_cast<double>(scale) * point.x + static_cast<double>(left),
+               static_cast<double>(top) - static_cast<double>(scale) * point.y};
+    }
+  }
   return outline;
 }
 
