@@ -1,5 +1,6 @@
 #include "draw/panels/sheet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "draw/scene/layout.h"
@@ -73,7 +74,8 @@ void Sheet::heading(const std::string& text) {
             size / scale);
   advance(size);
   const float middle = y_ + 0.5f;  // of a row of pixels
-  pen_.line({left, middle}, {left + width, middle}, 1, with_alpha(kQuietText, 0.5f));
+  pen_.line({left, middle}, {left + width, middle}, std::max(1.0f, 1 / scale),
+            with_alpha(kQuietText, 0.5f));
   advance(kUnderRule * scale);
 }
 
