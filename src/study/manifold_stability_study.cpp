@@ -9,8 +9,7 @@
 #include "geometry/primitives.h"
 #include "manifold/incremental.h"
 #include "manifold/stability.h"
-#include "study/errors.h"
-#include "study/pass_times.h"
+#include "study/measurement.h"
 #include "study/solver_stack.h"
 #include "study/uniform.h"
 
@@ -153,13 +152,6 @@ LandingCase random_landing(const LandingPanel& panel, double parameter, std::mt1
   return c;
 }
 
-/// Of one method at one parameter.
-struct LandingCell {
-  Errors frames, rotation, wander;
-  int failed = 0;
-  PassTimes times;
-};
-
 void time_landing(const LandingCase& c, LandingMethod method, const LandingOutcome& outcome,
                   int repetitions, PassTimes& times) {
   const Shape<float> floor = landing_floor(), box = landing_box(c);
@@ -222,51 +214,51 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   return outcome;
 }
 
+/// One-shot manifolds against incremental ones, old points confirmed by distance and by ids, on
+/// boxes that drop, land on an edge, and slide. Gregorius 2015, "Building Incremental Manifolds (2)"
+/// and (3) and "Incremental Manifold Stability" say what to look for: frames to a stable manifold
+/// ("frames"), artificial rotation ("rotation"), and how the patch wanders ("wander"). Errors
+/// against the parameter; run time is that of one pair in one frame. A case has failed when its
+/// manifold never becomes stable.
 std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                                                    const StudyProgress& progress) {
   const int cases = options.cases.value_or(kLandingCases);
   const int repetitions = options.repetitions.value_or(kLandingRepetitions);
-  trace::Study frames = described_landing("frames", "Frames until the manifold is stable",
-                                          "frames to a stable manifold", 0, cases, options);
-  trace::Study rotation =
+  std::vector<trace::Study> results{
+      described_landing("frames", "Frames until the manifold is stable",
+                        "frames to a stable manifold", 0, cases, options),
       described_landing("rotation", "Rotation that the motion cannot have by symmetry",
-                        "artificial rotation (degrees)", kRotationResolution, cases, options);
-  trace::Study wander = described_landing("wander", "How the middle of the contact patch wanders",
-                                          "way of the patch / half length of the box",
-                                          kWanderResolution, cases, options);
+                        "artificial rotation (degrees)", kRotationResolution, cases, options),
+      described_landing("wander", "How the middle of the contact patch wanders",
+                        "way of the patch / half length of the box", kWanderResolution, cases,
+                        options)};
   const int total = static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods));
   int done = 0;
   for (const LandingPanel& panel : kLandingPanels) {
     for (int m = 0; m < 3; ++m) {
-      for (trace::Study* study : {&frames, &rotation, &wander})
-        study->series.push_back({kLandingMethods[m], {}, panel.parameter, panel.parameter, {}});
+      begin_series(results, {kLandingMethods[m], {}, panel.parameter, panel.parameter, {}});
       for (const double value : panel.values) {
         std::mt19937_64 engine(options.seed);
-        LandingCell cell;
+        Measurement measured(results.size());
+        measured.of = cases;
         for (int i = 0; i < cases; ++i) {
           const LandingCase c = random_landing(panel, value, engine);
           const auto method = static_cast<LandingMethod>(m);
           const LandingOutcome outcome = land(c, method, kLandingFrames);
-          cell.rotation.add(std::max(outcome.rotation, kRotationResolution));
-          cell.wander.add(std::max(outcome.wander, kWanderResolution));
           if (outcome.frames_to_stable > 0)
-            cell.frames.add(outcome.frames_to_stable);
+            measured.errors[0].add(outcome.frames_to_stable);
           else
-            ++cell.failed;
-          if (i == 0) time_landing(c, method, outcome, repetitions, cell.times);
+            ++measured.failed;
+          measured.errors[1].add(std::max(outcome.rotation, kRotationResolution));
+          measured.errors[2].add(std::max(outcome.wander, kWanderResolution));
+          if (i == 0) time_landing(c, method, outcome, repetitions, measured.times);
         }
-        const auto add = [&](trace::Study& study, const Errors& errors) {
-          study.series.back().points.push_back(
-              study_point(value, errors, cell.times, cell.failed, cases));
-        };
-        add(frames, cell.frames);
-        add(rotation, cell.rotation);
-        add(wander, cell.wander);
+        add_point(results, value, measured);
       }
       progress(++done, total, std::string(panel.parameter) + ", " + kLandingMethods[m]);
     }
   }
-  return {std::move(frames), std::move(rotation), std::move(wander)};
+  return results;
 }
 
 }  // namespace contactscope

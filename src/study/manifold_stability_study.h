@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/pose.h"
-#include "study/study.h"
 
 namespace contactscope {
 
@@ -38,14 +37,5 @@ enum class LandingMethod { OneShot, ByDistance, ByIds };
 /// iterations, Baumgarte, warm starting, and the slop of solver_stack.h: without one, contacts would
 /// be pushed out and lost whatever made them. No speculative margin: frames count from the touch.
 LandingOutcome land(const LandingCase& landing, LandingMethod method, int frames);
-
-/// One-shot manifolds against incremental ones, old points confirmed by distance and by ids, on
-/// boxes that drop, land on an edge, and slide. Gregorius 2015, "Building Incremental Manifolds (2)"
-/// and (3) and "Incremental Manifold Stability" say what to look for: frames to a stable manifold
-/// ("frames"), artificial rotation ("rotation"), and how the patch wanders ("wander"). Errors
-/// against the parameter; run time is that of one pair in one frame. A case has failed when its
-/// manifold never becomes stable.
-std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
-                                                   const StudyProgress& progress);
 
 }  // namespace contactscope

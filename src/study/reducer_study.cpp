@@ -1,12 +1,10 @@
-#include "study/reducer_study.h"
-
 #include <algorithm>
 #include <vector>
 
+#include "core/at.h"
 #include "reduce/reducer.h"
 #include "study/elliptical_polygon.h"
-#include "study/errors.h"
-#include "study/pass_times.h"
+#include "study/measurement.h"
 #include "study/reduction_quality.h"
 
 namespace contactscope {
@@ -79,27 +77,10 @@ std::vector<FeatureId> remembered(const Method& method, const Case& one) {
     options.previous = ids;
     const Reduction reduction = reduce<float>(method.reducer, frame.points, frame.normal, options);
     std::vector<FeatureId> kept;
-    for (const int i : reduction.kept) kept.push_back(frame.points[static_cast<std::size_t>(i)].id);
+    for (const int i : reduction.kept) kept.push_back(at(frame.points, i).id);
     ids = std::move(kept);
   }
   return ids;
-}
-
-/// One method at one number of points: what it remembers of each case, errors by each measure, and
-/// times.
-struct Cell {
-  std::vector<std::vector<FeatureId>> memory;  // empty for those without
-  Errors area, wrench, deepest;
-  int failed = 0;
-  PassTimes times;
-};
-
-Reduction reduced(const Method& method, const std::vector<Case>& cases, const Cell& cell,
-                  int index) {
-  const auto i = static_cast<std::size_t>(index);
-  ReduceOptions options = reduce_options(index);
-  if (method.remembers) options.previous = cell.memory[i];
-  return reduce<float>(method.reducer, cases[i].polygon.points, cases[i].polygon.normal, options);
 }
 
 ReductionQuality judge(const Reduction& reduction, const ContactPolygon& polygon) {
@@ -115,104 +96,95 @@ double without_rounding(double error) {
   return error < kRounding ? 0 : error;
 }
 
-/// Who keeps no area has failed, and the error of that is all there is to lose.
-void judge_all(const Method& method, const std::vector<Case>& cases, Cell& cell) {
-  for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
-    const Case& one = cases[static_cast<std::size_t>(i)];
-    if (method.remembers) cell.memory.push_back(remembered(method, one));
-    const ReductionQuality quality = judge(reduced(method, cases, cell, i), one.polygon);
-    if (!(quality.area > 0)) ++cell.failed;
-    cell.area.add(without_rounding(1 - quality.area_ratio));
-    cell.wrench.add(without_rounding(quality.wrench_error));
-    cell.deepest.add(quality.deepest_kept ? 0 : 1);
-  }
-}
-
-void time_pass(const Method& method, const std::vector<Case>& cases, Cell& cell) {
-  cell.times.measure(static_cast<int>(cases.size()), [&](int i) {
-    const Reduction reduction = reduced(method, cases, cell, i);
-    return reduction.kept.empty() ? 0.0 : static_cast<double>(reduction.kept.back());
-  });
-}
-
-std::string cases_spelled(const StudyOptions& options, int count) {
-  return std::to_string(count) + " elliptical polygons a point, seed " +
-         std::to_string(options.seed);
-}
-
-trace::Study described(const StudyOptions& options, int count) {
-  trace::Study study;
-  study.study = "reducers";
-  study.context = study_context("float");
-  study.parameter = "points";
-  study.resolution = kResolution;
-  study.reference = "the largest quadrilateral, exact in double, " + cases_spelled(options, count);
-  return study;
-}
-
 }  // namespace
 
+/// Every registered reducer but "none", on 5, 6, 8, 12, 16 and 32 points of elliptical polygons
+/// (elliptical_polygon.h) in float, four points kept. Three results from the same runs:
+///
+/// A reducer that goes by the frame before (coherent) has two lines: one that has seen eight frames
+/// before, each a hundredth of the patch away from the next (neighbouring_frame()), and "..., first
+/// frame", where it is given no ids.
+///
+/// "area": 1 - area / area of the best four points, in [0, 1]. The best is the longest chain of
+/// corners of the hull, by dynamic programming in double (best_convex_area()), exact but for
+/// rounding. What float takes for the larger of two can be smaller by its own rounding, some 1e-7
+/// of the area. "wrench": the largest shortfall of the resisted moment (reduction_quality.h), in
+/// [0, 2]. "deepest": the share of the polygons whose deepest point was lost, in [0, 1]; it has no
+/// worst. A call has failed when it kept no area at all; its errors count, as the largest there
+/// are.
+///
+/// Steps: make the cases from the seed, the same for every method; judge one reduction of each;
+/// then time passes over all cases, methods in turn within a repetition and each repetition
+/// beginning with another one, so that a slow moment of the machine falls on all alike.
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
-  const int count = options.cases.value_or(kCases);
-  const int repetitions = options.repetitions.value_or(kRepetitions);
   const std::vector<Method> all = methods();
-  const std::size_t counts = std::size(kPointCounts);
-  std::vector<std::vector<Case>> cases(counts);
-  std::vector<std::vector<Cell>> cells(all.size(), std::vector<Cell>(counts));
+  StudyGrid grid{{},
+                 {std::begin(kPointCounts), std::end(kPointCounts)},
+                 options.cases.value_or(kCases),
+                 options.repetitions.value_or(kRepetitions)};
+  for (const Method& method : all) grid.methods.push_back(method.name);
 
-  const int steps = static_cast<int>(counts) + repetitions;
-  int done = 0;
-  std::mt19937_64 engine(options.seed);
-  std::mt19937_64 motion(~options.seed);  // its own: the polygons are the same whatever moves them
-  for (std::size_t c = 0; c < counts; ++c) {
-    for (int i = 0; i < count; ++i) {
-      cases[c].push_back(make_case(engine, motion, kPointCounts[c]));
-    }
-    for (std::size_t m = 0; m < all.size(); ++m) judge_all(all[m], cases[c], cells[m][c]);
-    for (Case& one : cases[c]) one.before.clear();
-    progress(++done, steps, "errors of " + std::to_string(kPointCounts[c]) + " points");
-  }
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    for (std::size_t c = 0; c < counts; ++c) {
-      for (std::size_t turn = 0; turn < all.size(); ++turn) {
-        const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % all.size();
-        time_pass(all[m], cases[c], cells[m][c]);
-      }
-    }
-    progress(++done, steps, "times");
-  }
-
-  trace::Study area = described(options, count);
+  const std::string cases_spelled = std::to_string(grid.cases) +
+                                    " elliptical polygons a point, seed " +
+                                    std::to_string(options.seed);
+  trace::Study area;
+  area.study = "reducers";
+  area.context = study_context("float");
+  area.parameter = "points";
+  area.resolution = kResolution;
+  area.reference = "the largest quadrilateral, exact in double, " + cases_spelled;
   area.measure = "area";
   area.title = "What each reducer loses of the contact area";
   area.error = "lost area, 1 − area / best";
-  trace::Study wrench = described(options, count);
+  trace::Study wrench = area;
   wrench.measure = "wrench";
   wrench.title = "What each reducer loses of the resisted moment";
   wrench.error = "lost moment arm / patch radius, worst axis";
-  wrench.reference = "all points, " + cases_spelled(options, count);
-  trace::Study deepest = described(options, count);
+  wrench.reference = "all points, " + cases_spelled;
+  trace::Study deepest = wrench;
   deepest.measure = "deepest";
   deepest.title = "How often each reducer loses the deepest point";
   deepest.error = "share of the patches whose deepest point is lost";
-  deepest.reference = wrench.reference;
   deepest.resolution = 0;  // counted
-  for (std::size_t m = 0; m < all.size(); ++m) {
-    for (trace::Study* study : {&area, &wrench, &deepest})
-      study->series.push_back({all[m].name, {}});
-    for (std::size_t c = 0; c < counts; ++c) {
-      const Cell& cell = cells[m][c];
-      const auto point = [&](const Errors& errors) {
-        return study_point(kPointCounts[c], errors, cell.times, cell.failed, count);
-      };
-      area.series.back().points.push_back(point(cell.area));
-      wrench.series.back().points.push_back(point(cell.wrench));
-      deepest.series.back().points.push_back(point(cell.deepest));
-      deepest.series.back().points.back().error_worst.reset();  // a share has none
-    }
+  std::vector<trace::Study> results{area, wrench, deepest};
+
+  std::vector<std::vector<Case>> cases(grid.parameters.size());
+  using Memory = std::vector<std::vector<FeatureId>>;  // of each case
+  std::vector<std::vector<Memory>> memory(all.size(), std::vector<Memory>(cases.size()));
+  std::mt19937_64 engine(options.seed);
+  std::mt19937_64 motion(~options.seed);  // its own: the polygons are the same whatever moves them
+  const auto reduced = [&](std::size_t m, std::size_t p, std::size_t i) {
+    ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
+    if (all[m].remembers) reduce_by.previous = memory[m][p][i];
+    const ContactPolygon& polygon = cases[p][i].polygon;
+    return reduce<float>(all[m].reducer, polygon.points, polygon.normal, reduce_by);
+  };
+  measure_grid(
+      grid, results, progress,
+      [&](std::size_t p) {
+        for (int i = 0; i < grid.cases; ++i)
+          cases[p].push_back(make_case(engine, motion, kPointCounts[p]));
+      },
+      // Who keeps no area has failed, and the error of that is all there is to lose.
+      [&](std::size_t m, std::size_t p, Measurement& measured) {
+        for (std::size_t i = 0; i < cases[p].size(); ++i) {
+          if (all[m].remembers) memory[m][p].push_back(remembered(all[m], cases[p][i]));
+          const ReductionQuality quality = judge(reduced(m, p, i), cases[p][i].polygon);
+          measured.failed += quality.area > 0 ? 0 : 1;
+          measured.errors[0].add(without_rounding(1 - quality.area_ratio));
+          measured.errors[1].add(without_rounding(quality.wrench_error));
+          measured.errors[2].add(quality.deepest_kept ? 0 : 1);
+        }
+      },
+      [&](std::size_t m, std::size_t p, std::size_t i) {
+        const Reduction reduction = reduced(m, p, i);
+        return reduction.kept.empty() ? 0.0 : static_cast<double>(reduction.kept.back());
+      });
+  for (trace::StudySeries& series : results[2].series) {
+    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // a share has none
   }
-  return {std::move(area), std::move(wrench), std::move(deepest)};
+  return results;
 }
 
 }  // namespace contactscope

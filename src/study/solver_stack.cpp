@@ -5,7 +5,7 @@
 
 #include "dynamics/world.h"
 #include "geometry/primitives.h"
-#include "study/pass_times.h"
+#include "study/measurement.h"
 #include "study/uniform.h"
 
 namespace contactscope {

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "study/errors.h"
+#include "study/measurement.h"
 #include "study/pair_verdict.h"
-#include "study/pass_times.h"
 
 namespace contactscope {
 namespace {
@@ -19,34 +18,32 @@ constexpr const char* kOwn[] = {"float", "double"};
 constexpr const char* kUnrounded[] = {"float, unrounded", "double, unrounded"};
 constexpr const char* kSignal = "overlap";
 
-/// What the cases of one point say of one scalar.
+/// What the cases of one point say of one scalar, against the shapes as it holds them and as they
+/// were before. Two measures: over the size of the shapes, and in ulps of the pair's coordinates.
 struct Tally {
-  Errors own, unrounded;            // over the size of the shapes
-  Errors own_ulps, unrounded_ulps;  // of the pair's coordinates
-  int faults = 0, lost = 0, of = 0;
-  PassTimes times;
+  Measurement own{2}, unrounded{2};
 
   void add(const PairVerdict& verdict, double size) {
-    ++of;
-    if (verdict.fault == ContactFault::None) {
-      own.add(verdict.error / size);
-      own_ulps.add(verdict.ulps);
-    } else {
-      ++faults;
+    add(own, verdict.fault != ContactFault::None, verdict.error / size, verdict.ulps);
+    add(unrounded, verdict.lost, verdict.unrounded_error / size, verdict.unrounded_ulps);
+  }
+
+ private:
+  static void add(Measurement& measured, bool is_failure, double of_size, double ulps) {
+    ++measured.of;
+    if (is_failure) {
+      ++measured.failed;
+      return;
     }
-    if (!verdict.lost) {
-      unrounded.add(verdict.unrounded_error / size);
-      unrounded_ulps.add(verdict.unrounded_ulps);
-    } else {
-      ++lost;
-    }
+    measured.errors[0].add(of_size);
+    measured.errors[1].add(ulps);
   }
 };
 
 /// Both scalars, and how deep the overlap was that they should find.
 struct Cell {
   Tally scalars[2];
-  Errors depth;  // over the size
+  Measurement depth{1};  // over the size
 };
 
 template <class S>
@@ -58,11 +55,12 @@ void judge_all(const std::vector<StabilityCase>& cases, const std::vector<double
     rounded.emplace_back(cases[i].pair, cases[i].motion);
   }
   for (int pass = 0; pass < repetitions; ++pass) {
-    tally.times.measure(static_cast<int>(rounded.size()), [&](int i) {
+    tally.own.times.measure(static_cast<int>(rounded.size()), [&](int i) {
       const double separation = rounded[static_cast<std::size_t>(i)].collide_once();
       return std::isfinite(separation) ? separation : 0.0;
     });
   }
+  tally.unrounded.times = tally.own.times;
 }
 
 Cell judge(const std::vector<StabilityCase>& cases, int repetitions) {
@@ -70,10 +68,12 @@ Cell judge(const std::vector<StabilityCase>& cases, int repetitions) {
   std::vector<double> exact;
   for (const StabilityCase& one : cases) {
     exact.push_back(exact_separation(one.pair));
-    cell.depth.add(std::max(0.0, -exact.back()) / one.pair.size);
+    cell.depth.errors[0].add(std::max(0.0, -exact.back()) / one.pair.size);
+    ++cell.depth.of;
   }
   judge_all<float>(cases, exact, repetitions, cell.scalars[0]);
   judge_all<double>(cases, exact, repetitions, cell.scalars[1]);
+  cell.depth.times = cell.scalars[0].own.times;
   return cell;
 }
 
@@ -151,11 +151,8 @@ class Stability {
         }
         if (by_kind) {
           const Cell cell = judge(cases, repetitions_);
-          for (const int scalar : {0, 1}) {
-            const Tally& tally = cell.scalars[scalar];
-            rows[scalar][k].points.push_back(
-                study_point(value, tally.own_ulps, tally.times, tally.faults, tally.of));
-          }
+          for (const int scalar : {0, 1})
+            rows[scalar][k].points.push_back(cell.scalars[scalar].own.point(value, 1));
         }
         all.insert(all.end(), cases.begin(), cases.end());
       }
@@ -173,15 +170,11 @@ class Stability {
 
   static void add_to_curves(double value, const Cell& cell,
                             std::vector<trace::StudySeries>& curves) {
-    for (const int scalar : {0, 1}) {
-      const Tally& tally = cell.scalars[scalar];
-      curves[static_cast<std::size_t>(scalar)].points.push_back(
-          study_point(value, tally.own, tally.times, tally.faults, tally.of));
-      curves[static_cast<std::size_t>(2 + scalar)].points.push_back(
-          study_point(value, tally.unrounded, tally.times, tally.lost, tally.of));
+    for (const std::size_t scalar : {0, 1}) {
+      curves[scalar].points.push_back(cell.scalars[scalar].own.point(value, 0));
+      curves[2 + scalar].points.push_back(cell.scalars[scalar].unrounded.point(value, 0));
     }
-    curves[4].points.push_back(
-        study_point(value, cell.depth, cell.scalars[0].times, 0, cell.scalars[0].of));
+    curves[4].points.push_back(cell.depth.point(value, 0));
   }
 
   using MakeCase = StabilityCase (*)(double across, double up, int index, std::uint64_t seed);
@@ -208,10 +201,8 @@ class Stability {
         const Cell cell = judge(cases, 1);
         for (const int scalar : {0, 1}) {
           const Tally& tally = cell.scalars[scalar];
-          panels[scalar].back().points.push_back(
-              study_point(value, tally.own_ulps, tally.times, tally.faults, tally.of));
-          panels[2 + scalar].back().points.push_back(
-              study_point(value, tally.unrounded_ulps, tally.times, tally.lost, tally.of));
+          panels[scalar].back().points.push_back(tally.own.point(value, 1));
+          panels[2 + scalar].back().points.push_back(tally.unrounded.point(value, 1));
         }
       }
       step(measure);
@@ -277,6 +268,17 @@ class Stability {
 
 }  // namespace
 
+/// Where the pipeline's numbers run out, in float and in double. Every contact is judged against the
+/// separation oracle twice: of the shapes and poses as the scalar holds them (what the pipeline
+/// loses: "float", "double"), and of the geometry before it was moved to its place in the world and
+/// rounded (what is left of it: "float, unrounded" ..). Faults are counted as failures: numbers that
+/// are not finite, missing and phantom contacts, depth or normal off by more than 64 roundings, and
+/// overlaps that drown in less than that (pair_verdict.h); of the unrounded ones contacts that are lost,
+/// or off by half their depth.
+///
+/// "sweeps": curves of the largest error over all kinds of pairs, over the size of the shapes.
+/// "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's coordinates.
+/// "tilt_scale", "distance_overlap", "aspect_angle": maps of two parameters, likewise.
 std::vector<trace::Study> study_stability(const StudyOptions& options,
                                           const StudyProgress& progress) {
   return Stability(options, progress).run();

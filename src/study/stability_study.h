@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "study/stacked_pair.h"
-#include "study/study.h"
 
 namespace contactscope {
 
@@ -41,19 +40,5 @@ std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double ot
 
 /// Turned at random, that far from the origin, metres.
 Pose<double> world_motion(double distance, std::mt19937_64& engine);
-
-/// Where the pipeline's numbers run out, in float and in double. Every contact is judged against the
-/// separation oracle twice: of the shapes and poses as the scalar holds them (what the pipeline
-/// loses: "float", "double"), and of the geometry before it was moved to its place in the world and
-/// rounded (what is left of it: "float, unrounded" ..). Faults are counted as failures: numbers that
-/// are not finite, missing and phantom contacts, depth or normal off by more than 64 roundings, and
-/// overlaps that drown in less than that (pair_verdict.h); of the unrounded ones contacts that are lost,
-/// or off by half their depth.
-///
-/// "sweeps": curves of the largest error over all kinds of pairs, over the size of the shapes.
-/// "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's coordinates.
-/// "tilt_scale", "distance_overlap", "aspect_angle": maps of two parameters, likewise.
-std::vector<trace::Study> study_stability(const StudyOptions& options,
-                                          const StudyProgress& progress);
 
 }  // namespace contactscope

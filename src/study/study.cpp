@@ -4,13 +4,6 @@
 #include <ctime>
 #include <fstream>
 
-#include "study/hull_precision_study.h"
-#include "study/manifold_stability_study.h"
-#include "study/penetration_study.h"
-#include "study/reducer_study.h"
-#include "study/solver_study.h"
-#include "study/stability_study.h"
-
 namespace contactscope {
 namespace {
 

@@ -19,11 +19,22 @@ struct StudyOptions {
 /// Told of each step; may throw to stop the study.
 using StudyProgress = std::function<void(int done, int total, const std::string& what)>;
 
+/// One result for each measure of error, the main one first.
+using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
+                                           const StudyProgress& progress);
+
+// Each is in the file of its name, with what it measures.
+RunStudy study_reducers, study_hull_precision, study_penetration, study_stability,
+    study_manifold_stability, study_solver;
+
+/// The study of the solver with another time, in frames (>= 1), in the place of three seconds.
+std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress,
+                                       int frames);
+
 struct StudyInfo {
   std::string name;
   std::string summary;  // one line
-  /// One result for each measure of error, the main one first.
-  std::vector<trace::Study> (*run)(const StudyOptions& options, const StudyProgress& progress);
+  RunStudy* run;
 };
 
 /// Every study, in the order in which to list them.

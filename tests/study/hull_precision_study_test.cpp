@@ -1,9 +1,10 @@
-#include "study/hull_precision_study.h"
+#include "study/overlapping_hulls.h"
 
 #include <gmock/gmock.h>
 
 #include "study/all_edge_pairs.h"
 #include "study/depth_oracle.h"
+#include "study/study.h"
 #include "support/brute_force_sat.h"
 
 namespace contactscope {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "study/study.h"
+
 namespace contactscope {
 namespace {
 

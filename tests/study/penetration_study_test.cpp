@@ -1,9 +1,8 @@
-#include "study/penetration_study.h"
-
 #include <gmock/gmock.h>
 
 #include "study/depth_oracle.h"
-#include "study/hull_precision_study.h"
+#include "study/overlapping_hulls.h"
+#include "study/study.h"
 #include "support/brute_force_sat.h"
 
 namespace contactscope {

@@ -1,5 +1,3 @@
-#include "study/reducer_study.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "reduce/reducer.h"
 #include "study/elliptical_polygon.h"
 #include "study/reduction_quality.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {

@@ -1,11 +1,10 @@
-#include "study/solver_study.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <set>
 
 #include "study/solver_stack.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "study/study.h"
+
 namespace contactscope {
 namespace {
 
