@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -29,90 +30,78 @@ std::vector<SeriesRange> by_panel(const trace::Study& result) {
   return panels;
 }
 
-/// What the first column of a panel's table is called, and what is told apart by the others.
-std::string head_of(const trace::StudySeries& series) {
-  return series.panel.empty() ? "method" : series.panel;
-}
-std::string parameter_of(const trace::Study& result, const trace::StudySeries& series) {
-  return series.parameter.empty() ? result.parameter : series.parameter;
-}
-
-void print_errors(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
-  const std::vector<trace::StudyPoint>& parameters = panel.front().points;
-  const bool has_worst = std::ranges::any_of(
-      parameters, [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
-  out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
-      << (has_worst ? ": mean / worst" : ": mean") << ", by " << parameter_of(result, panel.front())
-      << '\n';
-  std::vector<std::string> heads = {head_of(panel.front())};
-  for (const trace::StudyPoint& point : parameters) heads.push_back(spelled("%g", point.parameter));
-  heads.push_back("failed");
-  Table table(heads);
-  for (const trace::StudySeries& series : panel) {
-    std::vector<std::string> cells = {series.method};
-    int failed = 0;
-    for (const trace::StudyPoint& point : series.points) {
-      std::string cell = point.error ? spelled("%.2g", *point.error) : "-";
-      if (has_worst) cell += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
-      cells.push_back(cell);
-      failed += point.failed;
-    }
-    cells.push_back(std::to_string(failed));
-    table.add(cells);
-  }
-  table.print(out);
-}
-
-void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
-  out << "nanoseconds a call: median / least, by " << parameter_of(result, panel.front()) << '\n';
-  std::vector<std::string> heads = {head_of(panel.front())};
+/// A row a series: a cell for each parameter that `is_shown`, and what `sum` says of all its points,
+/// under the head "failed"; empty where nothing is to be said.
+void print_panel(const SeriesRange& panel, std::ostream& out, bool (*is_shown)(double parameter),
+                 const std::function<std::string(const trace::StudyPoint&)>& cell,
+                 std::string (*sum)(int failed, int of)) {
+  std::vector<std::string> heads = {panel.front().panel.empty() ? "method" : panel.front().panel};
   for (const trace::StudyPoint& point : panel.front().points) {
-    heads.push_back(spelled("%g", point.parameter));
+    if (is_shown(point.parameter)) heads.push_back(spelled("%g", point.parameter));
   }
+  if (sum != nullptr) heads.push_back("failed");
   Table table(heads);
   for (const trace::StudySeries& series : panel) {
     std::vector<std::string> cells = {series.method};
+    int failed = 0, of = 0;
     for (const trace::StudyPoint& point : series.points) {
-      cells.push_back(spelled("%.0f", point.nanoseconds.median) +
-                      spelled(" / %.0f", point.nanoseconds.min));
+      if (is_shown(point.parameter)) cells.push_back(cell(point));
+      failed += point.failed;
+      of += point.of;
     }
+    if (sum != nullptr) cells.push_back(sum(failed, of));
     table.add(cells);
   }
   table.print(out);
 }
 
+bool every_one(double /*parameter*/) {
+  return true;
+}
 bool is_whole_decade(double value) {
   const double exponent = std::log10(value);
   return std::abs(exponent - std::round(exponent)) < 1e-6;
 }
 
-/// The series of one panel stand together.
+std::string parameter_of(const trace::Study& result, const SeriesRange& panel) {
+  return panel.front().parameter.empty() ? result.parameter : panel.front().parameter;
+}
+
+void print_errors(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  const bool has_worst = std::ranges::any_of(
+      panel.front().points,
+      [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
+  out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
+      << (has_worst ? ": mean / worst" : ": mean") << ", by " << parameter_of(result, panel)
+      << '\n';
+  const auto cell = [&](const trace::StudyPoint& point) {
+    std::string text = point.error ? spelled("%.2g", *point.error) : "-";
+    if (has_worst) text += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
+    return text;
+  };
+  print_panel(panel, out, every_one, cell, [](int failed, int) { return std::to_string(failed); });
+}
+
+void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  out << "nanoseconds a call: median / least, by " << parameter_of(result, panel) << '\n';
+  const auto cell = [](const trace::StudyPoint& point) {
+    return spelled("%.0f", point.nanoseconds.median) + spelled(" / %.0f", point.nanoseconds.min);
+  };
+  print_panel(panel, out, every_one, cell, nullptr);
+}
+
+std::string share(int failed, int of) {
+  return std::to_string(failed) + " of " + std::to_string(of);
+}
+
 void print_curves(const trace::Study& result, std::ostream& out) {
-  for (std::size_t i = 0; i < result.series.size();) {
-    const std::string& panel = result.series[i].panel;
-    out << "largest " << result.error << ", by " << result.series[i].parameter << '\n';
-    std::vector<std::string> heads = {panel};
-    for (const trace::StudyPoint& point : result.series[i].points) {
-      if (is_whole_decade(point.parameter)) heads.push_back(spelled("%g", point.parameter));
-    }
-    heads.push_back("failed");
-    Table table(heads);
-    for (; i < result.series.size() && result.series[i].panel == panel; ++i) {
-      const trace::StudySeries& series = result.series[i];
-      std::vector<std::string> cells = {series.method};
-      int failed = 0, of = 0;
-      for (const trace::StudyPoint& point : series.points) {
-        failed += point.failed;
-        of += point.of;
-        if (!is_whole_decade(point.parameter)) continue;
-        std::string cell = point.error_worst ? spelled("%.1e", *point.error_worst) : "-";
-        if (point.failed > 0) cell += "!";
-        cells.push_back(cell);
-      }
-      cells.push_back(std::to_string(failed) + " of " + std::to_string(of));
-      table.add(cells);
-    }
-    table.print(out);
+  for (const SeriesRange& panel : by_panel(result)) {
+    out << "largest " << result.error << ", by " << panel.front().parameter << '\n';
+    const auto cell = [](const trace::StudyPoint& point) {
+      return (point.error_worst ? spelled("%.1e", *point.error_worst) : "-") +
+             (point.failed > 0 ? "!" : "");
+    };
+    print_panel(panel, out, is_whole_decade, cell, share);
     out << '\n';
   }
 }
@@ -120,12 +109,11 @@ void print_curves(const trace::Study& result, std::ostream& out) {
 void print_map(const trace::Study& result, std::ostream& out) {
   out << result.title << ": " << result.error << '\n';
   Table table({"panel", "median", "worst", "cells", "cells with failures", "failed"});
-  for (std::size_t i = 0; i < result.series.size();) {
-    const std::string& panel = result.series[i].panel;
+  for (const SeriesRange& panel : by_panel(result)) {
     std::vector<double> errors;
     int cells = 0, failing = 0, failed = 0, of = 0;
-    for (; i < result.series.size() && result.series[i].panel == panel; ++i) {
-      for (const trace::StudyPoint& point : result.series[i].points) {
+    for (const trace::StudySeries& series : panel) {
+      for (const trace::StudyPoint& point : series.points) {
         if (point.error_worst) errors.push_back(*point.error_worst);
         ++cells;
         failing += point.failed > 0 ? 1 : 0;
@@ -134,9 +122,10 @@ void print_map(const trace::Study& result, std::ostream& out) {
       }
     }
     std::ranges::sort(errors);
-    table.add({panel, errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
+    table.add({panel.front().panel,
+               errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
                errors.empty() ? "-" : spelled("%.2g", errors.back()), std::to_string(cells),
-               std::to_string(failing), std::to_string(failed) + " of " + std::to_string(of)});
+               std::to_string(failing), share(failed, of)});
   }
   table.print(out);
   out << '\n';

@@ -164,23 +164,6 @@ void time_landing(const LandingCase& c, LandingMethod method, const LandingOutco
   }
 }
 
-trace::Study described_landing(const char* measure, const char* title, const char* error,
-                               double resolution, int cases, const StudyOptions& options) {
-  trace::Study study;
-  study.study = "manifold_stability";
-  study.measure = measure;
-  study.title = title;
-  study.context = study_context("float");
-  study.reference = "symmetry; " + std::to_string(cases) + " boxes a point, " +
-                    std::to_string(kLandingFrames) + " frames, seed " +
-                    std::to_string(options.seed);
-  study.error = error;
-  study.resolution = resolution;
-  study.parameter = "parameter of the landing";
-  study.form = trace::StudyForm::Curves;
-  return study;
-}
-
 }  // namespace
 
 LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
@@ -224,14 +207,23 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                                                    const StudyProgress& progress) {
   const int cases = options.cases.value_or(kLandingCases);
   const int repetitions = options.repetitions.value_or(kLandingRepetitions);
+  trace::Study study;
+  study.study = "manifold_stability";
+  study.context = study_context("float");
+  study.reference = "symmetry; " + std::to_string(cases) + " boxes a point, " +
+                    std::to_string(kLandingFrames) + " frames, seed " +
+                    std::to_string(options.seed);
+  study.parameter = "parameter of the landing";
+  study.form = trace::StudyForm::Curves;
   std::vector<trace::Study> results{
-      described_landing("frames", "Frames until the manifold is stable",
-                        "frames to a stable manifold", 0, cases, options),
-      described_landing("rotation", "Rotation that the motion cannot have by symmetry",
-                        "artificial rotation (degrees)", kRotationResolution, cases, options),
-      described_landing("wander", "How the middle of the contact patch wanders",
-                        "way of the patch / half length of the box", kWanderResolution, cases,
-                        options)};
+      by_measure(study, "frames", "Frames until the manifold is stable",
+                 "frames to a stable manifold"),
+      by_measure(study, "rotation", "Rotation that the motion cannot have by symmetry",
+                 "artificial rotation (degrees)"),
+      by_measure(study, "wander", "How the middle of the contact patch wanders",
+                 "way of the patch / half length of the box")};
+  results[1].resolution = kRotationResolution;
+  results[2].resolution = kWanderResolution;
   const int total = static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods));
   int done = 0;
   for (const LandingPanel& panel : kLandingPanels) {

@@ -35,6 +35,14 @@ trace::StudyPoint Measurement::point(double parameter, std::size_t measure) cons
   return result;
 }
 
+trace::Study by_measure(trace::Study study, const char* measure, const char* title,
+                        const char* error) {
+  study.measure = measure;
+  study.title = title;
+  study.error = error;
+  return study;
+}
+
 void begin_series(std::vector<trace::Study>& results, const trace::StudySeries& series) {
   for (trace::Study& study : results) study.series.push_back(series);
 }

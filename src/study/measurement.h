@@ -61,6 +61,10 @@ struct Measurement {
   trace::StudyPoint point(double parameter, std::size_t measure) const;
 };
 
+/// The same study by another measure: its name, its title, and what its error is called.
+trace::Study by_measure(trace::Study study, const char* measure, const char* title,
+                        const char* error);
+
 /// Begins a line in each result of a study.
 void begin_series(std::vector<trace::Study>& results, const trace::StudySeries& series);
 

@@ -200,28 +200,23 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
   for (const DepthSeries& series : list) grid.methods.push_back(series.name);
   const DeepCases cases = make_deep_cases(options.seed, grid.cases);
 
-  trace::Study depths;
-  depths.study = "penetration";
-  depths.context = study_context("float and double");
-  depths.reference = "extended precision, " + std::to_string(grid.cases) +
-                     " overlapping pairs, seed " + std::to_string(options.seed) +
-                     "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
-                     "iterations; 8, 32, 128, 512, 2048, 8192 directions";
-  depths.parameter = "effort";
-  depths.measure = "depth";
-  depths.title = "The depth of two hulls by penetration algorithms";
-  depths.error = "error of the depth / size of the hulls";
-  trace::Study angles = depths;
-  angles.measure = "normal";
-  angles.title = "The normal of two hulls by penetration algorithms";
-  angles.error = "angle to the normal of least depth";
-  angles.unit = "rad";
-  trace::Study unfinished = depths;
-  unfinished.measure = "unfinished";
-  unfinished.title = "How many searches end before they converge";
-  unfinished.error = "share of the pairs whose status is not converged";
-  unfinished.resolution = 0.5 / grid.cases;
-  std::vector<trace::Study> results{depths, angles, unfinished};
+  trace::Study study;
+  study.study = "penetration";
+  study.context = study_context("float and double");
+  study.reference = "extended precision, " + std::to_string(grid.cases) +
+                    " overlapping pairs, seed " + std::to_string(options.seed) +
+                    "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
+                    "iterations; 8, 32, 128, 512, 2048, 8192 directions";
+  study.parameter = "effort";
+  std::vector<trace::Study> results{
+      by_measure(study, "depth", "The depth of two hulls by penetration algorithms",
+                 "error of the depth / size of the hulls"),
+      by_measure(study, "normal", "The normal of two hulls by penetration algorithms",
+                 "angle to the normal of least depth"),
+      by_measure(study, "unfinished", "How many searches end before they converge",
+                 "share of the pairs whose status is not converged")};
+  results[1].unit = "rad";
+  results[2].resolution = 0.5 / grid.cases;
   measure_grid(
       grid, results, progress, [](std::size_t) {},
       [&](std::size_t s, std::size_t e, Measurement& measured) {

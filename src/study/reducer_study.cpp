@@ -128,26 +128,21 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   const std::string cases_spelled = std::to_string(grid.cases) +
                                     " elliptical polygons a point, seed " +
                                     std::to_string(options.seed);
-  trace::Study area;
-  area.study = "reducers";
-  area.context = study_context("float");
-  area.parameter = "points";
-  area.resolution = kResolution;
-  area.reference = "the largest quadrilateral, exact in double, " + cases_spelled;
-  area.measure = "area";
-  area.title = "What each reducer loses of the contact area";
-  area.error = "lost area, 1 − area / best";
-  trace::Study wrench = area;
-  wrench.measure = "wrench";
-  wrench.title = "What each reducer loses of the resisted moment";
-  wrench.error = "lost moment arm / patch radius, worst axis";
-  wrench.reference = "all points, " + cases_spelled;
-  trace::Study deepest = wrench;
-  deepest.measure = "deepest";
-  deepest.title = "How often each reducer loses the deepest point";
-  deepest.error = "share of the patches whose deepest point is lost";
-  deepest.resolution = 0;  // counted
-  std::vector<trace::Study> results{area, wrench, deepest};
+  trace::Study study;
+  study.study = "reducers";
+  study.context = study_context("float");
+  study.parameter = "points";
+  study.resolution = kResolution;
+  study.reference = "all points, " + cases_spelled;
+  std::vector<trace::Study> results{
+      by_measure(study, "area", "What each reducer loses of the contact area",
+                 "lost area, 1 − area / best"),
+      by_measure(study, "wrench", "What each reducer loses of the resisted moment",
+                 "lost moment arm / patch radius, worst axis"),
+      by_measure(study, "deepest", "How often each reducer loses the deepest point",
+                 "share of the patches whose deepest point is lost")};
+  results[0].reference = "the largest quadrilateral, exact in double, " + cases_spelled;
+  results[2].resolution = 0;  // counted
 
   std::vector<std::vector<Case>> cases(grid.parameters.size());
   using Memory = std::vector<std::vector<FeatureId>>;  // of each case
