@@ -9,8 +9,10 @@
 namespace contactscope::scenario_file {
 namespace {
 
+using toml_reader::integer_in;
 using toml_reader::Table;
 using toml_reader::Value;
+using toml_reader::word_of;
 
 // A float holds the inverse of each, and of its moments of inertia at every length of a scenario.
 constexpr double kSmallestMass = 1e-9, kLargestMass = 1e9;  // kilograms
@@ -64,10 +66,9 @@ double read_at_most(const Value& value, double most, const char* unit) {
   return number;
 }
 
-PositionCorrection read_correction(const Value& value) {
-  const std::string name = value.one_of({"baumgarte", "projection", "soft"}, "position correction");
-  if (name == "projection") return PositionCorrection::Projection;
-  return name == "soft" ? PositionCorrection::Soft : PositionCorrection::Baumgarte;
+/// As a reader of keys.
+auto at_most(double most, const char* unit = nullptr) {
+  return [=](const Value& value) { return read_at_most(value, most, unit); };
 }
 
 SolverSettings read_solver_keys(const Value& value) {
@@ -75,24 +76,20 @@ SolverSettings read_solver_keys(const Value& value) {
       value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
                    "slop", "hertz", "damping_ratio", "speculative_margin"});
   SolverSettings solver;
-  if (const auto iterations = table.find("iterations"))
-    solver.iterations = iterations->integer(1, kMostIterations);
-  if (const auto substeps = table.find("substeps"))
-    solver.substeps = substeps->integer(1, kMostSubsteps);
-  if (const auto correction = table.find("position_correction"))
-    solver.position_correction = read_correction(*correction);
-  if (const auto warm_start = table.find("warm_start")) solver.warm_start = warm_start->boolean();
-  if (const auto baumgarte = table.find("baumgarte")) solver.baumgarte = read_share(*baumgarte);
-  if (const auto slop = table.find("slop"))
-    solver.slop = read_at_most(*slop, kLargestLength, "metres");
-  if (const auto hertz = table.find("hertz")) {
-    solver.hertz = hertz->positive("hertz");
-    read_at_most(*hertz, kMostHertz, "hertz");
-  }
-  if (const auto damping = table.find("damping_ratio"))
-    solver.damping_ratio = read_at_most(*damping, kMostHertz, nullptr);
-  if (const auto margin = table.find("speculative_margin"))
-    solver.speculative_margin = read_at_most(*margin, kLargestLength, "metres");
+  table.read("iterations", solver.iterations, integer_in(1, kMostIterations));
+  table.read("substeps", solver.substeps, integer_in(1, kMostSubsteps));
+  table.read(
+      "position_correction", solver.position_correction,
+      word_of<PositionCorrection>({"baumgarte", "projection", "soft"}, "position correction"));
+  table.read("warm_start", solver.warm_start, &Value::boolean);
+  table.read("baumgarte", solver.baumgarte, read_share);
+  table.read("slop", solver.slop, at_most(kLargestLength, "metres"));
+  table.read("hertz", solver.hertz, [](const Value& hertz) {
+    hertz.positive("hertz");
+    return read_at_most(hertz, kMostHertz, "hertz");
+  });
+  table.read("damping_ratio", solver.damping_ratio, at_most(kMostHertz));
+  table.read("speculative_margin", solver.speculative_margin, at_most(kLargestLength, "metres"));
   return solver;
 }
 
@@ -141,9 +138,8 @@ WorldSettings read_world(const Value& value, const std::string& up) {
     if (world.gravity.cwiseAbs().maxCoeff() > kMostGravity)
       gravity->fail("'gravity' is stronger than 1e6 m/s^2; lower it");
   }
-  if (const auto friction = table.find("friction")) world.friction = read_friction(*friction);
-  if (const auto restitution = table.find("restitution"))
-    world.restitution = read_restitution(*restitution);
+  table.read("friction", world.friction, read_friction);
+  table.read("restitution", world.restitution, read_restitution);
   return world;
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 using toml_reader::Table;
 using toml_reader::Value;
+using toml_reader::word_of;
 
 constexpr int kMostPoints = 4096;  // more than any manifold holds; catches a slip of the pen
 
@@ -69,13 +70,11 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   expectation.a = shape_named(a, scenario.shapes);
   expectation.b = shape_named(b, scenario.shapes);
   if (expectation.a == expectation.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
-  if (const auto label = table.find("label")) expectation.label = label->non_empty_string();
+  table.read("label", expectation.label, &Value::non_empty_string);
   require_pair(expectation, scenario, a);
 
-  if (const auto state = table.find("state"))
-    expectation.state = state->one_of({"touching", "separated"}, "state") == "touching"
-                            ? ExpectedState::Touching
-                            : ExpectedState::Separated;
+  table.read("state", expectation.state,
+             word_of<ExpectedState>({"touching", "separated"}, "state"));
   if (const auto points = table.find("points")) {
     expectation.points = points->integer(0, kMostPoints);
     if (expectation.state &&
@@ -96,8 +95,8 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
       normal->fail("'normal' has length " + std::to_string(expectation.normal->norm()) +
                    "; give a unit vector from a to b");
   }
-  if (const auto separation = table.find("separation"))
-    expectation.separation = separation->number("metres");
+  table.read("separation", expectation.separation,
+             [](const Value& separation) { return separation.number("metres"); });
   if (const auto load = table.find("load")) {
     expectation.load = load->not_negative("newtons");
     const auto dynamic = [&](int i) {
@@ -106,8 +105,8 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     if (!dynamic(expectation.a) && !dynamic(expectation.b))
       load->fail("'load' is what the solver gives, and neither shape is dynamic");
   }
-  if (const auto tolerance = table.find("tolerance"))
-    expectation.tolerance = tolerance->not_negative("metres");
+  table.read("tolerance", expectation.tolerance,
+             [](const Value& tolerance) { return tolerance.not_negative("metres"); });
   if (!expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
       !expectation.normal && !expectation.separation && !expectation.load)
     value.fail(

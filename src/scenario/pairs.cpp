@@ -11,9 +11,11 @@
 namespace contactscope::scenario_file {
 namespace {
 
+using toml_reader::integer_in;
 using toml_reader::Keys;
 using toml_reader::Table;
 using toml_reader::Value;
+using toml_reader::word_of;
 
 // More points than a solver takes from one manifold.
 constexpr int kMaxPoints = 64;
@@ -24,27 +26,22 @@ std::vector<std::string> reducer_names() {
   return names;
 }
 
-double length_of(const Value& value, const char* key) {
-  const double length = value.positive("metres");
+double within_reach(const Value& value, double length) {
   if (length > kLargestLength)
-    value.fail("'" + std::string(key) + "' is larger than 1e9 metres; lower it");
+    value.fail("'" + value.name() + "' is larger than 1e9 metres; lower it");
   return length;
 }
 
-/// What incremental manifolds go by; the keys are checked also where they have no effect.
-void read_manifold(const Table& table, PipelineSettings& settings) {
-  if (const auto manifold = table.find("manifold"))
-    settings.manifold = manifold->one_of({"one-shot", "incremental"}, "manifold") == "incremental"
-                            ? ManifoldKind::Incremental
-                            : ManifoldKind::OneShot;
-  if (const auto core_margin = table.find("core_margin"))
-    settings.incremental.core_margin = length_of(*core_margin, "core_margin");
-  if (const auto breaking = table.find("breaking_distance"))
-    settings.incremental.breaking_distance = length_of(*breaking, "breaking_distance");
-  if (const auto confirm = table.find("confirm"))
-    settings.incremental.confirm = confirm->one_of({"distance", "ids"}, "confirmation") == "ids"
-                                       ? Confirm::Ids
-                                       : Confirm::Distance;
+double read_least_length(const Value& value) {
+  return within_reach(value, value.positive("metres"));
+}
+
+/// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
+Keys with_settings(Keys keys) {
+  keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
+                           "preference", "degenerate", "internal_edges", "core_margin",
+                           "breaking_distance", "confirm", "penetration"});
+  return keys;
 }
 
 /// Refuses a pair whose points cannot be kept; `at` is what made it incremental.
@@ -59,53 +56,37 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
   }
 }
 
-PenetrationMethod method_of(const Value& value) {
-  constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
-                                            PenetrationMethod::Mpr, PenetrationMethod::Sampling};
-  std::vector<std::string> names;
-  for (const PenetrationMethod method : kMethods) names.emplace_back(to_string(method));
-  const std::string name = value.one_of(names, "penetration method");
-  return kMethods[std::ranges::find(names, name) - names.begin()];
-}
-
-/// The settings that [pipeline] and a [[pairs]] entry share.
+/// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
+/// checked also where they have no effect.
 PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
-  read_manifold(table, settings);
-  if (const auto reducer = table.find("reducer"))
-    settings.reducer = reducer->one_of(reducer_names(), "reducer");
-  if (const auto max_points = table.find("max_points"))
-    settings.max_points = max_points->integer(1, kMaxPoints);
-  if (const auto margin = table.find("margin")) {
-    settings.margin = margin->not_negative("metres");
-    if (settings.margin > kLargestLength)
-      margin->fail("'margin' is larger than 1e9 metres; lower it");
-  }
-  if (const auto cache = table.find("cache")) settings.cache = cache->boolean();
-  if (const auto preference = table.find("preference"))
-    settings.preference = preference->one_of({"relative", "none"}, "preference") == "none"
-                              ? Preference::None
-                              : Preference::Relative;
-  if (const auto penetration = table.find("penetration"))
-    settings.penetration = method_of(*penetration);
-  if (const auto internal_edges = table.find("internal_edges"))
-    settings.internal_edges = internal_edges->boolean();
-  if (const auto degenerate = table.find("degenerate"))
-    settings.degenerate = degenerate->one_of({"fallback", "skip"}, "answer") == "skip"
-                              ? Degenerate::Skip
-                              : Degenerate::Fallback;
+  table.read("manifold", settings.manifold,
+             word_of<ManifoldKind>({"one-shot", "incremental"}, "manifold"));
+  table.read("core_margin", settings.incremental.core_margin, read_least_length);
+  table.read("breaking_distance", settings.incremental.breaking_distance, read_least_length);
+  table.read("confirm", settings.incremental.confirm,
+             word_of<Confirm>({"distance", "ids"}, "confirmation"));
+  table.read("reducer", settings.reducer,
+             [](const Value& value) { return value.one_of(reducer_names(), "reducer"); });
+  table.read("max_points", settings.max_points, integer_in(1, kMaxPoints));
+  table.read("margin", settings.margin,
+             [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
+  table.read("cache", settings.cache, &Value::boolean);
+  table.read("preference", settings.preference,
+             word_of<Preference>({"relative", "none"}, "preference"));
+  table.read("penetration", settings.penetration,
+             word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
+  table.read("internal_edges", settings.internal_edges, &Value::boolean);
+  table.read("degenerate", settings.degenerate,
+             word_of<Degenerate>({"fallback", "skip"}, "answer"));
   return settings;
 }
 
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Table table = value.table({"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                                   "preference", "degenerate", "internal_edges", "core_margin",
-                                   "breaking_distance", "confirm", "penetration"});
+  const Table table = value.table(with_settings({}));
   PipelineSettings settings;
-  if (const auto scalar = table.find("scalar"))
-    settings.scalar =
-        scalar->one_of({"float", "double"}, "scalar") == "double" ? Scalar::Double : Scalar::Float;
+  table.read("scalar", settings.scalar, word_of<Scalar>({"float", "double"}, "scalar"));
   return read_settings(table, settings);
 }
 
@@ -133,16 +114,13 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     value.fail("there are " + std::to_string(items.size()) + " pairs; at most " +
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
-    const Table table =
-        item.table({"a", "b", "label", "scalar", "manifold", "reducer", "max_points", "margin",
-                    "cache", "preference", "degenerate", "internal_edges", "core_margin",
-                    "breaking_distance", "confirm", "penetration"});
+    const Table table = item.table(with_settings({"a", "b", "label"}));
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");
     pair.b = shape_named(b, shapes);
     if (pair.a == pair.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
-    if (const auto label = table.find("label")) pair.label = label->non_empty_string();
+    table.read("label", pair.label, &Value::non_empty_string);
     if (const auto scalar = table.find("scalar"))
       scalar->fail("one scalar serves the whole file; set 'scalar' in [pipeline]");
     pair.pipeline = read_settings(table, settings);

@@ -120,8 +120,8 @@ Quatd read_rotation(const Value& value) {
 
 Pose<double> read_pose(const Table& table, const Pose<double>& otherwise) {
   Pose<double> pose = otherwise;
-  if (const auto position = table.find("position")) pose.position = read_position(*position);
-  if (const auto rotation = table.find("rotation")) pose.rotation = read_rotation(*rotation);
+  table.read("position", pose.position, read_position);
+  table.read("rotation", pose.rotation, read_rotation);
   return pose;
 }
 

@@ -61,16 +61,16 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   scenario.name = name_of(path);
   scenario.path = path;
   scenario.title = file.require("title", "title = \"What the scene shows\"").non_empty_string();
-  if (const auto source = file.find("source")) scenario.source = source->string();
-  if (const auto tags = file.find("tags")) scenario.tags = read_tags(*tags);
-  if (const auto up = file.find("up")) scenario.up = up->one_of({"y", "z"}, "up axis");
+  file.read("source", scenario.source, &Value::string);
+  file.read("tags", scenario.tags, read_tags);
+  file.read("up", scenario.up, [](const Value& up) { return up.one_of({"y", "z"}, "up axis"); });
   if (const auto time = file.find("time")) read_time(*time, scenario);
 
   const Value shapes = file.require("shapes", "a shape as [shapes.NAME]");
   scenario.shapes = read_shapes(shapes, {fs::path(path).parent_path(), scenario.warnings},
                                 (scenario.frames - 1) * scenario.dt);
   PipelineSettings settings;
-  if (const auto pipeline = file.find("pipeline")) settings = read_pipeline(*pipeline);
+  file.read("pipeline", settings, read_pipeline);
   if (const auto pairs = file.find("pairs"))
     scenario.pairs = read_pairs(*pairs, scenario.shapes, settings);
   else
@@ -84,10 +84,8 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   for (std::string& warning : idle_keys(file, scenario))
     scenario.warnings.push_back(std::move(warning));
-  if (const auto views = file.find("views"))
-    scenario.views = read_views(*views);
-  else
-    scenario.views = {default_view()};
+  scenario.views = {default_view()};
+  file.read("views", scenario.views, read_views);
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
   scenario.snapshots = default_snapshots(scenario.frames);

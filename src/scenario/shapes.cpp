@@ -224,9 +224,8 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
     else
       shape.motion = read_motion(*motion, shape.pose, end_time);
   }
-  if (const auto friction = table.find("friction")) shape.friction = read_friction(*friction);
-  if (const auto restitution = table.find("restitution"))
-    shape.restitution = read_restitution(*restitution);
+  table.read("friction", shape.friction, read_friction);
+  table.read("restitution", shape.restitution, read_restitution);
   return shape;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,6 +84,11 @@ class Table {
   Table(const std::string& file, const toml::node& node, std::string name, const Keys& keys);
 
   std::optional<Value> find(std::string_view key) const;
+  /// Sets `target` to what `reader` makes of a key's value, where the file has the key.
+  template <class Target, class Reader>
+  void read(std::string_view key, Target& target, const Reader& reader) const {
+    if (const std::optional<Value> value = find(key)) target = std::invoke(reader, *value);
+  }
   /// A missing key is an error at the table; `example` shows how to write it.
   Value require(std::string_view key, const std::string& example) const;
 
@@ -91,6 +98,18 @@ class Table {
  private:
   Value value_;
 };
+
+/// Readers of Table::read(): an integer from `low` to `high`, and the enumerator that has the place of
+/// a string among `words`.
+inline auto integer_in(int low, int high) {
+  return [=](const Value& value) { return value.integer(low, high); };
+}
+template <class Enum>
+auto word_of(const std::vector<std::string>& words, const char* kind) {
+  return [words, kind](const Value& value) {
+    return static_cast<Enum>(std::ranges::find(words, value.one_of(words, kind)) - words.begin());
+  };
+}
 
 Keys as_keys(const std::vector<std::string>& words);
 
