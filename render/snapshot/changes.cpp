@@ -1,29 +1,218 @@
 #include "snapshot/changes.h"
 
 #include <cstddef>
+#include <span>
+
+#include "snapshot/spelling.h"
 
 namespace contactscope::snapshot {
 
-void Changes::vertices(const std::vector<Vec3d>& expected, const std::vector<Vec3d>& actual) {
-  if (expected.size() != actual.size()) {
-    add(std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " vertices");
-    return;
+using trace::Kind;
+
+double* Magnitudes::of(Kind kind) {
+  switch (kind) {
+    case Kind::Impulse:
+      return &impulse;
+    case Kind::Velocity:
+      return &velocity;
+    case Kind::Spin:
+      return &spin;
+    case Kind::Energy:
+      return &energy;
+    default:
+      return nullptr;
   }
+}
+
+double Tolerance::of(Kind kind, double value) const {
+  switch (kind) {
+    case Kind::Exact:
+      return 0;
+    case Kind::Length:
+    case Kind::Position:
+      return length;
+    case Kind::Area:
+      return area;
+    case Kind::Direction:
+    case Kind::Rotation:
+      return relative;
+    case Kind::Ratio:
+      return relative * std::abs(value);
+    default:
+      return relative * *Magnitudes(magnitudes).of(kind);
+  }
+}
+
+bool same(double expected, double actual, double tolerance) {
+  return std::abs(actual - expected) <= tolerance;
+}
+bool same(const Vec3d& expected, const Vec3d& actual, double tolerance) {
+  return same(expected.x(), actual.x(), tolerance) && same(expected.y(), actual.y(), tolerance) &&
+         same(expected.z(), actual.z(), tolerance);
+}
+
+namespace {
+
+/// Whether a number is within its tolerance; it is settled then. What must be exact is left as it
+/// is: -0.0 is equal to 0.0 and is written otherwise.
+template <class T>
+bool settle(Kind kind, const T& expected, T& actual, double tolerance) {
+  if (!same(expected, actual, tolerance)) return false;
+  if (kind != Kind::Exact) actual = expected;
+  return true;
+}
+
+template <class Vector>
+std::vector<Vector*> points_of(std::span<Vector> points) {
+  std::vector<Vector*> all;
+  for (Vector& point : points) all.push_back(&point);
+  return all;
+}
+auto points_of(const std::vector<Vec3d>& points) {
+  return points_of(std::span<const Vec3d>(points));
+}
+auto points_of(std::vector<Vec3d>& points) {
+  return points_of(std::span<Vec3d>(points));
+}
+template <class Vector, class Vertices>
+std::vector<Vector*> both_points_of(Vertices& simplex) {
+  std::vector<Vector*> all;
+  for (auto& vertex : simplex) all.insert(all.end(), {&vertex.a, &vertex.b});
+  return all;
+}
+auto points_of(const trace::Simplex& simplex) {
+  return both_points_of<const Vec3d>(simplex);
+}
+auto points_of(trace::Simplex& simplex) {
+  return both_points_of<Vec3d>(simplex);
+}
+
+}  // namespace
+
+void Changes::add(const Wording& field, const std::string& change) {
+  const std::string told = field.words + change;
+  if (text_.empty()) {
+    text_ = told;
+  } else {
+    text_ = field.is_first ? told + ", " + text_ : text_ + ", " + told;
+  }
+  has_more_ = has_more_ || !field.is_last;
+}
+
+bool Changes::both_there(const Wording& field, bool expected, bool actual) {
+  if (expected && !actual) add(field, "gone");
+  if (!expected && actual) add(field, "added");
+  return expected && actual;
+}
+
+void Changes::count(const std::string& plural, std::size_t expected, std::size_t actual) {
+  if (expected == actual) return;
+  add({}, "number of " + plural + " " +
+              spell_change(static_cast<int>(expected), static_cast<int>(actual)));
+}
+
+void Changes::compare(const Wording& field, double expected, double& actual) {
+  if (!settle(field.kind, expected, actual, tolerance_.of(field.kind, expected)))
+    add(field, spell_change(expected, actual));
+}
+void Changes::compare(const Wording& field, int expected, int& actual) {
+  if (expected != actual) add(field, spell_change(expected, actual));
+}
+void Changes::compare(const Wording& field, bool expected, bool& actual) {
+  if (expected != actual)
+    add(field, std::string(field.states[expected]) + " -> " + field.states[actual]);
+}
+void Changes::compare(const Wording& field, const std::string& expected, std::string& actual) {
+  if (expected != actual) add(field, spell_change(expected, actual));
+}
+void Changes::compare(const Wording& field, const Vec3d& expected, Vec3d& actual) {
+  if (settle(field.kind, expected, actual, tolerance_.of(field.kind, expected.norm()))) return;
+  if (field.kind == Kind::Position) {
+    add(field, spell_move(expected, actual));
+  } else if (field.kind == Kind::Direction) {
+    add(field, spell_turn(expected, actual));
+  } else {
+    add(field, spell_vector(expected) + " -> " + spell_vector(actual));
+  }
+}
+void Changes::compare(const Wording& field, const Quatd& expected, Quatd& actual) {
+  const double sign = expected.dot(actual) < 0 ? -1 : 1;
+  for (int i = 0; i < 4; ++i) {
+    if (same(expected.coeffs()[i], sign * actual.coeffs()[i], tolerance_.relative)) continue;
+    const Quatd turn = actual * expected.conjugate();
+    const double angle = 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+    return add(field, "turned by " + spell_angle(angle));
+  }
+  actual = expected;
+}
+void Changes::compare(const Wording& field, const std::array<Vec3d, 2>& expected,
+                      std::array<Vec3d, 2>& actual) {
+  Wording end = field;
+  end.words = "first point of the " + field.words;
+  compare(end, expected[0], actual[0]);
+  end.words = "second point of the " + field.words;
+  compare(end, expected[1], actual[1]);
+}
+void Changes::compare(const Wording& field, const std::vector<Vec3d>& expected,
+                      std::vector<Vec3d>& actual) {
+  compare_vertices(field, expected, actual);
+}
+void Changes::compare(const Wording& field, const trace::Simplex& expected,
+                      trace::Simplex& actual) {
+  compare_vertices(field, expected, actual);
+}
+void Changes::compare(const Wording& field, const std::vector<int>& expected,
+                      std::vector<int>& actual) {
+  if (expected != actual) add(field, spell_change(spell_list(expected), spell_list(actual)));
+}
+void Changes::compare(const Wording& field, const std::array<int, 2>& expected,
+                      std::array<int, 2>& actual) {
+  if (expected != actual) add(field, spell_change(spell_list(expected), spell_list(actual)));
+}
+
+template <class Face>
+void Changes::compare(const Wording& field, const std::vector<Face>& expected,
+                      std::vector<Face>& actual) {
+  if (expected.size() != actual.size()) {
+    return add({}, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " " +
+                       field.words.substr(0, field.words.size() - 1) + "s");
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (expected[i] == actual[i]) continue;
+    return add(field, std::to_string(i) + " (" + spell_list(expected[i]) + ") -> (" +
+                          spell_list(actual[i]) + ")");
+  }
+}
+using Faces = std::vector<std::vector<int>>;
+using Edges = std::vector<std::array<int, 2>>;
+using Triangles = std::vector<std::array<int, 3>>;
+template void Changes::compare(const Wording&, const Faces&, Faces&);
+template void Changes::compare(const Wording&, const Edges&, Edges&);
+template void Changes::compare(const Wording&, const Triangles&, Triangles&);
+
+template <class Points>
+void Changes::compare_vertices(const Wording& field, const Points& expected, Points& actual) {
+  if (expected.size() != actual.size()) {
+    return add(field, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) +
+                          " vertices");
+  }
+  const std::vector<const Vec3d*> before = points_of(expected);
+  const std::vector<Vec3d*> after = points_of(actual);
   std::size_t moved = 0, farthest = 0;
   double distance = -1;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (same(expected[i], actual[i], tolerance_.length)) continue;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (settle(field.kind, *before[i], *after[i], tolerance_.length)) continue;
     ++moved;
-    const double d = (actual[i] - expected[i]).norm();
+    const double d = (*after[i] - *before[i]).norm();
     // One that is no number outranks every distance.
     if (d <= distance || std::isnan(distance)) continue;
     distance = d;
     farthest = i;
   }
   if (moved == 0) return;
-  add("vertex " + std::to_string(farthest) + " " +
-      spell_move(expected[farthest], actual[farthest]));
-  if (moved > 1) add(std::to_string(moved - 1) + " more moved");
+  add(field,
+      "vertex " + std::to_string(farthest) + " " + spell_move(*before[farthest], *after[farthest]));
+  if (moved > 1) add({}, std::to_string(moved - 1) + " more moved");
 }
 
 }  // namespace contactscope::snapshot

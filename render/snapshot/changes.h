@@ -1,78 +1,107 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/vec3.h"
-#include "snapshot/spelling.h"
+#include "trace/field.h"
+#include "trace/minkowski.h"
 
 namespace contactscope::snapshot {
 
+/// The largest impulse, velocity, spin and energy about: what such quantities are held against.
+struct Magnitudes {
+  double impulse = 0;   // newton seconds
+  double velocity = 0;  // metres a second
+  double spin = 0;      // radians a second
+  double energy = 0;    // joules
+
+  /// That of a kind; null of a kind that is held against none of them.
+  double* of(trace::Kind kind);
+};
+
 /// How far two numbers of one trace may lie apart and still count as equal.
 struct Tolerance {
-  double length = 0;     // metres
-  double direction = 0;  // for each component of a unit vector or quaternion; relative
-  double area = 0;       // square metres
+  double length = 0;    // metres
+  double relative = 0;  // of a component of a unit vector or quaternion, and of a magnitude
+  double area = 0;      // square metres
+  Magnitudes magnitudes{};
+
+  /// Of a value of this kind.
+  double of(trace::Kind kind, double value) const;
 };
 
 /// Equal within the tolerance; never when either is no number.
-inline bool same(double expected, double actual, double tolerance) {
-  return std::abs(actual - expected) <= tolerance;
-}
-inline bool same(const Vec3d& expected, const Vec3d& actual, double tolerance) {
-  return same(expected.x(), actual.x(), tolerance) && same(expected.y(), actual.y(), tolerance) &&
-         same(expected.z(), actual.z(), tolerance);
-}
+bool same(double expected, double actual, double tolerance);
+bool same(const Vec3d& expected, const Vec3d& actual, double tolerance);
+
+/// A field as a sentence speaks of it.
+struct Wording {
+  std::string words;  // empty, or with a blank at its end
+  trace::Kind kind = trace::Kind::Exact;
+  std::array<const char*, 2> states{};  // what false and true are called
+  bool is_first = false;
+  bool is_last = false;
+};
 
 /// Collects what changed of one thing and makes a part of a sentence of it:
 /// "sat face_a: face 1 -> 3, separation -0.0050 -> -0.0037". Names, indices and texts compare
-/// exactly, numbers within the tolerance.
+/// exactly, numbers within the tolerance of their kind. A number that is within it without being
+/// equal is settled: the actual one is set to the expected one. So what still differs afterwards,
+/// down to the bytes that it is written as, is what was told, or was not compared.
 class Changes {
  public:
   Changes(std::string subject, const Tolerance& tolerance)
       : subject_(std::move(subject)), tolerance_(tolerance) {}
 
+  void compare(const Wording& field, double expected, double& actual);
+  void compare(const Wording& field, int expected, int& actual);
+  void compare(const Wording& field, bool expected, bool& actual);
+  void compare(const Wording& field, const std::string& expected, std::string& actual);
+  void compare(const Wording& field, const Vec3d& expected, Vec3d& actual);
+  /// q and -q are the same rotation.
+  void compare(const Wording& field, const Quatd& expected, Quatd& actual);
+  /// The ends of a line.
+  void compare(const Wording& field, const std::array<Vec3d, 2>& expected,
+               std::array<Vec3d, 2>& actual);
+  /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more moved".
+  void compare(const Wording& field, const std::vector<Vec3d>& expected,
+               std::vector<Vec3d>& actual);
+  /// The same; a vertex is two points.
+  void compare(const Wording& field, const trace::Simplex& expected, trace::Simplex& actual);
+  void compare(const Wording& field, const std::vector<int>& expected, std::vector<int>& actual);
+  void compare(const Wording& field, const std::array<int, 2>& expected,
+               std::array<int, 2>& actual);
+  /// "20 -> 24 faces", or "face 7 (0 1 3) -> (0 3 1)" of the first that differs.
+  template <class Face>
+  void compare(const Wording& field, const std::vector<Face>& expected, std::vector<Face>& actual);
   template <class T>
-  void exact(const std::string& name, const T& expected, const T& actual) {
-    if (expected != actual) add(name + spell_change(expected, actual));
+  void compare(const Wording& field, const std::optional<T>& expected, std::optional<T>& actual) {
+    if (both_there(field, expected.has_value(), actual.has_value()))
+      compare(field, *expected, *actual);
   }
-  void length(const std::string& name, double expected, double actual) {
-    if (!same(expected, actual, tolerance_.length)) add(name + spell_change(expected, actual));
-  }
-  void area(const std::string& name, double expected, double actual) {
-    if (!same(expected, actual, tolerance_.area)) add(name + spell_change(expected, actual));
-  }
-  void direction(const std::string& name, const Vec3d& expected, const Vec3d& actual) {
-    if (!same(expected, actual, tolerance_.direction)) add(name + spell_turn(expected, actual));
-  }
-  void position(const std::string& name, const Vec3d& expected, const Vec3d& actual) {
-    if (!same(expected, actual, tolerance_.length)) add(name + spell_move(expected, actual));
-  }
-  /// Quantities of other kinds, such as impulses: the tolerance is the relative one of directions,
-  /// of `scale`, the largest such quantity about.
-  void relative(const std::string& name, double expected, double actual, double scale) {
-    if (!same(expected, actual, tolerance_.direction * scale))
-      add(name + spell_change(expected, actual));
-  }
-  void relative(const std::string& name, const Vec3d& expected, const Vec3d& actual, double scale) {
-    if (!same(expected, actual, tolerance_.direction * scale))
-      add(name + spell_vector(expected) + " -> " + spell_vector(actual));
-  }
-  /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more vertices moved".
-  void vertices(const std::vector<Vec3d>& expected, const std::vector<Vec3d>& actual);
-  void add(const std::string& change) { text_ += (text_.empty() ? "" : ", ") + change; }
+  /// Says "axis gone" or "axis added" where one is; true when both are there.
+  bool both_there(const Wording& field, bool expected, bool actual);
+  /// Says "number of steps 3 -> 4" where the counts differ.
+  void count(const std::string& plural, std::size_t expected, std::size_t actual);
 
-  /// Appends the part when anything changed.
-  void tell(std::vector<std::string>& parts) const {
-    if (!text_.empty()) parts.push_back(subject_ + text_);
-  }
+  /// The part of a sentence; empty when nothing changed.
+  std::string text() const { return text_.empty() ? std::string() : subject_ + text_; }
+  /// All that changed is what should be told last.
+  bool is_last() const { return !has_more_; }
 
  private:
+  void add(const Wording& field, const std::string& change);
+  template <class Points>
+  void compare_vertices(const Wording& field, const Points& expected, Points& actual);
+
   std::string subject_;
   Tolerance tolerance_;
   std::string text_;
+  bool has_more_ = false;
 };
 
 }  // namespace contactscope::snapshot

@@ -110,8 +110,8 @@ CheckedTrace check_trace(const fs::path& root, const trace::Trace& actual, const
   CheckedTrace checked{scenario, trace_path(root, scenario), {}, false, {}};
   Finding finding = Finding::Different;
   try {
-    if (const std::optional<trace::Trace> expected = read_stored_trace(root, scenario)) {
-      checked.sentences = compare_traces(*expected, actual);
+    if (const std::optional<std::string> stored = read_stored_trace(root, scenario)) {
+      checked.sentences = compare_with_stored(*stored, checked.stored.string(), actual);
       if (checked.sentences.empty()) finding = Finding::Same;
     } else {
       finding = Finding::Missing;

@@ -4,16 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <sstream>
 
-#include "snapshot/compare_pair.h"
-#include "snapshot/compare_stages.h"
-#include "snapshot/match.h"
+#include "snapshot/compare_facts.h"
+#include "snapshot/store.h"
 
 namespace contactscope::snapshot {
 namespace {
 
 using trace::Trace;
-using Parts = std::vector<std::string>;
 
 // The C library's sine and cosine differ in the last place between processors. Such a pose moves by
 // up to one unit of its coordinates; two of them and the way back to world space make four.
@@ -42,13 +41,11 @@ class Scale {
  public:
   explicit Scale(const trace::Header& header)
       : ulp_(std::ldexp(1.0, header.scalar == "double" ? -52 : -23)) {
-    for (const trace::Shape& shape : header.shapes) {
-      extents_[shape.name] = extent(shape);
-    }
+    for (const trace::Shape& shape : header.shapes) extents_[shape.name] = extent(shape);
   }
 
   /// For one shape, or the larger of two, in a frame.
-  Tolerance tolerance(const trace::Frame& frame, const std::string& a, const std::string& b) const {
+  Tolerance of(const trace::Frame& frame, const std::string& a, const std::string& b) const {
     const double extent = std::max(extent_of(a), extent_of(b));
     double place = 0;
     for (const auto& [name, pose] : frame.poses) {
@@ -58,7 +55,20 @@ class Scale {
     return make(place, extent);
   }
   /// For a shape in its own frame.
-  Tolerance tolerance(const std::string& shape) const { return make(0, extent_of(shape)); }
+  Tolerance of(const std::string& shape) const { return make(0, extent_of(shape)); }
+  /// For sums over a frame: what its largest pair may differ by, and of impulses and energies the
+  /// part of all of them together.
+  Tolerance of(const trace::Frame& frame) const {
+    Tolerance tolerance = make(0, 0);
+    for (const trace::Pair& pair : frame.pairs)
+      tolerance.length = std::max(tolerance.length, of(frame, pair.a, pair.b).length);
+    const auto add = [&](trace::Kind kind, double value) {
+      if (double* const sum = tolerance.magnitudes.of(kind)) *sum += value;
+    };
+    each_magnitude(frame.pairs, add);
+    each_magnitude(frame.solver, add);
+    return tolerance;
+  }
 
  private:
   double extent_of(const std::string& shape) const {
@@ -74,189 +84,86 @@ class Scale {
   std::map<std::string, double> extents_;  // metres, largest local coordinate
 };
 
-/// The sentences of one frame.
-class Sentences {
- public:
-  explicit Sentences(std::string place) : place_(std::move(place)) {}
-
-  void add(const std::string& subject, const std::string& what) {
-    ++count_;
-    if (count_ > kMostSentences) return;
-    texts_.push_back(place_ + (subject.empty() ? "" : ", " + subject) + ": " + what);
+/// The sentences of the header or of one frame.
+void tell(const std::string& place, const std::vector<Difference>& differences,
+          std::vector<std::string>& sentences) {
+  for (std::size_t i = 0; i < differences.size() && i < kMostSentences; ++i) {
+    const auto& [subject, text] = differences[i];
+    sentences.push_back(place + (subject.empty() ? "" : ", " + subject) + ": " + text);
   }
-  void add(const std::string& subject, const Parts& parts) {
-    for (const std::string& part : parts) add(subject, part);
+  if (differences.size() > kMostSentences) {
+    sentences.push_back(place + ": and " + std::to_string(differences.size() - kMostSentences) +
+                        " more");
   }
-  void append_to(std::vector<std::string>& all) const {
-    all.insert(all.end(), texts_.begin(), texts_.end());
-    if (count_ > kMostSentences) {
-      all.push_back(place_ + ": and " + std::to_string(count_ - kMostSentences) + " more");
-    }
-  }
-
- private:
-  std::string place_;
-  int count_ = 0;
-  Parts texts_;
-};
-
-/// Matches the entries of two lists by key, and says what is gone, added or in another order.
-template <class List, class Key>
-Match match_entries(const List& expected, const List& actual, const std::string& plural, Key key,
-                    Sentences& sentences) {
-  Parts expected_keys, actual_keys;
-  for (const auto& entry : expected) expected_keys.push_back(key(entry));
-  for (const auto& entry : actual) actual_keys.push_back(key(entry));
-  const Match match = match_keys(expected_keys, actual_keys);
-  for (const std::size_t i : match.gone) sentences.add(expected_keys[i], "gone");
-  for (const std::size_t i : match.added) sentences.add(actual_keys[i], "added");
-  if (match.reordered()) sentences.add("", plural + " in another order");
-  return match;
 }
 
-template <class Lists>
-std::string first_difference(const std::string& noun, const Lists& expected, const Lists& actual) {
-  if (expected.size() != actual.size()) {
-    return std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " " + noun +
-           "s";
-  }
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (expected[i] == actual[i]) continue;
-    return noun + " " + std::to_string(i) + " " +
-           spell_change(spell_list(expected[i]), spell_list(actual[i]));
-  }
-  return {};
-}
+/// Settles `actual`, see Changes.
+std::vector<std::string> compare_and_settle(const Trace& expected, Trace& actual) {
+  std::vector<std::string> sentences;
+  const std::string name = actual.header.scenario;
+  const Scale scale(expected.header);
+  std::vector<Difference> header;
+  Comparison([&](const std::string& shape, const std::string&) {
+    return scale.of(shape);
+  }).compare(expected.header, actual.header, {}, "", header);
 
-Parts compare_shape(const trace::Shape& expected, const trace::Shape& actual,
-                    const Tolerance& tolerance) {
-  Parts parts;
-  Changes changes("", tolerance);
-  changes.exact("type ", expected.type, actual.type);
-  changes.vertices(expected.vertices, actual.vertices);
-  changes.position("centre of mass ", expected.center_of_mass, actual.center_of_mass);
-  changes.length("radius ", expected.radius, actual.radius);
-  const trace::HalfSpace none{Vec3d::Zero(), 0};
-  const trace::HalfSpace before = expected.half_space.value_or(none);
-  const trace::HalfSpace after = actual.half_space.value_or(none);
-  changes.direction("normal ", before.normal, after.normal);
-  changes.length("offset ", before.offset, after.offset);
-  for (const std::string& difference : {first_difference("face", expected.faces, actual.faces),
-                                        first_difference("edge", expected.edges, actual.edges)}) {
-    if (!difference.empty()) changes.add(difference);
-  }
-  changes.tell(parts);
-  return parts;
-}
+  const auto number = [](const trace::Frame& frame) {
+    return "frame " + std::to_string(frame.frame);
+  };
+  const auto numbers = [&](const std::vector<trace::Frame>& frames) {
+    std::vector<std::string> keys;
+    for (const trace::Frame& frame : frames) keys.push_back(number(frame));
+    return keys;
+  };
+  const Match match = match_keys(numbers(expected.frames), numbers(actual.frames));
+  for (const std::size_t i : match.gone) header.push_back({number(expected.frames[i]), "gone"});
+  for (const std::size_t i : match.added) header.push_back({number(actual.frames[i]), "added"});
+  if (match.reordered()) header.push_back({"", "frames in another order"});
+  tell(name, header, sentences);
 
-void compare_headers(const trace::Header& expected, const trace::Header& actual, const Scale& scale,
-                     Sentences& sentences) {
-  Changes changes("", Tolerance{});
-  changes.exact("scenario ", expected.scenario, actual.scenario);
-  changes.exact("title ", expected.title, actual.title);
-  changes.exact("source ", expected.source, actual.source);
-  changes.exact("scalar ", expected.scalar, actual.scalar);
-  changes.exact("up ", expected.up, actual.up);
-  changes.exact("frames ", expected.frames, actual.frames);
-  Parts parts;
-  changes.tell(parts);
-  sentences.add("", parts);
-  const Match match = match_entries(
-      expected.shapes, actual.shapes, "shapes",
-      [](const trace::Shape& shape) { return shape.name; }, sentences);
   for (const auto& [i, j] : match.both) {
-    const trace::Shape& shape = expected.shapes[i];
-    sentences.add(shape.name, compare_shape(shape, actual.shapes[j], scale.tolerance(shape.name)));
+    const trace::Frame& frame = expected.frames[i];
+    std::vector<Difference> differences;
+    Comparison([&](const std::string& a, const std::string& b) {
+      return scale.of(frame, a, b);
+    }).compare(frame, actual.frames[j], {"", "", scale.of(frame)}, "", differences);
+    tell(name + " " + number(frame), differences, sentences);
   }
+  return sentences;
 }
 
-Parts compare_pose(const Pose<double>& expected, const Pose<double>& actual,
-                   const Tolerance& tolerance) {
-  Parts parts;
-  Changes changes("", tolerance);
-  changes.position("", expected.position, actual.position);
-  // q and -q are the same rotation.
-  const double sign = expected.rotation.dot(actual.rotation) < 0 ? -1 : 1;
-  const Eigen::Vector4d turned = sign * actual.rotation.coeffs();
-  for (int i = 0; i < 4; ++i) {
-    if (same(expected.rotation.coeffs()[i], turned[i], tolerance.direction)) continue;
-    const Quatd turn = actual.rotation * expected.rotation.conjugate();
-    changes.add("turned by " + spell_angle(2 * std::atan2(turn.vec().norm(), std::abs(turn.w()))));
-    break;
-  }
-  changes.tell(parts);
-  return parts;
-}
-
-std::string pair_name(const trace::Pair& pair) {
-  return pair.a + "-" + pair.b + (pair.label.empty() ? "" : " (" + pair.label + ")");
-}
-
-void compare_solvers(const trace::Frame& expected, const trace::Frame& actual, const Scale& scale,
-                     Sentences& sentences) {
-  if (expected.solver && !actual.solver) sentences.add("", "solver gone");
-  if (!expected.solver && actual.solver) sentences.add("", "solver added");
-  if (!expected.solver || !actual.solver) return;
-  Parts settings;
-  compare_solver(*expected.solver, *actual.solver, settings);
-  sentences.add("", settings);
-  const std::vector<trace::Body>& bodies = expected.solver->bodies;
-  const Match match = match_entries(
-      bodies, actual.solver->bodies, "bodies", [](const trace::Body& body) { return body.name; },
-      sentences);
-  const BodyScale most = largest(bodies);
-  for (const auto& [i, j] : match.both) {
-    const std::string& name = bodies[i].name;
-    sentences.add(name, compare_body(bodies[i], actual.solver->bodies[j], most,
-                                     scale.tolerance(expected, name, name)));
-  }
-}
-
-void compare_frames(const trace::Frame& expected, const trace::Frame& actual, const Scale& scale,
-                    Sentences& sentences) {
-  // The time is a product of two numbers of the file, which every processor rounds alike.
-  if (expected.time != actual.time) {
-    sentences.add("", "time " + spell_change(expected.time, actual.time));
-  }
-  const Match poses = match_entries(
-      expected.poses, actual.poses, "poses", [](const auto& entry) { return entry.first; },
-      sentences);
-  for (const auto& [i, j] : poses.both) {
-    const auto& [name, pose] = expected.poses[i];
-    sentences.add(
-        name, compare_pose(pose, actual.poses[j].second, scale.tolerance(expected, name, name)));
-  }
-  const Match pairs = match_entries(expected.pairs, actual.pairs, "pairs", pair_name, sentences);
-  for (const auto& [i, j] : pairs.both) {
-    const trace::Pair& pair = expected.pairs[i];
-    sentences.add(pair_name(pair),
-                  compare_pair(pair, actual.pairs[j], scale.tolerance(expected, pair.a, pair.b)));
-  }
-  compare_solvers(expected, actual, scale, sentences);
-  // Their values follow from what is compared above.
-  if (expected.totals && !actual.totals) sentences.add("", "totals gone");
-  if (!expected.totals && actual.totals) sentences.add("", "totals added");
+/// A few letters about a place in a line.
+std::string about(const std::string& line, std::size_t at) {
+  constexpr std::size_t kBefore = 24, kLength = 48;
+  return at < line.size() ? line.substr(at - std::min(at, kBefore), kLength) : "(the end)";
 }
 
 }  // namespace
 
 std::vector<std::string> compare_traces(const Trace& expected, const Trace& actual) {
-  std::vector<std::string> all;
-  const std::string name = actual.header.scenario;
-  const Scale scale(expected.header);
-  Sentences header(name);
-  compare_headers(expected.header, actual.header, scale, header);
-  const auto number = [](const trace::Frame& frame) {
-    return "frame " + std::to_string(frame.frame);
+  Trace settled = actual;
+  return compare_and_settle(expected, settled);
+}
+
+std::vector<std::string> compare_with_stored(const std::string& text, const std::string& path,
+                                             const Trace& actual) {
+  std::istringstream stored(text);
+  Trace settled = actual;
+  std::vector<std::string> sentences = compare_and_settle(trace::read_trace(stored, path), settled);
+  if (!sentences.empty()) return sentences;
+  const std::string written = to_json_lines(settled);
+  const auto [at, other] = std::ranges::mismatch(text, written);
+  if (at == text.end() && other == written.end()) return {};
+  const auto line_of = [](const std::string& all, std::size_t begin) {
+    return all.substr(begin, all.find('\n', begin) - begin);
   };
-  const Match match = match_entries(expected.frames, actual.frames, "frames", number, header);
-  header.append_to(all);
-  for (const auto& [i, j] : match.both) {
-    Sentences frame(name + " " + number(expected.frames[i]));
-    compare_frames(expected.frames[i], actual.frames[j], scale, frame);
-    frame.append_to(all);
-  }
-  return all;
+  const auto place = static_cast<std::size_t>(at - text.begin());
+  const std::size_t begin = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
+  const auto line = std::count(text.begin(), at, '\n');
+  return {actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
+          " is not as it would be written, though no fact in it differs: it has '" +
+          about(line_of(text, begin), place - begin) + "', where '" +
+          about(line_of(written, begin), place - begin) + "' would be"};
 }
 
 }  // namespace contactscope::snapshot

@@ -14,11 +14,19 @@ inline constexpr int kMostSentences = 8;
 /// "hull/face_contact frame 12, crate-floor: point 2 moved 1.3 mm along x, separation -0.0050 ->
 /// -0.0037". Empty when they say the same.
 ///
-/// Names, ids, indices and counts compare exactly; so do which frames, pairs and stages there are.
-/// Numbers compare within a few units in the last place of the expected trace's scalar (what of a
-/// pair is recorded in single precision carries no more), at the size and place of the two shapes.
-/// A number that is not finite always differs. Frames belong together by number, shapes by name,
-/// pairs by their names and label.
+/// Every field that trace.h lists is compared. Names, ids, indices and counts compare exactly; so do
+/// which frames, pairs and stages there are. Numbers compare within a few units in the last place of
+/// the expected trace's scalar (what of a pair is recorded in single precision carries no more), at
+/// the size and place of the two shapes. A number that is not finite always differs. Frames belong
+/// together by number, shapes by name, pairs by their names and label, points by id.
 std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
+
+/// The same for the text of a stored file, down to its bytes: where no fact differs by more than its
+/// tolerance, the file must be what this program would write of `actual`, with each number that is
+/// within its tolerance as it is stored. What is not tells the first line that differs. So nothing
+/// in a file goes unnoticed, be it listed, compared and read or not. `path` is for messages. Throws
+/// core's InputError where the text is no trace.
+std::vector<std::string> compare_with_stored(const std::string& text, const std::string& path,
+                                             const trace::Trace& actual);
 
 }  // namespace contactscope::snapshot

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -128,7 +129,7 @@ std::vector<fs::path> stale_files(const fs::path& root, const std::string& scena
   return stale;
 }
 
-std::optional<trace::Trace> read_stored_trace(const fs::path& root, const std::string& scenario) {
+std::optional<std::string> read_stored_trace(const fs::path& root, const std::string& scenario) {
   const fs::path path = trace_path(root, scenario);
   if (!fs::exists(path)) return {};
   std::ifstream stream(path, std::ios::binary);
@@ -136,7 +137,7 @@ std::optional<trace::Trace> read_stored_trace(const fs::path& root, const std::s
     throw fs::filesystem_error("cannot read", path,
                                std::make_error_code(std::errc::permission_denied));
   }
-  return trace::read_trace(stream, path.string());
+  return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 std::string to_json_lines(const trace::Trace& trace) {

@@ -8,7 +8,7 @@
 
 #include "trace/json.h"
 
-/// Where snapshots lie, FORMATS.md, "Snapshots":
+/// Where snapshots lie:
 ///
 ///     root/<group>/<idea>/trace.jsonl
 ///     root/<group>/<idea>/[<view>/]frame_0012.png
@@ -53,9 +53,9 @@ std::vector<std::filesystem::path> stale_files(const std::filesystem::path& root
                                                std::span<const std::string> views,
                                                std::span<const int> frames);
 
-/// The stored trace; nothing where there is none. Throws core's InputError where it is no trace.
-std::optional<trace::Trace> read_stored_trace(const std::filesystem::path& root,
-                                              const std::string& scenario);
+/// The text of the stored trace; nothing where there is none.
+std::optional<std::string> read_stored_trace(const std::filesystem::path& root,
+                                             const std::string& scenario);
 
 /// A trace as its file holds it: one line for the header, one a frame.
 std::string to_json_lines(const trace::Trace& trace);

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// What follows from a comparison, FORMATS.md, "Snapshots". Pure: the environment and the command
+/// What follows from a comparison. Pure: the environment and the command
 /// line come in as a policy.
 namespace contactscope::snapshot {
 

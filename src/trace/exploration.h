@@ -6,8 +6,11 @@
 
 #include "trace/trace.h"
 
-/// What every reducer makes of the same points. FORMATS.md, "Explore".
+/// What every reducer makes of the same points. README.md, "Exploration".
 namespace contactscope::trace {
+
+/// First words of every line.
+inline constexpr const char* kExplorationSchema = "contactscope.explore/1";
 
 /// One reducer's answer. Areas in square metres, of the convex hull in the contact plane.
 struct ReducerAnswer {
@@ -23,6 +26,21 @@ struct ReducerAnswer {
   double patch_moved = 0;   // metres that a kept point, or the middle of all, moved at most
   /// Nanoseconds a call: median, the least, and the upper quartile. Empty when not measured.
   std::optional<double> median, min, quarter;
+
+  static constexpr auto fields() {
+    using A = ReducerAnswer;
+    return std::tuple(field::exact("name", &A::name), field::exact("kept", &A::kept).into("points"),
+                      field::area("area", &A::area), field::exact("area_ratio", &A::area_ratio),
+                      field::exact("deepest_kept", &A::deepest_kept),
+                      field::exact("supports_center_of_mass", &A::supports_center_of_mass),
+                      field::exact("wrench_error", &A::wrench_error),
+                      field::length("depth_error", &A::depth_error),
+                      field::exact("ids_changed", &A::ids_changed),
+                      field::length("patch_moved", &A::patch_moved),
+                      field::exact("median", &A::median).in("nanoseconds"),
+                      field::exact("min", &A::min).in("nanoseconds"),
+                      field::exact("upper_quartile", &A::quarter).in("nanoseconds"));
+  }
 };
 
 /// One pair in one frame; of a mesh one of its triangles.
@@ -38,11 +56,20 @@ struct Exploration {
   /// Metres that a surface point of either body moved since the frame before, at most.
   double bodies_moved = 0;
   std::vector<ReducerAnswer> reducers;
+
+  static constexpr auto fields() {
+    using E = Exploration;
+    return std::tuple(
+        field::exact("scenario", &E::scenario), field::exact("frame", &E::frame),
+        field::exact("a", &E::a), field::exact("b", &E::b),
+        field::exact("label", &E::label).where_set(), field::exact("triangle", &E::triangle),
+        field::facts("points", &E::points), field::direction_to_b("normal", &E::normal),
+        field::area("best_area", &E::best_area), field::exact("best", &E::best).into("points"),
+        field::length("bodies_moved", &E::bodies_moved), field::facts("reducers", &E::reducers));
+  }
 };
 
-/// One line of JSON without the newline, keys in the order of FORMATS.md. Beyond it: "label" where
-/// one is set, "triangle" of a mesh, "best", "bodies_moved", and of each reducer "wrench_error",
-/// "depth_error", "ids_changed", "patch_moved" and the "upper_quartile" of "nanoseconds".
+/// One line of JSON without the newline, as README.md lays it out; keys in that order.
 std::string to_json_line(const Exploration& exploration);
 
 }  // namespace contactscope::trace

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -239,6 +240,18 @@ constexpr bool has_name() {
   bool named = false;
   each_field<T>([&](const auto& field) { named = named || field.is_object_key; });
   return named;
+}
+/// The name of such a struct.
+template <class T>
+auto& name_of(T& fact) {
+  using Plain = std::remove_const_t<T>;
+  std::conditional_t<std::is_const_v<T>, const std::string, std::string>* found = nullptr;
+  each_field<Plain>([&]<class Value>(const Field<Plain, Value>& field) {
+    if constexpr (std::same_as<Value, std::string>) {
+      if (field.is_object_key) found = &(fact.*field.member);
+    }
+  });
+  return *found;
 }
 
 }  // namespace contactscope::trace

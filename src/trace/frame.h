@@ -43,13 +43,14 @@ struct Solver {
   std::vector<Body> bodies;
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("position_correction", &Solver::position_correction),
-                      field::exact("iterations", &Solver::iterations),
-                      field::exact("substeps", &Solver::substeps).says("sub-steps"),
-                      field::exact("warm_start", &Solver::warm_start).called("off", "on"),
-                      field::exact("slop", &Solver::slop).optional(),
-                      field::exact("speculative_margin", &Solver::speculative_margin).optional(),
-                      field::facts("bodies", &Solver::bodies).entries("body", "bodies"));
+    return std::tuple(
+        field::exact("position_correction", &Solver::position_correction),
+        field::exact("iterations", &Solver::iterations),
+        field::exact("substeps", &Solver::substeps).says("sub-steps"),
+        field::exact("warm_start", &Solver::warm_start).called("off", "on"),
+        field::exact("slop", &Solver::slop).optional(),
+        field::exact("speculative_margin", &Solver::speculative_margin).optional(),
+        field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"));
   }
   friend bool operator==(const Solver&, const Solver&) = default;
 };

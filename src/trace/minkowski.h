@@ -17,8 +17,8 @@ struct SimplexVertex {
 
   static constexpr auto fields() {
     return std::tuple(
-        field::position("a", &SimplexVertex::a).swaps(&SimplexVertex::b).says("point on a"),
-        field::position("b", &SimplexVertex::b).says("point on b"));
+        field::position("a", &SimplexVertex::a).swaps(&SimplexVertex::b).says("vertex"),
+        field::position("b", &SimplexVertex::b).says("vertex"));
   }
   friend bool operator==(const SimplexVertex&, const SimplexVertex&) = default;
 };
@@ -52,7 +52,7 @@ struct Polytope {
 
   static constexpr auto fields() {
     return std::tuple(
-        field::facts("vertices", &Polytope::vertices).entries("vertex", "vertices"),
+        field::position("vertices", &Polytope::vertices).says(""),
         field::exact("faces", &Polytope::faces).into("vertices").rewound().says("face"),
         field::exact("nearest", &Polytope::nearest)
             .into("faces", "faces of the polytope")

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -8,11 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/vec3.h"
-#include "trace/json_values.h"
+#include <nlohmann/json.hpp>
 
 /// How the reader walks a line and complains of it.
 namespace contactscope::trace {
+
+using Json = nlohmann::ordered_json;
 
 /// What is wrong inside of a line that is JSON; read_trace adds file and line.
 struct Complaint {
@@ -30,8 +30,7 @@ class Node {
 
   Node at(const char* key) const {
     if (auto found = find(key)) return *found;
-    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
-    throw Complaint{where + " has no key '" + key + "'; a trace needs it"};
+    throw Complaint{where() + " has no key '" + key + "'; a trace needs it"};
   }
   /// Nothing when the key is missing or null: null is how some writers say "not there".
   std::optional<Node> find(const char* key) const {
@@ -84,53 +83,18 @@ class Node {
            things);
     return value;
   }
-  Vec3d vector() const {
-    const std::vector<Node> parts = items();
-    if (parts.size() != 3) fail("must have three numbers");
-    return {parts[0].number(), parts[1].number(), parts[2].number()};
-  }
-  std::vector<Vec3d> vectors() const {
-    std::vector<Vec3d> list;
-    for (const Node& item : items()) list.push_back(item.vector());
+  /// `count` numbers.
+  std::vector<double> numbers(std::size_t count, const char* complaint) const {
+    std::vector<double> list;
+    for (const Node& item : items()) list.push_back(item.number());
+    if (list.size() != count) fail(complaint);
     return list;
-  }
-
-  /// `Count` indices into `count` things.
-  template <std::size_t Count>
-  std::array<int, Count> indices(std::size_t count, const char* things) const {
-    const std::vector<Node> parts = items();
-    if (parts.size() != Count) fail("must have " + std::to_string(Count) + " indices");
-    std::array<int, Count> list{};
-    for (std::size_t i = 0; i < Count; ++i) list[i] = parts[i].index(count, things);
-    return list;
-  }
-  /// Faces of a polyhedron: each a list of indices into its vertices.
-  std::vector<std::vector<int>> faces(std::size_t vertices) const {
-    std::vector<std::vector<int>> list;
-    for (const Node& face : items()) {
-      std::vector<int>& loop = list.emplace_back();
-      for (const Node& corner : face.items()) loop.push_back(corner.index(vertices, "vertices"));
-    }
-    return list;
-  }
-
-  std::string string_or_empty(const char* key) const {
-    const auto found = find(key);
-    return found ? found->string() : std::string();
-  }
-  double number_or_zero(const char* key) const {
-    const auto found = find(key);
-    return found ? found->number() : 0.0;
-  }
-  Vec3d vector_or_zero(const char* key) const {
-    const auto found = find(key);
-    return found ? found->vector() : Vec3d(Vec3d::Zero());
   }
 
  private:
+  std::string where() const { return place_.empty() ? "the line" : "'" + place_ + "'"; }
   [[noreturn]] void wrong_type(const char* wanted) const {
-    const std::string where = place_.empty() ? "the line" : "'" + place_ + "'";
-    throw Complaint{where + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
+    throw Complaint{where() + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
   }
 
   const Json* json_;

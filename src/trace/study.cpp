@@ -6,34 +6,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
-
 namespace contactscope::trace {
 namespace {
-
-using Json = nlohmann::ordered_json;  // keys in the order of FORMATS.md
 
 double finite(double value, const char* key) {
   if (!std::isfinite(value))
     throw std::domain_error(std::string("study: '") + key +
                             "' is not a finite number, which a file cannot hold");
   return value;
-}
-
-Json number_or_null(const std::optional<double>& value, const char* key) {
-  return value ? Json(finite(*value, key)) : Json(nullptr);
-}
-
-Json point(const StudyPoint& p) {
-  return {{"parameter", finite(p.parameter, "parameter")},
-          {"error", number_or_null(p.error, "error")},
-          {"error_worst", number_or_null(p.error_worst, "error_worst")},
-          {"nanoseconds",
-           {{"median", finite(p.nanoseconds.median, "median")},
-            {"min", finite(p.nanoseconds.min, "min")},
-            {"max", finite(p.nanoseconds.max, "max")}}},
-          {"failed", p.failed},
-          {"of", p.of}};
 }
 
 // Shortest spelling that reads back to the same double, whatever the locale.
@@ -58,45 +38,6 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-Json whole(const Study& study) {
-  Json series = Json::array();
-  for (const StudySeries& one : study.series) {
-    Json points = Json::array();
-    for (const StudyPoint& p : one.points) points.push_back(point(p));
-    Json entry = {{"method", one.method}};
-    if (has_panels(study)) {
-      entry["panel"] = one.panel;
-      entry["parameter"] = one.parameter;
-      entry["row"] = number_or_null(one.row, "row");
-    }
-    entry["points"] = std::move(points);
-    series.push_back(std::move(entry));
-  }
-  const StudyContext& context = study.context;
-  Json json = {{"schema", kStudySchema},
-               {"study", study.study},
-               {"measure", study.measure},
-               {"title", study.title},
-               {"context",
-                {{"cpu", context.cpu},
-                 {"compiler", context.compiler},
-                 {"build_type", context.build_type},
-                 {"date", context.date},
-                 {"scalar", context.scalar}}},
-               {"reference", study.reference},
-               {"error", study.error},
-               {"unit", study.unit},
-               {"resolution", finite(study.resolution, "resolution")},
-               {"parameter", study.parameter}};
-  if (has_panels(study)) {
-    json["form"] = to_string(study.form);
-    json["row"] = study.row;
-    json["signal"] = study.signal;
-  }
-  json["series"] = std::move(series);
-  return json;
-}
-
 std::string row(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) line += quoted(cell) + ',';
@@ -110,14 +51,6 @@ bool has_panels(const Study& study) {
   return study.form != StudyForm::WorkPrecision ||
          std::ranges::any_of(study.series,
                              [](const StudySeries& series) { return !series.panel.empty(); });
-}
-
-std::string to_json(const Study& study) {
-  return whole(study).dump(1) + "\n";
-}
-
-std::string to_json_line(const Study& study) {
-  return whole(study).dump();
 }
 
 std::string to_csv(const Study& study) {

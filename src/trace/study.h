@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-/// What a study measured: error against run time, a series a method. FORMATS.md, "Study", gives the
+#include "trace/field.h"
+
+/// What a study measured: error against run time, a series a method. README.md, "Study", gives the
 /// JSON. Facts alone, so that a plot can be drawn from a stored file as well.
 namespace contactscope::trace {
 
@@ -18,6 +20,13 @@ struct StudyContext {
   std::string build_type;
   std::string date;    // UTC, ISO 8601
   std::string scalar;  // of the methods that name none: "float" or "double"
+
+  static constexpr auto fields() {
+    using C = StudyContext;
+    return std::tuple(field::exact("cpu", &C::cpu), field::exact("compiler", &C::compiler),
+                      field::exact("build_type", &C::build_type), field::exact("date", &C::date),
+                      field::exact("scalar", &C::scalar));
+  }
 };
 
 /// Time of one call in nanoseconds: over repetitions of passes over all cases.
@@ -25,6 +34,12 @@ struct Nanoseconds {
   double median = 0;
   double min = 0;
   double max = 0;
+
+  static constexpr auto fields() {
+    using N = Nanoseconds;
+    return std::tuple(field::exact("median", &N::median), field::exact("min", &N::min),
+                      field::exact("max", &N::max));
+  }
 };
 
 /// One method at one parameter. Errors are over the cases that did not fail; no error where all
@@ -36,6 +51,15 @@ struct StudyPoint {
   Nanoseconds nanoseconds;
   int failed = 0;
   int of = 0;  // cases
+
+  static constexpr auto fields() {
+    using P = StudyPoint;
+    return std::tuple(field::exact("parameter", &P::parameter),
+                      field::exact("error", &P::error).or_null(),
+                      field::exact("error_worst", &P::error_worst).or_null(),
+                      field::fact("nanoseconds", &P::nanoseconds),
+                      field::exact("failed", &P::failed), field::exact("of", &P::of));
+  }
 };
 
 struct StudySeries {
@@ -44,6 +68,13 @@ struct StudySeries {
   std::string panel{};             // series of one panel are drawn together; empty: there is one
   std::string parameter{};         // what the parameter is in this panel
   std::optional<double> row{};     // of a map: its place along the other axis
+
+  static constexpr auto fields() {
+    using S = StudySeries;
+    return std::tuple(field::exact("method", &S::method), field::exact("panel", &S::panel),
+                      field::exact("parameter", &S::parameter),
+                      field::exact("row", &S::row).or_null(), field::facts("points", &S::points));
+  }
 };
 
 /// How a study is drawn.
@@ -73,18 +104,26 @@ struct Study {
   StudyForm form = StudyForm::WorkPrecision;
   std::string row{};     // of a map: what its rows stand for; rows without a number are methods
   std::string signal{};  // the series that is no error, but the size of what the errors spoil
+
+  static constexpr auto fields() {
+    using S = Study;
+    return std::tuple(field::exact("study", &S::study), field::exact("measure", &S::measure),
+                      field::exact("title", &S::title), field::fact("context", &S::context),
+                      field::exact("reference", &S::reference), field::exact("error", &S::error),
+                      field::exact("unit", &S::unit), field::exact("resolution", &S::resolution),
+                      field::exact("parameter", &S::parameter), field::exact("form", &S::form),
+                      field::exact("row", &S::row), field::exact("signal", &S::signal),
+                      field::facts("series", &S::series));
+  }
 };
 
 /// Whether its series belong to panels: curves and maps always do.
 bool has_panels(const Study& study);
 
 /// The whole of results.json, indented, with a newline at its end. Numbers read back to the same
-/// double. Throws std::domain_error that names the key where a number is not finite.
-///
-/// Beyond FORMATS.md: "measure", "title", "unit", "resolution", "parameter"; "scalar" in the
-/// context, and "error_worst" beside each "error". Both errors are null where every case failed.
-/// Studies with panels have "form", "row" and "signal", and their series "panel", "parameter" and
-/// "row".
+/// double. Both errors are null where every case failed. Studies without panels have no "form",
+/// "row" and "signal", their series no "panel", "parameter" and "row". Throws std::domain_error that
+/// names the key where a number is not finite.
 std::string to_json(const Study& study);
 
 /// The same on one line, without the newline.

@@ -7,7 +7,10 @@
 #include <limits>
 #include <sstream>
 
+#include "snapshot/compare_facts.h"
 #include "snapshot/sample_trace.h"
+#include "snapshot/store.h"
+#include "trace/walk_facts.h"
 
 namespace contactscope::snapshot {
 namespace {
@@ -149,7 +152,7 @@ TEST(CompareTraces, TheHeaderCounts) {
   EXPECT_THAT(after([](trace::Trace& trace) {
                 std::swap(trace.header.shapes[0].faces[2][0], trace.header.shapes[0].faces[2][1]);
               }),
-              ElementsAre("hull/face_contact, crate: face 2 2 6 7 3 -> 6 2 7 3"));
+              ElementsAre("hull/face_contact, crate: face 2 (2 6 7 3) -> (6 2 7 3)"));
   EXPECT_THAT(after([](trace::Trace& trace) { trace.header.shapes[0].edges.pop_back(); }),
               ElementsAre("hull/face_contact, crate: 12 -> 11 edges"));
   EXPECT_THAT(after([](trace::Trace& trace) { trace.header.shapes.pop_back(); }),
@@ -176,105 +179,17 @@ TEST(CompareTraces, ManyFramesAreMatchedInNoTime) {
   trace::Trace other = many;
   other.frames.back() = frame;
   other.frames.back().frame = 4999;
-  EXPECT_THAT(compare_traces(many, other), SizeIs(5));
+  EXPECT_THAT(compare_traces(many, other), SizeIs(6));
 }
 
-/// Those of penetration, of manifolds that last, and of the solver.
-void later_numbers(trace::Trace& trace, std::vector<double*>& numbers) {
-  const auto vector = [&](Vec3d& v) {
-    for (int i = 0; i < 3; ++i) numbers.push_back(&v[i]);
-  };
-  trace::Pair& pair = sample_pair(trace);
-  for (trace::Point& point : pair.manifolds[0].points) {
-    numbers.insert(numbers.end(), {&point.impulse->normal, &point.impulse->warm_start});
-    vector(point.impulse->friction);
-    vector(point.relative_velocity->before);
-    vector(point.relative_velocity->after);
-  }
-  for (trace::EdgePair& edges : pair.sat->edge_pairs) {
-    numbers.push_back(&edges.separation);
-    vector(edges.normal);
-  }
-  trace::Penetration& penetration = *pair.penetration;
-  numbers.push_back(&penetration.depth);
-  for (Vec3d* v : {&penetration.normal, &penetration.point_a, &penetration.point_b}) vector(*v);
-  numbers.push_back(&penetration.polytopes[0].distance);
-  for (trace::Simplex* simplex : {&penetration.polytopes[0].vertices, &penetration.portals[0]}) {
-    for (trace::SimplexVertex& vertex : *simplex) {
-      vector(vertex.a);
-      vector(vertex.b);
-    }
-  }
-  vector(penetration.directions[0].normal);
-  numbers.push_back(&penetration.directions[0].separation);
-  for (Vec3d& vertex : pair.minkowski->vertices) vector(vertex);
-  numbers.insert(numbers.end(), {&pair.incremental->margin_a, &pair.incremental->margin_b});
-  for (trace::PersistentPoint& point : pair.incremental->points) {
-    for (Vec3d* v : {&point.point.position, &point.on_a, &point.on_b}) vector(*v);
-    numbers.push_back(&point.point.separation);
-  }
-  trace::Stability& stability = *pair.stability;
-  for (Vec3d* v : {&stability.center_of_mass, &stability.projection, &(*stability.axis)[0]})
-    vector(*v);
-  for (Vec3d& corner : stability.support) vector(corner);
-  numbers.push_back(&stability.margin);
-  trace::Body& body = trace.frames[1].solver->bodies[0];
-  numbers.insert(numbers.end(), {&body.mass, &body.kinetic_energy, &body.potential_energy});
-  for (Vec3d* v : {&body.center_of_mass, &body.velocity, &body.angular_velocity}) vector(*v);
-}
-
-/// Every number of a frame, so that each is tried.
-std::vector<double*> numbers_of(trace::Trace& trace) {
+/// The numbers of the header and of frame 12 that have a tolerance, and those that have none.
+std::vector<double*> numbers_of(trace::Trace& trace, bool exact = false) {
   std::vector<double*> numbers;
-  const auto vector = [&](Vec3d& v) {
-    for (int i = 0; i < 3; ++i) numbers.push_back(&v[i]);
+  const auto take = [&](double& number, trace::Kind kind) {
+    if ((kind == trace::Kind::Exact) == exact) numbers.push_back(&number);
   };
-  const auto polygon = [&](trace::Polygon& vertices) {
-    for (Vec3d& vertex : vertices) vector(vertex);
-  };
-  const auto points = [&](std::vector<trace::Point>& all) {
-    for (trace::Point& point : all) {
-      vector(point.position);
-      numbers.push_back(&point.separation);
-    }
-  };
-  for (trace::Shape& shape : trace.header.shapes) {
-    polygon(shape.vertices);
-    vector(shape.center_of_mass);
-  }
-  for (auto& [name, pose] : trace.frames[1].poses) {
-    vector(pose.position);
-    for (int i = 0; i < 4; ++i) numbers.push_back(&pose.rotation.coeffs()[i]);
-  }
-  trace::Pair& pair = sample_pair(trace);
-  numbers.push_back(&pair.separation);
-  vector(pair.manifolds[0].normal);
-  points(pair.manifolds[0].points);
-  for (trace::FaceAxis* axis : {&*pair.sat->face_a, &*pair.sat->face_b}) {
-    numbers.push_back(&axis->separation);
-    vector(axis->normal);
-    vector(axis->support);
-  }
-  numbers.push_back(&pair.sat->edge->separation);
-  vector(pair.sat->edge->normal);
-  vector(pair.sat->edge->point_a);
-  vector(pair.sat->edge->point_b);
-  for (trace::ClipFace* face : {&pair.clip->reference, &pair.clip->incident}) {
-    vector(face->normal);
-    polygon(face->polygon);
-  }
-  for (trace::ClipStep& step : pair.clip->steps) {
-    vector(step.normal);
-    numbers.push_back(&step.offset);
-    polygon(step.polygon);
-  }
-  for (trace::DroppedPoint& point : pair.clip->dropped) vector(point.position);
-  vector(*pair.cache->normal);
-  numbers.push_back(&*pair.cache->moved);
-  points(pair.reduction->points);
-  numbers.push_back(&pair.reduction->area);
-  numbers.push_back(&pair.reduction->best_area);
-  later_numbers(trace, numbers);
+  each_number(trace.header, take);
+  each_number(trace.frames[1], take);
   return numbers;
 }
 
@@ -387,8 +302,119 @@ TEST(CompareTraces, BodiesAndSettingsOfTheSolver) {
               ElementsAre(frame + ", crate: gone"));
   EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].solver.reset(); }),
               ElementsAre(frame + ": solver gone"));
-  EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].totals = trace::Totals(); }),
-              ElementsAre(frame + ": totals added"));
+}
+
+TEST(CompareTraces, TotalsAreHeldAgainstWhatTheySumUp) {
+  const std::string frame = "hull/face_contact frame 12";
+  EXPECT_THAT(after([](trace::Trace& trace) { trace.frames[1].totals.reset(); }),
+              ElementsAre(frame + ": totals gone"));
+  EXPECT_THAT(after([](trace::Trace& trace) {
+                trace.frames[1].totals->normal_impulse = 3;
+                trace.frames[1].totals->ids = 5;
+              }),
+              ElementsAre(frame + ": totals: normal impulse 2.0 -> 3.0, ids 4 -> 5"));
+  // Energies of bodies that cancel out have the tolerance of what was added.
+  trace::Trace expected = sample_trace();
+  std::vector<trace::Body>& bodies = expected.frames[1].solver->bodies;
+  bodies.push_back(bodies[0]);
+  bodies[1].name = "floor";
+  bodies[1].potential_energy *= -1;
+  expected.frames[1].totals = totals_of(expected.frames[1]);
+  trace::Trace actual = expected;
+  actual.frames[1].totals->potential_energy = 1e-6;
+  EXPECT_THAT(compare_traces(expected, actual), IsEmpty());
+  actual.frames[1].totals->potential_energy = 1e-4;
+  EXPECT_THAT(compare_traces(expected, actual), SizeIs(1));
+}
+
+TEST(CompareTraces, AnyFieldThatChangesComesOrGoesIsNamed) {
+  trace::Trace trace = trace::filled_trace();
+  const trace::Trace before = trace;
+  int changes = 0;
+  trace::Changer changer([&](const trace::Change& change) {
+    ++changes;
+    for (const bool back : {false, true}) {
+      const auto sentences = back ? compare_traces(trace, before) : compare_traces(before, trace);
+      if (change.is_passed_over) {
+        EXPECT_THAT(sentences, IsEmpty()) << change.key;
+      } else if (change.is_name) {
+        EXPECT_THAT(sentences, testing::Contains(testing::HasSubstr(back ? "added" : "gone")));
+      } else if (change.is_shorter) {
+        EXPECT_THAT(sentences,
+                    Contains(testing::ContainsRegex(change.words + "|gone|added|vertices")));
+      } else {
+        EXPECT_THAT(sentences, Contains(testing::HasSubstr(change.words))) << change.key;
+      }
+    }
+  });
+  changer.each(trace.header);
+  changer.each(trace.frames);
+  EXPECT_GT(changes, 300);
+}
+
+class CompareWithStored : public testing::Test {
+ protected:
+  CompareWithStored() {
+    trace_.frames[1].solver->slop = 0;
+    text_ = to_json_lines(trace_);
+  }
+  std::vector<std::string> compare() const { return compare_with_stored(text_, "file", trace_); }
+  void replace(const std::string& old, const std::string& by) {
+    const std::size_t at = text_.rfind(old);
+    ASSERT_NE(at, std::string::npos);
+    text_.replace(at, old.size(), by);
+  }
+
+  trace::Trace trace_ = sample_trace();
+  std::string text_;
+};
+
+TEST_F(CompareWithStored, AFileAsItWouldBeWrittenIsTheSame) {
+  EXPECT_THAT(compare(), IsEmpty());
+}
+
+TEST_F(CompareWithStored, NumbersWithinTheirToleranceAreTheSameThoughTheirBytesDiffer) {
+  for (double* const number : numbers_of(trace_))
+    *number = static_cast<double>(std::nextafter(static_cast<float>(*number), 2.0f));
+  EXPECT_NE(to_json_lines(trace_), text_);
+  EXPECT_THAT(compare(), IsEmpty());
+}
+
+TEST_F(CompareWithStored, WhatNoFactHoldsFailsByItsLine) {
+  replace("\"slop\":0.0", "\"slop\":-0.0");
+  EXPECT_THAT(compare(),
+              ElementsAre(testing::AllOf(testing::HasSubstr("line 3 of file is not as it would be"),
+                                         testing::HasSubstr("\"slop\":-0.0,"))));
+  text_ = to_json_lines(trace_);
+  replace("\"substeps\":4", "\"substeps\":4,\"seed\":1");
+  EXPECT_THAT(compare(), ElementsAre(testing::HasSubstr("\"seed\":1")));
+  text_ = to_json_lines(trace_);
+  replace("\"a\":\"crate\",\"b\":\"floor\"", "\"b\":\"floor\",\"a\":\"crate\"");
+  EXPECT_THAT(compare(), SizeIs(1));
+  text_ = to_json_lines(trace_) + "\n";
+  EXPECT_THAT(compare(), ElementsAre(testing::HasSubstr("line 4 of file")));
+}
+
+/// A fact with a field that `check` is to pass over.
+struct Timed {
+  double depth = 0;
+  double seconds = 0;
+
+  static constexpr auto fields() {
+    namespace field = trace::field;
+    return std::tuple(field::length("depth", &Timed::depth),
+                      field::exact("seconds", &Timed::seconds).pass_over("no run is as fast"));
+  }
+};
+
+TEST(CompareFacts, PassOverWhatIsMarked) {
+  const auto differences = [](Timed actual) {
+    std::vector<Difference> all;
+    Comparison({}).compare(Timed{1, 2}, actual, {}, "", all);
+    return all.size();
+  };
+  EXPECT_EQ(differences({1, 3}), 0u);
+  EXPECT_EQ(differences({2, 2}), 1u);
 }
 
 }  // namespace

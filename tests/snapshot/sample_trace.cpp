@@ -93,6 +93,9 @@ trace::Pair contact() {
   reduction.points = manifold.points;
   reduction.kept = {0, 2, 1, 3};
   reduction.area = reduction.best_area = static_cast<double>(0.36f);
+  reduction.best = {0, 1, 2, 3};
+  reduction.choices = {{"support", Vec3d(1, 0, 0), {{0, trace::kNoEdge, 0.5}}},
+                       {"outside", Vec3d::Zero(), {{2, {{0, 1}}, 0.25}}}};
   return pair;
 }
 
@@ -118,6 +121,7 @@ trace::Trace sample_trace() {
     frame.pairs.push_back(contact());
     frame.solver = trace::Solver{"soft", 8, 4, true, 0.005, 0.02, {}};
     frame.solver->bodies = {{"crate", 2, Vec3d(0, 1, 0), Vec3d(0, -0.5, 0), Vec3d(0, 2, 0), 1, 8}};
+    frame.totals = trace::totals_of(frame);
     trace.frames.push_back(frame);
   }
   return trace;

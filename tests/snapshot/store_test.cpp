@@ -92,15 +92,7 @@ TEST_F(StoredFiles, ScenariosAreListed) {
 TEST_F(StoredFiles, ATraceIsReadBack) {
   EXPECT_FALSE(read_stored_trace(folder_.path(), kScenario).has_value());
   write_text(trace_path(folder_.path(), kScenario), to_json_lines(sample_trace()));
-  const std::optional<trace::Trace> stored = read_stored_trace(folder_.path(), kScenario);
-  ASSERT_TRUE(stored.has_value());
-  EXPECT_EQ(to_json_lines(*stored), to_json_lines(sample_trace()));
-  EXPECT_EQ(stored->frames.size(), 2u);
-}
-
-TEST_F(StoredFiles, ABrokenTraceIsAnError) {
-  put("hull/face_contact/trace.jsonl");
-  EXPECT_THROW(read_stored_trace(folder_.path(), kScenario), InputError);
+  EXPECT_EQ(read_stored_trace(folder_.path(), kScenario), to_json_lines(sample_trace()));
 }
 
 TEST_F(StoredFiles, WritingReplacesTheWholeFileAndLeavesNothingBeside) {

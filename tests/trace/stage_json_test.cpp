@@ -63,72 +63,6 @@ TEST(StageJson, PenetrationHasTheKeysOfItsMethod) {
               ElementsAre("normal", "separation"));
 }
 
-TEST(StageJson, EveryFieldOfPenetrationComesBack) {
-  Frame frame = sample_frame();
-  Penetration& before = *frame.pairs[0].penetration;
-  before.fallback = "sampling";
-  before.portals = {{{{1, 0, 0}, {0, 1, -0.0}}}, {}};
-  before.directions = {{{0, 1, 0}, -0.25}, {{0, 0, -1}, double(0.1f)}};
-  const Penetration after = *frame_read(written(frame)).pairs[0].penetration;
-  EXPECT_EQ(after.method + after.status + after.fallback, "epaconvergedsampling");
-  EXPECT_EQ(after.iterations, 2);
-  EXPECT_EQ(after.depth, double(0.005f));
-  EXPECT_EQ(after.normal, Vec3d(0, -1, 0));
-  EXPECT_EQ(after.point_a, Vec3d(1, 2, 3));
-  EXPECT_EQ(after.point_b, Vec3d(4, 5, 6));
-  EXPECT_EQ(after.polytopes, before.polytopes);
-  EXPECT_EQ(after.portals, before.portals);
-  EXPECT_EQ(after.directions, before.directions);
-}
-
-TEST(StageJson, TheMinkowskiDifferenceAndTheCrossingEdgesComeBack) {
-  const Frame frame = sample_frame();
-  const ordered_json line = written(frame);
-  EXPECT_THAT(key_names(line["pairs"][0]["minkowski"]), ElementsAre("vertices", "faces"));
-  EXPECT_THAT(key_names(line["pairs"][0]["sat"]["edge_pairs"][0]),
-              ElementsAre("a", "b", "separation", "normal"));
-  const Frame after = frame_read(line);
-  EXPECT_EQ(after.pairs[0].minkowski, frame.pairs[0].minkowski);
-  EXPECT_EQ(after.pairs[0].sat->edge_pairs, frame.pairs[0].sat->edge_pairs);
-}
-
-TEST(StageJson, ImpulsesStandWithTheirPoints) {
-  const Frame frame = sample_frame();
-  const ordered_json line = written(frame);
-  const ordered_json& points = line["pairs"][0]["manifolds"][0]["points"];
-  EXPECT_FALSE(points[0].contains("impulse"));
-  EXPECT_THAT(key_names(points[1]["impulse"]), ElementsAre("normal", "friction", "warm_start"));
-  const std::vector<Point> after = frame_read(line).pairs[0].manifolds[0].points;
-  EXPECT_EQ(after[0].impulse, std::nullopt);
-  EXPECT_EQ(after[1].impulse, (Impulse{0.75, {0.125, 0, 1e-300}, 0.5}));
-}
-
-TEST(StageJson, AnIncrementalManifoldComesBackWithWhatBecameOfEachPoint) {
-  const Frame frame = sample_frame();
-  const ordered_json line = written(frame);
-  const ordered_json& json = line["pairs"][0]["incremental"];
-  EXPECT_THAT(key_names(json), ElementsAre("confirm", "query", "margin_a", "margin_b", "points"));
-  EXPECT_THAT(key_names(json["points"][0]), ElementsAre("position", "separation", "id", "impulse",
-                                                        "on_a", "on_b", "state", "age"));
-  EXPECT_THAT(key_names(json["points"][1]), ElementsAre("position", "separation", "id", "on_a",
-                                                        "on_b", "state", "reason", "age"));
-  const Incremental after = *frame_read(line).pairs[0].incremental;
-  EXPECT_EQ(after.confirm + after.query, "distancegjk");
-  EXPECT_EQ(after.margin_a, 0.01);
-  EXPECT_EQ(after.margin_b, 0.02);
-  ASSERT_EQ(after.points.size(), 2u);
-  EXPECT_EQ(after.points[0].point.position, Vec3d(1, 2, 3));
-  EXPECT_EQ(after.points[0].point.separation, -0.005);
-  EXPECT_EQ(after.points[0].point.id, "a:v1 b:f2");
-  EXPECT_EQ(after.points[0].point.impulse->normal, 0.25);
-  EXPECT_EQ(after.points[0].on_a, Vec3d(7, 8, 9));
-  EXPECT_EQ(after.points[0].on_b, Vec3d(4, 5, 6));
-  EXPECT_EQ(after.points[0].state + after.points[0].reason, "new");
-  EXPECT_EQ(after.points[1].state + after.points[1].reason, "brokenslid");
-  EXPECT_EQ(after.points[1].point.impulse, std::nullopt);
-  EXPECT_EQ(after.points[1].age, 17);
-}
-
 TEST(StageJson, StabilityComesBackWithAnAxisOnlyWhereItTurnsAboutOne) {
   Frame frame = sample_frame();
   EXPECT_THAT(
@@ -146,32 +80,6 @@ TEST(StageJson, StabilityComesBackWithAnAxisOnlyWhereItTurnsAboutOne) {
   frame.pairs[0].stability->axis.reset();
   EXPECT_FALSE(written(frame)["pairs"][0]["stability"].contains("axis"));
   EXPECT_FALSE(frame_read(written(frame)).pairs[0].stability->axis.has_value());
-}
-
-TEST(StageJson, TheSolverComesBackWithItsBodiesInOrder) {
-  const Frame frame = sample_frame();
-  const ordered_json line = written(frame);
-  EXPECT_THAT(key_names(line["solver"]),
-              ElementsAre("position_correction", "iterations", "substeps", "warm_start", "slop",
-                          "speculative_margin", "bodies"));
-  EXPECT_THAT(key_names(line["solver"]["bodies"]), ElementsAre("zebra", "apple"));
-  EXPECT_THAT(key_names(line["solver"]["bodies"]["zebra"]),
-              ElementsAre("mass", "center_of_mass", "velocity", "angular_velocity",
-                          "kinetic_energy", "potential_energy"));
-  EXPECT_EQ(frame_read(line).solver, frame.solver);
-}
-
-TEST(StageJson, RelativeVelocitiesStandWithTheirPoints) {
-  Frame frame = sample_frame();
-  std::vector<Point>& points = frame.pairs[0].manifolds[0].points;
-  points[1].relative_velocity = RelativeVelocity{{1, -2.5, 1e-300}, {0.125, -0.0, 4}};
-  const ordered_json line = written(frame);
-  const ordered_json& json = line["pairs"][0]["manifolds"][0]["points"];
-  EXPECT_FALSE(json[0].contains("relative_velocity"));
-  EXPECT_THAT(key_names(json[1]["relative_velocity"]), ElementsAre("before", "after"));
-  const std::vector<Point> after = frame_read(line).pairs[0].manifolds[0].points;
-  EXPECT_EQ(after[0].relative_velocity, std::nullopt);
-  EXPECT_EQ(after[1].relative_velocity, points[1].relative_velocity);
 }
 
 /// Two points that the solver took, with one name, and one that it left out.
@@ -207,14 +115,6 @@ TEST(StageJson, WithoutASolverTotalsAreOfAllPointsAndAPairHasNamesOfItsOwn) {
   EXPECT_EQ(totals.kinetic_energy, 0);
 }
 
-TEST(StageJson, AFrameWithoutASolverHasNoKeyForIt) {
-  Frame frame = sample_frame();
-  frame.solver.reset();
-  EXPECT_FALSE(written(frame).contains("solver"));
-  EXPECT_FALSE(written(frame).contains("totals"));
-  EXPECT_EQ(frame_read(written(frame)).solver, std::nullopt);
-}
-
 TEST(StageJson, AnIndexThatPointsNowhereIsRefused) {
   const auto at = [](const char* pointer, const ordered_json& value) {
     return [=](ordered_json& line) { line.at(ordered_json::json_pointer(pointer)) = value; };
@@ -229,44 +129,6 @@ TEST(StageJson, AnIndexThatPointsNowhereIsRefused) {
               HasSubstr("is 2, but there are 2 faces of the polytope"));
   EXPECT_THAT(complaint_after(at("/pairs/0/stability/axis", {{0, 0, 0}})),
               HasSubstr("'pairs[0].stability.axis' must have two points"));
-}
-
-TEST(StageJson, AMissingKeyIsNamedWithItsPlace) {
-  const auto without = [](const char* parent, const char* key) {
-    return [=](ordered_json& line) { line.at(ordered_json::json_pointer(parent)).erase(key); };
-  };
-  EXPECT_THAT(complaint_after(without("/pairs/0/incremental/points/1", "state")),
-              HasSubstr("'pairs[0].incremental.points[1]' has no key 'state'"));
-  EXPECT_THAT(complaint_after(without("/solver/bodies/apple", "mass")),
-              HasSubstr("'solver.bodies.apple' has no key 'mass'"));
-  EXPECT_THAT(complaint_after(without("/pairs/0/penetration", "depth")),
-              HasSubstr("'pairs[0].penetration' has no key 'depth'"));
-}
-
-TEST(StageJson, WhatIsNotFiniteIsNotWritten) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refused = [](auto&& spoil) -> std::string {
-    Frame frame = sample_frame();
-    spoil(frame, frame.pairs[0]);
-    try {
-      to_json_line(frame);
-    } catch (const std::domain_error& error) {
-      return error.what();
-    }
-    return "written";
-  };
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.penetration->depth = nan; }), HasSubstr("'depth'"));
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.minkowski->vertices[1].y() = nan; }),
-              HasSubstr("'vertices'"));
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.sat->edge_pairs[0].separation = nan; }),
-              HasSubstr("'separation'"));
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.stability->margin = nan; }), HasSubstr("'margin'"));
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.incremental->points[0].on_b.x() = nan; }),
-              HasSubstr("'on_b'"));
-  EXPECT_THAT(refused([&](Frame&, Pair& p) { p.manifolds[0].points[1].impulse->warm_start = nan; }),
-              HasSubstr("'warm_start'"));
-  EXPECT_THAT(refused([&](Frame& f, Pair&) { f.solver->bodies[1].kinetic_energy = nan; }),
-              HasSubstr("'kinetic_energy'"));
 }
 
 }  // namespace
