@@ -41,6 +41,7 @@ void for_each_surface_triangle(const Hull<S>& hull, const Visit& visit) {
 
 template <class S>
 std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
+  if (hull.flat()) return std::nullopt;
   MassProperties result;
   const Vec3d apex = hull.vertices.front().template cast<double>();
   Vec3d first_moment = Vec3d::Zero();

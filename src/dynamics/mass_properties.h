@@ -15,8 +15,9 @@ struct MassProperties {
   Mat3<double> inertia = Mat3<double>::Zero();  // about the centre, the shape's axes, kg m^2
 };
 
-/// Of a shape with an even `density` (kilograms a cubic metre, > 0). Nothing for planes and meshes:
-/// a plane has no end, and a mesh is a surface that need not be closed; neither can be dynamic.
+/// Of a shape with an even `density` (kilograms a cubic metre, > 0). Nothing for planes, meshes
+/// and flat hulls: a plane has no end, a mesh is a surface that need not be closed, and a flat hull has
+/// no volume; none of them can be dynamic.
 template <class S>
 std::optional<MassProperties> mass_properties(const Shape<S>& shape, double density = 1);
 

@@ -220,7 +220,7 @@ CoreHull core_hull(const Hull<double>& hull, double margin) {
   for (const Plane<double>& plane : hull.planes)
     room = std::min(room, plane.offset - plane.normal.dot(hull.centroid));
   const double moved = std::min(margin, kLargestCoreShare * room);
-  if (!(moved > 0)) return itself(hull, margin > 0);
+  if (hull.flat() || !(moved > 0)) return itself(hull, margin > 0);
   try {
     CoreHull core = intersect(hull, moved);
     core.margin = moved;

@@ -29,6 +29,9 @@ struct HullLanes {
 /// keeps these promises: faces are planar within rounding, and merged when coplanar unless it was
 /// asked to leave them unmerged (triangulate_faces.h); every vertex is used, V - E + F = 2, twins run
 /// opposite, no face has more than kMaxFaceVertices vertices.
+///
+/// A flat hull is a polygon with two faces back to back, on one plane with opposite normals; it has
+/// no volume.
 template <class S>
 struct Hull {
   std::vector<Vec3<S>> vertices;
@@ -37,12 +40,15 @@ struct Hull {
   std::vector<int> face_edges;         // for each face one of its half-edges
   std::vector<Plane<S>> planes;        // for each face, normal outward
   HullLanes<S> lanes;                  // of `vertices` and `planes`, made by lay_out
-  Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density
+  Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density, of a flat one of area
   S radius = 0;                        // largest distance of a vertex from the centroid
 
   int vertex_count() const { return static_cast<int>(vertices.size()); }
   int edge_count() const { return static_cast<int>(half_edges.size() / 2); }
   int face_count() const { return static_cast<int>(planes.size()); }
+
+  /// No other hull has two faces.
+  bool flat() const { return planes.size() == 2; }
 
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
   const Vec3<S>& origin(int half_edge) const {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/flat_outline.h"
 #include "geometry/hull_from_polygons.h"
 #include "geometry/quickhull.h"
 #include "geometry/triangulate_faces.h"
@@ -150,17 +151,19 @@ double hull_tolerance(std::span<const Vec3d> points) {
 }
 
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options) {
-  if (points.size() < 4) {
-    throw HullError(HullProblem::TooFewPoints,
-                    "a hull needs at least four points, got " + std::to_string(points.size()));
+  const std::size_t least = options.allow_flat ? 3 : 4;
+  const std::string number = options.allow_flat ? "three" : "four";
+  if (points.size() < least) {
+    throw HullError(HullProblem::TooFewPoints, "a hull needs at least " + number + " points, got " +
+                                                   std::to_string(points.size()));
   }
   require_finite(points);
   const std::vector<int> distinct = distinct_points(points, options.weld_duplicates);
-  if (distinct.size() < 4) {
+  if (distinct.size() < least) {
     throw HullError(HullProblem::TooFewDistinct,
                     "only " + std::to_string(distinct.size()) + " of the " +
                         std::to_string(points.size()) +
-                        " points are different; a hull needs at least four");
+                        " points are different; a hull needs at least " + number);
   }
   std::vector<Vec3d> kept;
   kept.reserve(distinct.size());
@@ -183,6 +186,10 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
     if (result.status == quickhull::Status::Done) {
       Hull<double> hull = compact(kept, std::move(result.faces));
       return options.merge_coplanar ? hull : triangulate_faces(hull);
+    }
+    if (result.status == quickhull::Status::Coplanar && options.allow_flat) {
+      const std::vector<int> front = flat_outline(local, std::ldexp(factor * tolerance, -exponent));
+      return compact(kept, {front, {front.rbegin(), front.rend()}});
     }
     if (result.status != quickhull::Status::Unresolved) {
       refuse(result.status, kept.size(), factor * tolerance);

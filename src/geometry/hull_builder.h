@@ -17,7 +17,12 @@ struct HullOptions {
   /// Off, every face is left in triangles (see triangulate_faces.h), as by a builder that does not
   /// merge. For comparison: clipping then misses parts of a manifold. Quickhull merges all the same
   /// while it grows, because the planes of slivers say nothing, and the faces are cut afterwards.
+  /// The two faces of a flat hull stay whole.
   bool merge_coplanar = true;
+
+  /// Points within rounding of one plane, three of them or more, make a flat hull: their convex
+  /// polygon, without corners on the line between their neighbours. Off, they are an error.
+  bool allow_flat = false;
 };
 
 /// Convex hull of `points` (metres, any frame, any order; points inside or on the surface are left
@@ -28,7 +33,7 @@ struct HullOptions {
 /// Vertices keep their coordinates and their order; the same points always give the same hull.
 ///
 /// Throws HullError: TooFewPoints, NotFinite, Duplicate or TooFewDistinct, Coincident, Collinear,
-/// Coplanar, FaceTooLarge, and Unresolved should no tolerance give a convex hull.
+/// Coplanar unless allowed, FaceTooLarge, and Unresolved should no tolerance give a convex hull.
 ///
 /// Source: Gregorius, "Implementing Quickhull", GDC 2014.
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options = {});

@@ -137,6 +137,24 @@ Vec3d centroid_by_volume(const Hull<double>& hull) {
   return inside + scale / volume * moment;
 }
 
+/// The same of a flat hull, by area.
+Vec3d centroid_by_area(const Hull<double>& hull) {
+  const Vec3d& normal = hull.planes[0].normal;
+  const std::vector<int> corners = face_vertices(hull, 0);
+  const Vec3d& first = hull.vertices[index(corners[0])];
+  const double scale = largest_offset(hull.vertices, first);
+  double area = 0;
+  Vec3d moment = Vec3d::Zero();
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Vec3d b = (hull.vertices[index(corners[i - 1])] - first) / scale;
+    const Vec3d c = (hull.vertices[index(corners[i])] - first) / scale;
+    const double triangle = normal.dot(b.cross(c));  // twice its area
+    area += triangle;
+    moment += triangle / 3 * (b + c);  // its third corner is the origin
+  }
+  return first + scale / area * moment;
+}
+
 }  // namespace
 
 Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
@@ -178,8 +196,9 @@ Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
     hull.planes.push_back(newell_plane(corners));
   }
   check_closed(hull);
+  if (hull.flat()) hull.planes[1] = {-hull.planes[0].normal, -hull.planes[0].offset};
 
-  hull.centroid = centroid_by_volume(hull);
+  hull.centroid = hull.flat() ? centroid_by_area(hull) : centroid_by_volume(hull);
   for (const Vec3d& vertex : hull.vertices) {
     const Vec3d arm = vertex - hull.centroid;
     hull.radius = std::max(hull.radius, arm.stableNorm());

@@ -11,7 +11,8 @@ namespace contactscope {
 /// Half-edge hull from the polygons that bound it: `faces` are vertex indices, counter-clockwise
 /// seen from outside. Vertices and faces keep their order, face_edges[f] leaves faces[f][0], and
 /// edges are numbered in the order in which the faces first name them. Planes by Newell's method
-/// through the mean of all vertices of the face; centroid and radius from the solid.
+/// through the mean of all vertices of the face; centroid and radius from the solid. Two faces make a
+/// flat hull, on the plane of the first.
 ///
 /// Topology is checked, convexity and planarity are the caller's promise. Throws HullError:
 /// NotClosed when the polygons do not bound one solid without handles or leave a vertex unused,

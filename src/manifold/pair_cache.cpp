@@ -349,6 +349,7 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
     return cache;
   }
   if (contact.points.empty() || options.preference != Preference::Relative) return cache;
+  if (a.flat()) return cache;  // far_separation goes along arcs of less than half a turn
 
   // An angle within which the kept axis is preferred to any other: about half of what the preference
   // has to spare is given to the angle, the rest is left for turning and for a growing overlap. What

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "query/edge_pairs.h"
@@ -17,6 +18,24 @@ struct Arc {
   Vec3<S> second;
   Vec3<S> on_edge;  // a vertex of the edge
 };
+
+/// One end of an arc: B's support vertex there, and the separation that it gives.
+template <class S>
+struct ArcEnd {
+  int support;
+  S separation;  // metres
+};
+
+/// `direction` is unit, and `on_a` a support point of A along it.
+template <class S>
+ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3<S>& on_a) {
+  ArcEnd<S> end{0, std::numeric_limits<S>::infinity()};
+  for (int v = 0; v < b.vertices.count(); ++v) {
+    const S separation = direction.dot(Vec3<S>(b.vertices[v] - on_a));
+    if (separation < end.separation) end = {v, separation};
+  }
+  return end;
+}
 
 /// An upper bound of the separation along any direction of the arc, from the support vertices at
 /// its ends. Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a point
@@ -81,6 +100,62 @@ bool measure(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a,
   return true;
 }
 
+/// Calls visit(arc, start, end) with the arc of every edge of A, each of its ends with the separation
+/// there and B's support vertex. The two faces of a flat hull are half a turn apart, and their normals
+/// alone do not say on which way; its arcs come as two quarters, by way of the direction in the plane
+/// that points away from the edge.
+template <class S, class Visit>
+void for_each_arc(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const Visit& visit) {
+  const PlacedHull<S>& a = pair.a;
+  const auto end_at = [&](int face) {
+    return ArcEnd<S>{faces_a.support(face), faces_a.separation(face)};
+  };
+  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
+    const int first = a.half_edge(edge).face;
+    const int second = a.half_edge(edge + 1).face;
+    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
+    if (!a.hull.flat()) {
+      visit(arc, end_at(first), end_at(second));
+      continue;
+    }
+    const Vec3<S> side = a.direction(edge).cross(arc.first);
+    const ArcEnd<S> middle = end_along(pair.b, side, arc.on_edge);
+    visit(Arc<S>{edge, arc.first, side, arc.on_edge}, end_at(first), middle);
+    visit(Arc<S>{edge, side, arc.second, arc.on_edge}, middle, end_at(second));
+  }
+}
+
+/// The edge query where A is flat.
+template <class S>
+EdgeQuery<S> query_edges_of_flat(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
+                                 S floor, S tie) {
+  const Mat3<S> a_to_b = pair.b.rotation.transpose();
+  EdgeQuery<S> best;
+  S to_beat = floor;
+  for_each_arc(pair, faces_a, [&](const Arc<S>& arc, const ArcEnd<S>& start, const ArcEnd<S>& end) {
+    if (start.support == end.support) return;
+    if (arc_stays_below(arc, start.separation, end.separation, pair.b.vertices[start.support],
+                        pair.b.vertices[end.support], std::min(to_beat, S(0))))
+      return;
+    const Vec3<S> along_a = pair.a.direction(arc.half_edge);
+    const Vec3<S> first_in_b = a_to_b * arc.first;
+    const Vec3<S> second_in_b = a_to_b * arc.second;
+    walk_arc(pair.b.hull, first_in_b, second_in_b, start.support, end.support, [&](int edge_b) {
+      if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
+    });
+  });
+  return best;
+}
+
+/// The edge at a vertex of a flat hull that is less parallel to a direction.
+template <class S>
+int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction) {
+  const int one = hull.hull.vertex_edges[static_cast<std::size_t>(vertex)];
+  const int other = hull.half_edge(Hull<S>::twin(one)).next;
+  const auto cosine = [&](int edge) { return std::abs(direction.dot(hull.direction(edge))); };
+  return cosine(one) <= cosine(other) ? one : other;
+}
+
 }  // namespace
 
 /// Gregorius 2015, QueryEdgeDirection, on the Gauss map (see gauss_map.h).
@@ -93,6 +168,8 @@ bool measure(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a,
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
                          S tie) {
+  if (pair.a.hull.flat()) [[unlikely]]
+    return query_edges_of_flat(pair, faces_a, floor, tie);
   const PlacedHull<S>& a = pair.a;
   const PlacedHull<S>& b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
@@ -129,25 +206,45 @@ std::vector<EdgeQuery<S>> crossing_edge_pairs(const HullPair<S>& pair,
   const PlacedHull<S>& b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
   std::vector<EdgeQuery<S>> pairs;
-  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
-    const int first = a.half_edge(edge).face;
-    const int second = a.half_edge(edge + 1).face;
-    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
+  for_each_arc(pair, faces_a, [&](const Arc<S>& arc, const ArcEnd<S>& start, const ArcEnd<S>& end) {
     const Vec3<S> first_in_b = a_to_b * arc.first;
     const Vec3<S> second_in_b = a_to_b * arc.second;
-    walk_arc(b.hull, first_in_b, second_in_b, faces_a.support(first), faces_a.support(second),
-             [&](int edge_b) {
-               const Vec3<S> cross = a.direction(edge).cross(b.direction(edge_b));
-               const S sine = cross.norm();
-               if (sine < kParallelSine<S>) return;
-               const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
-               const Vec3<S> between = b.origin(edge_b) - arc.on_edge;
-               pairs.push_back({edge, edge_b, normal.dot(between), normal});
-             });
-  }
+    walk_arc(b.hull, first_in_b, second_in_b, start.support, end.support, [&](int edge_b) {
+      const Vec3<S> cross = a.direction(arc.half_edge).cross(b.direction(edge_b));
+      const S sine = cross.norm();
+      if (sine < kParallelSine<S>) return;
+      const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
+      const Vec3<S> between = b.origin(edge_b) - arc.on_edge;
+      pairs.push_back({arc.half_edge, edge_b, normal.dot(between), normal});
+    });
+  });
   return pairs;
 }
 
+template <class S>
+EdgeQuery<S> query_sides(const HullPair<S>& pair) {
+  EdgeQuery<S> best;
+  best.separation = -std::numeric_limits<S>::infinity();
+  const auto look = [&](const PlacedHull<S>& hull, const PlacedHull<S>& other, Owner owner) {
+    for (int edge = 0; edge < 2 * hull.hull.edge_count(); edge += 2) {
+      const Vec3<S> along = hull.direction(edge);
+      const Vec3<S> side = along.cross(hull.normals[hull.half_edge(edge).face]);
+      const ArcEnd<S> end = end_along(other, side, hull.origin(edge));
+      if (!(end.separation > best.separation)) continue;
+      const int across = edge_across(other, end.support, along);
+      if (owner == Owner::A)
+        best = {edge, across, end.separation, side};
+      else
+        best = {across, edge, end.separation, -side};
+    }
+  };
+  look(pair.a, pair.b, Owner::A);
+  look(pair.b, pair.a, Owner::B);
+  return best;
+}
+
+template EdgeQuery<float> query_sides(const HullPair<float>&);
+template EdgeQuery<double> query_sides(const HullPair<double>&);
 template std::vector<EdgeQuery<float>> crossing_edge_pairs(const HullPair<float>&,
                                                            const FaceSeparations<float>&);
 template std::vector<EdgeQuery<double>> crossing_edge_pairs(const HullPair<double>&,

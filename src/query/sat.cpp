@@ -53,6 +53,14 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   const bool has_edge = result.edge.edge_a >= 0;
   if (has_edge && result.edge.separation > margin) return result;  // we found a separating axis
 
+  if (pair.a.hull.flat() && pair.b.hull.flat()) [[unlikely]] {
+    const EdgeQuery<S> side = query_sides(pair);
+    if (side.separation > margin) {
+      result.edge = side;
+      return result;  // we found a separating axis
+    }
+  }
+
   // No separating axis: the hulls overlap, or are within the margin of each other.
   result.status = SatStatus::Touching;
   result.deepest = deepest_axis(result);

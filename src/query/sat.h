@@ -87,6 +87,12 @@ template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
                          S tie);
 
+/// Of two flat hulls: the direction in the plane of either, away from one of its edges, along which
+/// they are farthest apart. Flat hulls side by side on one plane are separated by no other axis: their
+/// faces say nothing, and all crosses of their edges are the faces' normal.
+template <class S>
+EdgeQuery<S> query_sides(const HullPair<S>& pair);
+
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
 /// more than `margin` (metres, >= 0) apart. Of faces that are nearly as deep those of `preferred`
 /// come first.

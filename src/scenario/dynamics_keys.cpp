@@ -32,6 +32,12 @@ double read_mass(const Table& table, const ScenarioShape& shape) {
   const auto mass = table.find("mass");
   const auto density = table.find("density");
   if (mass && density) density->fail("give 'mass' or 'density', not both");
+  if (shape.hull() != nullptr && shape.hull()->flat())
+    table.require("dynamic", "dynamic = false")
+        .fail(
+            "'" + shape.name +
+            "' is a flat hull, which has no volume and no mass; give it a point off its plane, or "
+            "leave out 'dynamic'");
   const std::optional<MassProperties> filled = mass_properties(*shape.geometry);
   if (!filled)
     table.require("dynamic", "dynamic = false")

@@ -43,4 +43,17 @@ Pose<double> pose_at(const ScenarioShape& shape, double time) {
   return pose;
 }
 
+Pose<double> collider_pose_at(const ScenarioShape& shape, double time) {
+  const Pose<double> pose = pose_at(shape, time);
+  return shape.is_moved() ? compose(pose, {Quatd::Identity(), shape.collider_origin}) : pose;
+}
+
+Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<double>& collider) {
+  if (!shape.is_moved()) return collider;
+  if (!shape.body) return pose_at(shape, time);
+  Pose<double> pose = collider;
+  pose.rotation.normalize();
+  return compose(pose, {Quatd::Identity(), Vec3d(-shape.collider_origin)});
+}
+
 }  // namespace contactscope

@@ -17,7 +17,7 @@ std::vector<Shape<S>> rounded_shapes(const Scenario& scenario) {
   std::vector<Shape<S>> shapes;
   shapes.reserve(scenario.shapes.size());
   for (const ScenarioShape& shape : scenario.shapes)
-    shapes.push_back(shape_cast<S>(*shape.geometry));
+    shapes.push_back(shape_cast<S>(*shape.collider));
   return shapes;
 }
 
@@ -149,8 +149,28 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
   trace::Shape traced;
   traced.name = shape.name;
   traced.type = shape.type;
-  std::visit([&](const auto& kind) { describe(kind, traced); }, rounded);
+  const auto describe_kind = [&](const auto& kind) { describe(kind, traced); };
+  if (shape.is_moved())
+    std::visit(describe_kind, *shape.geometry);
+  else
+    std::visit(describe_kind, rounded);
   return traced;
+}
+
+const ScenarioShape& mesh_of(const Scenario& scenario, const ScenarioPair& pair) {
+  const ScenarioShape& a = scenario.shapes[static_cast<std::size_t>(pair.a)];
+  const ScenarioShape& b = scenario.shapes[static_cast<std::size_t>(pair.b)];
+  return kind_of(*a.geometry) == ShapeKind::Mesh ? a : b;
+}
+
+/// From the frame in which the mesh is collided to that of its file.
+void move_boxes(trace::Tree& tree, const Vec3d& by) {
+  const auto move = [&](trace::Box& box) {
+    box.lower += by;
+    box.upper += by;
+  };
+  move(tree.box);
+  for (trace::TreeVisit& visit : tree.visits) move(visit.box);
 }
 
 }  // namespace
@@ -266,7 +286,8 @@ Runner::Memory Runner::memory_before(const std::vector<Shape<S>>& shapes, std::s
     const int next = memory.frame + 1;
     const double time = next * scenario_->dt;
     const auto pose = [&](int shape) {
-      return pose_at(scenario_->shapes[static_cast<std::size_t>(shape)], time).template cast<S>();
+      return collider_pose_at(scenario_->shapes[static_cast<std::size_t>(shape)], time)
+          .template cast<S>();
     };
     collide_pair<S>(shapes, facts, pose(facts.a), pose(facts.b), next, memory, nullptr);
   }
@@ -317,6 +338,8 @@ Manifolds<S> Runner::add_pair(const std::vector<Shape<S>>& shapes, const Scenari
   Manifolds<S> manifolds =
       collide_pair(shapes, pair, pose_a, pose_b, frame.frame, memory, recorded ? &record : nullptr);
   if (recorded) {
+    const ScenarioShape& mesh = mesh_of(*scenario_, pair);
+    if (record.tree && mesh.is_moved()) move_boxes(*record.tree, mesh.collider_origin);
     record_stability(pair, frame, record);
   } else {
     record.kind = pair_kind(shapes[static_cast<std::size_t>(pair.a)],
@@ -335,8 +358,9 @@ trace::Frame Runner::run(const std::vector<Shape<S>>& shapes, int frame, bool re
   result.time = frame * scenario_->dt;
   std::vector<Pose<S>> poses;
   for (const ScenarioShape& shape : scenario_->shapes) {
-    poses.push_back(pose_at(shape, result.time).template cast<S>());
-    result.poses.emplace_back(shape.name, poses.back().template cast<double>());
+    poses.push_back(collider_pose_at(shape, result.time).template cast<S>());
+    result.poses.emplace_back(shape.name,
+                              told_pose(shape, result.time, poses.back().template cast<double>()));
   }
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
     const ScenarioPair& pair = scenario_->pairs[i];

@@ -37,7 +37,7 @@ S restitution_of(const Scenario& scenario, const ScenarioPair& pair) {
 /// The body of a shape at the start.
 template <class S>
 Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
-  const Pose<S> pose = pose_at(shape, 0).template cast<S>();
+  const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
   if (!shape.body) return static_body<S>(pose);
   Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
   body.velocity = shape.body->velocity.template cast<S>();
@@ -159,8 +159,8 @@ void Runner::solve(WorldState<S>& state, const std::vector<Manifolds<S>>& contac
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const ScenarioShape& shape = scenario_->shapes[i];
     if (!shape.body)
-      set_scripted_velocity(state.bodies[i], pose_at(shape, now), pose_at(shape, next),
-                            scenario_->dt);
+      set_scripted_velocity(state.bodies[i], collider_pose_at(shape, now),
+                            collider_pose_at(shape, next), scenario_->dt);
   }
   std::vector<PairContacts<S>> pairs;
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
@@ -174,7 +174,7 @@ void Runner::solve(WorldState<S>& state, const std::vector<Manifolds<S>>& contac
   // A script knows where it is; steps would add up their rounding.
   for (std::size_t i = 0; i < state.bodies.size(); ++i)
     if (!scenario_->shapes[i].body)
-      state.bodies[i].place(pose_at(scenario_->shapes[i], next).template cast<S>());
+      state.bodies[i].place(collider_pose_at(scenario_->shapes[i], next).template cast<S>());
 }
 
 template <class S>
@@ -211,7 +211,9 @@ trace::Frame Runner::run_world(const std::vector<Shape<S>>& shapes, int frame,
   std::vector<Pose<S>> poses;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     poses.push_back(state.bodies[i].pose());
-    result.poses.emplace_back(scenario_->shapes[i].name, poses.back().template cast<double>());
+    result.poses.emplace_back(
+        scenario_->shapes[i].name,
+        told_pose(scenario_->shapes[i], result.time, poses.back().template cast<double>()));
   }
   if (recorded) result.solver = facts_of(*scenario_, state.bodies);
 

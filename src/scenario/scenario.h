@@ -44,7 +44,7 @@ struct ScenarioBody {
 struct ScenarioShape {
   std::string name;
   std::string type;  // "box", "hull", "cylinder", "cone", "sphere", "capsule", "plane", "mesh"
-  std::shared_ptr<const Shape<double>> geometry;
+  std::shared_ptr<const Shape<double>> geometry;  // as the file has it
   Pose<double> pose;
   Motion motion;
   std::optional<ScenarioBody> body{};  // empty: it moves as `motion` says
@@ -52,6 +52,13 @@ struct ScenarioShape {
   std::optional<double> friction{};     // default: the world's
   std::optional<double> restitution{};  // default: the world's
 
+  /// What is rounded and collided: `geometry`, or where that is far from its own origin the same
+  /// about its middle (see far_shape.h), which is at `collider_origin` in the file's frame, metres.
+  /// Traces tell shapes and poses as the file has them.
+  std::shared_ptr<const Shape<double>> collider{};
+  Vec3d collider_origin = Vec3d::Zero();
+
+  bool is_moved() const { return !collider_origin.isZero(0); }
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
 };
@@ -142,5 +149,10 @@ Scenario parse_scenario(const std::string& text, const std::string& path);
 
 /// Pose of a shape at a time in seconds.
 Pose<double> pose_at(const ScenarioShape& shape, double time);
+/// The same of its collider.
+Pose<double> collider_pose_at(const ScenarioShape& shape, double time);
+/// What a trace tells where the collider has this pose, as the pipeline has it: that pose, or of a
+/// moved shape its own, not rounded, because rounding would be multiplied by the distance.
+Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<double>& collider);
 
 }  // namespace contactscope

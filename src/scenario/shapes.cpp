@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/input_error.h"
+#include "geometry/far_shape.h"
 #include "geometry/hull_builder.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
@@ -51,8 +52,8 @@ Hull<double> build_primitive(const Value& at, const Table& table,
 }
 
 /// Points of a list or file: a hull that can be computed with, within the lengths of a scenario.
-Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at,
-                            bool merge_coplanar) {
+Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, const Table& shape,
+                            std::vector<std::string>& warnings) {
   if (points.size() > kMaxHullPoints)
     at.fail("'" + at.name() + "' has " + std::to_string(points.size()) +
             " points; a hull may be built from up to " + std::to_string(kMaxHullPoints));
@@ -60,10 +61,15 @@ Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at,
     if (!(point.cwiseAbs().maxCoeff() <= kLargestLength))
       at.fail("'" + at.name() + "' has a point farther than 1e9 metres from the origin; scale it");
   HullOptions options;
-  options.merge_coplanar = merge_coplanar;
+  options.merge_coplanar = merges_coplanar(shape);
+  options.allow_flat = true;
   Hull<double> hull = build_at(at, [&] { return build_hull(points, options); });
   if (hull.radius < kSmallestLength)
     at.fail("'" + at.name() + "' is smaller than 1e-9 metres; scale it up");
+  if (hull.flat())
+    warnings.push_back("line " + std::to_string(at.line()) + ": the hull '" + shape.value().name() +
+                       "' is flat: its points lie on one plane, and it is taken as a polygon with "
+                       "two sides; give a point off the plane if it is to have a volume");
   return hull;
 }
 
@@ -74,8 +80,8 @@ Shape<double> read_hull(const Table& table, const Surroundings& surroundings) {
   if (!vertices && !file)
     table.fail("the hull '" + table.value().name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
-  const bool merge_coplanar = merges_coplanar(table);
-  if (vertices) return hull_of_points(read_points(*vertices), *vertices, merge_coplanar);
+  std::vector<std::string>& warnings = surroundings.warnings;
+  if (vertices) return hull_of_points(read_points(*vertices), *vertices, table, warnings);
   const fs::path path = existing_obj_file(*file, surroundings.folder);
   std::vector<Vec3d> points;
   try {
@@ -83,7 +89,7 @@ Shape<double> read_hull(const Table& table, const Surroundings& surroundings) {
   } catch (const InputError& error) {
     file->fail(std::string("'file' cannot be used: ") + error.what());
   }
-  return hull_of_points(points, *file, merge_coplanar);
+  return hull_of_points(points, *file, table, warnings);
 }
 
 Shape<double> read_box(const Table& table, const Surroundings&) {
@@ -218,6 +224,11 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
   shape.type = type.name;
   shape.pose = read_pose(table, {});
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
+  shape.collider = shape.geometry;
+  shape.collider_origin = moved_origin(*shape.geometry);
+  if (shape.is_moved())
+    shape.collider =
+        std::make_shared<const Shape<double>>(seen_from(*shape.geometry, shape.collider_origin));
   if (const auto motion = table.find("motion")) {
     if (is_dynamic(*motion))
       shape.body = read_body(*motion, shape);

@@ -100,16 +100,21 @@ void offer_vertices_and_faces(const Features& a, const Features& b, bool swapped
 bool enters(const ExtendedPoint& from, const ExtendedPoint& to, const Features& solid) {
   if (solid.triangles.empty()) return false;
   Extended first = 0, last = 1;
-  for (const auto& [i, j, k] : solid.triangles) {
-    const ExtendedPoint& corner = vertex(solid, i);
-    const ExtendedPoint normal = (vertex(solid, j) - corner).cross(vertex(solid, k) - corner);
+  const auto some_is_left_behind = [&](const ExtendedPoint& corner, const ExtendedPoint& normal) {
     const Extended start = normal.dot(from - corner);
     const Extended end = normal.dot(to - corner);
     if (start > 0 && end > 0) return false;
     if (start > 0) first = std::max(first, start / (start - end));
     if (end > 0) last = std::min(last, start / (start - end));
-    if (first > last) return false;
+    return first <= last;
+  };
+  for (const auto& [i, j, k] : solid.triangles) {
+    const ExtendedPoint& corner = vertex(solid, i);
+    const ExtendedPoint normal = (vertex(solid, j) - corner).cross(vertex(solid, k) - corner);
+    if (!some_is_left_behind(corner, normal)) return false;
   }
+  for (const auto& [corner, outward] : solid.walls)
+    if (!some_is_left_behind(corner, outward)) return false;
   return true;
 }
 
@@ -153,6 +158,15 @@ Features features_of(const Hull<double>& hull, const Pose<double>& pose) {
                               hull.half_edges[static_cast<std::size_t>(2 * e + 1)].origin});
   }
   for (int f = 0; f < hull.face_count(); ++f) add_face(face_vertices(hull, f), features);
+  if (!hull.flat()) return features;
+  const std::vector<int> loop = face_vertices(hull, 0);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const ExtendedPoint& from = vertex(features, loop[i]);
+    const ExtendedPoint& to = vertex(features, loop[(i + 1) % loop.size()]);
+    const ExtendedPoint& third = vertex(features, loop[(i + 2) % loop.size()]);
+    const ExtendedPoint normal = (to - from).cross(third - to);
+    features.walls.push_back({from, (to - from).cross(normal)});
+  }
   return features;
 }
 

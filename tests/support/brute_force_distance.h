@@ -20,6 +20,9 @@ struct Features {
   std::vector<ExtendedPoint> vertices;
   std::vector<std::array<int, 2>> edges;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
+  /// Of a flat hull, whose two faces alone bound nothing: for each edge a point of it and the
+  /// direction in the plane that points away from it.
+  std::vector<std::array<ExtendedPoint, 2>> walls{};
 };
 
 Features features_of_point(const Vec3d& point, const Pose<double>& pose);

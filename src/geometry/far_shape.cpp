@@ -1,0 +1,71 @@
+#include "geometry/far_shape.h"
+
+#include <span>
+
+namespace contactscope {
+namespace {
+
+Aabb<double> box_around(std::span<const Vec3d> points) {
+  Aabb<double> box;
+  for (const Vec3d& point : points) box.include(point);
+  return box;
+}
+
+Vec3d middle_where_far(const Aabb<double>& box, double margin) {
+  const Vec3d middle = box.center();
+  const double radius = 0.5 * box.extent().norm() + margin;
+  if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
+  return middle.cast<float>().cast<double>();
+}
+
+Vec3d origin_for(const Sphere<double>&) {
+  return Vec3d::Zero();
+}
+Vec3d origin_for(const HalfSpace<double>&) {
+  return Vec3d::Zero();
+}
+Vec3d origin_for(const Capsule<double>& capsule) {
+  return middle_where_far(box_around(capsule.points), capsule.radius);
+}
+Vec3d origin_for(const Hull<double>& hull) {
+  return middle_where_far(box_around(hull.vertices), 0);
+}
+Vec3d origin_for(const Mesh<double>& mesh) {
+  return middle_where_far(mesh.tree.bounds(), 0);
+}
+
+void move(Sphere<double>&, const Vec3d&) {}
+
+void move(HalfSpace<double>& half_space, const Vec3d& origin) {
+  half_space.plane.offset -= half_space.plane.normal.dot(origin);
+}
+
+void move(Capsule<double>& capsule, const Vec3d& origin) {
+  for (Vec3d& point : capsule.points) point -= origin;
+}
+
+void move(Hull<double>& hull, const Vec3d& origin) {
+  for (Vec3d& vertex : hull.vertices) vertex -= origin;
+  for (Plane<double>& plane : hull.planes) plane.offset -= plane.normal.dot(origin);
+  hull.centroid -= origin;
+  lay_out(hull);
+}
+
+void move(Mesh<double>& mesh, const Vec3d& origin) {
+  for (Vec3d& vertex : mesh.vertices) vertex -= origin;
+  refit(mesh);
+}
+
+}  // namespace
+
+Vec3d moved_origin(const Shape<double>& shape) {
+  return std::visit([](const auto& kind) { return origin_for(kind); }, shape);
+}
+
+Shape<double> seen_from(const Shape<double>& shape, const Vec3d& origin) {
+  Shape<double> moved = shape;
+  std::visit([&](auto& kind) { move(kind, origin); }, moved);
+  return moved;
+}
+
+}  // namespace contactscope
