@@ -3,9 +3,9 @@
 #include <cmath>
 #include <span>
 
+#include "study/limits_study.h"
 #include "study/measurement.h"
 #include "study/solver_stack.h"
-#include "study/stability_study.h"
 
 namespace contactscope {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace contactscope {
 
-/// Shapes that stand below and on top in the studies of stability.
+/// Shapes that stand below and on top in the study of the numbers' limits.
 enum class Below { Sphere, Capsule, Box, Plane, Mesh };
 enum class OnTop { Sphere, Capsule, Box };
 

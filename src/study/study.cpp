@@ -56,7 +56,7 @@ const std::vector<StudyInfo>& studies() {
       {"penetration", "depth and normal by EPA, MPR, sampling and SAT, over what each may take",
        &study_penetration},
       {"stability", "where float and double run out: tilt, scale, distance, aspect, angle, overlap",
-       &study_stability},
+       &study_limits},
       {"manifold_stability",
        "one-shot against incremental manifolds: boxes that drop, tilt and slide",
        &study_manifold_stability},

@@ -24,7 +24,7 @@ using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
                                            const StudyProgress& progress);
 
 // Each is in the file of its name, with what it measures.
-RunStudy study_reducers, study_hull_precision, study_penetration, study_stability,
+RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver;
 
 /// The study of the solver with another time, in frames (>= 1), in the place of three seconds.

@@ -1,4 +1,4 @@
-#include "study/stability_study.h"
+#include "study/limits_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ struct Cell {
 };
 
 template <class S>
-void judge_all(const std::vector<StabilityCase>& cases, const std::vector<double>& exact,
+void judge_all(const std::vector<LimitCase>& cases, const std::vector<double>& exact,
                int repetitions, Tally& tally) {
   std::vector<RoundedPair<S>> rounded;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -63,10 +63,10 @@ void judge_all(const std::vector<StabilityCase>& cases, const std::vector<double
   tally.unrounded.times = tally.own.times;
 }
 
-Cell judge(const std::vector<StabilityCase>& cases, int repetitions) {
+Cell judge(const std::vector<LimitCase>& cases, int repetitions) {
   Cell cell;
   std::vector<double> exact;
-  for (const StabilityCase& one : cases) {
+  for (const LimitCase& one : cases) {
     exact.push_back(exact_separation(one.pair));
     cell.depth.errors[0].add(std::max(0.0, -exact.back()) / one.pair.size);
     ++cell.depth.of;
@@ -89,9 +89,9 @@ trace::Study described(const StudyOptions& options, const std::string& measure, 
   return study;
 }
 
-class Stability {
+class Limits {
  public:
-  Stability(const StudyOptions& options, const StudyProgress& progress)
+  Limits(const StudyOptions& options, const StudyProgress& progress)
       : options_(options),
         progress_(progress),
         cases_(options.cases.value_or(kCases)),
@@ -123,13 +123,13 @@ class Stability {
     pairs_.parameter = sweeps_.parameter;
     pairs_.row = "kind of pair";
     pairs_.form = trace::StudyForm::Map;
-    for (const StabilitySweep& sweep : stability_sweeps()) run_sweep(sweep);
+    for (const LimitSweep& sweep : limit_sweeps()) run_sweep(sweep);
     for (std::vector<trace::StudySeries>& rows : by_kind_) {
       for (trace::StudySeries& series : rows) pairs_.series.push_back(std::move(series));
     }
   }
 
-  void run_sweep(const StabilitySweep& sweep) {
+  void run_sweep(const LimitSweep& sweep) {
     const bool by_kind = sweep.name == "scale" || sweep.name == "distance" || sweep.name == "kiss";
     std::vector<trace::StudySeries> curves;
     for (const char* method : {kOwn[0], kOwn[1], kUnrounded[0], kUnrounded[1], kSignal}) {
@@ -143,11 +143,11 @@ class Stability {
       }
     }
     for (const double value : sweep.values()) {
-      std::vector<StabilityCase> all;
+      std::vector<LimitCase> all;
       for (std::size_t k = 0; k < sweep.kinds.size(); ++k) {
-        std::vector<StabilityCase> cases;
+        std::vector<LimitCase> cases;
         for (int i = 0; i < cases_; ++i) {
-          cases.push_back(stability_case(sweep, value, sweep.kinds[k], i, options_.seed));
+          cases.push_back(limit_case(sweep, value, sweep.kinds[k], i, options_.seed));
         }
         if (by_kind) {
           const Cell cell = judge(cases, repetitions_);
@@ -177,11 +177,11 @@ class Stability {
     curves[4].points.push_back(cell.depth.point(value, 0));
   }
 
-  using MakeCase = StabilityCase (*)(double across, double up, int index, std::uint64_t seed);
+  using MakeCase = LimitCase (*)(double across, double up, int index, std::uint64_t seed);
 
   /// One panel for each scalar and judgement, a series for each row.
-  trace::Study run_map(const std::string& measure, const StabilitySweep& across,
-                       const StabilitySweep& up, MakeCase make_case) {
+  trace::Study run_map(const std::string& measure, const LimitSweep& across, const LimitSweep& up,
+                       MakeCase make_case) {
     trace::Study study = described(options_, measure, map_cases_);
     study.error = "largest error of the contact (ulps of the pair's coordinates)";
     study.parameter = across.parameter;
@@ -194,7 +194,7 @@ class Stability {
         panels[panel].push_back({name, {}, name, across.parameter, row});
       }
       for (const double value : across.values()) {
-        std::vector<StabilityCase> cases;
+        std::vector<LimitCase> cases;
         for (int i = 0; i < map_cases_; ++i) {
           cases.push_back(make_case(value, row, i, options_.seed));
         }
@@ -214,7 +214,7 @@ class Stability {
   }
 
   void run_maps() {
-    const std::vector<StabilitySweep>& sweeps = stability_sweeps();
+    const std::vector<LimitSweep>& sweeps = limit_sweeps();
     tilt_scale_ =
         run_map("tilt_scale", sweeps[0], sweeps[1],
                 [](double tilt, double size, int i, std::uint64_t seed) {
@@ -222,33 +222,33 @@ class Stability {
                   Stacking stacking;
                   stacking.tilt = tilt;
                   stacking.size = size;
-                  return StabilityCase{stacked_pair({OnTop::Box, Below::Box}, stacking, i, engine),
-                                       world_motion(5 * size, engine)};
+                  return LimitCase{stacked_pair({OnTop::Box, Below::Box}, stacking, i, engine),
+                                   world_motion(5 * size, engine)};
                 });
     tilt_scale_.title = "Box on box: tilt and size";
     distance_overlap_ = run_map("distance_overlap", sweeps[2], sweeps[5],
                                 [](double distance, double overlap, int i, std::uint64_t seed) {
                                   std::mt19937_64 engine = case_engine(seed, i, distance, overlap);
-                                  const std::vector<PairKind>& kinds = stability_sweeps()[2].kinds;
+                                  const std::vector<PairKind>& kinds = limit_sweeps()[2].kinds;
                                   const PairKind& kind =
                                       kinds[static_cast<std::size_t>(i) % kinds.size()];
                                   Stacking stacking;
                                   stacking.overlap = overlap;
                                   const int turn = i / static_cast<int>(kinds.size());
-                                  return StabilityCase{stacked_pair(kind, stacking, turn, engine),
-                                                       world_motion(distance, engine)};
+                                  return LimitCase{stacked_pair(kind, stacking, turn, engine),
+                                                   world_motion(distance, engine)};
                                 });
     distance_overlap_.title = "Every pair of shapes: distance from the origin and overlap";
     aspect_angle_ = run_map(
         "aspect_angle", sweeps[4], sweeps[3],
         [](double angle, double aspect, int i, std::uint64_t seed) {
           std::mt19937_64 engine = case_engine(seed, i, angle, aspect);
-          const std::vector<PairKind>& kinds = stability_sweeps()[4].kinds;
+          const std::vector<PairKind>& kinds = limit_sweeps()[4].kinds;
           Stacking stacking;
           stacking.crossed = true;
           stacking.angle = angle;
           stacking.aspect = aspect;
-          return StabilityCase{
+          return LimitCase{
               stacked_pair(kinds[static_cast<std::size_t>(i) % kinds.size()], stacking, i, engine),
               world_motion(5, engine)};
         });
@@ -279,9 +279,8 @@ class Stability {
 /// "sweeps": curves of the largest error over all kinds of pairs, over the size of the shapes.
 /// "pairs": maps of pair kind by scale, distance and overlap, in ulps of the pair's coordinates.
 /// "tilt_scale", "distance_overlap", "aspect_angle": maps of two parameters, likewise.
-std::vector<trace::Study> study_stability(const StudyOptions& options,
-                                          const StudyProgress& progress) {
-  return Stability(options, progress).run();
+std::vector<trace::Study> study_limits(const StudyOptions& options, const StudyProgress& progress) {
+  return Limits(options, progress).run();
 }
 
 }  // namespace contactscope

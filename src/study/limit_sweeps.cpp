@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "study/stability_study.h"
+#include "study/limits_study.h"
 #include "study/uniform.h"
 
 namespace contactscope {
@@ -22,7 +22,7 @@ const std::vector<PairKind>& every_kind() {
 
 }  // namespace
 
-std::vector<double> StabilitySweep::values() const {
+std::vector<double> LimitSweep::values() const {
   std::vector<double> list;
   const long first = std::lround(2 * std::log10(low));
   const long last = std::lround(2 * std::log10(high));
@@ -32,8 +32,8 @@ std::vector<double> StabilitySweep::values() const {
   return list;
 }
 
-const std::vector<StabilitySweep>& stability_sweeps() {
-  static const std::vector<StabilitySweep> list = {
+const std::vector<LimitSweep>& limit_sweeps() {
+  static const std::vector<LimitSweep> list = {
       {"tilt",
        "tilt (rad)",
        1e-9,
@@ -68,8 +68,8 @@ const std::vector<StabilitySweep>& stability_sweeps() {
   return list;
 }
 
-StabilityCase stability_case(const StabilitySweep& sweep, double value, const PairKind& kind,
-                             int index, std::uint64_t seed) {
+LimitCase limit_case(const LimitSweep& sweep, double value, const PairKind& kind, int index,
+                     std::uint64_t seed) {
   Stacking stacking;
   stacking.overlap = kOverlap;
   double distance = kNear;

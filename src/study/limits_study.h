@@ -10,7 +10,7 @@
 namespace contactscope {
 
 /// One way to drive a contact to where numbers run out.
-struct StabilitySweep {
+struct LimitSweep {
   std::string name;       // "tilt"
   std::string parameter;  // "tilt (rad)": what its values are
   double low = 1, high = 1;
@@ -21,10 +21,10 @@ struct StabilitySweep {
 };
 
 /// tilt, scale, distance from the origin, aspect ratio, angle between edges, kiss to coincidence.
-const std::vector<StabilitySweep>& stability_sweeps();
+const std::vector<LimitSweep>& limit_sweeps();
 
 /// A case of a sweep at a value: how the shapes stand, and where in the world.
-struct StabilityCase {
+struct LimitCase {
   StackedPair pair;
   Pose<double> motion;
 };
@@ -32,8 +32,8 @@ struct StabilityCase {
 /// The same for the same seed. Overlap a hundredth of the way to coincidence, 5 sizes from the
 /// origin, but for what the sweep changes; in even cases of "angle" a tenth of what the angle lifts
 /// the ends, so that the edges make the contact.
-StabilityCase stability_case(const StabilitySweep& sweep, double value, const PairKind& kind,
-                             int index, std::uint64_t seed);
+LimitCase limit_case(const LimitSweep& sweep, double value, const PairKind& kind, int index,
+                     std::uint64_t seed);
 
 /// A generator for one case at two values > 0: neighbours share nothing.
 std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other);

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(StudyStability, SlowPrintsATableForEachSweepAndMapAndKeepsTheSchema) {
+TEST(StudyLimits, SlowPrintsATableForEachSweepAndMapAndKeepsTheSchema) {
   const TemporaryFolder folder;
   const ProgramRun result =
       run("study stability --cases 1 --table --quiet --out '" + (folder / "out") + "'");

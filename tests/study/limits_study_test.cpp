@@ -1,4 +1,4 @@
-#include "study/stability_study.h"
+#include "study/limits_study.h"
 
 #include <gmock/gmock.h>
 
@@ -16,12 +16,12 @@ const std::vector<trace::Study>& small_study() {
     StudyOptions options;
     options.cases = 2;
     options.repetitions = 1;
-    return study_stability(options, [](int, int, const std::string&) {});
+    return study_limits(options, [](int, int, const std::string&) {});
   }();
   return studies;
 }
 
-TEST(StabilityStudy, HasCurvesAndMaps) {
+TEST(LimitsStudy, HasCurvesAndMaps) {
   std::vector<std::string> measures;
   for (const trace::Study& study : small_study()) {
     measures.push_back(study.measure);
@@ -32,7 +32,7 @@ TEST(StabilityStudy, HasCurvesAndMaps) {
               ElementsAre("sweeps", "pairs", "tilt_scale", "distance_overlap", "aspect_angle"));
 }
 
-TEST(StabilityStudy, ASeriesASweepAndScalar) {
+TEST(LimitsStudy, ASeriesASweepAndScalar) {
   const trace::Study& sweeps = small_study().front();
   std::set<std::pair<std::string, std::string>> seen;
   for (const trace::StudySeries& series : sweeps.series) {
@@ -44,14 +44,14 @@ TEST(StabilityStudy, ASeriesASweepAndScalar) {
       EXPECT_GT(point.nanoseconds.min, 0);
     }
   }
-  for (const StabilitySweep& sweep : stability_sweeps()) {
+  for (const LimitSweep& sweep : limit_sweeps()) {
     for (const char* method : {"float", "double", "float, unrounded", "double, unrounded"}) {
       EXPECT_TRUE(seen.contains({sweep.name, method})) << sweep.name << ' ' << method;
     }
   }
 }
 
-TEST(StabilityStudy, EveryMapIsFullAndItsRowsGrow) {
+TEST(LimitsStudy, EveryMapIsFullAndItsRowsGrow) {
   for (std::size_t i = 1; i < small_study().size(); ++i) {
     const trace::Study& map = small_study()[i];
     const trace::StudySeries* before = nullptr;
@@ -66,12 +66,12 @@ TEST(StabilityStudy, EveryMapIsFullAndItsRowsGrow) {
   }
 }
 
-TEST(StabilityStudy, ProgressEndsWithItsTotal) {
+TEST(LimitsStudy, ProgressEndsWithItsTotal) {
   StudyOptions options;
   options.cases = 1;
   options.repetitions = 1;
   int last = 0, total = -1;
-  study_stability(options, [&](int done, int of, const std::string&) {
+  study_limits(options, [&](int done, int of, const std::string&) {
     EXPECT_EQ(done, last + 1);
     last = done;
     total = of;
@@ -79,11 +79,11 @@ TEST(StabilityStudy, ProgressEndsWithItsTotal) {
   EXPECT_EQ(last, total);
 }
 
-TEST(StabilityStudy, TheSameSeedGivesTheSameErrors) {
+TEST(LimitsStudy, TheSameSeedGivesTheSameErrors) {
   StudyOptions options;
   options.cases = 2;
   options.repetitions = 1;
-  const auto studies = study_stability(options, [](int, int, const std::string&) {});
+  const auto studies = study_limits(options, [](int, int, const std::string&) {});
   for (std::size_t i = 0; i < studies.size(); ++i) {
     for (std::size_t s = 0; s < studies[i].series.size(); ++s) {
       const auto& points = studies[i].series[s].points;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "study/limits_study.h"
 #include "study/pair_verdict.h"
-#include "study/stability_study.h"
 
 // Every pair of shapes, driven to where numbers run out.
 namespace contactscope {
@@ -28,12 +28,12 @@ struct Outcome {
 };
 
 template <class S>
-Outcome run(const StabilitySweep& sweep) {
+Outcome run(const LimitSweep& sweep) {
   Outcome outcome;
   for (const double value : sweep.values()) {
     for (const PairKind& kind : sweep.kinds) {
       for (int i = 0; i < kCases; ++i) {
-        const StabilityCase one = stability_case(sweep, value, kind, i, kSeed);
+        const LimitCase one = limit_case(sweep, value, kind, i, kSeed);
         const double exact = exact_separation(one.pair);
         const PairVerdict verdict = judge_pair<S>(one.pair, one.motion, exact);
         ++outcome.of;
@@ -59,9 +59,9 @@ Outcome run(const StabilitySweep& sweep) {
   return outcome;
 }
 
-class StabilitySweeps : public testing::TestWithParam<StabilitySweep> {};
+class LimitSweeps : public testing::TestWithParam<LimitSweep> {};
 
-std::string name_of(const testing::TestParamInfo<StabilitySweep>& info) {
+std::string name_of(const testing::TestParamInfo<LimitSweep>& info) {
   return info.param.name;
 }
 
@@ -77,7 +77,7 @@ void expect_no_wrong_answer(const Outcome& outcome) {
   EXPECT_LE(outcome.deepest_drowned, 16);
 }
 
-TEST_P(StabilitySweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
+TEST_P(LimitSweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
   const Outcome outcome = run<float>(GetParam());
   expect_no_wrong_answer(outcome);
   const std::string& name = GetParam().name;
@@ -87,13 +87,13 @@ TEST_P(StabilitySweeps, FloatIsNeverWrongAboutWhatItIsGiven) {
   EXPECT_EQ(outcome.count(ContactFault::Drowned) > 0, name == "aspect");
 }
 
-TEST_P(StabilitySweeps, DoubleIsNeverWrongAboutWhatItIsGiven) {
+TEST_P(LimitSweeps, DoubleIsNeverWrongAboutWhatItIsGiven) {
   const Outcome outcome = run<double>(GetParam());
   expect_no_wrong_answer(outcome);
   EXPECT_EQ(outcome.count(ContactFault::Drowned), 0);
 }
 
-TEST_P(StabilitySweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfTheirCoordinates) {
+TEST_P(LimitSweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfTheirCoordinates) {
   constexpr double kCells = 16;
   const Outcome in_float = run<float>(GetParam());
   EXPECT_LE(in_float.deepest_lost, 2 * kCells);
@@ -103,17 +103,17 @@ TEST_P(StabilitySweeps, ContactsAreLostOnlyWhereTheyAreNoLargerThanTheCellsOfThe
   EXPECT_LE(in_double.worst_cells, kCells);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, StabilitySweeps, testing::ValuesIn(stability_sweeps()), name_of);
+INSTANTIATE_TEST_SUITE_P(Every, LimitSweeps, testing::ValuesIn(limit_sweeps()), name_of);
 
-TEST(StabilitySweep, FloatDoesRunOutSomewhere) {
+TEST(LimitSweep, FloatDoesRunOutSomewhere) {
   // A sweep that never gets there would prove nothing.
-  EXPECT_GT(run<float>(stability_sweeps()[2]).lost, 0);  // distance
-  EXPECT_GT(run<float>(stability_sweeps()[5]).lost, 0);  // kiss
+  EXPECT_GT(run<float>(limit_sweeps()[2]).lost, 0);  // distance
+  EXPECT_GT(run<float>(limit_sweeps()[5]).lost, 0);  // kiss
 }
 
-TEST(StabilitySweep, AtTheOriginAndCoincident) {
+TEST(LimitSweep, AtTheOriginAndCoincident) {
   std::mt19937_64 engine(5);
-  for (const PairKind& kind : stability_sweeps()[1].kinds) {
+  for (const PairKind& kind : limit_sweeps()[1].kinds) {
     for (const double overlap : {0.0, 0.01, 1.0}) {
       for (int i = 0; i < 8; ++i) {
         Stacking stacking;
@@ -134,7 +134,7 @@ TEST(StabilitySweep, AtTheOriginAndCoincident) {
 
 TEST(StackedPair, OverlapsByWhatIsAskedFor) {
   std::mt19937_64 engine(6);
-  for (const StabilitySweep& sweep : stability_sweeps()) {
+  for (const LimitSweep& sweep : limit_sweeps()) {
     for (const PairKind& kind : sweep.kinds) {
       Stacking stacking;
       stacking.size = 2;
