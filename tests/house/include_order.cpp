@@ -15,7 +15,7 @@ struct Folder {
   std::string_view parent;  // "src" or "render"
 };
 
-// DESIGN.md: "A folder uses only folders to its left".
+// As src/README.md has them: a folder uses only folders before it.
 constexpr Folder kOrder[] = {
     {"core", "src"},       {"trace", "src"},      {"geometry", "src"},  {"query", "src"},
     {"broadphase", "src"}, {"reduce", "src"},     {"manifold", "src"},  {"dynamics", "src"},
@@ -56,7 +56,7 @@ const Folder* folder_of(const std::string& path, std::string& why) {
   }
   const Folder* folder = find_folder(parts[1]);
   if (!folder || folder->parent != parts[0]) {
-    why = path + ": " + parts[0] + "/" + parts[1] + " is no folder of DESIGN.md";
+    why = path + ": " + parts[0] + "/" + parts[1] + " is no folder of the house";
     return nullptr;
   }
   return folder;
@@ -93,7 +93,7 @@ void check_links(const std::string& path, std::istringstream words,
   words >> name;
   const Folder* folder = find_folder(name);
   if (!folder) {
-    violations.push_back(path + ": " + name + " is no folder of DESIGN.md");
+    violations.push_back(path + ": " + name + " is no folder of the house");
     return;
   }
   bool linking = false;

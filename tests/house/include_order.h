@@ -11,7 +11,7 @@ struct SourceFile {
   std::string text;
 };
 
-/// What breaks the order of folders that DESIGN.md, "The house", lays down: one sentence each, such
+/// What breaks the order of folders that src/README.md lays down: one sentence each, such
 /// as "src/core/pose.h:3: core must not use geometry". `files` is the whole of src and render, so
 /// an include that names none of them is reported as well. Only .h and .cpp files are read for
 /// includes.

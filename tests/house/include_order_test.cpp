@@ -73,8 +73,8 @@ TEST(IncludeOrder, AFileOutsideTheFoldersIsCaught) {
                                   {"src/util/misc.h", ""},
                                   {"src/gl/context.h", ""}}),
               ElementsAre("src/loose.cpp: lies in no folder",
-                          "src/util/misc.h: src/util is no folder of DESIGN.md",
-                          "src/gl/context.h: src/gl is no folder of DESIGN.md"));
+                          "src/util/misc.h: src/util is no folder of the house",
+                          "src/gl/context.h: src/gl is no folder of the house"));
 }
 
 TEST(IncludeOrder, LinkingAFolderToTheRightIsCaught) {

@@ -85,7 +85,7 @@ std::vector<std::string> long_files(const std::vector<SourceFile>& files, long l
   return found;
 }
 
-constexpr long kMostLines = 450;  // STYLE.md looks for a seam at 300
+constexpr long kMostLines = 450;  // around 300, look for a seam
 
 TEST(Tidiness, NoFileIsLong) {
   EXPECT_THAT(long_files(read_house(kRoot), kMostLines), IsEmpty());

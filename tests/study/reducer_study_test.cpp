@@ -104,7 +104,7 @@ TEST(ReducerStudy, WhoKeepsNoAreaHasFailedAndLostAllOfIt) {
   EXPECT_GT(failed, 0);  // extremes, of narrow patches that lie aslant
 }
 
-// coherent.h promises 95% of the reference, which is at least half of the best for four points;
+// coherent.cpp promises 95% of the reference, which is at least half of the best for four points;
 // with ids to keep it loses more than without, and both are far from the bound.
 TEST(ReducerStudy, CoherentIsMeasuredWithAndWithoutItsMemory) {
   const auto loss = [](const std::string& method) {
@@ -202,7 +202,7 @@ TEST(Studies, AreNamedAndSummarised) {
 }
 
 /// Shares of the best area and percent of polygons with the deepest kept, at 8 and 16 points: what
-/// the engines themselves did on other elliptical polygons (PEERS.md, from their programs).
+/// the engines themselves did on other elliptical polygons, measured with their programs.
 struct EngineMeans {
   const char* name;
   double area[2], deepest[2];
