@@ -78,14 +78,15 @@ TEST(IncludeOrder, AFileOutsideTheFoldersIsCaught) {
 }
 
 TEST(IncludeOrder, LinkingAFolderToTheRightIsCaught) {
-  EXPECT_THAT(link_violations(
-                  {{"src/core/CMakeLists.txt",
-                    "contactscope_folder(core\n  SOURCES a.cpp query.cpp\n  LINK Eigen3::Eigen "
-                    "contactscope::manifold)"},
-                   {"render/draw/CMakeLists.txt",
-                    "contactscope_folder(draw SOURCES a.cpp LINK contactscope::core PRIVATE_LINK contactscope::scenario)"}}),
-              ElementsAre("src/core/CMakeLists.txt: core must not link manifold",
-                          "render/draw/CMakeLists.txt: draw must not link scenario"));
+  EXPECT_THAT(
+      link_violations({{"src/core/CMakeLists.txt",
+                        "contactscope_folder(core\n  SOURCES a.cpp query.cpp\n  LINK Eigen3::Eigen "
+                        "contactscope::manifold)"},
+                       {"render/draw/CMakeLists.txt",
+                        "contactscope_folder(draw SOURCES a.cpp LINK contactscope::core "
+                        "PRIVATE_LINK contactscope::scenario)"}}),
+      ElementsAre("src/core/CMakeLists.txt: core must not link manifold",
+                  "render/draw/CMakeLists.txt: draw must not link scenario"));
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ TEST(NamedFiles, LinksOfADocumentLeadFromItsFolder) {
               IsEmpty());
   EXPECT_THAT(missing("![b](a/b.png)\n"),
               ElementsAre("src/README.md:1: there is no file src/a/b.png"));
+  EXPECT_THAT(missing("write `src/reduce/NAME.cpp`\n"), IsEmpty());
   EXPECT_THAT(missing("as `none.h` has it\n"),
               ElementsAre("src/README.md:1: there is no file none.h"));
 }
