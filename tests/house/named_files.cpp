@@ -23,7 +23,9 @@ std::string words_of(const std::string& path, const std::string& line) {
   const bool hash = path.ends_with(".toml") || path.ends_with("CMakeLists.txt");
   if (!source && !hash) return {};
   const std::size_t start = line.find(source ? "//" : "#");
-  return start == std::string::npos ? std::string() : line.substr(start);
+  if (start == std::string::npos) return {};
+  const bool in_text = source && std::count(line.begin(), line.begin() + long(start), '"') % 2 == 1;
+  return in_text ? std::string() : line.substr(start);
 }
 
 /// NAME.cpp and collide_A_B.cpp stand for what a reader is to write.
