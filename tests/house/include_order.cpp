@@ -104,7 +104,7 @@ void check_links(const std::string& path, std::istringstream words,
     const bool ours = linking && word.starts_with(kOurs);
     const Folder* used = ours ? find_folder(std::string_view(word).substr(kOurs.size())) : nullptr;
     if (used && !may_use(*folder, *used)) {
-      violations.push_back(path + ": " + name + " must not link " + word);
+      violations.push_back(path + ": " + name + " must not link " + std::string(used->name));
     }
   }
 }

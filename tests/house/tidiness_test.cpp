@@ -55,7 +55,9 @@ TEST(Tidiness, PackagesStandOneALine) {
   constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyz0123456789+.-";
   std::set<std::string> seen;
   for (const std::string& line : lines) {
-    EXPECT_EQ(line.find_first_not_of(kLetters), std::string::npos) << line;
+    // A question mark behind a package says that a distribution may lack it.
+    const std::string name = line.ends_with('?') ? line.substr(0, line.size() - 1) : line;
+    EXPECT_EQ(name.find_first_not_of(kLetters), std::string::npos) << line;
     EXPECT_TRUE(seen.insert(line).second) << line << " is listed twice";
   }
 }
