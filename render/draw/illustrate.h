@@ -10,9 +10,6 @@ namespace contactscope::draw {
 /// again. The same frame gives the same drawing.
 Drawing illustrate(const Staging& staging, const trace::Frame& frame);
 
-/// What the legend of a frame explains, in its order.
-std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame);
-
 /// The part before pixels: what the view's layers add for this frame, in the world.
 Sketch sketch_frame(const Staging& staging, const trace::Frame& frame);
 

@@ -1,46 +1,61 @@
 #include "draw/stages_shown.h"
 
-#include <algorithm>
-#include <string>
+#include "draw/layers/layer.h"
 
 namespace contactscope::draw {
 namespace {
 
-template <class Word>
-bool shows_any(const View& view, std::initializer_list<Word> words) {
-  return std::ranges::any_of(words, [&](Word word) { return view.shows(word); });
+using Stage = bool trace::Stages::*;
+
+std::vector<Stage> needs_of(Panel panel) {
+  using trace::Stages;
+  switch (panel) {
+    case Panel::Summary:
+      return {&Stages::sat, &Stages::reduction};
+    case Panel::ContactPlane:
+      return {&Stages::clip, &Stages::reduction};
+    case Panel::AxisHistory:
+      return {&Stages::sat};
+    case Panel::Stability:
+      return {&Stages::stability};
+    case Panel::Plots:
+      return {};
+    case Panel::Minkowski:
+      return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
+    case Panel::GaussMap:
+      return {&Stages::gauss_map, &Stages::sat};
+  }
+  return {};
+}
+
+std::vector<Stage> needs_of(Story story) {
+  using trace::Stages;
+  switch (story) {
+    case Story::None:
+      return {};
+    case Story::ClipSteps:
+      return {&Stages::clip};
+    case Story::GjkSteps:
+    case Story::EpaSteps:
+      return {&Stages::gjk, &Stages::penetration};
+  }
+  return {};
 }
 
 }  // namespace
 
 trace::Stages stages_shown(const std::vector<View>& views) {
   trace::Stages stages = trace::Stages::none();
+  const auto add = [&](const auto& needs) {
+    for (const Stage stage : needs) {
+      if (stage != nullptr) stages.*stage = true;
+    }
+  };
   for (const View& view : views) {
-    stages.sat = stages.sat ||
-                 shows_any(view, {Layer::SatAxes, Layer::ContactAxis, Layer::Contacts}) ||
-                 shows_any(view, {Panel::Summary, Panel::AxisHistory});
-    stages.clip = stages.clip || view.story == Story::ClipSteps ||
-                  shows_any(view, {Layer::ReferenceFace, Layer::IncidentFace, Layer::SidePlanes,
-                                   Layer::ClipPolygons, Layer::Dropped, Layer::Coherent}) ||
-                  shows_any(view, {Panel::ContactPlane});
-    const bool minkowski = shows_any(view, {Panel::Minkowski});
-    const bool gauss_map = shows_any(view, {Panel::GaussMap});
-    const bool steps = minkowski || view.story == Story::GjkSteps ||
-                       view.story == Story::EpaSteps ||
-                       shows_any(view, {Layer::Simplex, Layer::Core});
-    stages.minkowski = stages.minkowski || minkowski;
-    // Where shapes are apart, what kept them apart says where the gap is.
-    stages.gjk = stages.gjk || steps || shows_any(view, {Layer::Contacts});
-    stages.penetration = stages.penetration || steps;
-    stages.gauss_map = stages.gauss_map || gauss_map;
-    stages.sat = stages.sat || gauss_map;
-    stages.tree = stages.tree || shows_any(view, {Layer::Tree});
-    stages.stability = stages.stability || shows_any(view, {Layer::CenterOfMass, Layer::Support}) ||
-                       shows_any(view, {Panel::Stability});
-    stages.reduction =
-        stages.reduction || view.kind == ViewKind::ContactPlane ||
-        shows_any(view, {Layer::Contacts, Layer::Reduced, Layer::Ids, Layer::Coherent}) ||
-        shows_any(view, {Panel::Summary, Panel::ContactPlane});
+    for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
+    for (const Panel panel : view.panels) add(needs_of(panel));
+    add(needs_of(view.story));
+    stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
   }
   return stages;
 }

@@ -1,12 +1,12 @@
 #include "draw/staging.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <numbers>
 
-#include "draw/illustrate.h"
+#include "draw/picture_legend.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/plane_patch.h"
 #include "draw/scene/view_fit.h"
 
@@ -28,112 +28,130 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-Vec3d up_axis(const trace::Header& header) {
-  return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-}
-
 // From the front right and a little above.
 Vec3d default_direction(const trace::Header& header) {
   return header.up == "z" ? Vec3d(0.62, -1.0, 0.5).normalized()
                           : Vec3d(0.62, 0.5, 1.0).normalized();
 }
 
-struct Subject {
-  std::vector<Vec3d> points;
+/// Points of a sequence that a picture must hold. One that has not moved since the frame before
+/// stands there already.
+class Cloud {
+ public:
+  void add(std::vector<Vec3d> frame) {
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (i >= last_.size() || frame[i] != last_[i]) points_.push_back(frame[i]);
+    }
+    last_ = std::move(frame);
+  }
+  std::vector<Vec3d> take() { return std::move(points_); }
+
+ private:
+  std::vector<Vec3d> points_, last_;
+};
+
+/// What a sequence asks of a camera, gathered in one pass over its frames.
+struct Extent {
+  std::vector<Vec3d> shapes;     // all of them
+  std::vector<Vec3d> uncropped;  // what a picture cannot crop as it may a box; see below
+  std::vector<Vec3d> bodies;     // all but floors; only where there is nothing of `uncropped`
+  std::vector<Vec3d> contact;    // its patches
   Vec3d normal = Vec3d::Zero();  // of the contact, to the viewer's side; zero when there is none
 };
 
 // The contact's normal, to the side from which it is looked at; either one, unless a half-space
 // would then hide everything.
-Vec3d seen_side(const std::vector<ShapeMesh>& meshes, const trace::Frame& frame,
-                const trace::Pair& pair, const trace::Manifold& manifold, const Vec3d& usual) {
-  for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-    const std::string& name = shape.mesh->shape->name;
-    if ((name != pair.a && name != pair.b) || !shape.mesh->shape->half_space) continue;
-    return shape.pose.rotate(shape.mesh->shape->half_space->normal);
+Vec3d seen_side(const ShapeMeshes& meshes, const std::vector<PlacedShape>& placed,
+                const trace::Pair& pair, const Vec3d& normal, const Vec3d& usual) {
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const std::optional<std::size_t> place = meshes.find(*name);
+    if (!place || !meshes[*place].shape->half_space) continue;
+    return placed[*place].pose.rotate(meshes[*place].shape->half_space->normal);
   }
-  return manifold.normal.dot(usual) < 0 ? Vec3d(-manifold.normal) : manifold.normal;
+  return normal.dot(usual) < 0 ? Vec3d(-normal) : normal;
 }
 
-Subject contact_patches(const std::vector<trace::Frame>& frames,
-                        const std::vector<ShapeMesh>& meshes, const Vec3d& usual) {
-  Subject subject;
-  std::vector<Vec3d>& points = subject.points;
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        if (subject.normal.isZero())
-          subject.normal = seen_side(meshes, frame, pair, manifold, usual);
-        for (const trace::Point& point : manifold.points) points.push_back(point.position);
-      }
-      if (pair.reduction) {
-        for (const trace::Point& point : pair.reduction->points) points.push_back(point.position);
-      }
-      if (pair.clip) {
-        const trace::Polygon& incident = pair.clip->incident.polygon;
-        points.insert(points.end(), incident.begin(), incident.end());
-      }
-    }
+void add_contact(const trace::Pair& pair, std::vector<Vec3d>& points) {
+  for (const PairPoint& any : all_points(pair)) points.push_back(any.point->position);
+  if (pair.reduction) {
+    for (const trace::Point& point : pair.reduction->points) points.push_back(point.position);
   }
-  if (points.empty()) return subject;
-  // A point contact has no size: what lies around it counts instead.
-  double smallest = std::numeric_limits<double>::max();
-  for (const ShapeMesh& mesh : meshes) smallest = std::min(smallest, mesh.radius);
-  const Vec3d center = center_of(points);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
-    points.push_back(center + reach);
-    points.push_back(center - reach);
+  if (pair.clip) {
+    const trace::Polygon& incident = pair.clip->incident.polygon;
+    points.insert(points.end(), incident.begin(), incident.end());
   }
-  return subject;
 }
 
-Subject all_shapes(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
-  Subject subject;
+/// Of those shapes that are chosen, each whole.
+template <class Chosen>
+std::vector<Vec3d> points_of(const std::vector<PlacedShape>& placed, const Chosen& chosen) {
+  std::vector<Vec3d> points;
+  for (const PlacedShape& shape : placed) {
+    if (!chosen(*shape.mesh)) continue;
+    const std::vector<Vec3d> own = extent_points(shape);
+    points.insert(points.end(), own.begin(), own.end());
+  }
+  return points;
+}
+
+// Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known by
+// their outline alone, and the ground with all that is on it.
+Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
+              ShapeMeshes& meshes) {
+  const Vec3d usual = default_direction(header);
+  const double smallest = meshes.smallest_radius();
+  const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
+  const auto is_body = [&](const ShapeMesh& mesh) { return mesh.radius <= kLargeShape * smallest; };
+  const bool any_round = std::ranges::any_of(meshes, is_round);
+  std::map<std::size_t, PatchFit> patches;  // of planes
+  std::map<std::size_t, std::vector<Pose<double>>> poses;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (meshes[i].shape->half_space)
+      patches.try_emplace(i, *meshes[i].shape->half_space, up_axis(header));
+  }
+  Extent extent;
+  Cloud shapes, round, bodies;
   for (const trace::Frame& frame : frames) {
     const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
-    const auto add = [&](const std::vector<Vec3d>& points) {
-      subject.points.insert(subject.points.end(), points.begin(), points.end());
-    };
-    add(extent_points(placed));
-    for (const PlacedShape& shape : placed) {
-      if (shape.mesh->patch) add(patch_corners(shape));
+    std::vector<Vec3d> points = extent_points(placed);
+    for (auto& [i, patch] : patches) {
+      patch.add(placed[i].pose, points);
+      poses[i].push_back(placed[i].pose);
+    }
+    shapes.add(std::move(points));
+    if (any_round)
+      round.add(points_of(placed, is_round));
+    else
+      bodies.add(points_of(placed, is_body));
+    for (const trace::Pair& pair : frame.pairs) {
+      if (extent.normal.isZero() && !pair.manifolds.empty())
+        extent.normal = seen_side(meshes, placed, pair, pair.manifolds.front().normal, usual);
+      add_contact(pair, extent.contact);
     }
   }
-  return subject;
-}
-
-// What a picture cannot crop as it may a box: round shapes, which are known by their outline alone,
-// and the ground with all that is on it.
-Subject uncropped(const std::vector<trace::Frame>& frames, const std::vector<ShapeMesh>& meshes) {
-  if (std::ranges::any_of(meshes, [](const ShapeMesh& mesh) { return mesh.patch.has_value(); })) {
-    return all_shapes(frames, meshes);
-  }
-  Subject subject;
-  for (const trace::Frame& frame : frames) {
-    for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-      if (shape.mesh->shape->radius == 0) continue;
-      const std::vector<Vec3d> points = extent_points(shape);
-      subject.points.insert(subject.points.end(), points.begin(), points.end());
+  extent.shapes = shapes.take();
+  for (const auto& [i, patch] : patches) {
+    meshes[i].patch = patch.patch();
+    PlacedShape plane{&meshes[i], {}, {}};
+    Cloud corners;
+    for (const Pose<double>& pose : poses[i]) {
+      plane.pose = pose;
+      corners.add(patch_corners(plane));
     }
+    const std::vector<Vec3d> all = corners.take();
+    extent.shapes.insert(extent.shapes.end(), all.begin(), all.end());
   }
-  return subject;
-}
-
-// All but what is large beside the smallest shape.
-Subject without_floors(const std::vector<trace::Frame>& frames,
-                       const std::vector<ShapeMesh>& meshes) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const ShapeMesh& mesh : meshes) smallest = std::min(smallest, mesh.radius);
-  Subject subject;
-  for (const trace::Frame& frame : frames) {
-    for (const PlacedShape& shape : place_shapes(meshes, frame)) {
-      if (!(shape.mesh->radius <= kLargeShape * smallest)) continue;
-      const std::vector<Vec3d> points = extent_points(shape);
-      subject.points.insert(subject.points.end(), points.begin(), points.end());
-    }
+  extent.uncropped = patches.empty() ? round.take() : extent.shapes;
+  extent.bodies = bodies.take();
+  if (extent.contact.empty()) return extent;
+  // A point contact has no size: what lies around it counts instead.
+  const Vec3d center = center_of(extent.contact);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
+    extent.contact.push_back(center + reach);
+    extent.contact.push_back(center - reach);
   }
-  return subject;
+  return extent;
 }
 
 // Above the contact plane on the side of `normal`.
@@ -145,43 +163,40 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   return std::cos(radians(kElevation)) * along + std::sin(radians(kElevation)) * normal;
 }
 
-Camera fit_camera(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                  const std::vector<ShapeMesh>& meshes, const View& view, const Rect& viewport) {
-  const Subject everything = all_shapes(frames, meshes);
-  const Subject contact = contact_patches(frames, meshes, default_direction(header));
+std::vector<Vec3d> joined(std::vector<Vec3d> points, const std::vector<Vec3d>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
+Camera fit_camera(const trace::Header& header, const Extent& extent, const View& view,
+                  const Rect& viewport) {
   const double fov = radians(view.fov_degrees.value_or(kFieldOfView));
   const double half_height = std::tan(0.5 * fov);
   const double aspect = viewport.width / viewport.height;
 
   // Without a target of the view's own, the direction of its eye is from the middle of all.
-  Vec3d direction = viewing_direction(header, contact.normal);
+  Vec3d direction = viewing_direction(header, extent.normal);
   if (view.eye) {
-    direction = (*view.eye - view.target.value_or(center_of(everything.points))).normalized();
+    direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
   }
   const ViewAxes axes(direction, up_axis(header));
-  ViewFit best = fit_view(everything.points, axes, view.target, half_height, aspect, kShapesShare);
-  if (view.focus == Focus::Contact && !contact.points.empty()) {
-    ViewFit close = fit_view(contact.points, axes, view.target, half_height, aspect, kPatchShare);
-    Subject whole = uncropped(frames, meshes);
-    if (!whole.points.empty()) {
-      whole.points.insert(whole.points.end(), contact.points.begin(), contact.points.end());
-      const ViewFit around =
-          fit_view(whole.points, axes, view.target, half_height, aspect, kShapesShare);
+  const auto fit = [&](const std::vector<Vec3d>& points, double share) {
+    return fit_view(points, axes, view.target, half_height, aspect, share);
+  };
+  ViewFit best = fit(extent.shapes, kShapesShare);
+  if (view.focus == Focus::Contact && !extent.contact.empty()) {
+    ViewFit close = fit(extent.contact, kPatchShare);
+    if (!extent.uncropped.empty()) {
+      const ViewFit around = fit(joined(extent.uncropped, extent.contact), kShapesShare);
       close = {around.target, std::max(around.distance, close.distance)};
     } else {  // whole bodies, as long as the patch stays a third of the view
-      const ViewFit least =
-          fit_view(contact.points, axes, view.target, half_height, aspect, kLeastPatch);
-      Subject bodies = without_floors(frames, meshes);
-      bodies.points.insert(bodies.points.end(), contact.points.begin(), contact.points.end());
-      const ViewFit seen =
-          fit_view(bodies.points, axes, view.target, half_height, aspect, kShapesShare);
-      if (seen.distance <= least.distance)
+      const ViewFit seen = fit(joined(extent.bodies, extent.contact), kShapesShare);
+      if (seen.distance <= fit(extent.contact, kLeastPatch).distance)
         close = {seen.target, std::max(seen.distance, close.distance)};
     }
     // Not so near that the shapes are lost.
-    if (close.distance < best.distance) {
+    if (close.distance < best.distance)
       best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
-    }
   }
   if (view.eye) best.distance = (*view.eye - best.target).norm();
   const Vec3d eye = view.eye.value_or(best.target + best.distance * direction);
@@ -201,12 +216,10 @@ double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& vie
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
       if (by_age && pair.incremental) continue;
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        for (const trace::Point& point : manifold.points) {
-          const std::optional<Point2> at = camera.project(point.position);
-          if (!at || !camera.viewport().contains(*at)) continue;
-          deepest = std::max(deepest, -point.separation * camera.pixels_per_metre(point.position));
-        }
+      for (const PairPoint& any : all_points(pair)) {
+        const trace::Point& point = *any.point;
+        if (!camera.sees(point.position)) continue;
+        deepest = std::max(deepest, -point.separation * camera.pixels_per_metre(point.position));
       }
     }
   }
@@ -219,49 +232,48 @@ double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& vie
   return 10 * decade;
 }
 
+// For the legend of each frame the widths of its entries.
+std::vector<std::vector<float>> legend_widths(const Staging& staging,
+                                              const std::vector<trace::Frame>& frames) {
+  std::vector<std::vector<float>> widths;
+  for (const trace::Frame& frame : frames) {
+    std::vector<float> entries;
+    for (const LegendEntry& entry : legend_of(staging, frame))
+      entries.push_back(legend_entry_width(entry, staging.layout.scale));
+    if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
+  }
+  return widths;
+}
+
 }  // namespace
 
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& asked, int width, int height) {
+              const View& asked, int width, int height, const LayerTable& layers) {
   View view = asked;
   const std::vector<Panel> insets = take_insets(view);
-  std::vector<ShapeMesh> meshes;
-  for (const trace::Shape& shape : header.shapes) meshes.push_back(make_mesh(shape));
-  fit_patches(header, frames, meshes);
-
+  ShapeMeshes meshes(header.shapes);
+  const Extent extent = gather(header, frames, meshes);
+  const auto layout = [&](const std::vector<std::vector<float>>& widths) {
+    return make_layout(width, height, !view.panels.empty(), widths, insets.size());
+  };
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
-  // what each frame shows: sketch all frames with a camera that only has to exist.
-  const Layout without_legend = make_layout(width, height, !view.panels.empty(), {}, insets.size());
-  Staging staging{&header,
-                  view,
-                  meshes,
-                  without_legend,
-                  fit_camera(header, frames, meshes, view, without_legend.view),
-                  1,
-                  nullptr,
-                  {},
-                  {}};
+  // what each frame shows: explain all frames with a camera that only has to exist.
+  Staging staging{&header,           view,       &layers,
+                  std::move(meshes), layout({}), fit_camera(header, extent, view, layout({}).view)};
   if (view.kind == ViewKind::ContactPlane) {
     staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
                                                    reduced(frames), view.choices, width, height);
     return staging;
   }
-  staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
-  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout, view);
-  staging.insets = stage_insets(insets, staging, frames);
-  std::vector<std::vector<float>> widths;
-  for (const trace::Frame& frame : frames) {
-    std::vector<float> entries;
-    for (const LegendEntry& entry : legend_of(staging, frame)) {
-      entries.push_back(legend_entry_width(entry, staging.layout.scale));
-    }
-    if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
-  }
-  staging.layout = make_layout(width, height, !view.panels.empty(), widths, insets.size());
-  staging.camera = fit_camera(header, frames, meshes, view, staging.layout.view);
-  staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
-  staging.scales = fit_scales(meshes, frames, staging.camera, staging.layout, view);
-  staging.insets = stage_insets(insets, staging, frames);
+  const auto fit = [&] {
+    staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
+    staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view);
+    staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
+  };
+  fit();
+  staging.layout = layout(legend_widths(staging, frames));
+  staging.camera = fit_camera(header, extent, view, staging.layout.view);
+  fit();
   return staging;
 }
 

@@ -33,7 +33,7 @@ std::size_t marks(const Sketch& sketch, MarkKind kind) {
 
 std::vector<std::string> explained(const Sketch& sketch) {
   std::vector<std::string> all;
-  for (const LegendEntry& entry : sketch.legend) all.push_back(entry.text);
+  for (const LegendEntry& entry : sketch.legend.sorted()) all.push_back(entry.text);
   return all;
 }
 

@@ -6,8 +6,9 @@
 #include <random>
 
 #include "draw/illustrate.h"
-#include "draw/insets/simplex_steps.h"
+#include "draw/picture_legend.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/simplex_steps.h"
 #include "draw/stages_shown.h"
 #include "draw/staging.h"
 
@@ -101,11 +102,7 @@ struct Staged {
   }
   InsetPicture picture(std::size_t inset = 0) const {
     const trace::Frame& frame = frames.front();
-    const Scene scene{staging.view,   header,
-                      frame,          place_shapes(staging.meshes, frame),
-                      staging.camera, staging.depth_factor,
-                      staging.scales};
-    return sketch_inset(staging.insets[inset], scene);
+    return sketch_inset(staging.insets[inset], scene_of(staging, frame));
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
+#include "draw/picture_legend.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 #include "draw/stages_shown.h"
@@ -36,7 +37,7 @@ std::vector<std::string> labels(const Sketch& sketch) {
 
 std::vector<std::string> legend(const Sketch& sketch) {
   std::vector<std::string> texts;
-  for (const LegendEntry& entry : sketch.legend) texts.push_back(entry.text);
+  for (const LegendEntry& entry : sketch.legend.sorted()) texts.push_back(entry.text);
   return texts;
 }
 
@@ -154,7 +155,7 @@ TEST(IncrementalPicture, WithoutThoseFactsTheirLayersDrawNothing) {
   const Sketch sketch = scene.sketch();
   EXPECT_TRUE(sketch.lines.empty() && sketch.marks.empty() && sketch.arrows.empty());
   EXPECT_TRUE(sketch.labels.empty() && sketch.curves.empty() && sketch.surfaces.empty());
-  EXPECT_TRUE(sketch.legend.empty());
+  EXPECT_TRUE(legend(sketch).empty());
 }
 
 TEST(StabilityPicture, CentreOfMassIsQuarteredAndDashedDownToItsProjection) {
@@ -190,16 +191,22 @@ TEST(StabilityPicture, StableBodySaysHowFarInsideAndHasNoAxis) {
 
 TEST(StabilityPicture, PanelIsExplainedWhereNoLayerShowsTheSame) {
   CrateOnSlab scene;
+  const auto picture_legend = [&] {
+    std::vector<std::string> texts;
+    for (const LegendEntry& entry : legend_of(scene.staged(), scene.frames[0]))
+      texts.push_back(entry.text);
+    return texts;
+  };
   scene.balance("turns about a line");
   scene.view.panels = {Panel::Stability};
-  EXPECT_THAT(legend(scene.sketch()),
+  EXPECT_THAT(picture_legend(),
               ElementsAre("support: a line between two points", "axis about which the body turns",
                           "margin: to the border of the support"));
   scene.pair().stability->margin = 0;  // in balance: there is no such arrow
-  EXPECT_THAT(legend(scene.sketch()),
+  EXPECT_THAT(picture_legend(),
               ElementsAre("support: a line between two points", "axis about which the body turns"));
   scene.view.layers = {Layer::Support};
-  EXPECT_THAT(legend(scene.sketch()),
+  EXPECT_THAT(picture_legend(),
               ElementsAre("support: a line between two points", "axis about which the body turns"));
 }
 

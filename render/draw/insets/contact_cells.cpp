@@ -5,7 +5,7 @@
 
 #include "draw/insets/choice_steps.h"
 #include "draw/scene/hatch.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/swatches.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -56,6 +56,46 @@ std::vector<Point2> pixels(const std::vector<Vec2d>& polygon) {
   return corners;
 }
 
+// The signs of the contact plane alone. Its legend stands in the order in which it is made.
+constexpr Swatch kKeptPolygonSwatch{LegendGroup::Points, 12, [](const SwatchPen& pen) {
+                                      pen.box(with_alpha(kContact, 0.16f), kContact, 2);
+                                    }};
+constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13, [](const SwatchPen& pen) {
+                                  draw_deepest_mark(pen.middle(), pen.layout(), 0.72, kNormal,
+                                                    pen.drawing());
+                                }};
+constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14,
+                                 [](const SwatchPen& pen) { pen.hatched(kDropped); }};
+constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15, [](const SwatchPen& pen) {
+                                      pen.box(with_alpha(kNormal, 0), kNormal, 1.6, true);
+                                    }};
+constexpr Swatch kAxesBoxSwatch{LegendGroup::Points, 16, [](const SwatchPen& pen) {
+                                  pen.box(with_alpha(kAxis, 0), kAxis, 2, true);
+                                }};
+constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](const SwatchPen& pen) {
+                                    pen.level_line(0, 22, 1.5, with_alpha(kDropped, 0.7f));
+                                  }};
+constexpr Swatch kOutsideTriangleSwatch{LegendGroup::Points, 18,
+                                        [](const SwatchPen& pen) { pen.hatched(kContact); }};
+constexpr Swatch kInsideTriangleSwatch{LegendGroup::Points, 19, [](const SwatchPen& pen) {
+                                         pen.box(with_alpha(kReferenceFace, 0.12f),
+                                                 with_alpha(kReferenceFace, 0.6f), 1.2, true);
+                                       }};
+// Two rows of a strip: one kept to the end, one given up for the other.
+constexpr Swatch kKeptIdsSwatch{LegendGroup::Points, 20, [](const SwatchPen& pen) {
+                                  const auto bar = [&](double from, double to, double top,
+                                                       const Color& color) {
+                                    const Point2 low = pen.at(from, top);
+                                    const float x1 = pen.at(to).x, y1 = low.y + pen.px(5);
+                                    pen.fill({low, {x1, low.y}, {x1, y1}, {low.x, y1}}, color);
+                                  };
+                                  constexpr Color kFaint = rgb(0xD5D8DC);
+                                  bar(0, 12, -6, kContact);
+                                  bar(12, 22, -6, kFaint);
+                                  bar(0, 12, 1, kFaint);
+                                  bar(12, 22, 1, kContact);
+                                }};
+
 }  // namespace
 
 ContactCells::ContactCells(const std::string& title, const std::string& source,
@@ -76,31 +116,31 @@ bool ContactCells::any_cell(const std::function<bool(const ContactCell&)>& holds
 std::vector<LegendEntry> ContactCells::legend() const {
   if (cell_count() == 0 || !detail_.legend) return {};
   if (choices_ > 0) return legend_of_choice();
-  std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"}};
+  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"}};
   const bool reduces =
       any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
-  if (reduces) entries.push_back({LegendKind::Reduced, "reduced away"});
-  entries.push_back({LegendKind::Kept, reduces ? "kept, in order of choice" : "kept"});
+  if (reduces) entries.push_back({&kReducedSwatch, "reduced away"});
+  entries.push_back({&kKeptSwatch, reduces ? "kept, in order of choice" : "kept"});
   if (any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); })) {
-    entries.push_back({LegendKind::Deepest, "deepest"});
+    entries.push_back({&kDeepestSwatch, "deepest"});
   }
   if (reduces) {
-    entries.push_back({LegendKind::KeptPolygon, "kept area"});
-    entries.push_back({LegendKind::LostArea, "lost area"});
+    entries.push_back({&kKeptPolygonSwatch, "kept area"});
+    entries.push_back({&kLostAreaSwatch, "lost area"});
   }
   if (any_cell([](const ContactCell& cell) { return cell.best.size() > 2; })) {
-    entries.push_back({LegendKind::BestPolygon, "best polygon"});
+    entries.push_back({&kBestPolygonSwatch, "best polygon"});
   }
-  if (any_cell(by_extremes)) entries.push_back({LegendKind::AxesBox, "box along the axes"});
-  if (moments_.size() > 1) entries.push_back({LegendKind::KeptIds, "ids kept, over the frames"});
+  if (any_cell(by_extremes)) entries.push_back({&kAxesBoxSwatch, "box along the axes"});
+  if (moments_.size() > 1) entries.push_back({&kKeptIdsSwatch, "ids kept, over the frames"});
   return entries;
 }
 
 /// What the shown choice was made by.
 std::vector<LegendEntry> ContactCells::legend_of_choice() const {
-  std::vector<LegendEntry> entries = {{LegendKind::ClipPolygon, "contact polygon"},
-                                      {LegendKind::PlainPoint, "contact point"},
-                                      {LegendKind::Kept, "kept, in order of choice"}};
+  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"},
+                                      {&kPlainPointSwatch, "contact point"},
+                                      {&kKeptSwatch, "kept, in order of choice"}};
   const auto shows = [&](const std::string& rule) {
     return any_cell([&](const ContactCell& cell) {
       const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
@@ -108,20 +148,20 @@ std::vector<LegendEntry> ContactCells::legend_of_choice() const {
     });
   };
   // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
-  const auto add = [&entries](LegendKind kind, const char* text) {
+  const auto add = [&entries](const Swatch& swatch, const char* text) {
     LegendEntry& entry = entries.emplace_back();
-    entry.kind = kind;
+    entry.swatch = &swatch;
     entry.text = text;
   };
   const bool grows = shows("outside") || shows("distance");
   if (shows("triangle") || grows) {
-    add(LegendKind::KeptPolygon, grows ? "triangle so far" : "largest triangle");
+    add(kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
   }
-  if (grows) add(LegendKind::OutsideTriangle, "added outside");
-  if (shows("outside")) add(LegendKind::InsideTriangle, "edge sees it inside");
-  if (shows("distance")) add(LegendKind::DecidingEdges, "distance to the edge");
+  if (grows) add(kOutsideTriangleSwatch, "added outside");
+  if (shows("outside")) add(kInsideTriangleSwatch, "edge sees it inside");
+  if (shows("distance")) add(kDecidingEdgesSwatch, "distance to the edge");
   if (shows("farthest") || shows("triangle") || grows) {
-    add(LegendKind::Candidate, "other candidates");
+    add(kCandidateSwatch, "other candidates");
   }
   return entries;
 }

@@ -11,6 +11,7 @@
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/layout.h"
+#include "draw/scene/legend.h"
 #include "trace/exploration.h"
 #include "trace/trace.h"
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "draw/insets/inset.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/shading.h"
 
@@ -16,6 +15,17 @@
 /// Gregorius 2015, "Capsule vs Hull".
 namespace contactscope::draw {
 namespace {
+
+constexpr Swatch kArcsOfASwatch{LegendGroup::Directions, 0,
+                                [](const SwatchPen& pen) { pen.level_line(0, 22, 2.5, kArcOfA); }};
+constexpr Swatch kArcsOfBSwatch{LegendGroup::Directions, 1,
+                                [](const SwatchPen& pen) { pen.dashes(2.5, kArcOfB); }};
+constexpr Swatch kCrossingSwatch{LegendGroup::Directions, 2,
+                                 [](const SwatchPen& pen) { pen.dot(0, 4.8, kAxis); }};
+constexpr Swatch kBestAxisSwatch{LegendGroup::Directions, 3, [](const SwatchPen& pen) {
+                                   pen.dot(0, 3.6, kAxisText);
+                                   pen.dot(6.2, 8.2, kAxisText);
+                                 }};
 
 constexpr Color kSphere = rgb(0xF3F4F6);
 constexpr int kArcSteps = 48;
@@ -101,7 +111,7 @@ class ShapeMap {
     const std::string name = is_a_ ? "A" : "−B";
     if (is_ring()) {
       draw_curve(camera, map_ring(*ring_axis_), true, sketch);
-      sketch.explain(kind(), "ring of " + name + "'s segment");
+      sketch.explain(swatch(), "ring of " + name + "'s segment");
       return;
     }
     for (const MapArc& arc : arcs_)
@@ -110,7 +120,7 @@ class ShapeMap {
       const Vec3d at = direction(face);
       if (camera.faces(at, at)) sketch.marks.push_back({MarkKind::Node, at, ink()});
     }
-    sketch.explain(kind(), "faces and edges of " + name);
+    sketch.explain(swatch(), "faces and edges of " + name);
   }
 
  private:
@@ -121,7 +131,7 @@ class ShapeMap {
 
   Vec3d direction(int face) const { return (is_a_ ? 1.0 : -1.0) * shape_.normal(face); }
   Color ink() const { return is_a_ ? kArcOfA : kArcOfB; }
-  LegendKind kind() const { return is_a_ ? LegendKind::ArcsOfA : LegendKind::ArcsOfB; }
+  const Swatch& swatch() const { return is_a_ ? kArcsOfASwatch : kArcsOfBSwatch; }
 
   // On a sphere a point is seen where its own normal faces the eye. Dashes part B's arcs from A's
   // where colour does not; what crosses nothing is faint, and what is behind fainter still.
@@ -190,7 +200,7 @@ void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch)
               "edge " + std::to_string(sat.edge->a) + " of A × edge " +
                   std::to_string(sat.edge->b) + " of B: " + spell_length(sat.edge->separation),
               sat.chosen == "edge_edge", camera, sketch);
-  sketch.explain(LegendKind::BestAxis, "best axis of a query, its separation");
+  sketch.explain(kBestAxisSwatch, "best axis of a query, its separation");
 }
 
 /// The direction that the picture is about; zero where there is none.
@@ -259,14 +269,14 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
     if (!inset.camera.faces(crossing.normal, crossing.normal)) continue;
     ++in_front;
     sketch.marks.push_back({MarkKind::Dot, crossing.normal, kAxis});
-    sketch.explain(LegendKind::Crossing, "arcs that cross");
+    sketch.explain(kCrossingSwatch, "arcs that cross");
   }
   if (pair->sat) {
     draw_best_axes(*pair->sat, inset.camera, sketch);
   } else if (!pair->manifolds.empty()) {
     draw_best(pair->manifolds.front().normal, "normal: " + spell_length(pair->separation), true,
               inset.camera, sketch);
-    sketch.explain(LegendKind::BestAxis, "the contact's normal, its separation");
+    sketch.explain(kBestAxisSwatch, "the contact's normal, its separation");
   }
   const std::size_t count = crossings.size();
   if (count > 0)

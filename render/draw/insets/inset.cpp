@@ -7,7 +7,6 @@
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
 #include "draw/scene/view_fit.h"
-#include "draw/staging.h"
 
 namespace contactscope::draw {
 namespace {
@@ -42,14 +41,14 @@ std::vector<Panel> take_insets(View& view) {
   return insets;
 }
 
-std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Staging& staging,
+std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& world_up,
+                                const Camera& camera, const Layout& layout,
                                 const std::vector<trace::Frame>& frames) {
-  const Vec3d world_up = staging.header->up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
   std::vector<Inset> insets;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const bool sphere = panels[i] == Panel::GaussMap;
-    const Rect viewport = viewport_of(staging.layout.insets[i], staging.layout);
-    Vec3d direction = staging.camera.right().cross(staging.camera.up());
+    const Rect viewport = viewport_of(layout.insets[i], layout);
+    Vec3d direction = camera.right().cross(camera.up());
     if (sphere) direction = gauss_map_direction(frames, direction);
     const double half_height = std::tan(0.5 * kInsetFieldOfView);
     const double aspect = viewport.width / viewport.height;
@@ -61,10 +60,10 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Staging&
                      half_height, aspect, kInsetShare);
       if (!(fit.distance > 0)) fit.distance = 1;  // nothing but the origin
     }
-    insets.push_back({panels[i], staging.layout.insets[i],
+    insets.push_back({panels[i], layout.insets[i],
                       Camera::perspective(fit.target + fit.distance * direction, fit.target,
                                           world_up, kInsetFieldOfView, viewport),
-                      staging.layout.scale});
+                      layout.scale});
   }
   return insets;
 }

@@ -13,8 +13,6 @@
 /// sphere of directions. A view asks for it by naming the panel.
 namespace contactscope::draw {
 
-struct Staging;
-
 struct Inset {
   Panel panel;      // Minkowski or GaussMap
   Rect frame;       // of the canvas, with its heading
@@ -32,8 +30,10 @@ struct InsetPicture {
 /// Takes the panels that are insets out of the view's, in their order.
 std::vector<Panel> take_insets(View& view);
 
-/// Fits a camera to all that an inset shows in a sequence. `layout.insets` are their places.
-std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Staging& staging,
+/// Fits a camera to all that an inset shows in a sequence, beside the view of `camera`.
+/// `layout.insets` are their places.
+std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& world_up,
+                                const Camera& camera, const Layout& layout,
                                 const std::vector<trace::Frame>& frames);
 
 InsetPicture sketch_inset(const Inset& inset, const Scene& scene);

@@ -3,9 +3,10 @@
 #include <set>
 
 #include "draw/insets/inset.h"
-#include "draw/insets/simplex_steps.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/simplex_steps.h"
+#include "draw/scene/solid.h"
+#include "draw/scene/swatches.h"
 #include "image/font.h"
 
 /// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
@@ -14,6 +15,20 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
+constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0, [](const SwatchPen& pen) {
+                                     pen.box(kDifference, kShapeEdge, 1.5);
+                                   }};
+constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1, [](const SwatchPen& pen) {
+                                  pen.box(with_alpha(kClipPolygon, 0.16f), kClipPolygon, 2);
+                                }};
+constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2, [](const SwatchPen& pen) {
+                                   pen.box(with_alpha(kReferenceFace, 0.06f), kReferenceFace, 1.2);
+                                 }};
+constexpr Swatch kNextOfSimplexSwatch{
+    LegendGroup::Differences, 5, [](const SwatchPen& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
+constexpr Swatch kNextOfPolytopeSwatch{
+    LegendGroup::Differences, 6, [](const SwatchPen& pen) { pen.dot(2.6, 4.8, kReferenceFace); }};
+
 constexpr std::size_t kManyFaces = 120;
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
 
@@ -90,7 +105,7 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
 void draw_next(const SimplexStep& step, Sketch& sketch) {
   if (!step.next) return;
   sketch.marks.push_back({MarkKind::Hollow, difference(*step.next), step_color(step)});
-  sketch.explain(step.polytope != nullptr ? LegendKind::NextOfPolytope : LegendKind::NextOfSimplex,
+  sketch.explain(step.polytope != nullptr ? kNextOfPolytopeSwatch : kNextOfSimplexSwatch,
                  "next support point");
 }
 
@@ -111,11 +126,11 @@ void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, 
   draw_next(step, sketch);
   const bool mpr = step.of == SimplexStep::Of::Mpr;
   if (count == 0) return;
-  sketch.explain(LegendKind::Simplex, mpr ? "portal and inner point" : "simplex");
+  sketch.explain(kSimplexSwatch, mpr ? "portal and inner point" : "simplex");
   if (mpr) return;
   const Vec3d nearest = nearest_to_origin(points);
   draw_distance(inset, nearest, nearest.norm(), "", smallest, sketch);
-  if (nearest.norm() > smallest) sketch.explain(LegendKind::Axis, "nearest point, its distance");
+  if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
 }
 
 void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
@@ -137,7 +152,7 @@ void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest,
     sketch.lines.push_back({at(from), at(to), {1.5f, with_alpha(kReferenceFace, 0.75f)}});
   for (const int corner : corners)
     sketch.marks.push_back({MarkKind::Core, at(corner), kReferenceFace});
-  sketch.explain(LegendKind::Polytope, "polytope");
+  sketch.explain(kPolytopeSwatch, "polytope");
   if (polytope.nearest < 0) return;
   const std::array<int, 3>& face = polytope.faces[static_cast<std::size_t>(polytope.nearest)];
   const std::vector<Vec3d> triangle = {at(face[0]), at(face[1]), at(face[2])};
@@ -145,12 +160,12 @@ void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest,
   for (std::size_t i = 0; i < 3; ++i)
     sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
   for (const int corner : face) draw_vertex(step, static_cast<std::size_t>(corner), sketch);
-  sketch.explain(LegendKind::ReferenceFace, "face nearest to the origin");
+  sketch.explain(kReferenceFaceSwatch, "face nearest to the origin");
   draw_next(step, sketch);
   const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
   draw_distance(inset, polytope.distance * normal, polytope.distance, step.last() ? "depth " : "",
                 smallest, sketch);
-  sketch.explain(LegendKind::Axis, "distance of its plane");
+  sketch.explain(kAxisSwatch, "distance of its plane");
 }
 
 /// Without steps of an algorithm the difference itself tells how far the origin is from its border:
@@ -170,7 +185,7 @@ void draw_border_distance(const Inset& inset, const trace::Minkowski& difference
   if (!nearest) return;
   draw_distance(inset, *nearest, nearest->norm(), held ? "depth " : "gap ", smallest, sketch);
   if (nearest->norm() > smallest)
-    sketch.explain(LegendKind::Axis, "from the origin to the nearest point of the border");
+    sketch.explain(kAxisSwatch, "from the origin to the nearest point of the border");
 }
 
 std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& step) {
@@ -223,7 +238,7 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     }
     const PlacedShape placed{&mesh, {}, solid.vertices};
     draw_solid(inset.camera, placed, kDifference, sketch);
-    sketch.explain(LegendKind::Difference, "B − A");
+    sketch.explain(kDifferenceSwatch, "B − A");
     Vec3d middle = Vec3d::Zero();
     for (const Vec3d& v : solid.vertices) middle += v / static_cast<double>(solid.vertices.size());
     sketch.center = middle;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "draw/scene/sketch.h"
-#include "draw/staging.h"
+#include "core/view.h"
+#include "draw/scene/legend.h"
 #include "trace/trace.h"
 
 /// What the legend has to say about the panels: it is one for the whole picture.
@@ -13,6 +13,6 @@ const trace::Pair* pair_of_contact_plane(const trace::Frame& frame);
 /// Whether that panel shows which points were kept; of many manifolds each was reduced by itself.
 bool reduction_in_contact_plane(const trace::Pair& pair);
 
-void explain_panels(const Staging& staging, const trace::Frame& frame, Sketch& sketch);
+void explain_panels(const View& view, const trace::Frame& frame, Legend& legend);
 
 }  // namespace contactscope::draw

@@ -205,12 +205,13 @@ void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane,
   if (support.size() > 1) pen.outline(support, 2.6, kClipPolygon);
   const Point2 projection = plane.at(stability.projection);
   draw_margin(projection, support, pen);
-  const auto dot = [&](const Vec3d& position, const std::string& state) {
+  const auto dot = [&](const Vec3d& position, PointState state) {
     draw_state_dot(state, plane.at(position), pen.px(kMapDot), kContact, pen.drawing());
   };
   if (pair.incremental) {
     for (const trace::PersistentPoint& point : pair.incremental->points) {
-      if (point.state != "broken") dot(point.point.position, point.state);
+      const PointState state = point_state(point.state);
+      if (state != PointState::Broken) dot(point.point.position, state);
     }
   } else {
     for (const trace::Manifold& manifold : pair.manifolds) {
@@ -218,7 +219,7 @@ void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane,
         if (has_ages_)
           draw_square(plane.at(point.position), pen.px(kMapSquare), kContact, pen.drawing());
         else
-          dot(point.position, "");
+          dot(point.position, PointState::New);
       }
     }
   }

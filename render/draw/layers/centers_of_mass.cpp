@@ -1,40 +1,54 @@
 #include <algorithm>
+#include <set>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/marks.h"
 
 namespace contactscope::draw {
+namespace {
+
+constexpr Swatch kCenterOfMassSwatch{LegendGroup::Masses, 0, [](const SwatchPen& pen) {
+                                       draw_quartered_disc(pen.middle(), pen.px(7.5), pen.px(1.4),
+                                                           pen.drawing());
+                                     }};
+
+/// Without a contact there is no plane to project into.
+bool is_projected(const trace::Pair& pair) {
+  return pair.stability && pair.stability->verdict != "no contact";
+}
 
 // Quartered discs, as drawings have them, and where a body's centre of mass lies over its contact.
 void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
-  std::vector<std::string> drawn;
-  bool projected = false;
+  std::set<std::string_view> drawn;
+  const auto draw = [&](const std::string& name, const Vec3d& center) {
+    if (drawn.insert(name).second) sketch.mark(MarkKind::Quartered, center, kNormal);
+  };
   for (const trace::Pair& pair : scene.frame.pairs) {
     if (!pair.stability) continue;
     const trace::Stability& stability = *pair.stability;
-    if (std::ranges::find(drawn, stability.shape) == drawn.end()) {
-      sketch.marks.push_back({MarkKind::Quartered, stability.center_of_mass, kNormal});
-      drawn.push_back(stability.shape);
-    }
-    if (stability.verdict == "no contact") continue;  // there is no plane to project into
-    projected = true;
-    sketch.lines.push_back(
-        {stability.center_of_mass, stability.projection, {4.0f, with_alpha(kWhite, 0.8f)}, false});
-    sketch.lines.push_back(
-        {stability.center_of_mass, stability.projection, {1.6f, kNormal, true}, true});
-    sketch.marks.push_back({MarkKind::SmallQuartered, stability.projection, kNormal});
+    draw(stability.shape, stability.center_of_mass);
+    if (!is_projected(pair)) continue;
+    sketch.bordered_line(stability.center_of_mass, stability.projection, {1.6f, kNormal, true},
+                         4.0f, with_alpha(kWhite, 0.8f));
+    sketch.mark(MarkKind::SmallQuartered, stability.projection, kNormal);
   }
-  if (scene.frame.solver) {
-    for (const trace::Body& body : scene.frame.solver->bodies) {
-      if (std::ranges::find(drawn, body.name) != drawn.end()) continue;
-      sketch.marks.push_back({MarkKind::Quartered, body.center_of_mass, kNormal});
-      drawn.push_back(body.name);
-    }
-  }
-  if (!drawn.empty()) {
-    sketch.explain(LegendKind::CenterOfMass,
-                   projected ? "centre of mass, and its projection" : "centre of mass");
-  }
+  for (const trace::Body& body : scene.bodies()) draw(body.name, body.center_of_mass);
 }
+
+void explain_centers_of_mass(const Scene& scene, Legend& legend) {
+  const std::vector<trace::Pair>& pairs = scene.frame.pairs;
+  const bool any = std::ranges::any_of(
+      pairs, [](const trace::Pair& pair) { return pair.stability.has_value(); });
+  if (!any && scene.bodies().empty()) return;
+  legend.explain(kCenterOfMassSwatch, std::ranges::any_of(pairs, is_projected)
+                                          ? "centre of mass, and its projection"
+                                          : "centre of mass");
+}
+
+}  // namespace
+
+const LayerDrawing kCenterOfMassLayer{.needs = {&trace::Stages::stability},
+                                      .beneath = draw_centers_of_mass,
+                                      .explain_frame = explain_centers_of_mass};
 
 }  // namespace contactscope::draw

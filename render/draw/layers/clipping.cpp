@@ -1,17 +1,25 @@
 #include <algorithm>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/pair_points.h"
+#include "draw/scene/swatches.h"
 
+/// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
+/// the other. The polygon of the last shown step is at full strength, earlier ones fade.
 namespace contactscope::draw {
 namespace {
 
 // Height of a drawn side plane, as a fraction of the reference face's size.
 constexpr double kPlaneHeight = 0.22;
 
-std::size_t steps_to_show(const Scene& scene, const trace::Clip& clip) {
-  if (scene.view.story != Story::ClipSteps) return clip.steps.size();
-  return std::min(clip.steps.size(), static_cast<std::size_t>(scene.frame.frame));
+constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](const SwatchPen& pen) {
+                                    pen.box(with_alpha(kSidePlane, 0.2f), kSidePlane, 1.2);
+                                  }};
+
+std::size_t steps_to_show(const Scene& scene, const trace::Pair& pair) {
+  if (!pair.clip) return 0;
+  if (scene.view.story != Story::ClipSteps) return pair.clip->steps.size();
+  return std::min(pair.clip->steps.size(), static_cast<std::size_t>(scene.frame.frame));
 }
 
 void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Sketch& sketch) {
@@ -21,67 +29,80 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Ske
   double size = 0;
   for (const Vec3d& p : face) size = std::max(size, (p - face[0]).norm());
   const Vec3d rise = 0.5 * kPlaneHeight * size * clip.reference.normal;
-  const std::vector<Vec3d> quad = {from - rise, to - rise, to + rise, from + rise};
-  sketch.surfaces.push_back({quad, with_alpha(kSidePlane, is_new ? 0.36f : 0.12f)});
-  sketch.outline(quad, {is_new ? 1.5f : 1.0f, with_alpha(kSidePlane, is_new ? 1.0f : 0.6f)});
-  Arrow outward;
-  outward.from = 0.5 * (from + to);
-  outward.direction = clip.steps[step].normal;
-  outward.pixels = 30;
-  outward.width = 1.5f;
-  outward.head = 8;
-  outward.color = with_alpha(kSidePlane, is_new ? 1.0f : 0.6f);
-  outward.halo = false;
-  sketch.arrows.push_back(outward);
-  sketch.explain(LegendKind::SidePlane, "side plane, outward normal");
+  const Color border = with_alpha(kSidePlane, is_new ? 1.0f : 0.6f);
+  sketch.face({from - rise, to - rise, to + rise, from + rise},
+              with_alpha(kSidePlane, is_new ? 0.36f : 0.12f), {is_new ? 1.5f : 1.0f, border});
+  sketch.arrows.push_back({.from = 0.5 * (from + to),
+                           .direction = clip.steps[step].normal,
+                           .pixels = 30,
+                           .to = std::nullopt,
+                           .width = 1.5f,
+                           .head = 8,
+                           .color = border,
+                           .halo = false});
+}
+
+void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::size_t shown = steps_to_show(scene, pair);
+  const bool story = scene.view.story == Story::ClipSteps;
+  for (std::size_t k = 0; k < shown; ++k)
+    draw_side_plane(*pair.clip, k, !story || k + 1 == shown, sketch);
+}
+
+void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::size_t shown = steps_to_show(scene, pair);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const trace::Polygon& polygon = pair.clip->steps[k].polygon;
+    const bool last = k + 1 == shown;
+    if (polygon.empty()) continue;
+    if (last) sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
+    sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
+  }
+}
+
+/// Points that the clipping took away for good, once all of its steps are shown.
+std::vector<trace::DroppedPoint> dropped_points(const Scene& scene, const trace::Pair& pair) {
+  if (!pair.clip || steps_to_show(scene, pair) < pair.clip->steps.size()) return {};
+  std::vector<trace::DroppedPoint> dropped = pair.clip->dropped;
+  std::erase_if(dropped, [&](const trace::DroppedPoint& point) { return is_kept(pair, point); });
+  return dropped;
 }
 
 }  // namespace
 
-bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
-  const Vec3d& normal = pair.clip->reference.normal;
-  const trace::Polygon& face = pair.clip->incident.polygon;
-  double size = 0;
-  for (const Vec3d& p : face) size = std::max(size, (p - face.front()).norm());
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    for (const trace::Point& point : manifold.points) {
-      const Vec3d way = dropped.position - point.position;
-      if ((way - way.dot(normal) * normal).norm() < 1e-5 * size) return true;
-    }
-  }
-  return false;
-}
+const LayerDrawing kSidePlanesLayer{
+    .needs = {&trace::Stages::clip},
+    .search = draw_side_planes,
+    .explain =
+        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
+          if (steps_to_show(scene, pair) > 0)
+            legend.explain(kSidePlaneSwatch, "side plane, outward normal");
+        },
+};
 
-// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
-// the other. The polygon of the last shown step is at full strength, earlier ones fade.
-void draw_clipping(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip) return;
-  const trace::Clip& clip = *pair.clip;
-  const std::size_t shown = steps_to_show(scene, clip);
-  const bool story = scene.view.story == Story::ClipSteps;
+const LayerDrawing kClipPolygonsLayer{
+    .needs = {&trace::Stages::clip},
+    .search = draw_clip_polygons,
+    .explain =
+        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
+          const std::size_t shown = steps_to_show(scene, pair);
+          if (shown > 0 && !pair.clip->steps[shown - 1].polygon.empty())
+            legend.explain(kClipPolygonSwatch, "clip polygon");
+        },
+};
 
-  if (scene.shows(Layer::SidePlanes)) {
-    for (std::size_t k = 0; k < shown; ++k) {
-      draw_side_plane(clip, k, !story || k + 1 == shown, sketch);
-    }
-  }
-  if (scene.shows(Layer::ClipPolygons)) {
-    for (std::size_t k = 0; k < shown; ++k) {
-      const trace::Polygon& polygon = clip.steps[k].polygon;
-      if (polygon.empty()) continue;
-      const bool last = k + 1 == shown;
-      if (last) sketch.explain(LegendKind::ClipPolygon, "clip polygon");
-      if (last) sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
-      sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
-    }
-  }
-  if (scene.shows(Layer::Dropped) && shown == clip.steps.size()) {
-    for (const trace::DroppedPoint& point : clip.dropped) {
-      if (is_kept(pair, point)) continue;
-      sketch.marks.push_back({MarkKind::Cross, point.position, kDropped});
-      sketch.explain(LegendKind::Dropped, point.reason);
-    }
-  }
-}
+const LayerDrawing kDroppedLayer{
+    .needs = {&trace::Stages::clip},
+    .search =
+        [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+          for (const trace::DroppedPoint& point : dropped_points(scene, pair))
+            sketch.mark(MarkKind::Cross, point.position, kDropped);
+        },
+    .explain =
+        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
+          for (const trace::DroppedPoint& point : dropped_points(scene, pair))
+            legend.explain(kDroppedSwatch, point.reason);
+        },
+};
 
 }  // namespace contactscope::draw

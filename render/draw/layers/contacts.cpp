@@ -1,150 +1,182 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/scene/palette.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/measure.h"
+#include "draw/scene/mesh_surface.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
+#include "draw/scene/swatches.h"
 #include "draw/scene/whisker.h"
 
+/// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
+/// where.
 namespace contactscope::draw {
 namespace {
 
-// More crosses than this would hide the polygon on which they stand.
-constexpr std::size_t kCrowd = 24;
+constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](const SwatchPen& pen) {
+                                  pen.whisker(2.5, kContact);
+                                  draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
+                                }};
+constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](const SwatchPen& pen) {
+                                pen.whisker(1.5, kContact);
+                                pen.dot(0, 4.8, kWhite);
+                                pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
+                                pen.dot(3.7, 4.8, kContact);
+                              }};
+constexpr Swatch kLineOfCentersSwatch{LegendGroup::Axes, 4,
+                                      [](const SwatchPen& pen) { pen.dashes(1.2, kShapeEdge); }};
 
-Vec3d middle_of(const std::vector<trace::Point>& points) {
+struct Ends {
+  Vec3d a, b;  // world, on the surfaces of A and of B
+};
+
+// The middle of all vertices that are as far along `direction` as the farthest one.
+std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction) {
+  if (shape.vertices.empty()) return std::nullopt;
+  double most = -1e300;
+  for (const Vec3d& v : shape.vertices) most = std::max(most, direction.dot(v));
   Vec3d sum = Vec3d::Zero();
-  for (const trace::Point& point : points) sum += point.position;
-  return sum / static_cast<double>(points.size());
-}
-
-// Pixels. Shorter, an arrow would hide behind the dots of its contact.
-constexpr double kLeastArrow = 8;
-
-// Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one that
-// points at the eye has not.
-bool has_room(const Camera& camera, const Vec3d& from, const Vec3d& direction, double pixels) {
-  const std::optional<Point2> a = camera.project(from);
-  const std::optional<Point2> b =
-      camera.project(from + pixels / camera.pixels_per_metre(from) * direction);
-  if (!a || !b || !camera.viewport().contains(*a)) return false;
-  const std::optional<Segment2> seen = clip_segment(camera.viewport(), *a, *b);
-  return seen && std::hypot(seen->to.x - a->x, seen->to.y - a->y) >= kLeastArrow;
-}
-
-// From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
-void draw_whisker(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
-                  const trace::Point& point, Sketch& sketch) {
-  const auto [from, to] = whisker_at(scene, pair, manifold, point);
-  const float width = stands_off(point, scene.scales) ? 1.5f : 2.5f;
-  sketch.lines.push_back({from, to, {2 * width, with_alpha(kWhite, 0.85f)}, false});
-  sketch.lines.push_back({from, to, {width, kContact}, true});
-}
-
-void draw_point(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
-                const trace::Point& point, Sketch& sketch) {
-  // Points that have an age are drawn by it, with the way between the places that met. Beside them
-  // a filled dot means a new point, which those of a one-shot manifold all are and none is.
-  const bool ages = scene.shows(Layer::Persistent);
-  if (ages && pair.incremental) return;
-  const bool apart = stands_off(point, scene.scales);
-  const std::string factor =
-      scene.depth_factor == 1 ? "" : " × " + spell_number(scene.depth_factor);
-  draw_whisker(scene, pair, manifold, point, sketch);
-  if (ages && !apart) {
-    sketch.marks.push_back({MarkKind::Square, point.position, kContact});
-    sketch.explain(LegendKind::OneShotPoint, "one-shot point, whisker = overlap" + factor);
-    return;
+  int count = 0;
+  for (const Vec3d& v : shape.vertices) {
+    if (most - direction.dot(v) > 1e-5 * shape.mesh->radius) continue;
+    sum += v;
+    ++count;
   }
-  sketch.marks.push_back({apart ? MarkKind::Apart : MarkKind::Dot, point.position, kContact});
-  if (apart) {
-    sketch.explain(LegendKind::ApartPoint,
-                   "point within the margin, not touching: line = gap" + factor);
-  } else {
-    sketch.explain(LegendKind::Contact, "contact point, whisker = overlap" + factor);
-  }
+  return sum / count + shape.mesh->shape->radius * direction;
 }
 
-// The middle of the points. Of a single one, the arrow begins where a whisker that runs the same
-// way ends, for it would cover it.
-Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
-                      const trace::Manifold& manifold) {
-  const Vec3d middle = middle_of(manifold.points);
-  if (manifold.points.size() > 1 || !scene.shows(Layer::Contacts)) return middle;
-  const Whisker whisker = whisker_at(scene, pair, manifold, manifold.points.front());
-  const double ahead = std::max((whisker.on_a - middle).dot(manifold.normal),
-                                (whisker.on_b - middle).dot(manifold.normal));
-  return middle + std::max(0.0, ahead) * manifold.normal;
+// Along a known normal the gap is the pair's separation: from the shape whose vertex it was
+// measured to.
+std::optional<Ends> along(const PlacedShape& a, const PlacedShape& b, const Vec3d& normal,
+                          bool from_b, double gap) {
+  if (from_b) {
+    const std::optional<Vec3d> on_a = farthest(a, normal);
+    if (!on_a) return std::nullopt;
+    return Ends{*on_a, *on_a + gap * normal};
+  }
+  const std::optional<Vec3d> on_b = farthest(b, -normal);
+  if (!on_b) return std::nullopt;
+  return Ends{*on_b - gap * normal, *on_b};
+}
+
+bool is_sphere(const PlacedShape& shape) {
+  return shape.mesh->shape->radius > 0 && shape.vertices.size() == 1;
+}
+
+// What the trace says about where the shapes are nearest to each other, or what kept them apart.
+std::optional<Ends> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b) {
+  const double gap = pair.separation;
+  if (pair.gjk && pair.gjk->status == "separated" && pair.gjk->distance > 0) {
+    const Vec3d normal = (pair.gjk->point_b - pair.gjk->point_a) / pair.gjk->distance;
+    const double margin_a = pair.incremental ? pair.incremental->margin_a : 0;
+    const double margin_b = pair.incremental ? pair.incremental->margin_b : 0;
+    const double round_a = a.mesh->shape->radius, round_b = b.mesh->shape->radius;
+    return Ends{pair.gjk->point_a + (round_a > 0 ? round_a : margin_a) * normal,
+                pair.gjk->point_b - (round_b > 0 ? round_b : margin_b) * normal};
+  }
+  for (const bool of_a : {true, false}) {
+    const PlacedShape& plane = of_a ? a : b;
+    if (!plane.mesh->shape->half_space) continue;
+    const Vec3d outward = plane.pose.rotate(plane.mesh->shape->half_space->normal);
+    return along(a, b, of_a ? outward : Vec3d(-outward), !of_a, gap);
+  }
+  if (is_sphere(a) && is_sphere(b)) {
+    const Vec3d way = b.vertices[0] - a.vertices[0];
+    if (way.isZero()) return std::nullopt;
+    return along(a, b, way.normalized(), true, gap);
+  }
+  if (pair.sat) {
+    const trace::Sat& sat = *pair.sat;
+    if (sat.chosen == "face_a" && sat.face_a) return along(a, b, sat.face_a->normal, false, gap);
+    if (sat.chosen == "face_b" && sat.face_b) return along(a, b, sat.face_b->normal, true, gap);
+    if (sat.chosen == "edge_edge" && sat.edge)
+      return Ends{sat.edge->point_b - sat.edge->separation * sat.edge->normal, sat.edge->point_b};
+  }
+  if (pair.cache && pair.cache->hit && pair.cache->normal && pair.cache->axis != "edge_edge") {
+    return along(a, b, *pair.cache->normal, pair.cache->axis == "face_b", gap);
+  }
+  return std::nullopt;
+}
+
+/// How a point is drawn. Points that have an age are drawn by it, with the way between the places
+/// that met. Beside them a filled dot means a new point, which those of a one-shot manifold all are
+/// and none is.
+MarkKind mark_of(const Scene& scene, const trace::Point& point) {
+  if (stands_off(point, scene.scales)) return MarkKind::Apart;
+  return scene.shows(Layer::Persistent) ? MarkKind::Square : MarkKind::Dot;
+}
+
+std::vector<PairPoint> points_of(const Scene& scene, const trace::Pair& pair) {
+  if (pair.incremental && scene.shows(Layer::Persistent)) return {};
+  return kept_points(pair);
+}
+
+// Between the two surfaces where the gap is known and no other layer measures it.
+std::optional<Ends> measured_gap(const Scene& scene, const trace::Pair& pair) {
+  if (pair.state != "separated" || !(pair.separation > 0)) return std::nullopt;
+  const PlacedShape* a = scene.find(pair.a);
+  const PlacedShape* b = scene.find(pair.b);
+  return a == nullptr || b == nullptr ? std::nullopt : gap_of(pair, *a, *b);
+}
+
+// Gregorius 2015, "Sphere vs Sphere": all follows from the line between the centres.
+std::optional<Ends> line_of_centers(const Scene& scene, const trace::Pair& pair) {
+  const PlacedShape* a = scene.find(pair.a);
+  const PlacedShape* b = scene.find(pair.b);
+  if (a == nullptr || b == nullptr || !is_sphere(*a) || !is_sphere(*b)) return std::nullopt;
+  if (a->vertices[0].isApprox(b->vertices[0], 1e-6)) return std::nullopt;
+  return Ends{a->vertices[0], b->vertices[0]};
+}
+
+bool is_measured(const Scene& scene) {
+  return scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) ||
+         scene.shows(Layer::Simplex);
+}
+
+void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  for (const auto& [manifold, point] : points_of(scene, pair)) {
+    const MarkKind kind = mark_of(scene, *point);
+    // From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
+    const auto [from, to] = whisker_at(scene, pair, *manifold, *point);
+    const float width = kind == MarkKind::Apart ? 1.5f : 2.5f;
+    sketch.bordered_line(from, to, {width, kContact}, 2 * width);
+    sketch.mark(kind, point->position, kContact);
+  }
+  if (is_measured(scene)) return;
+  if (const auto centers = line_of_centers(scene, pair))
+    sketch.line(centers->a, centers->b, {1.2f, with_alpha(kShapeEdge, 0.8f), true});
+  if (const auto gap = measured_gap(scene, pair))
+    draw_gap(scene, gap->a, gap->b, pair.separation, 16, scene.camera.right(), sketch);
+}
+
+void explain_contacts(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  for (const auto& [manifold, point] : points_of(scene, pair)) {
+    const MarkKind kind = mark_of(scene, *point);
+    const std::string factor = spell_factor(scene.depth_factor);
+    if (kind == MarkKind::Apart)
+      legend.explain(kApartSwatch, "point within the margin, not touching: line = gap" + factor);
+    else if (kind == MarkKind::Square)
+      legend.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
+    else
+      legend.explain(kContactSwatch, "contact point, whisker = overlap" + factor);
+  }
+  if (is_measured(scene)) return;
+  if (line_of_centers(scene, pair))
+    legend.explain(kLineOfCentersSwatch, "line between the centres");
+  if (const auto gap = measured_gap(scene, pair)) explain_gap(scene, gap->a, gap->b, legend);
 }
 
 }  // namespace
 
-void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const bool many = pair.manifolds.size() > 2;  // a mesh's: arrows as long as usual would be a wood
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    if (manifold.points.empty()) continue;
-    Arrow normal;
-    normal.from = start_of_normal(scene, pair, manifold);
-    normal.direction = manifold.normal;
-    normal.pixels = many ? 44 : 78;
-    normal.width = many ? 2 : 3;
-    normal.head = many ? 9 : 13;
-    normal.color = kNormal;
-    if (!has_room(scene.camera, normal.from, normal.direction, normal.pixels)) continue;
-    sketch.arrows.push_back(normal);
-    sketch.explain(LegendKind::Normal, "normal, from A to B");
-  }
-}
-
-// Gregorius 2015, "Contact Points", "Contact Manifolds" and "Contact Point Reduction".
-void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (scene.shows(Layer::Normals)) draw_normals(scene, pair, sketch);
-  if (pair.manifolds.size() > 1) {  // each was reduced by itself, and the record holds one of these
-    for (const trace::Manifold& manifold : pair.manifolds) {
-      for (const trace::Point& point : manifold.points) {
-        if (scene.shows(Layer::Contacts)) draw_point(scene, pair, manifold, point, sketch);
-        if (scene.shows(Layer::Ids)) draw_id(point, sketch);
-      }
-    }
-    return;
-  }
-  if (pair.manifolds.empty() || pair.manifolds.front().points.empty()) return;
-
-  const trace::Manifold& manifold = pair.manifolds.front();
-  const bool reduced = scene.shows(Layer::Reduced) && pair.reduction &&
-                       pair.reduction->kept.size() < pair.reduction->points.size();
-  const std::vector<trace::Point>& all = pair.reduction ? pair.reduction->points : manifold.points;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::size_t choice = i;
-    bool kept = true;
-    if (pair.reduction) {
-      const std::vector<int>& chosen = pair.reduction->kept;
-      const auto found = std::find(chosen.begin(), chosen.end(), static_cast<int>(i));
-      kept = found != chosen.end();
-      choice = static_cast<std::size_t>(found - chosen.begin());
-    }
-    if (!kept) {  // no contact
-      if (!reduced) continue;
-      const bool crowded = all.size() - pair.reduction->kept.size() > kCrowd;
-      sketch.marks.push_back(
-          {crowded ? MarkKind::SmallCross : MarkKind::Cross, all[i].position, kDropped});
-      sketch.explain(LegendKind::Reduced, "reduced away");
-      continue;
-    }
-    if (scene.shows(Layer::Contacts)) draw_point(scene, pair, manifold, all[i], sketch);
-    if (reduced) {
-      sketch.marks.push_back({MarkKind::Ring, all[i].position, kContact});
-      sketch.labels.push_back({.at = all[i].position,
-                               .text = std::to_string(choice + 1),
-                               .color = kContact,
-                               .size = 20,
-                               .bold = true,
-                               .clearance = 14,
-                               .direction = std::nullopt});
-      sketch.explain(LegendKind::Kept, "kept, in order of choice");
-    }
-    if (scene.shows(Layer::Ids)) draw_id(all[i], sketch);
-  }
-}
+const LayerDrawing kContactsLayer{
+    .needs = {&trace::Stages::sat, &trace::Stages::gjk, &trace::Stages::reduction},
+    .beneath =
+        [](const Scene& scene, Sketch& sketch) {
+          if (!scene.shows(Layer::ReferenceFace)) draw_touched_triangles(scene, sketch);
+        },
+    .result = draw_contacts,
+    .explain = explain_contacts,
+    .explain_frame = explain_touched_triangles,
+};
 
 }  // namespace contactscope::draw

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "draw/layers/layer.h"
 #include "draw/scene/core_outline.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
+#include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
 /// are cores inflated by margins. The cores stay apart while the margins overlap, so that closest
@@ -20,6 +20,19 @@ constexpr LineStyle kCoreBack{1.0f, with_alpha(kReferenceFace, 0.35f), true,
                               LineStyle::Hidden::Same};
 constexpr LineStyle kRoundedSurface{2.0f, kReferenceFace};
 constexpr LineStyle kExtension{1.0f, with_alpha(kQuietText, 0.8f)};
+constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0, [](const SwatchPen& pen) {
+                               pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 1.8, true);
+                             }};
+constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](const SwatchPen& pen) {
+                                  pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 2);
+                                }};
+// A length between two ticks.
+constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](const SwatchPen& pen) {
+                                  pen.level_line(2, 20, 1.8, kReferenceFace);
+                                  for (const double at : {2.0, 20.0})
+                                    pen.line(pen.at(at, -4), pen.at(at, 4), 1.8, kReferenceFace);
+                                }};
+
 constexpr double kColumn = 30;  // pixels between the lines of one sum
 constexpr double kBeyondColumn = 7;
 constexpr double kLeastOfSum = 6;
@@ -32,7 +45,7 @@ void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin,
   };
   for (const CoreSolid::Edge& edge : core.edges) {
     const bool seen = front(edge.left) || front(edge.right);
-    sketch.lines.push_back({edge.from, edge.to, seen ? kCoreFront : kCoreBack});
+    sketch.line(edge.from, edge.to, seen ? kCoreFront : kCoreBack);
   }
   sketch.curves.push_back(
       {rounded_outline(core.corners, margin, scene.camera), kRoundedSurface, true});
@@ -72,17 +85,6 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
                   deepest->point.separation + margins};
 }
 
-Label sum_label(const Vec3d& at, const std::string& text, const Color& color, const Vec3d& away) {
-  return {.at = at,
-          .text = text,
-          .color = color,
-          .size = 16,
-          .bold = true,
-          .clearance = 8,
-          .direction = away,
-          .leader = false};
-}
-
 /// The lines of the sum stand side by side, each as long as what it tells.
 class SumOfMargins {
  public:
@@ -96,33 +98,26 @@ class SumOfMargins {
   /// `from` and `to` along the normal from A's core, metres.
   void arrow(int column, double from, double to, const Color& color, float width) {
     if (std::abs(to - from) < kLeastOfSum * pixel_) return;
-    Arrow arrow;
-    arrow.from = place(column, from);
-    arrow.to = place(column, to);
-    arrow.double_headed = true;
-    arrow.width = width;
-    arrow.head = 9;
-    arrow.color = color;
-    sketch_.arrows.push_back(arrow);
+    sketch_.arrows.push_back({.from = place(column, from),
+                              .to = place(column, to),
+                              .double_headed = true,
+                              .width = width,
+                              .color = color});
   }
   void line(int column, double from, double to, const Color& color) {
-    sketch_.lines.push_back(
-        {place(column, from), place(column, to), {5.0f, with_alpha(kWhite, 0.85f)}});
-    sketch_.lines.push_back({place(column, from), place(column, to), {2.2f, color}, true});
-    for (const double end : {from, to}) {
-      const Vec3d tick = 4 * pixel_ * side_;
-      sketch_.lines.push_back(
-          {place(column, end) - tick, place(column, end) + tick, {2.2f, color}});
-    }
+    sketch_.bordered_line(place(column, from), place(column, to), {2.2f, color}, 5.0f);
+    const Vec3d tick = 4 * pixel_ * side_;
+    for (const double end : {from, to})
+      sketch_.line(place(column, end) - tick, place(column, end) + tick, {2.2f, color});
   }
   void label(int column, double at, const std::string& text, const Color& color,
              const Vec3d& away) {
-    sketch_.labels.push_back(sum_label(place(column, at), text, color, away));
+    sketch_.label(place(column, at), text, color, 16, 8, away);
   }
   /// A thin line from one column to another at a height.
   void extend(int from, int to, double at) {
     const Vec3d beyond = kBeyondColumn * pixel_ * side_;
-    sketch_.lines.push_back({place(from, at), place(to, at) + beyond, kExtension});
+    sketch_.line(place(from, at), place(to, at) + beyond, kExtension);
   }
   const Vec3d& side() const { return side_; }
 
@@ -147,7 +142,6 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sum.label(0, 0.5 * distance,
               "cores overlap " + spell_length(-distance) + ", by " + pair.incremental->query,
               kAxisText, -sum.side());
-    sketch.explain(LegendKind::Axis, "overlap of the cores");
     return;
   }
   const double a = pair.incremental->margin_a, b = distance - pair.incremental->margin_b;
@@ -168,31 +162,56 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
             apart ? kAxisText : kContact, sum.side());
   sum.label(0, 0.5 * distance, "cores " + spell_length(distance) + " apart", kAxisText,
             -sum.side());
-  sketch.explain(LegendKind::Margins, "margins");
-  sketch.explain(LegendKind::Axis, apart
-                                       ? "distance of the cores, and the gap that the margins leave"
-                                       : "distance of the cores");
 }
 
-}  // namespace
+/// A shape of the pair, and the margin around its core.
+struct Inflated {
+  const PlacedShape* shape;
+  double margin;
+};
 
 // Round shapes show their cores already.
-void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.incremental) return;
-  bool any = false;
+std::vector<Inflated> inflated_hulls(const Scene& scene, const trace::Pair& pair) {
+  std::vector<Inflated> hulls;
+  if (!pair.incremental) return hulls;
   for (const bool of_a : {true, false}) {
     const double margin = of_a ? pair.incremental->margin_a : pair.incremental->margin_b;
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (shape == nullptr || margin <= 0 || shape->mesh->shape->radius > 0) continue;
     if (shape->mesh->shape->faces.empty() || shape->mesh->shape->type == "mesh") continue;
-    draw_hull_core(scene, *shape, margin, sketch);
-    any = true;
+    hulls.push_back({shape, margin});
   }
-  if (!any) return;
-  const double widest = std::max(pair.incremental->margin_a, pair.incremental->margin_b);
-  sketch.explain(LegendKind::Core, "core, " + spell_length(widest) + " within the faces");
-  sketch.explain(LegendKind::Rounded, "core and margin: the surface that touches");
-  draw_sum(scene, pair, sketch);
+  return hulls;
 }
+
+void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::vector<Inflated> hulls = inflated_hulls(scene, pair);
+  for (const auto& [shape, margin] : hulls) draw_hull_core(scene, *shape, margin, sketch);
+  if (!hulls.empty()) draw_sum(scene, pair, sketch);
+}
+
+void explain_cores(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  if (inflated_hulls(scene, pair).empty()) return;
+  const trace::Incremental& incremental = *pair.incremental;
+  const double widest = std::max(incremental.margin_a, incremental.margin_b);
+  legend.explain(kCoreSwatch, "core, " + spell_length(widest) + " within the faces");
+  legend.explain(kRoundedSwatch, "core and margin: the surface that touches");
+  const std::optional<CorePair> cores = core_pair(pair);
+  if (!cores) return;
+  if (cores->distance < 0) {
+    legend.explain(kAxisSwatch, "overlap of the cores");
+    return;
+  }
+  legend.explain(kMarginsSwatch, "margins");
+  const bool apart = cores->distance - incremental.margin_b >= incremental.margin_a;
+  legend.explain(kAxisSwatch, apart ? "distance of the cores, and the gap that the margins leave"
+                                    : "distance of the cores");
+}
+
+}  // namespace
+
+const LayerDrawing kCoreLayer{.needs = {&trace::Stages::gjk, &trace::Stages::penetration},
+                              .search = draw_cores,
+                              .explain = explain_cores};
 
 }  // namespace contactscope::draw

@@ -2,8 +2,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/pair_points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -26,43 +26,28 @@ void add_edges(std::string_view id, std::vector<std::pair<bool, int>>& edges) {
   }
 }
 
-}  // namespace
-
-void draw_id(const trace::Point& point, Sketch& sketch) {
-  sketch.labels.push_back({.at = point.position,
-                           .text = point.id,
-                           .color = kText,
-                           .size = 15,
-                           .bold = true,
-                           .clearance = 12,
-                           .direction = std::nullopt});
-}
-
-// Catto 2007, "Feature-Based Contact Points": the edges that an id consists of. Those of a mesh
-// count within a triangle, and a round shape has none that is seen.
-void draw_edge_names(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+// Catto 2007, "Feature-Based Contact Points": the ids, and the edges that they consist of, each
+// named beside it. Those of a mesh count within a triangle, and a round shape has none that is seen.
+void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  for (const PairPoint& kept : kept_points(pair))
+    sketch.label(kept.point->position, kept.point->id, kText, 15, 12);
   std::vector<std::pair<bool, int>> edges;
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    for (const trace::Point& point : manifold.points) add_edges(point.id, edges);
-  }
+  for (const PairPoint& any : all_points(pair)) add_edges(any.point->id, edges);
   if (edges.size() > kMostEdgeNames) return;
   for (const auto& [of_a, index] : edges) {
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
-    if (shape == nullptr) continue;
-    const trace::Shape& solid = *shape->mesh->shape;
-    if (solid.type == "mesh" || solid.radius > 0) continue;
-    if (index < 0 || static_cast<std::size_t>(index) >= solid.edges.size()) continue;
-    const std::array<int, 2>& ends = solid.edges[static_cast<std::size_t>(index)];
-    const Vec3d middle = 0.5 * (shape->vertices[static_cast<std::size_t>(ends[0])] +
-                                shape->vertices[static_cast<std::size_t>(ends[1])]);
-    sketch.labels.push_back({.at = middle,
-                             .text = (of_a ? "a:e" : "b:e") + std::to_string(index),
-                             .color = kQuietText,
-                             .size = 15,
-                             .bold = false,
-                             .clearance = 5,
-                             .direction = std::nullopt});
+    if (shape == nullptr || shape->mesh->shape->type == "mesh") continue;
+    const auto ends = shape->edge(index);
+    if (!ends || shape->mesh->shape->radius > 0) continue;
+    sketch
+        .label(0.5 * ((*ends)[0] + (*ends)[1]), (of_a ? "a:e" : "b:e") + std::to_string(index),
+               kQuietText, 15, 5)
+        .bold = false;
   }
 }
+
+}  // namespace
+
+const LayerDrawing kIdsLayer{.needs = {&trace::Stages::reduction}, .result = draw_ids};
 
 }  // namespace contactscope::draw

@@ -1,38 +1,41 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "draw/scene/palette.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/marks.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
 
+/// Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame, and
+/// how far the places that met have drifted apart.
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastAnchors = 12;  // pixels
 constexpr double kCovered = 8;        // pixels
 
-// Where the two places that met when the point was found are now.
-void draw_anchors(const Scene& scene, const trace::PersistentPoint& point, Sketch& sketch) {
-  const double factor = scene.scales.drift;
-  // As long as the dot is wide, they say nothing.
-  const double pixels = scene.camera.pixels_per_metre(point.point.position);
-  if (factor * pixels * (point.on_b - point.on_a).norm() < kLeastAnchors) return;
-  const Vec3d middle = 0.5 * (point.on_a + point.on_b);
-  const Vec3d from = middle + factor * (point.on_a - middle);
-  const Vec3d to = middle + factor * (point.on_b - middle);
-  sketch.lines.push_back({from, to, {3.5f, with_alpha(kWhite, 0.85f)}, false});
-  sketch.lines.push_back({from, to, {1.5f, kContact}, true});
-  for (const Vec3d& end : {from, to}) sketch.marks.push_back({MarkKind::Core, end, kContact});
-  sketch.explain(LegendKind::Anchors,
-                 factor == 1 ? "places that met, and how far they are apart now"
-                             : "places that met, now apart (× " + spell_number(factor) + ")");
-}
+template <PointState kState>
+constexpr Swatch kStateSwatch{
+    LegendGroup::Points, 5 + static_cast<int>(kState), [](const SwatchPen& pen) {
+      draw_state_dot(kState, pen.middle(), pen.px(4.8), kContact, pen.drawing());
+    }};
+constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](const SwatchPen& pen) {
+                                  pen.level_line(2, 20, 1.5, kContact);
+                                  for (const double at : {2.0, 20.0})
+                                    pen.disc(pen.at(at), 2.4, kContact);
+                                }};
 
-std::string state_of(const trace::PersistentPoint& point) {
-  if (point.state == "broken") return point.reason;
-  if (point.state == "new") return "new";
-  return std::to_string(point.age);
+struct Anchors {
+  Vec3d from, to;
+};
+
+// Where the two places that met when the point was found are now. As long as the dot is wide, they
+// say nothing.
+std::optional<Anchors> anchors_of(const Scene& scene, const trace::PersistentPoint& point) {
+  const double factor = scene.scales.drift;
+  const double pixels = scene.camera.pixels_per_metre(point.point.position);
+  if (factor * pixels * (point.on_b - point.on_a).norm() < kLeastAnchors) return std::nullopt;
+  const Vec3d middle = 0.5 * (point.on_a + point.on_b);
+  return Anchors{middle + factor * (point.on_a - middle), middle + factor * (point.on_b - middle)};
 }
 
 // Whether a point that holds is drawn over this one.
@@ -46,46 +49,64 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
          });
 }
 
-void draw_persistent_point(const Scene& scene, const trace::PersistentPoint& point, bool covered,
-                           Sketch& sketch) {
-  const bool broken = point.state == "broken";
-  const bool is_new = point.state == "new";
-  draw_anchors(scene, point, sketch);
-  sketch.marks.push_back({broken   ? covered ? MarkKind::WideRing : MarkKind::Hollow
-                          : is_new ? MarkKind::Dot
-                                   : MarkKind::Half,
-                          point.point.position, kContact});
-  if (broken) {
-    sketch.explain(LegendKind::BrokenPoint, "taken out, and why");
-  } else if (is_new) {
-    sketch.explain(LegendKind::NewPoint, "new point");
-  } else {
-    sketch.explain(LegendKind::PersistedPoint, "kept point, its age in frames");
+void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
+                           const trace::PersistentPoint& point, PointState state, Sketch& sketch) {
+  const Vec3d& at = point.point.position;
+  if (const auto anchors = anchors_of(scene, point)) {
+    sketch.bordered_line(anchors->from, anchors->to, {1.5f, kContact}, 3.5f);
+    sketch.mark(MarkKind::Core, anchors->from, kContact);
+    sketch.mark(MarkKind::Core, anchors->to, kContact);
   }
-  if (scene.shows(Layer::Ids) && !broken) return;  // its id stands there
-  sketch.labels.push_back({.at = point.point.position,
-                           .text = state_of(point),
-                           .color = broken ? kDropped : kContact,
-                           .size = broken ? 16.0f : 18.0f,
-                           .bold = !broken,
-                           .clearance = 12,
-                           .direction = std::nullopt});
+  if (state == PointState::Broken) {
+    sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
+    sketch.label(at, point.reason, kDropped, 16, 12).bold = false;
+    return;
+  }
+  const bool is_new = state == PointState::New;
+  sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
+  if (scene.shows(Layer::Ids)) return;  // its id stands there
+  sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 18, 12);
 }
 
-}  // namespace
-
-// Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame.
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.incremental) return;
   // One that was taken out is often where the new one is: what holds now is drawn over it, and it
   // is a ring around that.
   for (const bool broken : {true, false}) {
     for (const trace::PersistentPoint& point : pair.incremental->points) {
-      if ((point.state == "broken") != broken) continue;
-      const bool covered = broken && is_covered(scene, pair, point.point.position);
-      draw_persistent_point(scene, point, covered, sketch);
+      const PointState state = point_state(point.state);
+      if ((state == PointState::Broken) == broken)
+        draw_persistent_point(scene, pair, point, state, sketch);
     }
   }
 }
+
+void explain_persistent_points(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  if (!pair.incremental) return;
+  for (const trace::PersistentPoint& point : pair.incremental->points) {
+    const double factor = scene.scales.drift;
+    if (anchors_of(scene, point)) {
+      legend.explain(kAnchorsSwatch,
+                     factor == 1 ? "places that met, and how far they are apart now"
+                                 : "places that met, now apart (× " + spell_number(factor) + ")");
+    }
+    switch (point_state(point.state)) {
+      case PointState::New:
+        legend.explain(kStateSwatch<PointState::New>, "new point");
+        break;
+      case PointState::Persisted:
+        legend.explain(kStateSwatch<PointState::Persisted>, "kept point, its age in frames");
+        break;
+      case PointState::Broken:
+        legend.explain(kStateSwatch<PointState::Broken>, "taken out, and why");
+        break;
+    }
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kPersistentLayer{.result = draw_persistent_points,
+                                    .explain = explain_persistent_points};
 
 }  // namespace contactscope::draw

@@ -1,23 +1,38 @@
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/mesh_surface.h"
+#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 
 // Gregorius 2015, "Hull vs Hull: Face Contact".
-void draw_reference_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip || !scene.shows(Layer::ReferenceFace)) return;
-  const trace::Polygon& polygon = pair.clip->reference.polygon;
-  sketch.surfaces.push_back({polygon, with_alpha(kReferenceFace, 0.35f)});
-  sketch.outline(polygon, {3.0f, kReferenceFace});
-  sketch.explain(LegendKind::ReferenceFace, "reference face");
-}
+const LayerDrawing kReferenceFaceLayer{
+    .needs = {&trace::Stages::clip},
+    .beneath = draw_touched_triangles,
+    .search =
+        [](const Scene&, const trace::Pair& pair, Sketch& sketch) {
+          if (!pair.clip) return;
+          sketch.face(pair.clip->reference.polygon, with_alpha(kReferenceFace, 0.35f),
+                      {3.0f, kReferenceFace});
+        },
+    .explain =
+        [](const Scene&, const trace::Pair& pair, Legend& legend) {
+          if (pair.clip) legend.explain(kReferenceFaceSwatch, "reference face");
+        },
+    .explain_frame = explain_touched_triangles,
+};
 
-void draw_incident_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip || !scene.shows(Layer::IncidentFace)) return;
-  const trace::Polygon& polygon = pair.clip->incident.polygon;
-  sketch.surfaces.push_back({polygon, with_alpha(kIncidentFace, 0.35f)});
-  sketch.outline(polygon, {3.0f, kIncidentFace, true});
-  sketch.explain(LegendKind::IncidentFace, "incident face");
-}
+const LayerDrawing kIncidentFaceLayer{
+    .needs = {&trace::Stages::clip},
+    .search =
+        [](const Scene&, const trace::Pair& pair, Sketch& sketch) {
+          if (!pair.clip) return;
+          sketch.face(pair.clip->incident.polygon, with_alpha(kIncidentFace, 0.35f),
+                      {3.0f, kIncidentFace, true});
+        },
+    .explain =
+        [](const Scene&, const trace::Pair& pair, Legend& legend) {
+          if (pair.clip) legend.explain(kIncidentFaceSwatch, "incident face");
+        },
+};
 
 }  // namespace contactscope::draw

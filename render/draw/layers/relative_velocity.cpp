@@ -3,14 +3,18 @@
 #include <cmath>
 #include <cstdio>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/pair_points.h"
 
 namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastClosing = 4;  // pixels
+
+constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
+                              [](const SwatchPen& pen) { pen.open_arrow(2, kClipPolygon); }};
+constexpr Swatch kPartSwatch{LegendGroup::Motion, 2,
+                             [](const SwatchPen& pen) { pen.arrow(4, 11, kClipPolygon); }};
 
 // With the decimals that the fastest of the sequence has in three digits: what is left of it when
 // the contact has stopped it is then seen to be nothing.
@@ -23,43 +27,45 @@ std::string spell_closing(double speed, double fastest) {
   return (speed < 0 ? "−" : "") + std::string(text.data()) + " m/s";
 }
 
-}  // namespace
+bool is_seen(const Scene& scene, const trace::Point& point, const Vec3d& way) {
+  return way.norm() * scene.camera.pixels_per_metre(point.position) >= kLeastClosing;
+}
 
 // Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part along
 // the normal, which is all that the contact sees.
 void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
-  for (const trace::Manifold& manifold : pair.manifolds) {
-    for (const trace::Point& point : manifold.points) {
-      if (!point.relative_velocity) continue;
-      const Vec3d& before = point.relative_velocity->before;
-      const double speed = before.dot(manifold.normal);
-      const Vec3d whole = scales.velocity * before;
-      const Vec3d part = scales.velocity * speed * manifold.normal;
-      const double pixels = scene.camera.pixels_per_metre(point.position);
-      if (whole.norm() * pixels >= kLeastClosing) {
-        Arrow arrow = arrow_to_scale(point.position, whole, 2, 10, kClipPolygon);
-        arrow.open = true;
-        sketch.arrows.push_back(arrow);
-        sketch.explain(LegendKind::RelativeVelocity, "relative velocity at the contact");
-        sketch.lines.push_back({point.position + whole,
-                                point.position + part,
-                                {1.2f, kClipPolygon, true, LineStyle::Hidden::Same},
-                                false});
-      }
-      const bool visible = part.norm() * pixels >= kLeastClosing;
-      if (visible)
-        sketch.arrows.push_back(arrow_to_scale(point.position, part, 4, 14, kClipPolygon));
-      sketch.explain(LegendKind::NormalVelocity, "its part along the normal");
-      sketch.labels.push_back({.at = point.position + (visible ? part : Vec3d::Zero()),
-                               .text = spell_closing(speed, scales.closing),
-                               .color = rgb(0x00694D),
-                               .size = 18,
-                               .bold = true,
-                               .clearance = 12,
-                               .direction = scene.camera.right()});
+  for (const auto& [manifold, point] : all_points(pair)) {
+    if (!point->relative_velocity) continue;
+    const Vec3d& at = point->position;
+    const Vec3d& before = point->relative_velocity->before;
+    const double speed = before.dot(manifold->normal);
+    const Vec3d whole = scales.velocity * before;
+    const Vec3d part = scales.velocity * speed * manifold->normal;
+    if (is_seen(scene, *point, whole)) {
+      sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kClipPolygon));
+      sketch.arrows.back().open = true;
+      sketch.line(at + whole, at + part, {1.2f, kClipPolygon, true});
     }
+    const bool visible = is_seen(scene, *point, part);
+    if (visible) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kClipPolygon));
+    sketch.label(at + (visible ? part : Vec3d::Zero()), spell_closing(speed, scales.closing),
+                 rgb(0x00694D), 18, 12, scene.camera.right());
   }
 }
+
+void explain_relative_velocity(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  for (const auto& [manifold, point] : all_points(pair)) {
+    if (!point->relative_velocity) continue;
+    if (is_seen(scene, *point, scene.scales.velocity * point->relative_velocity->before))
+      legend.explain(kWholeSwatch, "relative velocity at the contact");
+    legend.explain(kPartSwatch, "its part along the normal");
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kRelativeVelocityLayer{.result = draw_relative_velocity,
+                                          .explain = explain_relative_velocity};
 
 }  // namespace contactscope::draw

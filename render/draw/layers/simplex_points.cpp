@@ -1,14 +1,18 @@
 #include <algorithm>
 
-#include "draw/insets/simplex_steps.h"
-#include "draw/scene/palette.h"
+#include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
+#include "draw/scene/simplex_steps.h"
 
 /// The support points on both shapes that a simplex, or the nearest face of a polytope, is the
 /// difference of. They bear the same numbers as its vertices.
 namespace contactscope::draw {
 namespace {
+
+constexpr Swatch kSimplexPointsSwatch{LegendGroup::Differences, 3,
+                                      [](const SwatchPen& pen) { pen.dot(0, 4.8, kClipPolygon); }};
+constexpr Swatch kFacePointsSwatch{LegendGroup::Differences, 4,
+                                   [](const SwatchPen& pen) { pen.dot(0, 4.8, kReferenceFace); }};
 
 /// A point of a shape, which may be in several vertices.
 struct SupportPoint {
@@ -32,67 +36,71 @@ std::vector<SupportPoint> points_of(const std::vector<trace::SimplexVertex>& ver
   return points;
 }
 
-}  // namespace
+/// What the layer shows: a simplex, or the nearest face of a polytope.
+struct Support {
+  SimplexStep step;
+  std::vector<trace::SimplexVertex> vertices;
+  std::vector<int> numbers;
+  bool of_polytope = false;
+};
+
+std::optional<Support> support_of(const Scene& scene, const trace::Pair& pair) {
+  const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, pair);
+  if (!step) return std::nullopt;
+  if (step->polytope == nullptr) return Support{*step, step->vertices, step->numbers};
+  if (step->polytope->nearest < 0) return std::nullopt;
+  Support support{*step, {}, {}, true};
+  for (const int corner :
+       step->polytope->faces[static_cast<std::size_t>(step->polytope->nearest)]) {
+    support.vertices.push_back(step->vertices[static_cast<std::size_t>(corner)]);
+    support.numbers.push_back(step->numbers[static_cast<std::size_t>(corner)]);
+  }
+  return support;
+}
 
 void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, pair);
-  if (!step) return;
-  std::vector<trace::SimplexVertex> vertices = step->vertices;
-  std::vector<int> numbers = step->numbers;
-  const bool epa = step->polytope != nullptr;
+  const std::optional<Support> support = support_of(scene, pair);
+  if (!support) return;
+  const bool epa = support->of_polytope;
   const Color color = epa ? kReferenceFace : kClipPolygon;
-  if (epa) {
-    if (step->polytope->nearest < 0) return;
-    vertices.clear();
-    numbers.clear();
-    for (const int corner :
-         step->polytope->faces[static_cast<std::size_t>(step->polytope->nearest)]) {
-      vertices.push_back(step->vertices[static_cast<std::size_t>(corner)]);
-      numbers.push_back(step->numbers[static_cast<std::size_t>(corner)]);
-    }
-  }
   for (const bool of_a : {true, false}) {
-    const std::vector<SupportPoint> points = points_of(vertices, numbers, of_a);
+    const std::vector<SupportPoint> points = points_of(support->vertices, support->numbers, of_a);
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = i + 1; j < points.size(); ++j)
-        sketch.lines.push_back({points[i].at, points[j].at, {2.5f, color}});
+        sketch.line(points[i].at, points[j].at, {2.5f, color});
       std::vector<int> in_order = points[i].numbers;
       std::ranges::sort(in_order);
       std::string text;
       for (const int number : in_order) text += (text.empty() ? "" : " ") + std::to_string(number);
-      sketch.marks.push_back({MarkKind::Dot, points[i].at, color});
-      sketch.labels.push_back({.at = points[i].at,
-                               .text = text,
-                               .color = color,
-                               .size = 17,
-                               .bold = true,
-                               .clearance = 10,
-                               .direction = std::nullopt});
+      sketch.mark(MarkKind::Dot, points[i].at, color);
+      sketch.label(points[i].at, text, color, 17, 10);
     }
   }
-  if (!vertices.empty())
-    sketch.explain(epa ? LegendKind::FacePoints : LegendKind::SimplexPoints,
-                   epa ? "support points of the nearest face" : "support points of the simplex");
-  if (!step->last()) return;
   const bool apart = !epa && pair.gjk && pair.gjk->status == "separated";
-  if (!epa && !apart) return;
+  if (!support->step.last() || (!epa && !apart)) return;
   const Vec3d& from = epa ? pair.penetration->point_a : pair.gjk->point_a;
   const Vec3d& to = epa ? pair.penetration->point_b : pair.gjk->point_b;
-  Arrow arrow;
-  arrow.from = from;
-  arrow.to = to;
-  arrow.double_headed = true;
-  arrow.width = 3;
-  arrow.color = kAxis;
-  sketch.arrows.push_back(arrow);
-  sketch.labels.push_back({.at = 0.5 * (from + to),
-                           .text = epa ? "depth " + spell_length(pair.penetration->depth)
-                                       : spell_length(pair.gjk->distance),
-                           .color = kAxisText,
-                           .size = 17,
-                           .bold = true,
-                           .clearance = 14,
-                           .direction = std::nullopt});
+  sketch.arrows.push_back(
+      {.from = from, .to = to, .double_headed = true, .width = 3, .color = kAxis});
+  sketch.label(
+      0.5 * (from + to),
+      epa ? "depth " + spell_length(pair.penetration->depth) : spell_length(pair.gjk->distance),
+      kAxisText, 17, 14);
 }
+
+void explain_simplex_points(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  const std::optional<Support> support = support_of(scene, pair);
+  if (!support || support->vertices.empty()) return;
+  if (support->of_polytope)
+    legend.explain(kFacePointsSwatch, "support points of the nearest face");
+  else
+    legend.explain(kSimplexPointsSwatch, "support points of the simplex");
+}
+
+}  // namespace
+
+const LayerDrawing kSimplexLayer{.needs = {&trace::Stages::gjk, &trace::Stages::penetration},
+                                 .search = draw_simplex_points,
+                                 .explain = explain_simplex_points};
 
 }  // namespace contactscope::draw

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "draw/layers/layer.h"
 #include "draw/scene/curved_arrow.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
+#include "draw/scene/support.h"
 
 namespace contactscope::draw {
 namespace {
@@ -15,8 +15,6 @@ constexpr double kFreeTurnRadius = 30;    // pixels, or
 constexpr double kFreeTurnShare = 0.085;  // of a small view
 constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
 constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
-constexpr double kShortMargin = 0.06;     // of the support: too short to be drawn
-constexpr const char* kFreeAxis = "axis about which the body turns";
 
 // Which way gravity, or whatever presses the bodies together, turns the body.
 Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
@@ -30,7 +28,6 @@ Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
 void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::array<Vec3d, 2>& ends = *pair.stability->axis;
   const Vec3d between = ends[1] - ends[0];
-  if (!(between.norm() > 0) || pair.manifolds.empty()) return;
   const Vec3d along = between.normalized();
   const PlacedShape* body = scene.find(pair.stability->shape);
   const double radius =
@@ -40,8 +37,7 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const double turn = pixels / scene.camera.pixels_per_metre(0.5 * (ends[0] + ends[1]));
   const double beyond = std::max({0.25 * between.norm(), kBeyondAxis * radius, kClearTurns * turn});
   const Vec3d from = ends[0] - beyond * along, to = ends[1] + beyond * along;
-  sketch.lines.push_back({from, to, {5.5f, with_alpha(kWhite, 0.85f)}, false});
-  sketch.lines.push_back({from, to, {2.5f, kNormal, true}, true});
+  sketch.bordered_line(from, to, {2.5f, kNormal, true}, 5.5f);
   // At the end that is farther from what else is drawn, so that the points stay free.
   const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
   const double inset = std::min(0.3 * beyond, 0.5 * turn);
@@ -53,14 +49,12 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
     draw_curved_arrow(scene.camera, place, way * axis, turn, 2 * std::numbers::pi * kFreeTurn, 2.5f,
                       kNormal, sketch);
   }
-  sketch.explain(LegendKind::FreeAxis, kFreeAxis);
 }
 
-void explain_support(const trace::Stability& stability, Sketch& sketch) {
-  if (stability.support.size() > 2)
-    sketch.explain(LegendKind::Support, "support: hull of the contact points");
-  if (stability.support.size() == 2)
-    sketch.explain(LegendKind::Support, "support: a line between two points");
+bool turns(const trace::Pair& pair) {
+  const trace::Stability& stability = *pair.stability;
+  return stability.axis && stability.verdict != "stable" && !pair.manifolds.empty() &&
+         (*stability.axis)[0] != (*stability.axis)[1];
 }
 
 std::string verdict_of(const trace::Stability& stability) {
@@ -70,8 +64,6 @@ std::string verdict_of(const trace::Stability& stability) {
   return stability.verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
 }
 
-}  // namespace
-
 // Gregorius 2015, "Incremental Manifold Stability": a body is stable while its centre of mass
 // projects into the manifold; before, it turns about what there is.
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -79,31 +71,22 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const trace::Stability& stability = *pair.stability;
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-  explain_support(stability, sketch);
   if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
-  if (stability.axis && stability.verdict != "stable") draw_free_axis(scene, pair, sketch);
+  if (turns(pair)) draw_free_axis(scene, pair, sketch);
   if (stability.support.empty()) return;
-  sketch.labels.push_back({.at = stability.projection,
-                           .text = verdict_of(stability),
-                           .color = kText,
-                           .size = 18,
-                           .bold = true,
-                           .clearance = 16,
-                           .direction = Vec3d(-scene.camera.up())});
+  sketch.label(stability.projection, verdict_of(stability), kText, 18, 16,
+               Vec3d(-scene.camera.up()));
 }
 
-void explain_stability_panel(const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.stability || pair.manifolds.empty()) return;
-  const trace::Stability& stability = *pair.stability;
-  if (stability.verdict == "no contact") return;
-  explain_support(stability, sketch);
-  if (stability.axis && stability.verdict != "stable")
-    sketch.explain(LegendKind::FreeAxis, kFreeAxis);
-  double reach = 0;
-  for (const Vec3d& corner : stability.support)
-    reach = std::max(reach, (corner - stability.projection).norm());
-  if (std::abs(stability.margin) > kShortMargin * reach)
-    sketch.explain(LegendKind::SupportMargin, "margin: to the border of the support");
-}
+}  // namespace
+
+const LayerDrawing kSupportLayer{
+    .needs = {&trace::Stages::stability},
+    .search = draw_support,
+    .explain =
+        [](const Scene&, const trace::Pair& pair, Legend& legend) {
+          if (pair.stability) explain_support(*pair.stability, turns(pair), legend);
+        },
+};
 
 }  // namespace contactscope::draw

@@ -1,11 +1,21 @@
 #include <algorithm>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/layers/layer.h"
+#include "draw/scene/swatches.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
 namespace {
+
+constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](const SwatchPen& pen) {
+                                pen.box(with_alpha(kNormal, 0), kNormal, 2);
+                              }};
+constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](const SwatchPen& pen) {
+                              pen.box(with_alpha(kSidePlane, 0), kSidePlane, 2.5);
+                            }};
+constexpr Swatch kMissSwatch{LegendGroup::Trees, 2, [](const SwatchPen& pen) {
+                               pen.box(with_alpha(kDropped, 0), kDropped, 1.5, true);
+                             }};
 
 /// The corner of a box by bits: 1 the upper x, 2 the upper y, 4 the upper z.
 Vec3d corner(const trace::Box& box, int bits) {
@@ -28,28 +38,28 @@ void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& s
         const bool flat = corner(box, other) == corner(box, 0);
         twice = twice || (flat && (bits & other) != 0);
       }
-      if (!twice) sketch.lines.push_back({pose.transform(from), pose.transform(to), style, false});
+      if (!twice) sketch.line(pose.transform(from), pose.transform(to), style);
     }
   }
 }
 
-}  // namespace
+const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
+  return pair.tree ? scene.find(pair.tree->shape) : nullptr;
+}
+
+bool has_triangle(const PlacedShape& mesh, int triangle) {
+  return triangle >= 0 && triangle < static_cast<int>(mesh.mesh->shape->faces.size());
+}
 
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.tree) return;
-  const trace::Tree& tree = *pair.tree;
-  const PlacedShape* mesh = scene.find(tree.shape);
+  const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
-  const int triangles = static_cast<int>(mesh->mesh->shape->faces.size());
-  for (const int candidate : tree.candidates) {
-    if (candidate < 0 || candidate >= triangles) continue;
-    const std::vector<Vec3d> polygon = mesh->polygon(candidate);
-    sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
-    sketch.outline(polygon, {1.5f, kClipPolygon, false});
-    sketch.explain(LegendKind::ClipPolygon, "candidate triangle");
+  for (const int candidate : pair.tree->candidates) {
+    if (!has_triangle(*mesh, candidate)) continue;
+    sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
   }
   // What was left out beneath what was entered, and the deepest last: it is what the query found.
-  std::vector<trace::TreeVisit> visits = tree.visits;
+  std::vector<trace::TreeVisit> visits = pair.tree->visits;
   std::ranges::stable_sort(visits, [](const auto& a, const auto& b) {
     return a.overlaps != b.overlaps ? b.overlaps : a.depth < b.depth;
   });
@@ -59,12 +69,27 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
         visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kSidePlane, inner ? 0.8f : 1)}
                        : LineStyle{1.5f, kDropped, true};
     outline(visit.box, mesh->pose, style, sketch);
-    sketch.explain(visit.overlaps ? LegendKind::TreeBox : LegendKind::TreeMiss,
+  }
+  outline(pair.tree->box, mesh->pose, {2.0f, kNormal}, sketch);
+}
+
+void explain_tree(const Scene& scene, const trace::Pair& pair, Legend& legend) {
+  const PlacedShape* mesh = mesh_of(scene, pair);
+  if (mesh == nullptr) return;
+  const trace::Tree& tree = *pair.tree;
+  const auto is_triangle = [&](int triangle) { return has_triangle(*mesh, triangle); };
+  if (std::ranges::any_of(tree.candidates, is_triangle))
+    legend.explain(kClipPolygonSwatch, "candidate triangle");
+  for (const trace::TreeVisit& visit : tree.visits) {
+    legend.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
                    visit.overlaps ? "box of the tree, entered" : "box left out, with all below");
   }
-  outline(tree.box, mesh->pose, {2.0f, kNormal}, sketch);
-  const std::string& other = tree.shape == pair.a ? pair.b : pair.a;
-  sketch.explain(LegendKind::TreeQuery, "box of " + other);
+  legend.explain(kQuerySwatch, "box of " + (tree.shape == pair.a ? pair.b : pair.a));
 }
+
+}  // namespace
+
+const LayerDrawing kTreeLayer{
+    .needs = {&trace::Stages::tree}, .search = draw_tree, .explain = explain_tree};
 
 }  // namespace contactscope::draw

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "draw/layers/layer.h"
 #include "draw/scene/curved_arrow.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
 
 namespace contactscope::draw {
 namespace {
@@ -15,78 +15,103 @@ constexpr double kLeastSpin = 0.12;         // radians, likewise
 constexpr double kSpinRadius = 0.42;        // of the body's radius
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
 
-std::string spell_time(double seconds) {
-  return spell_quantity(seconds, "s", 1);
+constexpr Swatch kVelocitySwatch{LegendGroup::Motion, 0,
+                                 [](const SwatchPen& pen) { pen.arrow(3.5, 11, kReferenceFace); }};
+// Three quarters of a turn.
+constexpr Swatch kSpinSwatch{
+    LegendGroup::Motion, 3, [](const SwatchPen& pen) {
+      constexpr int kSteps = 18;
+      const Point2 m = pen.middle();
+      const float r = pen.px(7);
+      const auto at = [&](int i) {
+        const float angle =
+            std::numbers::pi_v<float> * (0.3f + 1.5f * static_cast<float>(i) / kSteps);
+        return Point2{m.x + r * std::cos(angle), m.y - r * std::sin(angle)};
+      };
+      for (int i = 0; i + 1 < kSteps - 3; ++i) pen.path({at(i), at(i + 1)}, 2.5, kReferenceFace);
+      const Point2 tip = at(kSteps), back = at(kSteps - 4);
+      const Point2 across{0.6f * (tip.y - back.y), -0.6f * (tip.x - back.x)};
+      pen.fill(
+          {tip, {back.x + across.x, back.y + across.y}, {back.x - across.x, back.y - across.y}},
+          kReferenceFace);
+    }};
+
+// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn.
+
+double way_in_pixels(const Scene& scene, const trace::Body& body) {
+  return (scene.scales.velocity * body.velocity).norm() *
+         scene.camera.pixels_per_metre(body.center_of_mass);
 }
 
-void label_velocity(const Vec3d& at, const std::string& text, const Vec3d& direction,
-                    Sketch& sketch) {
-  sketch.labels.push_back({.at = at,
-                           .text = text,
-                           .color = kReferenceFace,
-                           .size = 16,
-                           .bold = true,
-                           .clearance = 9,
-                           .direction = direction});
+bool has_numbers(const Scene& scene) {
+  return scene.bodies().size() <= kLabelledBodies;
+}
+
+// One that is too short for an arrow still has a number beside those of others.
+bool is_told(const Scene& scene, const trace::Body& body) {
+  return way_in_pixels(scene, body) >= (has_numbers(scene) ? kLeastNamed : kLeastVelocity);
+}
+
+bool spins(const Scene& scene, const trace::Body& body) {
+  return body.angular_velocity.norm() * scene.scales.spin >= kLeastSpin;
+}
+
+void label_motion(const Vec3d& at, const std::string& text, const Vec3d& direction,
+                  Sketch& sketch) {
+  sketch.label(at, text, kReferenceFace, 16, 9, direction);
+}
+
+void draw_velocity(const Scene& scene, const trace::Body& body, Sketch& sketch) {
+  if (!is_told(scene, body)) return;
+  const Vec3d way = scene.scales.velocity * body.velocity;
+  const bool drawn = way_in_pixels(scene, body) >= kLeastVelocity;
+  if (drawn)
+    sketch.arrows.push_back(arrow_to_scale(body.center_of_mass, way, 3.5f, 13, kReferenceFace));
+  if (!has_numbers(scene)) return;
+  label_motion(drawn ? Vec3d(body.center_of_mass + way) : body.center_of_mass,
+               spell_quantity(body.velocity.norm(), "m/s"), way.normalized(), sketch);
+}
+
+void draw_spin(const Scene& scene, const trace::Body& body, Sketch& sketch) {
+  if (!spins(scene, body)) return;
+  const double spin = body.angular_velocity.norm();
+  const PlacedShape* shape = scene.find(body.name);
+  const double radius = kSpinRadius * (shape == nullptr ? 1 : shape->mesh->radius);
+  const Vec3d axis = body.angular_velocity / spin;
+  const Vec3d& center = body.center_of_mass;
+  sketch.line(center - 1.3 * radius * axis, center + 1.3 * radius * axis,
+              {1.5f, kReferenceFace, true});
+  draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kReferenceFace,
+                    sketch);
+  if (has_numbers(scene))
+    label_motion(center + 1.3 * radius * axis, spell_quantity(spin, "rad/s"), axis, sketch);
+}
+
+void draw_velocities(const Scene& scene, Sketch& sketch) {
+  for (const trace::Body& body : scene.bodies()) {
+    draw_velocity(scene, body, sketch);
+    draw_spin(scene, body, sketch);
+  }
+}
+
+void explain_velocities(const Scene& scene, Legend& legend) {
+  const auto in = [](double seconds) { return spell_quantity(seconds, "s", 1); };
+  for (const trace::Body& body : scene.bodies()) {
+    if (is_told(scene, body))
+      legend.explain(kVelocitySwatch, "velocity, way in " + in(scene.scales.velocity));
+    if (spins(scene, body)) legend.explain(kSpinSwatch, "spin, turn in " + in(scene.scales.spin));
+  }
 }
 
 // Beside the centre of mass.
-void draw_mass(const trace::Body& body, Sketch& sketch) {
-  sketch.labels.push_back({.at = body.center_of_mass,
-                           .text = spell_number(body.mass) + " kg",
-                           .color = kText,
-                           .size = 19,
-                           .bold = true,
-                           .clearance = 0,
-                           .direction = std::nullopt});
+void draw_masses(const Scene& scene, Sketch& sketch) {
+  for (const trace::Body& body : scene.bodies())
+    sketch.label(body.center_of_mass, spell_number(body.mass) + " kg", kText, 19, 0);
 }
 
 }  // namespace
 
-void draw_masses(const Scene& scene, Sketch& sketch) {
-  if (!scene.frame.solver) return;
-  for (const trace::Body& body : scene.frame.solver->bodies) draw_mass(body, sketch);
-}
-
-// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn.
-void draw_velocities(const Scene& scene, Sketch& sketch) {
-  if (!scene.frame.solver) return;
-  const std::vector<trace::Body>& bodies = scene.frame.solver->bodies;
-  const SequenceScales& scales = scene.scales;
-  for (const trace::Body& body : bodies) {
-    const Vec3d way = scales.velocity * body.velocity;
-    const double pixels = scene.camera.pixels_per_metre(body.center_of_mass);
-    if (way.norm() * pixels >= kLeastVelocity) {
-      sketch.arrows.push_back(arrow_to_scale(body.center_of_mass, way, 3.5f, 13, kReferenceFace));
-      if (bodies.size() <= kLabelledBodies) {
-        label_velocity(body.center_of_mass + way, spell_quantity(body.velocity.norm(), "m/s"),
-                       way.normalized(), sketch);
-      }
-      sketch.explain(LegendKind::Velocity, "velocity, way in " + spell_time(scales.velocity));
-    }
-    // One that is too short for an arrow still has a number beside those of others.
-    const double named = way.norm() * pixels;
-    if (named >= kLeastNamed && named < kLeastVelocity && bodies.size() <= kLabelledBodies) {
-      label_velocity(body.center_of_mass, spell_quantity(body.velocity.norm(), "m/s"),
-                     way.normalized(), sketch);
-      sketch.explain(LegendKind::Velocity, "velocity, way in " + spell_time(scales.velocity));
-    }
-    const double spin = body.angular_velocity.norm();
-    if (spin * scales.spin < kLeastSpin) continue;
-    const PlacedShape* shape = scene.find(body.name);
-    const double radius = kSpinRadius * (shape == nullptr ? 1 : shape->mesh->radius);
-    const Vec3d axis = body.angular_velocity / spin;
-    const LineStyle thin{1.5f, kReferenceFace, true, LineStyle::Hidden::Same};
-    sketch.lines.push_back({body.center_of_mass - 1.3 * radius * axis,
-                            body.center_of_mass + 1.3 * radius * axis, thin, false});
-    draw_curved_arrow(scene.camera, body.center_of_mass, axis, radius, spin * scales.spin, 3,
-                      kReferenceFace, sketch);
-    if (bodies.size() <= kLabelledBodies) {
-      label_velocity(body.center_of_mass + 1.3 * radius * axis, spell_quantity(spin, "rad/s"), axis,
-                     sketch);
-    }
-    sketch.explain(LegendKind::Spin, "spin, turn in " + spell_time(scales.spin));
-  }
-}
+const LayerDrawing kVelocitiesLayer{.above = draw_velocities, .explain_frame = explain_velocities};
+const LayerDrawing kMassesLayer{.above = draw_masses};
 
 }  // namespace contactscope::draw

@@ -96,6 +96,11 @@ std::optional<Point2> Camera::project(const Vec3d& point) const {
   return to_pixels(p);
 }
 
+bool Camera::sees(const Vec3d& point) const {
+  const std::optional<Point2> at = project(point);
+  return at && viewport_.contains(*at);
+}
+
 double Camera::pixels_per_metre(const Vec3d& point) const {
   return perspective_ ? scale_ / std::max(to_camera(point).z(), near_) : scale_;
 }

@@ -45,6 +45,8 @@ class Camera {
   Point2 to_pixels(const Vec3d& camera_space) const;
   /// World to pixels; nothing for points behind the near plane.
   std::optional<Point2> project(const Vec3d& point) const;
+  /// Whether a point is in front of the eye and inside of the viewport.
+  bool sees(const Vec3d& point) const;
   /// Pixels that one metre covers at right angles to the view at `point`.
   double pixels_per_metre(const Vec3d& point) const;
 

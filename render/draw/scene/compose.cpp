@@ -5,6 +5,7 @@
 #include "draw/scene/labels.h"
 #include "draw/scene/marks.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -38,14 +39,14 @@ class Composer {
       : sketch_(sketch),
         camera_(camera),
         layout_(layout),
-        out_(drawing),
+        pen_(drawing, layout.scale, 0),
         placer_(layout.view),
         hidden_(camera, sketch.occluders, sketch.shadows) {}
 
   void run() {
     for (const Surface& surface : depth_ordered(sketch_.surfaces, camera_, sketch_.bodies)) {
       std::vector<Point2> polygon = project_polygon(camera_, surface.polygon);
-      if (!polygon.empty()) out_.primitives.push_back(Fill{std::move(polygon), surface.color});
+      if (!polygon.empty()) pen_.fill(std::move(polygon), surface.color);
     }
     for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
@@ -87,16 +88,14 @@ class Composer {
     result.dash = px(dash);
     result.gap = px(gap);
     result.phase = phase;
-    out_.primitives.push_back(result);
+    pen_.drawing().primitives.push_back(result);
   }
 
   void draw_line(const Line& line) {
     const LineStyle& style = line.style;
-    if (line.keep_clear) {
-      const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
-      if (seen) placer_.block(seen->from, seen->to, px(style.width + 2));
-    }
-    if (!project_segment(camera_, line.from, line.to)) return;
+    const std::optional<Segment2> seen = project_segment(camera_, line.from, line.to);
+    if (!seen) return;
+    if (line.keep_clear) placer_.block(seen->from, seen->to, px(style.width + 2));
     const Vec3d way = line.to - line.from;
     for (const Span& span : spans_of(line.from, line.to, style)) {
       draw_span(line.from + span.from * way, line.from + span.to * way, span.hidden, style, 0,
@@ -164,6 +163,7 @@ class Composer {
     return seen ? distance(seen->from, seen->to) : 0;
   }
 
+  // Of an arrow that comes from there.
   void head(const Point2& tip, const Point2& from, double size, const Color& color) {
     const float length = distance(from, tip);
     if (length <= 0) return;
@@ -172,13 +172,10 @@ class Composer {
     const float s = px(size);
     const float half = 0.42f * s;
     const Point2 base{tip.x - s * ux, tip.y - s * uy};
-    const Point2 left{base.x - half * uy, base.y + half * ux};
-    const Point2 right{base.x + half * uy, base.y - half * ux};
-    out_.primitives.push_back(Fill{{tip, left, right}, color});
-    for (const auto& [a, b] :
-         {std::pair{tip, left}, std::pair{left, right}, std::pair{right, tip}}) {
-      out_.primitives.push_back(Stroke{a, b, px(1), color, Cap::Round});
-    }
+    const std::vector<Point2> corners = {
+        tip, {base.x - half * uy, base.y + half * ux}, {base.x + half * uy, base.y - half * ux}};
+    pen_.fill(corners, color);
+    pen_.outline(corners, 1, color);
   }
 
   void open_head(const Point2& tip, const Point2& from, double size, float width,
@@ -189,7 +186,7 @@ class Composer {
     const Point2 back{s * (from.x - tip.x), s * (from.y - tip.y)};
     for (const float side : {-0.5f, 0.5f}) {
       const Point2 end{tip.x + back.x - side * back.y, tip.y + back.y + side * back.x};
-      out_.primitives.push_back(Stroke{tip, end, px(width), color, Cap::Round});
+      pen_.path({tip, end}, width, color);
     }
   }
 
@@ -220,12 +217,8 @@ class Composer {
     const Point2 shaft_end{b->x - inset * ux, b->y - inset * uy};
     const Point2 shaft_begin =
         arrow.double_headed ? Point2{a->x + inset * ux, a->y + inset * uy} : *a;
-    if (arrow.halo) {
-      out_.primitives.push_back(
-          Stroke{*a, *b, px(arrow.width + 4), with_alpha(kWhite, 0.85f), Cap::Round});
-    }
-    out_.primitives.push_back(
-        Stroke{shaft_begin, shaft_end, px(arrow.width), arrow.color, Cap::Butt});
+    if (arrow.halo) pen_.path({*a, *b}, arrow.width + 4, with_alpha(kWhite, 0.85f));
+    pen_.line(shaft_begin, shaft_end, arrow.width, arrow.color);
     if (arrow.open) {
       open_head(*b, *a, size, arrow.width, arrow.color);
     } else {
@@ -238,84 +231,81 @@ class Composer {
   void draw_mark(const Mark& mark) {
     const std::optional<Point2> at = camera_.project(mark.at);
     if (!at || !layout_.view.contains(*at)) return;
-    const auto disc = [&](double inner, double outer, const Color& color) {
-      out_.primitives.push_back(Disc{*at, px(inner), px(outer), color});
+    const auto keep_clear = [&](double radius) { placer_.block(*at, px(radius)); };
+    const auto ring_on_white = [&](double inner, double outer) {
+      pen_.disc(*at, outer + kDotHalo, kWhite);
+      pen_.ring(*at, inner, outer, mark.color);
+      keep_clear(outer + kDotHalo);
+    };
+    const auto ring_around = [&](double outer) {
+      pen_.ring(*at, kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
+      pen_.ring(*at, kRingInner, outer, mark.color);
+      keep_clear(kRingOuter);
+    };
+    const auto quartered = [&](double radius) {
+      draw_quartered_disc(*at, px(radius), px(1.6), pen_.drawing());
+      placer_.block(*at, px(radius) + px(2));
+    };
+    const auto cross = [&](double reach, double width) {
+      pen_.cross(*at, reach, 5.0 * width, with_alpha(kWhite, 0.9f), Cap::Round);
+      pen_.cross(*at, reach, 2.2 * width, mark.color, Cap::Round);
+      placer_.block(*at, px(reach) + px(2));
     };
     switch (mark.kind) {
       case MarkKind::Dot:
-        disc(0, kDotRadius + kDotHalo, kWhite);
-        disc(0, kDotRadius, mark.color);
-        placer_.block(*at, px(kDotRadius + kDotHalo));
-        break;
-      case MarkKind::Core:
-        disc(0, kCoreRadius, mark.color);
-        break;
-      case MarkKind::Half:
-        disc(0, kDotRadius + kDotHalo, kWhite);
-        draw_half_dot(*at, px(kDotRadius), px(kDotBorder), mark.color, out_);
-        placer_.block(*at, px(kDotRadius + kDotHalo));
-        break;
-      case MarkKind::Quartered:
-      case MarkKind::SmallQuartered: {
-        const float r = px(mark.kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
-        draw_quartered_disc(*at, r, px(1.6), out_);
-        placer_.block(*at, r + px(2));
-        break;
-      }
-      case MarkKind::Node:
-        disc(0, kNodeRadius + 0.5 * kDotHalo, kWhite);
-        disc(0, kNodeRadius, mark.color);
-        break;
-      case MarkKind::Origin:
-        disc(0, kOriginRadius + kDotHalo, kWhite);
-        disc(kOriginRadius - kDotHalo, kOriginRadius, mark.color);
-        placer_.block(*at, px(kOriginRadius + kDotHalo));
-        break;
-      case MarkKind::HeldOrigin:
-        disc(0, 0.7 * kOriginRadius + kDotHalo, kWhite);
-        disc(0, 0.7 * kOriginRadius, mark.color);
-        placer_.block(*at, px(kOriginRadius + kDotHalo));
-        break;
-      case MarkKind::Square:
-        draw_square(*at, px(kSquare), mark.color, out_);
-        placer_.block(*at, px(kSquare + kDotHalo));
+        ring_on_white(0, kDotRadius);
         break;
       case MarkKind::Hollow:
-        disc(0, kDotRadius + kDotHalo, kWhite);
-        disc(kDotRadius - kDotBorder, kDotRadius, mark.color);
-        placer_.block(*at, px(kDotRadius + kDotHalo));
+        ring_on_white(kDotRadius - kDotBorder, kDotRadius);
+        break;
+      case MarkKind::Half:
+        pen_.disc(*at, kDotRadius + kDotHalo, kWhite);
+        draw_half_dot(*at, px(kDotRadius), px(kDotBorder), mark.color, pen_.drawing());
+        keep_clear(kDotRadius + kDotHalo);
         break;
       case MarkKind::Apart:
-        disc(0, kDotRadius + kDotHalo, kWhite);
-        disc(0, kDotRadius, with_alpha(mark.color, kApartFill));
-        disc(kDotRadius - kApartBorder, kDotRadius, mark.color);
-        placer_.block(*at, px(kDotRadius + kDotHalo));
+        pen_.disc(*at, kDotRadius + kDotHalo, kWhite);
+        pen_.disc(*at, kDotRadius, with_alpha(mark.color, kApartFill));
+        pen_.ring(*at, kDotRadius - kApartBorder, kDotRadius, mark.color);
+        keep_clear(kDotRadius + kDotHalo);
+        break;
+      case MarkKind::Core:
+        pen_.disc(*at, kCoreRadius, mark.color);
+        break;
+      case MarkKind::Node:
+        pen_.disc(*at, kNodeRadius + 0.5 * kDotHalo, kWhite);
+        pen_.disc(*at, kNodeRadius, mark.color);
+        break;
+      case MarkKind::Quartered:
+        quartered(kCenterRadius);
+        break;
+      case MarkKind::SmallQuartered:
+        quartered(kFootRadius);
+        break;
+      case MarkKind::Origin:
+        ring_on_white(kOriginRadius - kDotHalo, kOriginRadius);
+        break;
+      case MarkKind::HeldOrigin:
+        pen_.disc(*at, 0.7 * kOriginRadius + kDotHalo, kWhite);
+        pen_.disc(*at, 0.7 * kOriginRadius, mark.color);
+        keep_clear(kOriginRadius + kDotHalo);
+        break;
+      case MarkKind::Square:
+        draw_square(*at, px(kSquare), mark.color, pen_.drawing());
+        keep_clear(kSquare + kDotHalo);
         break;
       case MarkKind::WideRing:
-        disc(kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
-        disc(kRingInner, kRingInner + 0.7 * kDotBorder, mark.color);
-        placer_.block(*at, px(kRingOuter));
+        ring_around(kRingInner + 0.7 * kDotBorder);
         break;
       case MarkKind::Ring:
-        disc(kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
-        disc(kRingInner, kRingOuter, mark.color);
-        placer_.block(*at, px(kRingOuter));
+        ring_around(kRingOuter);
         break;
       case MarkKind::Cross:
-      case MarkKind::SmallCross: {
-        const bool small = mark.kind == MarkKind::SmallCross;
-        const float r = px(small ? 0.5 * kCrossReach : kCrossReach);
-        for (const bool halo : {true, false}) {
-          const float width = (small ? 0.6f : 1.0f) * (halo ? 5.0f : 2.2f);
-          const Color color = halo ? with_alpha(kWhite, 0.9f) : mark.color;
-          out_.primitives.push_back(
-              Stroke{{at->x - r, at->y - r}, {at->x + r, at->y + r}, px(width), color, Cap::Round});
-          out_.primitives.push_back(
-              Stroke{{at->x - r, at->y + r}, {at->x + r, at->y - r}, px(width), color, Cap::Round});
-        }
-        placer_.block(*at, r + px(2));
+        cross(kCrossReach, 1);
         break;
-      }
+      case MarkKind::SmallCross:
+        cross(0.5 * kCrossReach, 0.6f);
+        break;
     }
   }
 
@@ -346,25 +336,18 @@ class Composer {
         wanted_direction(label, *at), label.direction.has_value());
     if (!place) return;
     if (place->needs_leader || label.leader) {
-      out_.primitives.push_back(
-          Stroke{*at, place->leader_end, px(3.5), with_alpha(kWhite, 0.8f), Cap::Butt});
-      out_.primitives.push_back(Stroke{*at, place->leader_end, px(1), label.color, Cap::Butt});
+      pen_.line(*at, place->leader_end, 3.5, with_alpha(kWhite, 0.8f));
+      pen_.line(*at, place->leader_end, 1, label.color);
       placer_.block(*at, place->leader_end, px(2));
     }
-    Text text;
-    text.text = label.text;
-    text.at = place->left_baseline;
-    text.size = size;
-    text.weight = label.bold ? Weight::Bold : Weight::Regular;
-    text.color = label.color;
-    text.halo = px(2.5);
-    out_.primitives.push_back(text);
+    pen_.text(label.text, place->left_baseline, Align::Left, label.color,
+              label.bold ? Weight::Bold : Weight::Regular, label.size, 2.5);
   }
 
   const Sketch& sketch_;
   const Camera& camera_;
   const Layout& layout_;
-  Drawing& out_;
+  Pen pen_;
   LabelPlacer placer_;
   HiddenLines hidden_;
 };

@@ -5,7 +5,6 @@
 
 #include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
-#include "draw/scene/sketch.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -36,12 +35,6 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
 
 /// Scale of text and lines on a canvas; 1 at 720 lines.
 float interface_scale(int width, int height);
-
-/// Width of an entry's swatch and text in pixels, and the gap to the next.
-float legend_entry_width(const LegendEntry& entry, float scale);
-
-/// Paints the legend into its rectangle.
-void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing);
 
 /// Title top left, source bottom left, frame and time bottom right.
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,

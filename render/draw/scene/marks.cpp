@@ -25,6 +25,11 @@ Fill sector(const Point2& center, float radius, int from, int to, const Color& c
 
 }  // namespace
 
+PointState point_state(const std::string& state) {
+  if (state == "new") return PointState::New;
+  return state == "broken" ? PointState::Broken : PointState::Persisted;
+}
+
 void draw_half_dot(const Point2& center, float radius, float border, const Color& color,
                    Drawing& drawing) {
   drawing.primitives.push_back(sector(center, radius - 0.5f * border, 1, 3, color));
@@ -51,13 +56,13 @@ void draw_square(const Point2& center, float half, const Color& color, Drawing& 
   }
 }
 
-void draw_state_dot(const std::string& state, const Point2& center, float radius,
-                    const Color& color, Drawing& drawing) {
+void draw_state_dot(PointState state, const Point2& center, float radius, const Color& color,
+                    Drawing& drawing) {
   drawing.primitives.push_back(Disc{center, 0, 1.33f * radius, kWhite});
-  if (state == "persisted") {
+  if (state == PointState::Persisted) {
     draw_half_dot(center, radius, 0.4f * radius, color, drawing);
   } else {
-    const float inner = state == "broken" ? 0.6f * radius : 0.0f;
+    const float inner = state == PointState::Broken ? 0.6f * radius : 0.0f;
     drawing.primitives.push_back(Disc{center, inner, radius, color});
   }
 }

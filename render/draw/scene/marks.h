@@ -16,9 +16,13 @@ void draw_quartered_disc(const Point2& center, float radius, float border, Drawi
 /// A filled square with a white halo; `half`: of its width, pixels.
 void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing);
 
-/// How an incremental manifold's point looks: "new" filled, "persisted" half-filled, "broken"
-/// hollow.
-void draw_state_dot(const std::string& state, const Point2& center, float radius,
-                    const Color& color, Drawing& drawing);
+/// What became of a point of an incremental manifold in a frame.
+enum class PointState { New, Persisted, Broken };
+/// As a trace spells it.
+PointState point_state(const std::string& state);
+
+/// How such a point looks: new ones filled, persisted ones half-filled, broken ones hollow.
+void draw_state_dot(PointState state, const Point2& center, float radius, const Color& color,
+                    Drawing& drawing);
 
 }  // namespace contactscope::draw

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/shading.h"
+#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {
@@ -143,8 +144,7 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
       if (faded.color.a < 0.01f) continue;
       style = &faded;
     }
-    sketch.lines.push_back({shape.vertices[static_cast<std::size_t>(edge.from)],
-                            shape.vertices[static_cast<std::size_t>(edge.to)], *style});
+    sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), *style);
   }
 }
 
@@ -159,6 +159,7 @@ struct Touched {
 
 std::vector<Touched> touched_triangles(const Scene& scene) {
   std::vector<Touched> touched;
+  std::map<std::pair<const PlacedShape*, int>, std::size_t> places;  // in `touched`
   for (const trace::Pair& pair : scene.frame.pairs) {
     for (const std::string& name : {pair.a, pair.b}) {
       const PlacedShape* mesh = scene.find(name);
@@ -168,14 +169,11 @@ std::vector<Touched> touched_triangles(const Scene& scene) {
         const int triangle = manifold.triangle.value_or(-1);
         if (triangle < 0 || triangle >= triangles) continue;
         const bool incident = manifold.axis == (name == pair.a ? "face_b" : "face_a");
-        const auto known = std::ranges::find_if(touched, [&](const Touched& other) {
-          return other.mesh == mesh && other.triangle == triangle;
-        });
-        if (known == touched.end()) {
+        const auto [known, is_new] = places.try_emplace({mesh, triangle}, touched.size());
+        if (is_new)
           touched.push_back({mesh, triangle, incident});
-        } else {
-          known->incident = known->incident && incident;
-        }
+        else if (!incident)
+          touched[known->second].incident = false;
       }
     }
   }
@@ -185,19 +183,22 @@ std::vector<Touched> touched_triangles(const Scene& scene) {
 }  // namespace
 
 void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
-  if (!scene.shows(Layer::Contacts) && !scene.shows(Layer::ReferenceFace)) return;
   const std::vector<Touched> touched = touched_triangles(scene);
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   for (const auto& [mesh, triangle, incident] : touched) {
-    const std::vector<Vec3d> polygon = mesh->polygon(triangle);
     const Color color = incident ? kIncidentFace : kReferenceFace;
-    sketch.surfaces.push_back({polygon, with_alpha(color, 0.35f)});
     // On a landscape what stands before a triangle hides it.
     const bool many = mesh->mesh->shape->faces.size() > kFewTriangles;
-    sketch.outline(polygon, {width, color, incident,
-                             many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
-    sketch.explain(incident ? LegendKind::IncidentFace : LegendKind::ReferenceFace,
-                   incident ? "triangle touched, incident" : "triangle touched");
+    sketch.face(
+        mesh->polygon(triangle), with_alpha(color, 0.35f),
+        {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
+  }
+}
+
+void explain_touched_triangles(const Scene& scene, Legend& legend) {
+  for (const Touched& touched : touched_triangles(scene)) {
+    legend.explain(touched.incident ? kIncidentFaceSwatch : kReferenceFaceSwatch,
+                   touched.incident ? "triangle touched, incident" : "triangle touched");
   }
 }
 

@@ -24,45 +24,33 @@ PlanePatch rectangle(const trace::HalfSpace& plane, const Vec3d& level) {
 
 }  // namespace
 
-void fit_patches(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                 std::vector<ShapeMesh>& meshes) {
-  const Vec3d up = header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    ShapeMesh& mesh = meshes[k];
-    if (!mesh.shape->half_space) continue;
-    const trace::HalfSpace& plane = *mesh.shape->half_space;
-    Vec3d low = Vec3d::Zero(), high = Vec3d::Zero();
-    bool found = false;
-    std::optional<PlanePatch> patch;
-    for (const trace::Frame& frame : frames) {
-      const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
-      if (!patch) {
-        // Level on the ground of the first frame; on level ground, along the x axis.
-        const Vec3d normal = placed[k].pose.rotate(plane.normal);
-        const Vec3d across = up.cross(normal);
-        const Vec3d level = across.norm() > 1e-3
-                                ? Vec3d(across.normalized())
-                                : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
-        patch = rectangle(plane, placed[k].pose.inverse_rotate(level));
-      }
-      for (const Vec3d& point : extent_points(placed)) {
-        const Vec3d p = placed[k].pose.inverse_transform(point) - patch->center;
-        const Vec3d at(p.dot(patch->u), p.dot(patch->v), 0);
-        low = found ? Vec3d(low.cwiseMin(at)) : at;
-        high = found ? Vec3d(high.cwiseMax(at)) : at;
-        found = true;
-      }
-    }
-    if (!patch) patch = rectangle(plane, any_perpendicular(plane.normal));
-    if (found) {
-      const double margin = kMargin * (high - low).maxCoeff();
-      patch->center +=
-          0.5 * (low.x() + high.x()) * patch->u + 0.5 * (low.y() + high.y()) * patch->v;
-      patch->half_u = 0.5 * (high.x() - low.x()) + margin;
-      patch->half_v = 0.5 * (high.y() - low.y()) + margin;
-    }
-    mesh.patch = patch;
+void PatchFit::add(const Pose<double>& pose, const std::vector<Vec3d>& points) {
+  if (!first_) {
+    // Level on the ground of the first frame; on level ground, along the x axis.
+    const Vec3d normal = pose.rotate(plane_.normal);
+    const Vec3d across = up_.cross(normal);
+    const Vec3d level = across.norm() > 1e-3
+                            ? Vec3d(across.normalized())
+                            : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
+    first_ = rectangle(plane_, pose.inverse_rotate(level));
   }
+  for (const Vec3d& point : points) {
+    const Vec3d p = pose.inverse_transform(point) - first_->center;
+    const Vec3d at(p.dot(first_->u), p.dot(first_->v), 0);
+    low_ = found_ ? Vec3d(low_.cwiseMin(at)) : at;
+    high_ = found_ ? Vec3d(high_.cwiseMax(at)) : at;
+    found_ = true;
+  }
+}
+
+PlanePatch PatchFit::patch() const {
+  PlanePatch patch = first_.value_or(rectangle(plane_, any_perpendicular(plane_.normal)));
+  if (!found_) return patch;
+  const double margin = kMargin * (high_ - low_).maxCoeff();
+  patch.center += 0.5 * (low_.x() + high_.x()) * patch.u + 0.5 * (low_.y() + high_.y()) * patch.v;
+  patch.half_u = 0.5 * (high_.x() - low_.x()) + margin;
+  patch.half_v = 0.5 * (high_.y() - low_.y()) + margin;
+  return patch;
 }
 
 std::vector<Vec3d> patch_corners(const PlacedShape& plane) {

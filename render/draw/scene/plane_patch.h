@@ -7,10 +7,24 @@
 /// What is drawn of a half-space: a rectangle of its plane, cut out around the shapes.
 namespace contactscope::draw {
 
-/// Gives every plane of `meshes` its patch: under the finite shapes of all frames and a margin
-/// around them, with level edges. Without finite shapes a square of two metres.
-void fit_patches(const trace::Header& header, const std::vector<trace::Frame>& frames,
-                 std::vector<ShapeMesh>& meshes);
+/// Fits the patch of one plane to a sequence, frame by frame: under the finite shapes of all frames
+/// and a margin around them, with level edges. Without finite shapes a square of two metres.
+class PatchFit {
+ public:
+  /// `up`: of the world.
+  PatchFit(const trace::HalfSpace& plane, const Vec3d& up) : plane_(plane), up_(up) {}
+
+  /// `points`: of the finite shapes in a frame in which the plane stands at `pose`.
+  void add(const Pose<double>& pose, const std::vector<Vec3d>& points);
+  PlanePatch patch() const;
+
+ private:
+  const trace::HalfSpace& plane_;
+  Vec3d up_;
+  std::optional<PlanePatch> first_;  // about the foot of the origin, with the edges of the result
+  Vec3d low_ = Vec3d::Zero(), high_ = Vec3d::Zero();
+  bool found_ = false;
+};
 
 /// World; `plane` has a patch.
 std::vector<Vec3d> patch_corners(const PlacedShape& plane);

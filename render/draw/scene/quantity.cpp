@@ -47,12 +47,14 @@ std::string spell_length(double metres) {
   return "0 m";
 }
 
+std::string spell_factor(double factor) {
+  return factor == 1 ? "" : " × " + spell_number(factor);
+}
+
 std::string spell_margin(double metres) {
-  const bool usual = metres >= 1e-4 && metres < 1;
-  std::array<char, 32> text{};
+  if (metres < 1e-4 || metres >= 1) return spell_length(metres);
   const int decimals = metres >= 0.09995 ? 0 : metres >= 0.009995 ? 1 : 2;
-  std::snprintf(text.data(), text.size(), "%.*f mm", decimals, 1e3 * metres);
-  return usual ? text.data() : spell_length(metres);
+  return printed("%.*f mm", decimals, 1e3 * metres);
 }
 
 std::string spell_area(double square_metres) {

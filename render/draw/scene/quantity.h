@@ -10,8 +10,11 @@ std::string spell_number(double value);
 /// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
 std::string spell_length(double metres);
 
-/// A margin as the panel and the layer "support" both spell it: in millimetres, as the panel's chart
-/// has them, unless that would be a strange number of them.
+/// " × 20" for what is drawn so many times as long; nothing for 1.
+std::string spell_factor(double factor);
+
+/// How far a projected centre of mass is from the border of its support: in millimetres, as the chart
+/// of the stability panel has it, unless that would be a strange number of them.
 std::string spell_margin(double metres);
 
 /// An area in the unit that fits (km², m², mm², µm²), four significant digits: "0.5858 m²".

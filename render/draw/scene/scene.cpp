@@ -13,13 +13,6 @@ constexpr double kSmoothCosine = 0.90;  // 26 degrees
 
 }  // namespace
 
-void Sketch::explain(LegendKind kind, const std::string& text) {
-  for (const LegendEntry& entry : legend) {
-    if (entry.kind == kind && entry.text == text) return;
-  }
-  legend.push_back({kind, text});
-}
-
 ShapeMesh make_mesh(const trace::Shape& shape) {
   ShapeMesh mesh;
   mesh.shape = &shape;
@@ -77,30 +70,71 @@ std::vector<Vec3d> PlacedShape::polygon(int face) const {
   return result;
 }
 
-const PlacedShape* Scene::find(const std::string& name) const {
-  for (const PlacedShape& shape : shapes) {
-    if (shape.mesh->shape->name == name) return &shape;
-  }
-  return nullptr;
+std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
+  const std::vector<std::array<int, 2>>& edges = mesh->shape->edges;
+  if (index < 0 || static_cast<std::size_t>(index) >= edges.size()) return std::nullopt;
+  const auto& [from, to] = edges[static_cast<std::size_t>(index)];
+  return std::array{vertex(from), vertex(to)};
 }
 
-std::vector<PlacedShape> place_shapes(const std::vector<ShapeMesh>& meshes,
-                                      const trace::Frame& frame) {
-  std::vector<PlacedShape> placed;
-  for (const ShapeMesh& mesh : meshes) {
-    PlacedShape shape;
-    shape.mesh = &mesh;
-    const std::string& name = mesh.shape->name;
-    for (const auto& [posed, pose] : frame.poses) {
-      if (posed == name) shape.pose = pose;
+ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
+  for (const trace::Shape& shape : shapes) {
+    places_.emplace(shape.name, meshes_.size());
+    meshes_.push_back(make_mesh(shape));
+  }
+}
+
+std::optional<std::size_t> ShapeMeshes::find(std::string_view name) const {
+  const auto found = places_.find(name);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+double ShapeMeshes::smallest_radius() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ShapeMesh& mesh : meshes_) {
+    if (mesh.radius > 0) smallest = std::min(smallest, mesh.radius);
+  }
+  return smallest;
+}
+
+const PlacedShape* Scene::find(std::string_view name) const {
+  const std::optional<std::size_t> place = meshes.find(name);
+  return place ? &shapes[*place] : nullptr;
+}
+
+std::span<const trace::Body> Scene::bodies() const {
+  if (!frame.solver) return {};
+  return frame.solver->bodies;
+}
+
+const trace::Body* Scene::body(std::string_view name) const {
+  const auto found = std::ranges::find(bodies(), name, &trace::Body::name);
+  return found == bodies().end() ? nullptr : &*found;
+}
+
+Vec3d up_axis(const trace::Header& header) {
+  return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+}
+
+std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame) {
+  std::vector<PlacedShape> placed(meshes.size());
+  std::vector<bool> has_role(meshes.size(), false);
+  for (std::size_t i = 0; i < meshes.size(); ++i) placed[i].mesh = &meshes[i];
+  for (const auto& [name, pose] : frame.poses) {
+    if (const auto place = meshes.find(name)) placed[*place].pose = pose;
+  }
+  for (const trace::Pair& pair : frame.pairs) {
+    for (const std::string* name : {&pair.a, &pair.b}) {
+      const auto place = meshes.find(*name);
+      if (!place || has_role[*place]) continue;
+      placed[*place].is_a = name == &pair.a;
+      has_role[*place] = true;
     }
-    for (const Vec3d& v : mesh.shape->vertices) shape.vertices.push_back(shape.pose.transform(v));
-    for (const trace::Pair& pair : frame.pairs) {
-      if (pair.a != name && pair.b != name) continue;
-      shape.is_a = pair.a == name;
-      break;
-    }
-    placed.push_back(std::move(shape));
+  }
+  for (PlacedShape& shape : placed) {
+    shape.vertices.reserve(shape.mesh->shape->vertices.size());
+    for (const Vec3d& v : shape.mesh->shape->vertices)
+      shape.vertices.push_back(shape.pose.transform(v));
   }
   return placed;
 }

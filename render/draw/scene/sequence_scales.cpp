@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
 
 #include "core/view.h"
 #include "draw/scene/camera.h"
@@ -28,20 +26,6 @@ constexpr double kPlainDrift = 16;       // pixels that need no exaggeration
 constexpr double kStill = 1e-3;          // pixels a frame: no faster, it is rounding
 constexpr double kTouching = 1e-4;       // of the smallest body's radius
 
-// What is elsewhere, or behind the eye, sets no scale.
-bool is_in_view(const Camera& camera, const Vec3d& point) {
-  const std::optional<Point2> at = camera.project(point);
-  return at && camera.viewport().contains(*at);
-}
-
-double smallest_radius(const std::vector<ShapeMesh>& meshes) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const ShapeMesh& mesh : meshes) {
-    if (mesh.radius > 0) smallest = std::min(smallest, mesh.radius);
-  }
-  return smallest;
-}
-
 // An impact is many times what a resting body needs: the usual frame sets the scale.
 double usual(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -60,9 +44,8 @@ double round_down(double value) {
   return decade;
 }
 
-SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
-                          const std::vector<trace::Frame>& frames, const Camera& camera,
-                          const Layout& layout, const View& view) {
+SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
+                          const Camera& camera, const Layout& layout, const View& view) {
   SequenceScales scales;
   if (frames.size() > 1) {
     scales.step =
@@ -77,7 +60,7 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
     for (const trace::Pair& pair : frame.pairs) {
       for (const trace::Manifold& manifold : pair.manifolds) {
         for (const trace::Point& point : manifold.points) {
-          if (!point.impulse || !is_in_view(camera, point.position)) continue;
+          if (!point.impulse || !camera.sees(point.position)) continue;
           pixels_per_metre = std::max(pixels_per_metre, camera.pixels_per_metre(point.position));
           largest = std::max(largest, point.impulse->normal);
           largest_friction = std::max(largest_friction, point.impulse->friction.norm());
@@ -98,7 +81,7 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
     if (largest_friction > 0) frictions.push_back(largest_friction);
     if (!frame.solver) continue;
     for (const trace::Body& body : frame.solver->bodies) {
-      if (!is_in_view(camera, body.center_of_mass)) continue;
+      if (!camera.sees(body.center_of_mass)) continue;
       const double here = camera.pixels_per_metre(body.center_of_mass);
       speed = std::max(speed, here * body.velocity.norm());
       spin = std::max(spin, body.angular_velocity.norm());
@@ -106,7 +89,7 @@ SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
   }
 
   scales.pixel = layout.scale;
-  const double smallest = smallest_radius(meshes);
+  const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   const double height = layout.view.height;
   if (!impulses.empty()) {

@@ -14,7 +14,7 @@ namespace contactscope::draw {
 
 class Camera;
 struct Layout;
-struct ShapeMesh;
+class ShapeMeshes;
 
 /// How long a whole sequence draws what is no length. All are 1, 2 or 5 times a power of ten, so
 /// that a legend can state them.
@@ -31,9 +31,8 @@ struct SequenceScales {
   double touching = 0;         // metres: a contact point whose separation is larger does not touch
 };
 
-SequenceScales fit_scales(const std::vector<ShapeMesh>& meshes,
-                          const std::vector<trace::Frame>& frames, const Camera& camera,
-                          const Layout& layout, const View& view);
+SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
+                          const Camera& camera, const Layout& layout, const View& view);
 
 /// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0.
 double round_down(double value);

@@ -8,6 +8,8 @@
 #include "draw/scene/depth_order.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/hidden_lines.h"
+#include "draw/scene/legend.h"
+#include "draw/scene/palette.h"
 #include "draw/scene/round_body.h"
 
 /// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
@@ -37,14 +39,14 @@ struct Curve {
 
 /// Arrow of a length in pixels along a world direction, or between two points when `to` is set.
 struct Arrow {
-  Vec3d from;
+  Vec3d from = Vec3d::Zero();
   Vec3d direction = Vec3d::Zero();  // unit
   float pixels = 0;
-  std::optional<Vec3d> to;
+  std::optional<Vec3d> to{};
   bool double_headed = false;
   float width = 2;
   float head = 9;  // pixels
-  Color color;
+  Color color{};
   bool halo = true;
   bool open = false;         // a head of two strokes
   float head_share = 0.45f;  // largest share of the length that the head takes
@@ -100,78 +102,6 @@ struct Label {
   bool leader = false;  // a line to the point also from near by
 };
 
-/// What the legend can explain, in drawing order.
-enum class LegendKind {
-  ShapeA,
-  ShapeB,
-  Core,
-  Rounded,
-  Margins,
-  ReferenceFace,
-  SidePlane,
-  IncidentFace,
-  ClipPolygon,
-  Support,
-  Dropped,
-  Reduced,
-  BeforeMove,
-  Contact,
-  OneShotPoint,
-  NewPoint,
-  PersistedPoint,
-  BrokenPoint,
-  Anchors,
-  PlainPoint,
-  ApartPoint,
-  Kept,
-  KeptPolygon,
-  Deepest,
-  LostArea,
-  BestPolygon,
-  AxesBox,
-  Candidate,
-  OutsideTriangle,
-  InsideTriangle,
-  KeptIds,
-  Normal,
-  NormalImpulse,
-  WarmStart,
-  FrictionImpulse,
-  BreakMark,
-  Velocity,
-  RelativeVelocity,
-  NormalVelocity,
-  Spin,
-  Ahead,
-  CenterOfMass,
-  FreeAxis,
-  SupportMargin,
-  DecidingEdges,
-  Axis,
-  NarrowAxis,
-  ClosestPoints,
-  LineOfCenters,
-  TreeQuery,
-  TreeBox,
-  TreeMiss,
-  Difference,
-  Simplex,
-  Polytope,
-  SimplexPoints,
-  FacePoints,
-  NextOfSimplex,
-  NextOfPolytope,
-  ArcsOfA,
-  ArcsOfB,
-  Crossing,
-  BestAxis,
-};
-
-struct LegendEntry {
-  LegendKind kind;
-  std::string text;
-};
-
 struct Sketch {
   std::vector<Surface> surfaces;
   Occluders occluders;
@@ -182,16 +112,30 @@ struct Sketch {
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;
   std::vector<Label> labels;
-  std::vector<LegendEntry> legend;
+  Legend legend;
   Vec3d center = Vec3d::Zero();  // labels stand away from it
 
-  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], style, false});
-    }
+  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style);
+  void face(const std::vector<Vec3d>& polygon, const Color& fill, const LineStyle& style) {
+    surfaces.push_back({polygon, fill});
+    outline(polygon, style);
   }
-  /// Adds an entry unless it stands there already.
-  void explain(LegendKind kind, const std::string& text);
+  void line(const Vec3d& from, const Vec3d& to, const LineStyle& style) {
+    lines.push_back({from, to, style});
+  }
+  /// A line that no label covers, on a wider one.
+  void bordered_line(const Vec3d& from, const Vec3d& to, const LineStyle& style, float border,
+                     const Color& color = with_alpha(kWhite, 0.85f)) {
+    lines.push_back({from, to, {border, color}});
+    lines.push_back({from, to, style, true});
+  }
+  void mark(MarkKind kind, const Vec3d& at, const Color& color) {
+    marks.push_back({kind, at, color});
+  }
+  /// Bold text near a point; see Label.
+  Label& label(const Vec3d& at, const std::string& text, const Color& color, float size,
+               double clearance, const std::optional<Vec3d>& direction = std::nullopt);
+  void explain(const Swatch& swatch, const std::string& text) { legend.explain(swatch, text); }
 };
 
 }  // namespace contactscope::draw

@@ -38,8 +38,4 @@ Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Man
   return {point.position - behind_a * overlap, point.position + (1 - behind_a) * overlap};
 }
 
-bool stands_off(const trace::Point& point, const SequenceScales& scales) {
-  return point.separation > scales.touching;
-}
-
 }  // namespace contactscope::draw

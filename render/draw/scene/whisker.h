@@ -1,5 +1,6 @@
 #pragma once
 
+#include "draw/scene/pair_points.h"
 #include "draw/scene/scene.h"
 
 /// From one shape's surface to the other's at a contact point.
@@ -13,9 +14,5 @@ struct Whisker {
 };
 Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
                    const trace::Point& point);
-
-/// The point is in the manifold although the shapes do not touch there, because they are within its
-/// margin.
-bool stands_off(const trace::Point& point, const SequenceScales& scales);
 
 }  // namespace contactscope::draw

@@ -1,4 +1,4 @@
-#include "draw/insets/simplex_steps.h"
+#include "draw/scene/simplex_steps.h"
 
 #include <algorithm>
 #include <cmath>

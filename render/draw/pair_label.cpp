@@ -1,9 +1,10 @@
+#include "draw/pair_label.h"
+
 #include <algorithm>
 #include <array>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/scene.h"
+#include "draw/scene/solid.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -14,13 +15,10 @@ constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the lab
 
 // The body that moves where only one does, also when it has fallen below the other; else the upper.
 const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
-  const Vec3d up = scene.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+  const Vec3d up = up_axis(scene.header);
   std::vector<std::string> names = {pair.a, pair.b};
   if (scene.frame.solver) {
-    const auto rests = [&](const std::string& name) {
-      return std::ranges::none_of(scene.frame.solver->bodies,
-                                  [&](const trace::Body& body) { return body.name == name; });
-    };
+    const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
     if (rests(pair.a) != rests(pair.b)) std::erase_if(names, rests);
   }
   const PlacedShape* highest = nullptr;
@@ -64,11 +62,15 @@ bool overlap(const std::vector<Vec2d>& polygon, const Vec2d& low, const Vec2d& h
   return true;
 }
 
-}  // namespace
+// What is out of the picture is not named in it.
+bool is_seen(const Scene& scene, const std::string& name) {
+  const PlacedShape* shape = scene.find(name);
+  return shape != nullptr && in_view(scene.camera, *shape);
+}
 
 // Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
 // beside the body. Where other shapes are everywhere, above the body, or as high as the view goes.
-void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* body = labelled_body(scene, pair);
   if (body == nullptr) return;
   const Camera& camera = scene.camera;
@@ -122,13 +124,18 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
     return metres * (pixels.x() * camera.right() - pixels.y() * camera.up());
   };
-  sketch.labels.push_back({.at = middle + in_world(begin - origin),
-                           .text = pair.label,
-                           .color = kText,
-                           .size = kPairLabelSize,
-                           .bold = true,
-                           .clearance = kPairLabelGap,
-                           .direction = in_world(out).normalized()});
+  sketch.label(middle + in_world(begin - origin), pair.label, kText, kPairLabelSize, kPairLabelGap,
+               Vec3d(in_world(out).normalized()));
+}
+
+}  // namespace
+
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (pair.label.empty() || (!is_seen(scene, pair.a) && !is_seen(scene, pair.b))) return;
+  const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
+  const bool last = std::none_of(
+      &pair + 1, end, [&](const trace::Pair& later) { return later.label == pair.label; });
+  if (last) draw_label(scene, pair, sketch);
 }
 
 }  // namespace contactscope::draw

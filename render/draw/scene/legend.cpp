@@ -1,0 +1,125 @@
+#include "draw/scene/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "draw/scene/hatch.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/swatches.h"
+#include "image/font.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kSwatch = 26;
+constexpr double kBox = kSwatch - 4;  // width
+constexpr double kHalfBox = 7;        // half its height
+
+}  // namespace
+
+void Legend::explain(const Swatch& swatch, const std::string& text) {
+  const LegendEntry entry{&swatch, text};
+  if (std::ranges::find(entries_, entry) == entries_.end()) entries_.push_back(entry);
+}
+
+void Legend::explain(const Legend& other) {
+  for (const LegendEntry& entry : other.entries_) explain(*entry.swatch, entry.text);
+}
+
+std::vector<LegendEntry> Legend::sorted() const {
+  std::vector<LegendEntry> sorted = entries_;
+  // A measure too narrow for its arrow means the same as one that is not.
+  std::erase_if(sorted, [&](const LegendEntry& entry) {
+    return entry.swatch == &kNarrowAxisSwatch &&
+           std::ranges::find(entries_, LegendEntry{&kAxisSwatch, entry.text}) != entries_.end();
+  });
+  std::ranges::stable_sort(sorted, {}, [](const LegendEntry& entry) {
+    return std::tuple(entry.swatch->group, entry.swatch->place);
+  });
+  return sorted;
+}
+
+Point2 SwatchPen::at(double right, double down) const {
+  return {left_.x + px(right), left_.y + px(down)};
+}
+
+Point2 SwatchPen::middle() const {
+  return at(kSwatch / 2 - 2);
+}
+
+void SwatchPen::level_line(double from, double to, double width, const Color& color) const {
+  line(at(from), at(to), width, color);
+}
+
+void SwatchPen::dashes(double width, const Color& color) const {
+  line(left_, at(23), width, color, 6, 2.5);
+}
+
+void SwatchPen::dot(double inner, double outer, const Color& color) const {
+  ring(middle(), inner, outer, color);
+}
+
+void SwatchPen::box(const Color& fill_color, const Color& border, double width, bool dashed) const {
+  const std::vector<Point2> corners = {at(0, -kHalfBox), at(kBox, -kHalfBox), at(kBox, kHalfBox),
+                                       at(0, kHalfBox)};
+  fill(corners, fill_color);
+  outline(corners, width, border, dashed ? 5 : 0);
+}
+
+void SwatchPen::hatched(const Color& color) const {
+  const double h = px(kHalfBox), w = px(kBox), x = left_.x, y = left_.y;
+  hatch({{x, y - h}, {x + w, y - h}, {x + w, y + h}, {x, y + h}}, {}, px(5), px(1.1), color,
+        drawing());
+}
+
+void SwatchPen::crossed(const Color& color) const {
+  cross(middle(), 4.5, 2, color, Cap::Round);
+}
+
+void SwatchPen::head(double tip, double size, const Color& color) const {
+  const Point2 to = at(tip);
+  const float s = px(size), half = 0.5f * std::abs(s);
+  fill({to, {to.x - s, to.y - half}, {to.x - s, to.y + half}}, color);
+}
+
+void SwatchPen::arrow(double width, double size, const Color& color) const {
+  level_line(0, 14, width, color);
+  head(22, size, color);
+}
+
+void SwatchPen::open_arrow(double width, const Color& color) const {
+  level_line(0, 21, width, color);
+  for (const double side : {-4.5, 4.5}) path({at(21), at(21 - 9, side)}, width, color);
+}
+
+void SwatchPen::whisker(double width, const Color& color) const {
+  line(middle(), {middle().x, at(0, 9).y}, width, color);
+}
+
+float legend_entry_width(const LegendEntry& entry, float scale) {
+  return scale * static_cast<float>(kSwatch + 6 + kEntryGap) +
+         text_width(entry.text, scale * static_cast<float>(SwatchPen::kLegendSize),
+                    FontWeight::Regular);
+}
+
+void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing) {
+  double x = layout.legend.x;
+  double middle = layout.legend.y + layout.px(kLegendRow / 2);
+  for (const LegendEntry& entry : entries) {
+    const double width = legend_entry_width(entry, layout.scale);
+    if (x > layout.legend.x && x + width > layout.legend.x + layout.legend.width) {
+      x = layout.legend.x;
+      middle += layout.px(kLegendRow);
+    }
+    const SwatchPen pen(layout, {static_cast<float>(x), static_cast<float>(middle)}, drawing);
+    entry.swatch->draw(pen);
+    const float size = layout.px(SwatchPen::kLegendSize);
+    pen.text(entry.text, {pen.at(kSwatch + 6).x, static_cast<float>(middle) + 0.36f * size},
+             Align::Left, kText);
+    x += width;
+  }
+}
+
+}  // namespace contactscope::draw

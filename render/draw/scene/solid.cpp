@@ -1,0 +1,68 @@
+#include "draw/scene/solid.h"
+
+#include <algorithm>
+
+#include "draw/scene/shading.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr LineStyle kSilhouette{2.0f, kShapeEdge, false, LineStyle::Hidden::Faint};
+constexpr LineStyle kFeature{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
+constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyle::Hidden::Faint};
+
+}  // namespace
+
+void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
+  const trace::Shape& solid = *shape.mesh->shape;
+  const Vec3d light = key_light(camera);
+  std::vector<bool> front(solid.faces.size());
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const std::vector<Vec3d> polygon = shape.polygon(static_cast<int>(f));
+    const Vec3d normal = shape.normal(static_cast<int>(f));
+    front[f] = camera.faces(polygon.front(), normal);
+    if (!front[f]) continue;
+    sketch.occluders.push_back(polygon);
+    sketch.surfaces.push_back({polygon, toned(fill, normal.dot(light))});
+  }
+  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+    const bool left = front[static_cast<std::size_t>(edge.left)];
+    const bool right = edge.right >= 0 && front[static_cast<std::size_t>(edge.right)];
+    const bool silhouette = left != right;
+    if (edge.smooth && !silhouette && !left) continue;  // hidden facets would only be noise
+    sketch.line(shape.vertex(edge.from), shape.vertex(edge.to),
+                silhouette    ? kSilhouette
+                : edge.smooth ? kSmooth
+                              : kFeature);
+  }
+}
+
+void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
+  constexpr Color kCore = with_alpha(kShapeEdge, 0.6f);
+  const RoundBody body(shape.vertices, shape.mesh->shape->radius);
+  const int index = static_cast<int>(sketch.bodies.size());
+  for (RoundBody::Facet& facet : body.front(camera, key_light(camera)))
+    sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
+  const std::vector<Vec3d> outline = body.outline(camera);
+  if (!outline.empty()) {
+    sketch.shadows.push_back(body.shadow(camera));
+    sketch.curves.push_back({outline, kSilhouette, true});
+  }
+  sketch.bodies.push_back(body);
+  if (body.core().size() == 2) sketch.line(body.core()[0], body.core()[1], {1.0f, kCore, true});
+  for (const Vec3d& point : body.core()) sketch.mark(MarkKind::Core, point, kCore);
+}
+
+bool in_view(const Camera& camera, const PlacedShape& shape) {
+  if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") return true;
+  const auto is_seen = [&](const Vec3d& point) { return camera.sees(point); };
+  // Corners first: of what is in the middle of a picture the first one is seen.
+  if (std::ranges::any_of(shape.vertices, is_seen)) return true;
+  if (std::ranges::any_of(extent_points(shape), is_seen)) return true;
+  for (std::size_t f = 0; f < shape.mesh->normals.size(); ++f) {
+    if (!project_polygon(camera, shape.polygon(static_cast<int>(f))).empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace contactscope::draw
