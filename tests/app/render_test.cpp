@@ -55,6 +55,34 @@ TEST(Render, FrameOfASequenceIsTheSameRenderedAlone) {
   EXPECT_TRUE(read_text(folder / ("all" + file)) == read_text(folder / ("one" + file)));
 }
 
+TEST(Render, NoneMeansNoLayersAndNoPanels) {
+  const TemporaryFolder folder;
+  const auto picture = [&](const std::string& options, const char* name) {
+    const ProgramRun result = run("render hull/face_contact --frames 12 --verbose " + options +
+                                  " --out '" + (folder / name) + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const bool panels = result.err.find("start Dear ImGui") != std::string::npos;
+    EXPECT_EQ(panels, options.find("--panels none") == std::string::npos) << options;
+    return read_png(folder / (std::string(name) + "/hull/face_contact/frame_0012.png"));
+  };
+  const auto is_white = [](const Image& image, int x, int y) {
+    const std::size_t at = 3 * static_cast<std::size_t>(y * image.width + x);
+    return image.rgb[at] == 255 && image.rgb[at + 1] == 255 && image.rgb[at + 2] == 255;
+  };
+  const auto drawn_in_view = [&](const Image& image) {
+    int pixels = 0;  // between title and source, left of the column of panels
+    for (int y = 80; y < 600; ++y) {
+      for (int x = 30; x < 850; ++x) pixels += !is_white(image, x, y);
+    }
+    return pixels;
+  };
+  EXPECT_GT(drawn_in_view(picture("--panels none", "a")), 10000);
+  EXPECT_EQ(drawn_in_view(picture("--panels none --layers none", "b")), 0);
+  EXPECT_EQ(drawn_in_view(picture("--layers none", "c")), 0);
+  EXPECT_THAT(run("render hull/face_contact --layers none,shapes").err,
+              HasSubstr("'none' stands alone"));
+}
+
 TEST(Render, VerboseSaysWhatRanAndWhatWasLeftOut) {
   const TemporaryFolder folder;
   const ProgramRun plain =

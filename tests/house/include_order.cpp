@@ -1,6 +1,7 @@
 #include "house/include_order.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -24,6 +25,21 @@ constexpr Folder kOrder[] = {
     {"app", "src"},
 };
 
+/// The floors of render/draw, each with those that it may use. What lies on none is the top.
+struct Floor {
+  std::string_view name;
+  std::array<std::string_view, 3> uses;
+};
+constexpr Floor kFloors[] = {
+    {"scene", {"scene"}},
+    {"layers", {"scene", "layers"}},
+    {"charts", {"scene", "charts"}},
+    {"insets", {"scene", "charts", "insets"}},
+};
+
+/// What all layers include; of each other they know nothing.
+constexpr std::string_view kLayer = "draw/layers/layer.h";
+
 const Folder* find_folder(std::string_view name) {
   const Folder* found = std::find_if(std::begin(kOrder), std::end(kOrder),
                                      [&](const Folder& folder) { return folder.name == name; });
@@ -38,6 +54,11 @@ bool may_use(const Folder& user, const Folder& used) {
     return used.name == "core" || used.name == "trace";
   }
   return true;
+}
+
+const Floor* find_floor(std::string_view name) {
+  const Floor* found = std::ranges::find(kFloors, name, &Floor::name);
+  return found == std::end(kFloors) ? nullptr : found;
 }
 
 std::vector<std::string> components(const std::string& path) {
@@ -109,6 +130,20 @@ void check_links(const std::string& path, std::istringstream words,
   }
 }
 
+/// Of an include from render/draw in render/draw: what is wrong with it, or nothing.
+std::string floor_violation(const std::string& path, const std::string& included) {
+  const Floor* user = find_floor(components(path)[2]);
+  if (user == nullptr) return {};
+  const Floor* used = find_floor(components(included)[1]);
+  const std::string name(user->name);
+  if (used == nullptr) return name + " must not use the top of draw";
+  if (std::ranges::find(user->uses, used->name) == user->uses.end())
+    return name + " must not use " + std::string(used->name);
+  if (user->name == "layers" && used == user && included != kLayer)
+    return "layers must not use each other";
+  return {};
+}
+
 bool is_source(const std::string& path) {
   return path.ends_with(".h") || path.ends_with(".cpp");
 }
@@ -128,6 +163,10 @@ void check_include(const SourceFile& file, int line, const std::string& included
   if (used && !may_use(folder, *used)) {
     violations.push_back(where + std::string(folder.name) + " must not use " +
                          std::string(used->name));
+  }
+  if (used == &folder && folder.name == "draw") {
+    const std::string why = floor_violation(file.path, included);
+    if (!why.empty()) violations.push_back(where + why);
   }
 }
 

@@ -56,6 +56,26 @@ TEST(IncludeOrder, DrawUsesCoreTraceAndImageAlone) {
               ElementsAre("render/draw/a.cpp:4: draw must not use geometry"));
 }
 
+TEST(IncludeOrder, NoArrowRunsUpInDraw) {
+  const std::vector<SourceFile> files = {
+      {"render/draw/scene/scene.h", "#include \"draw/layers/layer.h\""},
+      {"render/draw/layers/layer.h", "#include \"draw/scene/scene.h\""},
+      {"render/draw/layers/tree.cpp",
+       "#include \"draw/layers/layer.h\"\n#include \"draw/layers/ids.h\""},
+      {"render/draw/layers/ids.h", "#include \"draw/insets/inset.h\""},
+      {"render/draw/charts/plot.h", "#include \"draw/insets/inset.h\""},
+      {"render/draw/insets/inset.h",
+       "#include \"draw/charts/plot.h\"\n#include \"draw/staging.h\""},
+      {"render/draw/staging.h",
+       "#include \"draw/insets/inset.h\"\n#include \"draw/layers/layer.h\""}};
+  EXPECT_THAT(include_violations(files),
+              ElementsAre("render/draw/scene/scene.h:1: scene must not use layers",
+                          "render/draw/layers/tree.cpp:2: layers must not use each other",
+                          "render/draw/layers/ids.h:1: layers must not use insets",
+                          "render/draw/charts/plot.h:1: charts must not use insets",
+                          "render/draw/insets/inset.h:2: insets must not use the top of draw"));
+}
+
 TEST(IncludeOrder, AnIncludeOfNoFileIsCaught) {
   EXPECT_THAT(include_violations({{"src/core/pose.h", "#include \"core/pse.h\""}}),
               ElementsAre("src/core/pose.h:1: \"core/pse.h\" is no file of src or render"));
