@@ -177,15 +177,9 @@ void draw_sphere(const Camera& camera, Sketch& sketch) {
 void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const Camera& camera,
                Sketch& sketch) {
   if (!camera.faces(normal, normal)) return;
-  sketch.marks.push_back({MarkKind::Dot, normal, kAxisText});
-  sketch.marks.push_back({MarkKind::Ring, normal, kAxisText});
-  sketch.labels.push_back({.at = normal,
-                           .text = text,
-                           .color = kAxisText,
-                           .size = chosen ? 18.0f : 15.0f,
-                           .bold = chosen,
-                           .clearance = 15,
-                           .direction = std::nullopt});
+  sketch.mark(MarkKind::Dot, normal, kAxisText);
+  sketch.mark(MarkKind::Ring, normal, kAxisText);
+  sketch.label(normal, text, kAxisText, chosen ? 18.0f : 15.0f, 15).bold = chosen;
 }
 
 void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch) {
@@ -243,13 +237,8 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   draw_sphere(inset.camera, sketch);
   const trace::Pair* pair = pair_with_map(scene.frame);
   if (pair == nullptr) {
-    sketch.labels.push_back({.at = Vec3d::Zero(),
-                             .text = "no two hulls, nor a hull and a capsule",
-                             .color = kQuietText,
-                             .size = 15,
-                             .bold = false,
-                             .clearance = 0,
-                             .direction = std::nullopt});
+    sketch.label(Vec3d::Zero(), "no two hulls, nor a hull and a capsule", kQuietText, 15, 0).bold =
+        false;
     return picture;
   }
   const PlacedShape* placed_a = scene.find(pair->a);

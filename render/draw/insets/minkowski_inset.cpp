@@ -58,14 +58,8 @@ Color step_color(const SimplexStep& step) {
 
 void draw_vertex(const SimplexStep& step, std::size_t i, Sketch& sketch) {
   const Vec3d at = difference(step.vertices[i]);
-  sketch.marks.push_back({MarkKind::Dot, at, step_color(step)});
-  sketch.labels.push_back({.at = at,
-                           .text = std::to_string(step.numbers[i]),
-                           .color = step_color(step),
-                           .size = 17,
-                           .bold = true,
-                           .clearance = 10,
-                           .direction = std::nullopt});
+  sketch.mark(MarkKind::Dot, at, step_color(step));
+  sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 17, 10);
 }
 
 /// From the origin to a point, with its length. A number that is longer than its arrow would hide
@@ -73,21 +67,10 @@ void draw_vertex(const SimplexStep& step, std::size_t i, Sketch& sketch) {
 void draw_distance(const Inset& inset, const Vec3d& to, double distance, const std::string& name,
                    double smallest, Sketch& sketch) {
   if (to.norm() <= smallest) return;
-  Arrow arrow;
-  arrow.from = Vec3d::Zero();
-  arrow.to = to;
-  arrow.double_headed = true;
-  arrow.width = 3;
-  arrow.color = kAxis;
-  arrow.halo = false;  // it would cover the origin
-  sketch.arrows.push_back(arrow);
-  Label label{.at = 0.5 * to,
-              .text = name + spell_length(distance),
-              .color = kAxisText,
-              .size = 16,
-              .bold = true,
-              .clearance = 14,
-              .direction = std::nullopt};
+  // A halo would cover the origin.
+  sketch.arrows.push_back(
+      {.to = to, .double_headed = true, .width = 3, .color = kAxis, .halo = false});
+  Label& label = sketch.label(0.5 * to, name + spell_length(distance), kAxisText, 16, 14);
   const std::optional<Point2> from = inset.camera.project(Vec3d::Zero());
   const std::optional<Point2> tip = inset.camera.project(to);
   if (from && tip) {
@@ -99,7 +82,6 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
       label.direction = inset.camera.right();
     }
   }
-  sketch.labels.push_back(label);
 }
 
 void draw_next(const SimplexStep& step, Sketch& sketch) {
@@ -245,14 +227,8 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     for (const Vec3d& v : solid.vertices) size = std::max(size, (v - middle).norm());
   }
   const bool held = pair != nullptr && holds_origin(*pair);
-  sketch.marks.push_back({held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal});
-  sketch.labels.push_back({.at = Vec3d::Zero(),
-                           .text = "origin",
-                           .color = kNormal,
-                           .size = 15,
-                           .bold = true,
-                           .clearance = 12,
-                           .direction = Vec3d(-inset.camera.right())});
+  sketch.mark(held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal);
+  sketch.label(Vec3d::Zero(), "origin", kNormal, 15, 12, Vec3d(-inset.camera.right()));
   if (pair == nullptr) return picture;
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
   picture.note = note_of(*pair, step);
