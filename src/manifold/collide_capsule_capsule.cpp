@@ -173,7 +173,7 @@ Facing<S> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side
   return {end, closest_on_segment(end, axes.b.points[0], axes.b.points[1]).point};
 }
 
-/// Nothing unless the axes are nearly parallel and long enough beside each other.
+/// Adds no points unless the axes are nearly parallel and lie beside each other for long enough.
 template <class S>
 void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
                     Contact<S>& contact) {

@@ -144,8 +144,8 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float
   for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
 }
 
-/// All that tells a sphere or a capsule from another one of the same radius: the ends of its axis, then
-/// how and where it stands.
+/// What distinguishes a sphere or a capsule from another of the same radius: the ends of its axis, then
+/// its rotation and position.
 template <class S>
 std::array<S, 13> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
   const auto* capsule = std::get_if<Capsule<S>>(&shape);

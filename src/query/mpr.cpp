@@ -37,7 +37,7 @@ class Portal {
   /// From the inner point.
   Vec3<S> from_inner(const DifferencePoint<S>& point) const { return point.point - inner_; }
   Vec3<S> from_inner(int i) const { return from_inner(points_[static_cast<std::size_t>(i)]); }
-  /// Of which sign the ray passes the plane through the inner point and two others.
+  /// On which side of the plane through the inner point and two others the ray passes: the sign.
   S side(const Vec3<S>& one, const Vec3<S>& other) const { return ray_.dot(one.cross(other)); }
   S side(int i, int j) const { return side(from_inner(i), from_inner(j)); }
 

@@ -87,7 +87,7 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
   const S b = normal.x() * normal.y() * a;
   u_ = {S(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
   v_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
-  // Wanted late, so that it is worked out beside the basis and not before it.
+  // Computed after the basis so that the two do not wait for each other.
   up_ = std::copysign(S(1), signed_area(points, normal));
   project_all(points);
   if (!measure()) {

@@ -47,7 +47,7 @@ void tell_pair_keys(const Value& table, const std::vector<const ScenarioPair*>& 
   }
 }
 
-/// The pair that an entry of [[pairs]] has become; nullptr: it was left out.
+/// The pair that an entry of [[pairs]] has become; null where the entry was left out.
 const ScenarioPair* pair_of(const Value& entry, const Scenario& scenario) {
   const auto name = [&](int shape) {
     return scenario.shapes[static_cast<std::size_t>(shape)].name;

@@ -3,8 +3,9 @@
 
 #include "scenario/run.h"
 
-// Frames of scenarios with dynamic shapes. A frame depends on all before it, so states are kept, and a
-// frame is run from the latest one that is not after it; where that was, no result can tell.
+// Frames of scenarios with dynamic shapes. A frame depends on all frames before it, so states are kept,
+// and a frame is run from the latest state that is not after it. The results are the same whichever
+// state that is.
 
 namespace contactscope {
 namespace {

@@ -59,7 +59,7 @@ std::string with_unit(const char* unit) {
   return unit == nullptr ? "number" : std::string("number in ") + unit;
 }
 
-/// What to say of a key that nobody knows. Some misspellings deserve their reason.
+/// The message about a key that is not known. Some misspellings have a reason of their own.
 std::string unknown_key(std::string_view key, const Keys& keys) {
   const std::string found = "unknown key '" + std::string(key) + "'";
   const auto known = [&](std::string_view k) { return std::ranges::find(keys, k) != keys.end(); };

@@ -95,7 +95,7 @@ class Explorer {
   }
 
  private:
-  /// Nothing touched: what was kept is gone.
+  /// Forgets what was kept, after a frame in which the shapes did not touch.
   void forget() {
     for (Memory& memory : memories_) memory = {};
   }

@@ -125,7 +125,7 @@ class Map {
     }
   }
 
-  /// Nothing to colour. White alone would look like the least of errors.
+  /// A cell without a value is hatched: white alone would look like the smallest error.
   void hatched(const Rect& rect) {
     const double right = rect.x + rect.width, bottom = rect.y + rect.height;
     hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, px(6), px(1),

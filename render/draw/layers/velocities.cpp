@@ -47,7 +47,7 @@ bool has_numbers(const Scene& scene) {
   return scene.bodies().size() <= kLabelledBodies;
 }
 
-// One that is too short for an arrow still has a number beside those of others.
+// A velocity that is too short for an arrow still has its number, beside those of other bodies.
 bool is_told(const Scene& scene, const trace::Body& body) {
   return way_in_pixels(scene, body) >= (has_numbers(scene) ? kLeastNamed : kLeastVelocity);
 }

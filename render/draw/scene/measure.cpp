@@ -16,7 +16,7 @@ struct Seen {
   bool has_room = false;  // for its arrow; a length that is seen as a point has it too
 };
 
-/// Nothing where an end is behind the eye.
+/// Empty where an end is behind the eye.
 std::optional<Seen> seen(const Scene& scene, const Vec3d& from, const Vec3d& to) {
   const std::optional<Point2> a = scene.camera.project(from), b = scene.camera.project(to);
   if (!a || !b) return std::nullopt;
