@@ -13,8 +13,6 @@ class SeriesPlots {
   /// impulses are to be shown as the forces that they are over this time, else 0.
   SeriesPlots(const std::vector<TimeSeries>& series, double duration, double step = 0);
 
-  std::size_t chart_count() const { return charts_.size(); }
-
   /// Frames up to `moment`. Where there is little room, the strip, then the last charts are left
   /// out; returns how many.
   std::size_t draw(std::size_t moment, const Rect& rect, const Pen& pen) const;

@@ -117,7 +117,7 @@ class AxisHistoryPanel : public PanelContent {
     return {frame + each + (pairs > 1 ? line : 0), frame + each * static_cast<float>(pairs), 0, 1};
   }
 
-  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("chosen axis, frame by frame");
     if (pairs_.empty()) {
       sheet.paragraph("does not apply: no separating axis test of two hulls in this sequence",

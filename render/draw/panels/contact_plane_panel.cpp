@@ -84,7 +84,7 @@ class ContactPlanePanel : public PanelContent {
     return {least, least, 0, 2};
   }
 
-  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("contact plane, seen along the normal");
     const trace::Frame& frame = frames_[moment.frame];
     const trace::Pair* pair = pair_of_contact_plane(frame);

@@ -24,8 +24,8 @@ struct PanelMoment {
   std::optional<double> pipeline_nanoseconds{};
 };
 
-/// What one panel shows of a sequence. It looks through the frames once, when it is made; after
-/// that a picture costs what it shows.
+/// What one panel shows of a sequence. It looks through the frames once, when it is made or first
+/// laid out; after that a picture costs what it shows.
 class PanelContent {
  public:
   virtual ~PanelContent() = default;
@@ -35,7 +35,7 @@ class PanelContent {
   virtual PanelNeed need(const PanelMoment& moment) const = 0;
 
   /// Fills the sheet. Returns what it has no room for, "2 pairs", or nothing.
-  virtual std::string lay_out(const PanelMoment& moment, Sheet& sheet) const = 0;
+  virtual std::string lay_out(const PanelMoment& moment, Sheet& sheet) = 0;
 };
 
 using Frames = std::vector<trace::Frame>;  // of a whole sequence

@@ -1,5 +1,6 @@
 // The panels "stability" and "plots": charts over time.
 #include <algorithm>
+#include <optional>
 
 #include "draw/charts/series_plots.h"
 #include "draw/insets/stability_plot.h"
@@ -32,7 +33,7 @@ class StabilityPanel : public PanelContent {
     return {least, least + layout.px(kStabilityOverTime), 0, 2};
   }
 
-  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("stability: centre of mass over the contact");
     plot_.draw(moment.frame, staging_.camera, sheet.rest(), chart_pen(sheet));
     return {};
@@ -43,30 +44,37 @@ class StabilityPanel : public PanelContent {
   StabilityPlot plot_;
 };
 
-/// What the solver made of it, up to the current frame.
+/// What the solver made of it, up to the current frame. The series are gathered for the first
+/// picture that has room for them.
 class PlotsPanel : public PanelContent {
  public:
-  PlotsPanel(const Staging& staging, const Frames& frames)
-      : layout_(staging.layout),
-        plots_(time_series(frames), frames.back().time,
-               staging.view.shows(Layer::Loads) ? staging.scales.step : 0) {}
-
-  PanelNeed need(const PanelMoment&) const override {
-    const float least = Sheet::heading_height(layout_.scale) + layout_.px(kPlotsAxis + kPlotsChart);
-    const double more = static_cast<double>(std::max<std::size_t>(1, plots_.chart_count()) - 1);
-    return {least, least + layout_.px(more * kPlotsChart), 0, 2};
+  PlotsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
+    solved_ = std::ranges::any_of(
+        frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
   }
 
-  std::string lay_out(const PanelMoment& moment, Sheet& sheet) const override {
+  PanelNeed need(const PanelMoment&) const override {
+    const Layout& layout = staging_.layout;
+    const float least = Sheet::heading_height(layout.scale) + layout.px(kPlotsAxis + kPlotsChart);
+    const int charts = solved_ ? 4 : 2;
+    return {least, least + layout.px((charts - 1) * kPlotsChart), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    if (!plots_) {
+      const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
+      plots_.emplace(time_series(frames_), frames_.back().time, step);
+    }
     sheet.heading("over time");
+    const float scale = staging_.layout.scale;
     const Rect rest = sheet.rest();
     Drawing whole;
-    std::size_t missing = plots_.draw(moment.frame, rest, {whole, layout_.scale, kChartText});
+    std::size_t missing = plots_->draw(moment.frame, rest, {whole, scale, kChartText});
     if (missing > 0) {  // again, with a line below that says so
       whole = {};
       const double line = sheet.line_height();
       const Rect above{rest.x, rest.y, rest.width, rest.height - line};
-      missing = plots_.draw(moment.frame, above, {whole, layout_.scale, kChartText});
+      missing = plots_->draw(moment.frame, above, {whole, scale, kChartText});
       sheet.skip_to(rest.y + above.height);
     }
     std::vector<Primitive>& all = sheet.pen().drawing().primitives;
@@ -75,8 +83,10 @@ class PlotsPanel : public PanelContent {
   }
 
  private:
-  const Layout& layout_;
-  SeriesPlots plots_;
+  const Staging& staging_;
+  const Frames& frames_;
+  bool solved_ = false;
+  std::optional<SeriesPlots> plots_;
 };
 
 }  // namespace
