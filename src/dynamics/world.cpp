@@ -5,26 +5,6 @@
 namespace contactscope {
 
 template <class S>
-void pair_all(World<S>& world, const CollideOptions<S>& options, S friction, S restitution) {
-  world.pairs.clear();
-  world.impulses.clear();
-  const int count = static_cast<int>(world.bodies.size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      if (!world.bodies[static_cast<std::size_t>(a)].dynamic() &&
-          !world.bodies[static_cast<std::size_t>(b)].dynamic())
-        continue;
-      WorldPair<S>& pair = world.pairs.emplace_back();
-      pair.a = a;
-      pair.b = b;
-      pair.options = options;
-      pair.friction = friction;
-      pair.restitution = restitution;
-    }
-  }
-}
-
-template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
   contacts.resize(world.pairs.size());
@@ -46,8 +26,7 @@ void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
 
 template <class S>
 void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
-          S dt) {
-  std::vector<Manifolds<S>> contacts;
+          S dt, std::vector<Manifolds<S>>& contacts) {
   find_contacts(world, shapes, settings, contacts);
   std::vector<PairContacts<S>> pairs;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
@@ -58,10 +37,10 @@ void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSett
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                           \
-  template void pair_all(World<S>&, const CollideOptions<S>&, S, S);                          \
   template void find_contacts(World<S>&, const std::vector<Shape<S>>&, const SolverSettings&, \
                               std::vector<Manifolds<S>>&);                                    \
-  template void step(World<S>&, const std::vector<Shape<S>>&, const SolverSettings&, S);
+  template void step(World<S>&, const std::vector<Shape<S>>&, const SolverSettings&, S,       \
+                     std::vector<Manifolds<S>>&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

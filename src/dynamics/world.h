@@ -28,19 +28,15 @@ struct World {
   std::vector<PairImpulses<S>> impulses;  // of the last step, one a pair
 };
 
-/// Every two bodies of which one is dynamic, in order, with the same settings. Replaces `pairs`.
-template <class S>
-void pair_all(World<S>& world, const CollideOptions<S>& options, S friction, S restitution);
-
 /// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
 /// larger of the pair's margin and the speculative margin, settled(), are kept.
 template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts);
 
-/// find_contacts, then solve_step: `dt` seconds.
+/// find_contacts, then solve_step: `dt` seconds. The contacts stay to be looked at.
 template <class S>
 void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
-          S dt);
+          S dt, std::vector<Manifolds<S>>& contacts);
 
 }  // namespace contactscope

@@ -92,15 +92,8 @@ class StandingStack {
   }
 
  private:
-  /// As step() in world.h, but the contacts stay to be looked at.
   double step_once() {
-    find_contacts(world_, shapes_, settings_, contacts_);
-    std::vector<PairContacts<float>> pairs;
-    for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
-      const WorldPair<float>& pair = world_.pairs[i];
-      pairs.push_back({pair.a, pair.b, &contacts_[i], pair.friction, pair.restitution});
-    }
-    solve_step<float>(world_.bodies, pairs, world_.impulses, world_.gravity, settings_, kFrame);
+    step(world_, shapes_, settings_, kFrame, contacts_);
     note_ids();
     return static_cast<double>(world_.bodies.back().center.y());
   }

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/at.h"
 #include "dynamics/world.h"
 #include "geometry/primitives.h"
 #include "support/builders.h"
@@ -10,6 +11,19 @@
 namespace contactscope::test {
 
 inline constexpr double kGravity = 9.81;  // metres a second, a second; of every world
+
+/// Every two bodies of which one is dynamic, in order, with the same settings.
+template <class S>
+std::vector<WorldPair<S>> pair_all(const std::vector<Body<S>>& bodies, S friction, S restitution) {
+  std::vector<WorldPair<S>> pairs;
+  for (int a = 0; a < count_of(bodies); ++a) {
+    for (int b = a + 1; b < count_of(bodies); ++b) {
+      if (at(bodies, a).dynamic() || at(bodies, b).dynamic())
+        pairs.push_back({a, b, {}, friction, restitution});
+    }
+  }
+  return pairs;
+}
 
 template <class S>
 struct Scene {
@@ -43,8 +57,9 @@ struct Scene {
 
   void advance(int steps = 1) {
     if (world.pairs.empty())
-      pair_all<S>(world, {}, static_cast<S>(friction), static_cast<S>(restitution));
-    for (int i = 0; i < steps; ++i) step(world, shapes, settings, dt);
+      world.pairs = pair_all(world.bodies, static_cast<S>(friction), static_cast<S>(restitution));
+    std::vector<Manifolds<S>> contacts;
+    for (int i = 0; i < steps; ++i) step(world, shapes, settings, dt, contacts);
   }
 
   /// Sum of the normal impulses of all points of the pair a-b in the last step, newton seconds.
