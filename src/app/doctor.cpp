@@ -38,13 +38,10 @@ std::string looked_through(const Subject& subject) {
     found["solver"] += frame.solver.has_value();
     for (const trace::Pair& pair : frame.pairs) {
       found["manifolds"] += static_cast<int>(pair.manifolds.size());
-      found["sat"] += pair.sat.has_value();
-      found["clip"] += pair.clip.has_value();
-      found["reduction"] += pair.reduction.has_value();
-      found["gjk"] += pair.gjk.has_value();
-      found["penetration"] += pair.penetration.has_value();
-      found["incremental"] += pair.incremental.has_value();
-      found["stability"] += pair.stability.has_value();
+      trace::each_field<trace::Pair>([&](const auto& field) {
+        if constexpr (requires { (pair.*field.member).has_value(); })
+          found[field.key] += (pair.*field.member).has_value();
+      });
     }
   }
   std::string text = "trace of " + subject.name + ", frames " +

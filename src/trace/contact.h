@@ -17,12 +17,12 @@ struct Impulse {
 
   static constexpr auto fields() {
     return std::tuple(
-        field::of("normal", &Impulse::normal, Kind::Impulse).says("impulse"),
-        field::of("friction", &Impulse::friction, Kind::Impulse)
+        field::impulse("normal", &Impulse::normal).says("impulse"),
+        field::impulse("friction", &Impulse::friction)
             .optional()
             .negated()
             .says("friction impulse"),
-        field::of("warm_start", &Impulse::warm_start, Kind::Impulse).optional().says("warm start"));
+        field::impulse("warm_start", &Impulse::warm_start).optional().says("warm start"));
   }
   friend bool operator==(const Impulse&, const Impulse&) = default;
 };
@@ -33,12 +33,11 @@ struct RelativeVelocity {
   Vec3d after = Vec3d::Zero();   // when it ends, at the places of both bodies that met
 
   static constexpr auto fields() {
-    return std::tuple(field::of("before", &RelativeVelocity::before, Kind::Velocity)
-                          .negated()
-                          .says("relative velocity"),
-                      field::of("after", &RelativeVelocity::after, Kind::Velocity)
-                          .negated()
-                          .says("relative velocity after the step"));
+    return std::tuple(
+        field::velocity("before", &RelativeVelocity::before).negated().says("relative velocity"),
+        field::velocity("after", &RelativeVelocity::after)
+            .negated()
+            .says("relative velocity after the step"));
   }
   friend bool operator==(const RelativeVelocity&, const RelativeVelocity&) = default;
 };

@@ -93,7 +93,6 @@ struct Field {
   bool may_be_none = false;         // of an index: -1 points at nothing
   bool is_object_key = false;       // it is the key under which its struct stands
   bool is_merged = false;           // its keys stand among those of its owner
-  bool is_large = false;            // only recorded where a view shows it, see Stages
   bool is_told_first = false;
   bool is_told_last = false;
   const char* words = nullptr;  // what a sentence calls it; the key where nothing is said
@@ -117,7 +116,6 @@ struct Field {
     return with(&Field::counts_in, list).with(&Field::things, entries ? entries : list);
   }
   constexpr Field or_none() const { return with(&Field::may_be_none, true); }
-  constexpr Field large() const { return with(&Field::is_large, true); }
   constexpr Field told_first() const { return with(&Field::is_told_first, true); }
   constexpr Field told_last() const { return with(&Field::is_told_last, true); }
   constexpr Field says(const char* text) const { return with(&Field::words, text); }
@@ -149,65 +147,45 @@ struct Field {
   }
 };
 
-/// What the lists are made of.
+/// What the lists are made of: field::length("offset", &HalfSpace::offset).
 namespace field {
 
-template <class Owner, class Value>
-constexpr Field<Owner, Value> of(const char* key, Value Owner::*member, Kind kind) {
-  Field<Owner, Value> made{key, member, kind};
-  if constexpr (kIsOptional<Value>) made.presence = Presence::WhereSet;
-  return made;
-}
-
-template <class Owner, class Value>
-constexpr auto exact(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Exact);
-}
-template <class Owner, class Value>
-constexpr auto length(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Length);
-}
-template <class Owner, class Value>
-constexpr auto area(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Area);
-}
-template <class Owner, class Value>
-constexpr auto position(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Position);
-}
-template <class Owner, class Value>
-constexpr auto direction(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Direction);
-}
-/// A direction that points from a to b.
-template <class Owner, class Value>
-constexpr auto direction_to_b(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Direction).negated();
-}
+template <Kind kKind, Mirrored kMirrored = Mirrored::Kept>
+struct Of {
+  template <class Owner, class Value>
+  constexpr Field<Owner, Value> operator()(const char* key, Value Owner::*member) const {
+    const Presence presence = kIsOptional<Value> ? Presence::WhereSet : Presence::Needed;
+    return {key, member, kKind, presence, kMirrored};
+  }
+};
+inline constexpr Of<Kind::Exact> exact;
+inline constexpr Of<Kind::Length> length;
+inline constexpr Of<Kind::Area> area;
+inline constexpr Of<Kind::Position> position;
+inline constexpr Of<Kind::Direction> direction;
+inline constexpr Of<Kind::Direction, Mirrored::Negated> direction_to_b;  // it points from a to b
+inline constexpr Of<Kind::Rotation> rotation;
+inline constexpr Of<Kind::Ratio> ratio;
+inline constexpr Of<Kind::Impulse> impulse;
+inline constexpr Of<Kind::Velocity> velocity;
+inline constexpr Of<Kind::Spin> spin;
+inline constexpr Of<Kind::Energy> energy;
 /// "face_a", "face_b", "edge_edge", "closest_points".
-template <class Owner, class Value>
-constexpr auto axis(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Exact).mirror(Mirrored::AxisRenamed);
-}
+inline constexpr Of<Kind::Exact, Mirrored::AxisRenamed> axis;
 /// A struct that has a list of its own, also in an std::optional.
-template <class Owner, class Value>
-constexpr auto fact(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Exact);
-}
+inline constexpr Of<Kind::Exact> fact;
 /// A list of such structs. Where they have a name() it is an object, each under its name.
-template <class Owner, class Value>
-constexpr auto facts(const char* key, Value Owner::*member) {
-  return of(key, member, Kind::Exact);
-}
+inline constexpr Of<Kind::Exact> facts;
+
 /// A struct whose keys stand among those of its owner.
 template <class Owner, class Value>
 constexpr auto merged(Value Owner::*member) {
-  return of("", member, Kind::Exact).with(&Field<Owner, Value>::is_merged, true);
+  return fact("", member).with(&Field<Owner, Value>::is_merged, true);
 }
 /// The key under which its struct stands in an object.
 template <class Owner, class Value>
 constexpr auto name(Value Owner::*member) {
-  return of("name", member, Kind::Exact).names().with(&Field<Owner, Value>::is_object_key, true);
+  return exact("name", member).names().with(&Field<Owner, Value>::is_object_key, true);
 }
 
 }  // namespace field

@@ -22,12 +22,12 @@ struct Body {
 
   static constexpr auto fields() {
     return std::tuple(
-        field::name(&Body::name), field::of("mass", &Body::mass, Kind::Ratio),
+        field::name(&Body::name), field::ratio("mass", &Body::mass),
         field::position("center_of_mass", &Body::center_of_mass).says("centre of mass"),
-        field::of("velocity", &Body::velocity, Kind::Velocity),
-        field::of("angular_velocity", &Body::angular_velocity, Kind::Spin),
-        field::of("kinetic_energy", &Body::kinetic_energy, Kind::Energy),
-        field::of("potential_energy", &Body::potential_energy, Kind::Energy));
+        field::velocity("velocity", &Body::velocity),
+        field::spin("angular_velocity", &Body::angular_velocity),
+        field::energy("kinetic_energy", &Body::kinetic_energy),
+        field::energy("potential_energy", &Body::potential_energy));
   }
   friend bool operator==(const Body&, const Body&) = default;
 };
@@ -67,10 +67,10 @@ struct Totals {
 
   static constexpr auto fields() {
     return std::tuple(field::length("penetration", &Totals::penetration),
-                      field::of("normal_impulse", &Totals::normal_impulse, Kind::Impulse),
+                      field::impulse("normal_impulse", &Totals::normal_impulse),
                       field::exact("points", &Totals::points), field::exact("ids", &Totals::ids),
-                      field::of("kinetic_energy", &Totals::kinetic_energy, Kind::Energy),
-                      field::of("potential_energy", &Totals::potential_energy, Kind::Energy));
+                      field::energy("kinetic_energy", &Totals::kinetic_energy),
+                      field::energy("potential_energy", &Totals::potential_energy));
   }
   friend bool operator==(const Totals&, const Totals&) = default;
 };
@@ -82,7 +82,7 @@ template <>
 struct ListOf<Pose<double>> {
   static constexpr auto fields() {
     return std::tuple(field::position("position", &Pose<double>::position).says(""),
-                      field::of("quat_wxyz", &Pose<double>::rotation, Kind::Rotation).says(""));
+                      field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
   }
 };
 template <>

@@ -67,8 +67,28 @@ struct Degenerate {
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
 
+/// Which optional stages to record: what no picture shows need not be written down. The arcs of the
+/// Gauss map and the Minkowski difference are large and say nothing that the shapes do not: they are
+/// only recorded where a view asks for them.
+struct Stages {
+  bool sat = true;
+  bool clip = true;
+  bool reduction = true;
+  bool tree = true;
+  bool gjk = true;
+  bool gauss_map = false;
+  bool penetration = true;
+  bool minkowski = false;
+  bool stability = true;
+
+  static constexpr Stages none() {
+    return {false, false, false, false, false, false, false, false, false};
+  }
+};
+
 /// What the pipeline decided of two shapes in one frame. A stage that did not run, or that nobody
-/// asked for, is empty. A new stage is a struct with fields(), a member here and a row in the list.
+/// asked for, is empty. A new stage is a struct with fields(), a member here and a row in the list;
+/// all else but what fills it follows.
 struct Pair {
   std::string a;
   std::string b;
@@ -106,7 +126,7 @@ struct Pair {
                       field::fact("degenerate", &Pair::degenerate).apart("degenerate"),
                       field::fact("cache", &Pair::cache).apart("cache"),
                       field::fact("penetration", &Pair::penetration).apart("penetration"),
-                      field::fact("minkowski", &Pair::minkowski).large().apart("minkowski"),
+                      field::fact("minkowski", &Pair::minkowski).apart("minkowski"),
                       field::fact("incremental", &Pair::incremental).apart("incremental"),
                       field::fact("stability", &Pair::stability).apart("stability"));
   }

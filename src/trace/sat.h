@@ -78,7 +78,7 @@ struct Sat {
         field::fact("edge", &Sat::edge).apart("sat edge"),  //
         field::axis("chosen", &Sat::chosen),
         field::exact("preference", &Sat::preference).optional(),
-        field::facts("edge_pairs", &Sat::edge_pairs).where_set().large().entries("sat edge pair"));
+        field::facts("edge_pairs", &Sat::edge_pairs).where_set().entries("sat edge pair"));
   }
 };
 
