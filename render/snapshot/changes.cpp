@@ -1,28 +1,12 @@
 #include "snapshot/changes.h"
 
 #include <cstddef>
-#include <span>
 
 #include "snapshot/spelling.h"
 
 namespace contactscope::snapshot {
 
 using trace::Kind;
-
-double* Magnitudes::of(Kind kind) {
-  switch (kind) {
-    case Kind::Impulse:
-      return &impulse;
-    case Kind::Velocity:
-      return &velocity;
-    case Kind::Spin:
-      return &spin;
-    case Kind::Energy:
-      return &energy;
-    default:
-      return nullptr;
-  }
-}
 
 double Tolerance::of(Kind kind, double value) const {
   switch (kind) {
@@ -39,7 +23,7 @@ double Tolerance::of(Kind kind, double value) const {
     case Kind::Ratio:
       return relative * std::abs(value);
     default:
-      return relative * *Magnitudes(magnitudes).of(kind);
+      return relative * magnitudes[static_cast<std::size_t>(kind)];
   }
 }
 
@@ -62,29 +46,13 @@ bool settle(Kind kind, const T& expected, T& actual, double tolerance) {
   return true;
 }
 
-template <class Vector>
-std::vector<Vector*> points_of(std::span<Vector> points) {
-  std::vector<Vector*> all;
-  for (Vector& point : points) all.push_back(&point);
+const std::vector<Vec3d>& points_of(const std::vector<Vec3d>& points) {
+  return points;
+}
+std::vector<Vec3d> points_of(const trace::Simplex& simplex) {
+  std::vector<Vec3d> all;
+  for (const trace::SimplexVertex& vertex : simplex) all.insert(all.end(), {vertex.a, vertex.b});
   return all;
-}
-auto points_of(const std::vector<Vec3d>& points) {
-  return points_of(std::span<const Vec3d>(points));
-}
-auto points_of(std::vector<Vec3d>& points) {
-  return points_of(std::span<Vec3d>(points));
-}
-template <class Vector, class Vertices>
-std::vector<Vector*> both_points_of(Vertices& simplex) {
-  std::vector<Vector*> all;
-  for (auto& vertex : simplex) all.insert(all.end(), {&vertex.a, &vertex.b});
-  return all;
-}
-auto points_of(const trace::Simplex& simplex) {
-  return both_points_of<const Vec3d>(simplex);
-}
-auto points_of(trace::Simplex& simplex) {
-  return both_points_of<Vec3d>(simplex);
 }
 
 }  // namespace
@@ -196,22 +164,25 @@ void Changes::compare_vertices(const Wording& field, const Points& expected, Poi
     return add(field, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) +
                           " vertices");
   }
-  const std::vector<const Vec3d*> before = points_of(expected);
-  const std::vector<Vec3d*> after = points_of(actual);
+  const std::vector<Vec3d>& before = points_of(expected);
+  const std::vector<Vec3d>& after = points_of(actual);
   std::size_t moved = 0, farthest = 0;
   double distance = -1;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (settle(field.kind, *before[i], *after[i], tolerance_.length)) continue;
+    if (same(before[i], after[i], tolerance_.length)) continue;
     ++moved;
-    const double d = (*after[i] - *before[i]).norm();
+    const double d = (after[i] - before[i]).norm();
     // One that is no number outranks every distance.
     if (d <= distance || std::isnan(distance)) continue;
     distance = d;
     farthest = i;
   }
-  if (moved == 0) return;
+  if (moved == 0) {
+    actual = expected;
+    return;
+  }
   add(field,
-      "vertex " + std::to_string(farthest) + " " + spell_move(*before[farthest], *after[farthest]));
+      "vertex " + std::to_string(farthest) + " " + spell_move(before[farthest], after[farthest]));
   if (moved > 1) add({}, std::to_string(moved - 1) + " more moved");
 }
 

@@ -12,24 +12,16 @@
 
 namespace contactscope::snapshot {
 
-/// The largest impulse, velocity, spin and energy about: what such quantities are held against.
-struct Magnitudes {
-  double impulse = 0;   // newton seconds
-  double velocity = 0;  // metres a second
-  double spin = 0;      // radians a second
-  double energy = 0;    // joules
-
-  /// That of a kind; null of a kind that is held against none of them.
-  double* of(trace::Kind kind);
-};
-
 /// How far two numbers of one trace may lie apart and still count as equal.
 struct Tolerance {
   double length = 0;    // metres
   double relative = 0;  // of a component of a unit vector or quaternion, and of a magnitude
   double area = 0;      // square metres
-  Magnitudes magnitudes{};
+  /// The largest impulse, velocity, spin and energy about, which such quantities are held against,
+  /// in the units of the trace and by their Kind; 0 of other kinds.
+  std::array<double, trace::kKinds> magnitudes{};
 
+  double& magnitude(trace::Kind kind) { return magnitudes[static_cast<std::size_t>(kind)]; }
   /// Of a value of this kind.
   double of(trace::Kind kind, double value) const;
 };

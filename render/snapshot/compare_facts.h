@@ -118,9 +118,9 @@ void each_magnitude(const T& fact, const Take& take) {
     trace::each_field<T>([&]<class Value>(const trace::Field<T, Value>& field) {
       const Value& value = fact.*field.member;
       if constexpr (std::same_as<Value, double>) {
-        take(field.kind, std::abs(value));
+        if (trace::is_magnitude(field.kind)) take(field.kind, std::abs(value));
       } else if constexpr (std::same_as<Value, Vec3d>) {
-        take(field.kind, value.norm());
+        if (trace::is_magnitude(field.kind)) take(field.kind, value.norm());
       } else {
         each_magnitude(value, take);
       }
@@ -222,8 +222,8 @@ class Comparison {
     inside.tolerance.magnitudes = {};
     for (const Entry& entry : expected) {
       each_magnitude(entry, [&](trace::Kind kind, double value) {
-        if (double* const most = inside.tolerance.magnitudes.of(kind))
-          *most = std::max(*most, value);
+        double& most = inside.tolerance.magnitude(kind);
+        most = std::max(most, value);
       });
     }
     const bool alone = std::max(expected.size(), actual.size()) == 1;
@@ -235,7 +235,7 @@ class Comparison {
   void entry(const Field& field, const Entry& expected, Entry& actual, std::size_t index,
              bool alone, Place place, std::vector<Difference>& inner) const {
     if constexpr (is_subject<Entry>()) {
-      const Magnitudes magnitudes = place.tolerance.magnitudes;
+      const auto magnitudes = place.tolerance.magnitudes;
       if constexpr (trace::has_name<Entry>()) {
         place.tolerance = tolerance_of_(trace::name_of(expected), trace::name_of(expected));
       } else {

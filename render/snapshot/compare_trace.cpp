@@ -62,9 +62,7 @@ class Scale {
     Tolerance tolerance = make(0, 0);
     for (const trace::Pair& pair : frame.pairs)
       tolerance.length = std::max(tolerance.length, of(frame, pair.a, pair.b).length);
-    const auto add = [&](trace::Kind kind, double value) {
-      if (double* const sum = tolerance.magnitudes.of(kind)) *sum += value;
-    };
+    const auto add = [&](trace::Kind kind, double value) { tolerance.magnitude(kind) += value; };
     each_magnitude(frame.pairs, add);
     each_magnitude(frame.solver, add);
     return tolerance;

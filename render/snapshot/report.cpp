@@ -132,27 +132,12 @@ std::string Report::html() const {
 }
 
 std::string escape_html(const std::string& text) {
+  constexpr std::pair<char, const char*> kEscapes[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
   std::string escaped;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
+    const auto found = std::ranges::find(kEscapes, c, &std::pair<char, const char*>::first);
+    escaped += found == std::end(kEscapes) ? std::string(1, c) : found->second;
   }
   return escaped;
 }

@@ -8,23 +8,9 @@ bool is_ci(const char* value) {
 }
 
 const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Same:
-      return "same";
-    case Verdict::Different:
-      return "different";
-    case Verdict::Missing:
-      return "missing";
-    case Verdict::Stale:
-      return "stale";
-    case Verdict::Written:
-      return "written";
-    case Verdict::Updated:
-      return "updated";
-    case Verdict::Removed:
-      return "removed";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"same",    "different", "missing", "stale",
+                                    "written", "updated",   "removed"};
+  return kNames[static_cast<int>(verdict)];
 }
 
 Decision decide(Finding finding, const Policy& policy) {

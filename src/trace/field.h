@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -29,6 +30,12 @@ enum class Kind {
   Spin,
   Energy,
 };
+inline constexpr std::size_t kKinds = static_cast<std::size_t>(Kind::Energy) + 1;
+
+/// Whether a value is held against the largest one of its kind.
+constexpr bool is_magnitude(Kind kind) {
+  return kind >= Kind::Impulse;
+}
 
 /// What becomes of a value when a and b of its pair trade places.
 enum class Mirrored {

@@ -54,29 +54,12 @@ bool has_panels(const Study& study) {
 }
 
 std::string to_csv(const Study& study) {
-  std::vector<std::string> heads = {"study",
-                                    "measure",
-                                    "method",
-                                    "parameter",
-                                    "error",
-                                    "error_worst",
-                                    "nanoseconds_median",
-                                    "nanoseconds_min",
-                                    "nanoseconds_max",
-                                    "failed",
-                                    "of",
-                                    "error_name",
-                                    "unit",
-                                    "parameter_name",
-                                    "reference",
-                                    "cpu",
-                                    "compiler",
-                                    "build_type",
-                                    "date",
-                                    "scalar"};
   const bool panels = has_panels(study);
-  if (panels) heads.insert(heads.end(), {"panel", "row_name", "row"});
-  std::string text = row(heads);
+  std::string text =
+      "study,measure,method,parameter,error,error_worst,nanoseconds_median,nanoseconds_min,"
+      "nanoseconds_max,failed,of,error_name,unit,parameter_name,reference,cpu,compiler,build_type,"
+      "date,scalar";
+  text += panels ? ",panel,row_name,row\n" : "\n";
   const StudyContext& context = study.context;
   for (const StudySeries& one : study.series) {
     for (const StudyPoint& p : one.points) {
