@@ -10,7 +10,7 @@
 #include <vector>
 
 /// How the structs of this folder list their fields: each has a `fields()`, and the JSON writer and
-/// reader, the comparison that `check` makes, the mirroring of a pair, Stages and their tests all
+/// reader, the comparison that `check` makes, the mirroring of a pair and their tests all
 /// follow from it. A struct inside of another one, in an optional or in a list has a list of its own.
 namespace contactscope::trace {
 
