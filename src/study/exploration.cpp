@@ -17,7 +17,7 @@ namespace {
 /// Names of both shapes, the label, and the triangle of a mesh or -1.
 using ManifoldName = std::tuple<std::string, std::string, std::string, int>;
 
-ManifoldName name_of(const trace::Exploration& exploration) {
+ManifoldName manifold_name(const trace::Exploration& exploration) {
   return {exploration.a, exploration.b, exploration.label, exploration.triangle.value_or(-1)};
 }
 
@@ -298,7 +298,8 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
         exploration.normal = manifold.normal;
         if (f > 0)
           exploration.bodies_moved = bodies_move(header, before, frame, pair, manifold.points);
-        explorers.try_emplace(name_of(exploration), names, source.pairs[i].pipeline.max_points)
+        explorers
+            .try_emplace(manifold_name(exploration), names, source.pairs[i].pipeline.max_points)
             .first->second.answer(f, manifold, measure_time, exploration);
         result.push_back(std::move(exploration));
       }
