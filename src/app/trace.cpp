@@ -14,7 +14,7 @@ ExitCode run_trace(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("trace takes one scenario");
   const Scenario& scenario = scenarios.front();
-  const Runner runner(scenario);
+  Runner runner(scenario);
   std::cout << trace::to_json_line(runner.header()) << '\n';
   const FrameRange all{0, scenario.frames - 1, 1};
   for (const int frame : options.frames.value_or(all).select(scenario.frames)) {

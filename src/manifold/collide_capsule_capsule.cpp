@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/recorder.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -202,10 +198,10 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
 /// Steps: 1. closest points of the axes; 2. their direction is the normal, unless they meet; 3. two
 /// points if the axes are nearly parallel and long enough beside each other; 4. else, or if these
 /// are apart, the closest points.
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions<S>& options, Contact<S>& contact,
-                          Recorder& recorder) {
+                          Recorder<S>* recorder) {
   const Axis<S> axis_a = axis_in_own_frame(a);
   const Axis<S> axis_b = placed(axis_in_own_frame(b), b_in_a);
   const ClosestOfSegments<S> closest =
@@ -217,7 +213,7 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   if (closest.distance > clip_thickness(axes.scale())) {
     contact.normal = normal_between(axes, closest);
   } else {
-    recorder.degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
+    if (recorder) recorder->degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
     contact.normal = fallback_normal(axes, a, b, b_in_a);
   }
@@ -233,15 +229,7 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                              \
-  template S collide_capsule_capsule(const Capsule<S>&, const Capsule<S>&, const Pose<S>&, \
-                                     const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Capsule<float>, Capsule<float>> collide_capsule_capsule;
+template CollideConvex<double, Capsule<double>, Capsule<double>> collide_capsule_capsule;
 
 }  // namespace contactscope

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/capsule.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -25,9 +23,9 @@ namespace contactscope {
 /// between the axes is 16 to 64 ulps of a radian, where it is rounding itself; any wider and it
 /// would lean along an axis, so that contacts at its ends were deeper than the axes are. Which one
 /// is B is the caller's choice, see collide() in dispatch.h.
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions<S>& options, Contact<S>& contact,
-                          Recorder& recorder);
+                          Recorder<S>* recorder);
 
 }  // namespace contactscope

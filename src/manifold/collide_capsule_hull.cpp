@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/recorder.h"
 #include "manifold/round_hull.h"
 #include "query/capsule_touch.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -250,9 +246,10 @@ S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
 /// Steps: 1. the separating axis test; farther than the radius: apart. 2. What the segment touches
 /// and where (capsule_touch.h). 3. One or two points of the segment; the talk's clipping for faces.
 /// 4. From the hull's frame to A's.
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+                       const CollideOptions<S>& options, Contact<S>& contact,
+                       Recorder<S>* recorder) {
   const Mat3<S> rotation = b_in_a.rotation.toRotationMatrix();
   const Vec3<S> ends[2] = {rotation.transpose() * (a.points[0] - b_in_a.position),
                            rotation.transpose() * (a.points[1] - b_in_a.position)};
@@ -263,12 +260,12 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   if (axes.separation() > reach) return axes.separation() - a.radius;
 
   const CapsuleTouch<S> touch =
-      capsule_touch(b, ends, axes, scale, touching_distance(scale), recorder.gjk_run());
-  recorder.gjk(b_in_a);
+      capsule_touch(b, ends, axes, scale, touching_distance(scale), gjk_run(recorder));
+  if (recorder) recorder->gjk(b_in_a);
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr) {
-    recorder.degenerate(touch.degenerate, options.degenerate);
+    if (recorder) recorder->degenerate(touch.degenerate, options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
   }
 
@@ -292,15 +289,7 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                        \
-  template S collide_capsule_hull(const Capsule<S>&, const Hull<S>&, const Pose<S>&, \
-                                  const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Capsule<float>, Hull<float>> collide_capsule_hull;
+template CollideConvex<double, Capsule<double>, Hull<double>> collide_capsule_hull;
 
 }  // namespace contactscope

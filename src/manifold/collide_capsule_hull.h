@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/capsule.h"
 #include "geometry/hull.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -27,8 +25,9 @@ namespace contactscope {
 /// There is no one normal where the segment only touches a vertex, or one of its ends an edge,
 /// within rounding; nor inside where several faces that look elsewhere are equally near. The
 /// fallback is the best axis of the separating axis test, the earliest face among equals.
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                       const CollideOptions<S>& options, Contact<S>& contact,
+                       Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -2,13 +2,9 @@
 
 #include "manifold/collide_capsule_hull.h"
 #include "manifold/collide_with_triangles.h"
-#include "manifold/recorder.h"
 #include "manifold/round_hull.h"
 #include "query/closest_points.h"
 #include "query/face_prism.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -57,10 +53,10 @@ InPlane<S> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2]) {
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
-                       Recorder& recorder) {
+                       const CollideOptions<S>& options, ContactSink<S>& sink,
+                       Recorder<S>* recorder) {
   const Vec3<S> ends[2] = {b_in_a.inverse_transform(a.points[0]),
                            b_in_a.inverse_transform(a.points[1])};
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
@@ -111,16 +107,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
   return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                             \
-  template S collide_capsule_mesh(const Capsule<S>&, const Mesh<S>&, const Pose<S>&,      \
-                                  const CollideOptions<S>&, ContactSink<S, Recorder<S>>&, \
-                                  Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideWithMesh<float, Capsule<float>> collide_capsule_mesh;
+template CollideWithMesh<double, Capsule<double>> collide_capsule_mesh;
 
 }  // namespace contactscope

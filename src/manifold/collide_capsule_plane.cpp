@@ -4,18 +4,14 @@
 #include <cmath>
 
 #include "manifold/plane_contact.h"
-#include "manifold/recorder.h"
 #include "manifold/round_contact.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                         const CollideOptions<S>& options, Contact<S>& contact,
-                        Recorder& /*recorder*/) {
+                        Recorder<S>* /*recorder*/) {
   const Plane<S> plane = plane_in_a(b, b_in_a);
   const S heights[2] = {plane.distance(a.points[0]), plane.distance(a.points[1])};
   const S separation = std::min(heights[0], heights[1]) - a.radius;
@@ -33,15 +29,7 @@ S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                              \
-  template S collide_capsule_plane(const Capsule<S>&, const HalfSpace<S>&, const Pose<S>&, \
-                                   const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Capsule<float>, HalfSpace<float>> collide_capsule_plane;
+template CollideConvex<double, Capsule<double>, HalfSpace<double>> collide_capsule_plane;
 
 }  // namespace contactscope

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/capsule.h"
 #include "geometry/half_space.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -13,8 +11,9 @@ namespace contactscope {
 /// touches with an edge, any other with a point; one of length zero is a sphere and has one point.
 /// Fills `contact` in A's frame and returns the distance of the lowest point from the plane in
 /// metres, negative below it.
-template <class S, class Recorder>
+template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                        const CollideOptions<S>& options, Contact<S>& contact,
+                        Recorder<S>* recorder);
 
 }  // namespace contactscope

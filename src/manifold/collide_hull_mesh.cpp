@@ -6,10 +6,6 @@
 #include "manifold/collide_hull_hull.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/face_contact.h"
-#include "manifold/recorder.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -55,10 +51,9 @@ FaceQuery<S> query_face(const HullPair<S>& pair, int face) {
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
-                    Recorder& recorder) {
+                    const CollideOptions<S>& options, ContactSink<S>& sink, Recorder<S>* recorder) {
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     return collide_hull_hull(a, triangle.hull, triangle.in_a, options, contact, recorder,
                              preferred_face(b, triangle.index));
@@ -75,16 +70,7 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                                 collide, on_face);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
-  template S collide_hull_mesh(const Hull<S>&, const Mesh<S>&, const Pose<S>&,         \
-                               const CollideOptions<S>&, ContactSink<S, Recorder<S>>&, \
-                               Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideWithMesh<float, Hull<float>> collide_hull_mesh;
+template CollideWithMesh<double, Hull<double>> collide_hull_mesh;
 
 }  // namespace contactscope

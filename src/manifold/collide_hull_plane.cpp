@@ -5,11 +5,7 @@
 #include <limits>
 
 #include "manifold/plane_contact.h"
-#include "manifold/recorder.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -42,10 +38,10 @@ std::size_t count_lowest(const Hull<S>& hull, const Plane<S>& plane, S lowest, S
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                      const CollideOptions<S>& options, Contact<S>& contact,
-                     Recorder& /*recorder*/) {
+                     Recorder<S>* /*recorder*/) {
   const Plane<S> plane = plane_in_a(b, b_in_a);
   S lowest = std::numeric_limits<S>::infinity();
   bool is_heap = false;
@@ -75,15 +71,7 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
   return lowest;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                        \
-  template S collide_hull_plane(const Hull<S>&, const HalfSpace<S>&, const Pose<S>&, \
-                                const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Hull<float>, HalfSpace<float>> collide_hull_plane;
+template CollideConvex<double, Hull<double>, HalfSpace<double>> collide_hull_plane;
 
 }  // namespace contactscope

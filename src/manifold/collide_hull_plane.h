@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/half_space.h"
 #include "geometry/hull.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -20,8 +18,8 @@ namespace contactscope {
 ///
 /// Fills `contact` in A's frame and returns the distance of the lowest vertex from the plane in
 /// metres, negative below it.
-template <class S, class Recorder>
+template <class S>
 S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                     const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                     const CollideOptions<S>& options, Contact<S>& contact, Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -25,8 +25,10 @@ struct CollideOptions {
   bool internal_edges = true;  // of meshes: contacts on edges that the surface lacks are mended
   /// Of two hulls that overlap. Meshes and round shapes have ways of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;
+  /// Two shapes between which the table has no order are worked on as if given the other way round.
+  bool b_first = false;
   Reducer<S> reducer = nullptr;  // nullptr keeps all points
-  ReduceOptions reduction;
+  ReduceOptions reduction;       // `previous` in the order of the arguments, as results are
 };
 
 }  // namespace contactscope

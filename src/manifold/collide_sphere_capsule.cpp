@@ -3,12 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "manifold/recorder.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -49,10 +45,10 @@ S rounding_across(const Vec3<S>& center, const Capsule<S>& capsule) {
 /// Works in the capsule's own frame: there its axis is as exact as it was given, also one that is
 /// very much longer than the distance. Steps: 1. the vector to the closest point of the axis; 2. its
 /// direction is the normal, unless it is rounding alone.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions<S>& options, Contact<S>& contact,
-                         Recorder& recorder) {
+                         Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>::Zero());
   const ToAxis<S> to_axis = contactscope::to_axis(center, b);
   const S distance = safe_norm(to_axis.vector);
@@ -63,8 +59,9 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
     contact.normal = b_in_a.rotate(safe_unit(to_axis.vector));
   } else {
     const Vec3<S> along = b.points[1] - b.points[0];
-    recorder.degenerate(along.isZero(S(0)) ? "coincident centres" : "centre on the axis",
-                        options.degenerate);
+    if (recorder)
+      recorder->degenerate(along.isZero(S(0)) ? "coincident centres" : "centre on the axis",
+                           options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
     contact.normal = b_in_a.rotate(body_perpendicular(along));
   }
@@ -76,15 +73,7 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                            \
-  template S collide_sphere_capsule(const Sphere<S>&, const Capsule<S>&, const Pose<S>&, \
-                                    const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Sphere<float>, Capsule<float>> collide_sphere_capsule;
+template CollideConvex<double, Sphere<double>, Capsule<double>> collide_sphere_capsule;
 
 }  // namespace contactscope

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/capsule.h"
 #include "geometry/sphere.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -14,8 +12,9 @@ namespace contactscope {
 ///
 /// A centre on the axis, within rounding, has no normal: the fallback is a direction perpendicular
 /// to the axis that turns with the capsule, so that the contact does not jump from frame to frame.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
-                         const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                         const CollideOptions<S>& options, Contact<S>& contact,
+                         Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -1,6 +1,5 @@
 #include "manifold/collide_sphere_hull.h"
 
-#include "manifold/recorder.h"
 #include "manifold/round_hull.h"
 #include "query/closest_points.h"
 #include "query/face_prism.h"
@@ -8,9 +7,6 @@
 #include "query/hull_feature.h"
 #include "query/point_faces.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -71,9 +67,10 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
 /// Steps: 1. distances from all faces; farther than the radius: apart. 2. The centre inside, or
 /// above a face: that face. 3. GJK for the closest edge or vertex. 4. On an edge or vertex within
 /// rounding: the face of step 1.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+                      const CollideOptions<S>& options, Contact<S>& contact,
+                      Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
   const S scale = length_scale(b, b_in_a, S(0));
   const S tie = tie_tolerance(scale);
@@ -90,8 +87,8 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
     }
   } else if (!projects_into(b, face, center, S(0))) {
-    const Touch<S> closest = touch_edge_or_vertex(b, center, face, recorder.gjk_run());
-    recorder.gjk(b_in_a);
+    const Touch<S> closest = touch_edge_or_vertex(b, center, face, gjk_run(recorder));
+    if (recorder) recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {
       touch = closest;
     } else if (closest.feature.kind != FeatureKind::Face) {
@@ -101,7 +98,7 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   const S separation = touch.distance - a.radius;
   if (separation > options.margin) return separation;
   if (degenerate != nullptr) {
-    recorder.degenerate(degenerate, options.degenerate);
+    if (recorder) recorder->degenerate(degenerate, options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
   }
 
@@ -115,15 +112,7 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                      \
-  template S collide_sphere_hull(const Sphere<S>&, const Hull<S>&, const Pose<S>&, \
-                                 const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Sphere<float>, Hull<float>> collide_sphere_hull;
+template CollideConvex<double, Sphere<double>, Hull<double>> collide_sphere_hull;
 
 }  // namespace contactscope

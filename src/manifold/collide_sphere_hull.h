@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/hull.h"
 #include "geometry/sphere.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -18,8 +16,8 @@ namespace contactscope {
 /// There is no one normal where the centre lies on an edge or a vertex within rounding, and inside
 /// where several faces that look elsewhere are equally near. The fallback is the normal of the
 /// earliest of the nearest faces.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                      const CollideOptions<S>& options, Contact<S>& contact, Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -1,13 +1,9 @@
 #include "manifold/collide_sphere_mesh.h"
 
 #include "manifold/collide_with_triangles.h"
-#include "manifold/recorder.h"
 #include "manifold/round_hull.h"
 #include "query/closest_points.h"
 #include "query/face_prism.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -51,10 +47,10 @@ void add_point(const Vec3<S>& normal, S distance, S radius, const FeatureRef& fe
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
-                      Recorder& recorder) {
+                      const CollideOptions<S>& options, ContactSink<S>& sink,
+                      Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
   const SeenFromMesh<S> seen{{center - reach, center + reach}, center};
@@ -70,7 +66,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
       const S separation = distance - a.radius;
       if (separation > options.margin) return separation;
       if (distance <= touching) {
-        recorder.degenerate("centre on a triangle", options.degenerate);
+        if (recorder) recorder->degenerate("centre on a triangle", options.degenerate);
         if (options.degenerate == Degenerate::Skip) return separation;
       }
       const Vec3<S>& outward = triangle.hull.planes[static_cast<std::size_t>(face)].normal;
@@ -86,7 +82,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
     if (distance > touching) {
       outward = closest.outward / distance;
     } else {
-      recorder.degenerate("centre on an edge or a vertex", options.degenerate);
+      if (recorder) recorder->degenerate("centre on an edge or a vertex", options.degenerate);
       if (options.degenerate == Degenerate::Skip) return separation;
     }
     add_point<S>(-b_in_a.rotate(outward), distance, a.radius, closest.feature,
@@ -105,16 +101,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
   return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                            \
-  template S collide_sphere_mesh(const Sphere<S>&, const Mesh<S>&, const Pose<S>&,       \
-                                 const CollideOptions<S>&, ContactSink<S, Recorder<S>>&, \
-                                 Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideWithMesh<float, Sphere<float>> collide_sphere_mesh;
+template CollideWithMesh<double, Sphere<double>> collide_sphere_mesh;
 
 }  // namespace contactscope

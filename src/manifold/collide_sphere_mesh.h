@@ -11,9 +11,9 @@ namespace contactscope {
 /// centre behind one is pushed out at the back. A centre on a triangle or its outline, within
 /// rounding, has no normal: the fallback, see Degenerate, is that of the front. Returns the least
 /// separation in metres.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
-                      Recorder& recorder);
+                      const CollideOptions<S>& options, ContactSink<S>& sink,
+                      Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -1,16 +1,13 @@
 #include "manifold/collide_sphere_sphere.h"
 
-#include "manifold/recorder.h"
 #include "manifold/round_contact.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder) {
+                        const CollideOptions<S>& options, Contact<S>& contact,
+                        Recorder<S>* recorder) {
   const Vec3<S>& center_b = b_in_a.position;
   const S distance = safe_norm(center_b);
   const S separation = distance - (a.radius + b.radius);
@@ -19,7 +16,7 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
   if (distance > S(0)) {
     contact.normal = safe_unit(center_b);
   } else {
-    recorder.degenerate("coincident centres", options.degenerate);
+    if (recorder) recorder->degenerate("coincident centres", options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
     contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
   }
@@ -31,15 +28,7 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
   return separation;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
-  template S collide_sphere_sphere(const Sphere<S>&, const Sphere<S>&, const Pose<S>&, \
-                                   const CollideOptions<S>&, Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
-#undef CONTACTSCOPE_INSTANTIATE
+template CollideConvex<float, Sphere<float>, Sphere<float>> collide_sphere_sphere;
+template CollideConvex<double, Sphere<double>, Sphere<double>> collide_sphere_sphere;
 
 }  // namespace contactscope

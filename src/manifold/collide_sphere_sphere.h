@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/sphere.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
+#include "manifold/collide_convex.h"
 
 namespace contactscope {
 
@@ -13,8 +11,9 @@ namespace contactscope {
 /// direction of B's y axis, which turns with the body, so that the contact does not jump from frame
 /// to frame. Which one is B is the caller's choice: see collide() in dispatch.h for one that does
 /// not depend on the order in which the shapes were given.
-template <class S, class Recorder>
+template <class S>
 S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact, Recorder& recorder);
+                        const CollideOptions<S>& options, Contact<S>& contact,
+                        Recorder<S>* recorder);
 
 }  // namespace contactscope

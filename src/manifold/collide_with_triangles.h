@@ -171,19 +171,18 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 /// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
 /// hull is placed by `triangle.in_a`. Returns the least separation, metres; when no triangle is
 /// near, that is a lower bound, for the record, from the boxes.
-template <class S, class Recorder, class Collide, class OnFace>
+template <class S, class Collide, class OnFace>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
-                         const CollideOptions<S>& options, ContactSink<S, Recorder>& sink,
-                         Recorder& recorder, const Collide& collide, const OnFace& on_face) {
+                         const CollideOptions<S>& options, ContactSink<S>& sink,
+                         Recorder<S>* recorder, const Collide& collide, const OnFace& on_face) {
   const Vec3<S> grown = Vec3<S>::Constant(options.margin + tie_tolerance(reach_of(shape, b_in_a)));
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
-  recorder.tree(b, box);
 
   TriangleHull<S> triangle;
   S least = std::numeric_limits<S>::infinity();
   S kept = 0;  // depth of what was added or skipped, negative
   LeftOut<S> left_out;
-  b.tree.query(box, [&](int index) {
+  const auto collide_triangle = [&](int index) {
     triangle.set(b, index);
     const PlacedTriangle<S> placed{
         triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
@@ -205,10 +204,15 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     }
     kept = std::min(kept, deepest_of(contact));
     sink.add(contact, index);
-  });
+  };
+  if (recorder) {
+    for (const int index : recorder->query_tree(b, box)) collide_triangle(index);
+  } else {
+    b.tree.query(box, collide_triangle);
+  }
   left_out.ease(kept, options.margin);
   sink.add(left_out.contact, left_out.triangle);
-  if (Recorder::kRecords && least == std::numeric_limits<S>::infinity()) {
+  if (recorder && least == std::numeric_limits<S>::infinity()) {
     for (const Aabb<S>& leaf : b.tree.boxes) least = std::min(least, box_distance(shape.box, leaf));
   }
   return least;

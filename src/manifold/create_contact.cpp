@@ -4,9 +4,6 @@
 #include "manifold/face_contact.h"
 #include "manifold/recorder.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -20,9 +17,9 @@ S deep_enough(const HullPair<S>& pair, S deepest_axis, Preference preference) {
   return deepest_axis + preferred + depth_rounding(pair.scale);
 }
 
-template <class S, class Recorder>
+template <class S>
 S face_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin, Contact<S>& contact,
-               Recorder& recorder) {
+               Recorder<S>* recorder) {
   if (contact.axis == AxisKind::FaceA) {
     contact.normal = pair.a.normals[axes.face_a.face];
     return create_face_contact(pair, Owner::A, axes.face_a, margin, contact.points, recorder);
@@ -40,9 +37,9 @@ void edge_contact(const HullPair<S>& pair, const SatResult<S>& axes, Contact<S>&
 }
 
 /// The contact of the chosen axis; leaves the type of a face contact open.
-template <class S, class Recorder>
+template <class S>
 void contact_of_axis(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
-                     Preference preference, Contact<S>& contact, Recorder& recorder) {
+                     Preference preference, Contact<S>& contact, Recorder<S>* recorder) {
   contact.axis = axes.chosen;
   if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
 
@@ -55,7 +52,7 @@ void contact_of_axis(const HullPair<S>& pair, const SatResult<S>& axes, S margin
   // The face's support vertex hangs over its side, which only a face that is not the deepest axis
   // allows beyond rounding.
   if (contact.axis != axes.deepest) {
-    recorder.clip_abandoned();
+    if (recorder) recorder->clip_abandoned();
     contact.axis = axes.deepest;
     if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
     deepest = face_contact(pair, axes, margin, contact, recorder);
@@ -69,22 +66,18 @@ void contact_of_axis(const HullPair<S>& pair, const SatResult<S>& axes, S margin
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
-                    Preference preference, Contact<S>& contact, Recorder& recorder) {
+                    Preference preference, Contact<S>& contact, Recorder<S>* recorder) {
   contact_of_axis(pair, axes, margin, preference, contact, recorder);
   if (contact.axis != AxisKind::EdgeEdge) contact.type = face_contact_type(contact.points.size());
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                          \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                    \
   template void create_contact(const HullPair<S>&, const SatResult<S>&, S, Preference, \
-                               Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
+                               Contact<S>&, Recorder<S>*);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

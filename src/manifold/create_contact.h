@@ -6,6 +6,9 @@
 
 namespace contactscope {
 
+template <class S>
+class Recorder;
+
 /// Gregorius 2015, "Hull vs Hull: Contact Creation": a face contact or an edge contact from the
 /// axis that the separating axis test chose. `axes` must be touching.
 ///
@@ -14,8 +17,8 @@ namespace contactscope {
 /// short of that, a preferred face gives way to the deepest axis; if that is a face itself, its
 /// support vertex joins the points. The record says so: a dropped point "cut off by the side
 /// planes; kept as the deepest point". Pairs apart by no more than the margin may get no point.
-template <class S, class Recorder>
+template <class S>
 void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
-                    Preference preference, Contact<S>& contact, Recorder& recorder);
+                    Preference preference, Contact<S>& contact, Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -18,15 +18,11 @@
 #include "manifold/collide_sphere_sphere.h"
 #include "manifold/contact_sink.h"
 #include "manifold/in_double.h"
-#include "manifold/recorder.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
 
-/// Two shapes placed in the world.
+/// Two shapes placed in the world, in the order in which they are worked on.
 template <class S>
 struct PlacedPair {
   const Shape<S>& a;
@@ -36,27 +32,24 @@ struct PlacedPair {
   PairCache<S>* cache;  // nullptr: nothing is kept
 };
 
-template <class S, class Recorder>
-using Entry = void (*)(const PlacedPair<S>&, const CollideOptions<S>&, Manifolds<S>&, Recorder&);
-
-template <class S, class Recorder, class A, class B>
-using CollideConvex = S (*)(const A&, const B&, const Pose<S>&, const CollideOptions<S>&,
-                            Contact<S>&, Recorder&);
+template <class S>
+using Entry = void (*)(const PlacedPair<S>&, const CollideOptions<S>&, Manifolds<S>&, Recorder<S>*);
 
 /// One manifold at most, from what `collide` does with the pose of b in a.
-template <class S, class Recorder, class Collide>
+template <class S, class Collide>
 void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
-                  Manifolds<S>& manifolds, Recorder& recorder, const Collide& collide) {
+                  Manifolds<S>& manifolds, Recorder<S>* recorder, const Collide& collide) {
   Contact<S> contact;
-  recorder.separation(collide(relative_pose(pair.pose_a, pair.pose_b), contact));
-  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
+  const S separation = collide(relative_pose(pair.pose_a, pair.pose_b), contact);
+  if (recorder) recorder->separation(separation);
+  ContactSink<S> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
   sink.add(contact);
 }
 
 /// Two convex shapes of which nothing is kept between calls.
-template <class S, class Recorder, class A, class B, CollideConvex<S, Recorder, A, B> kCollide>
+template <class S, class A, class B, CollideConvex<S, A, B>* kCollide>
 void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
-            Recorder& recorder) {
+            Recorder<S>* recorder) {
   const A& a = *std::get_if<A>(&pair.a);
   const B& b = *std::get_if<B>(&pair.b);
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
@@ -64,82 +57,86 @@ void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifol
   });
 }
 
-template <class S, class Recorder>
+template <class S>
 void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
-           Recorder& recorder) {
+           Recorder<S>* recorder) {
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
-    recorder.minkowski(a, b, b_in_a);
+    if (recorder) recorder->minkowski(a, b, b_in_a);
     return pair.cache == nullptr
                ? collide_hull_hull(a, b, b_in_a, options, contact, recorder)
                : collide_hull_hull(a, b, b_in_a, options, *pair.cache, contact, recorder);
   });
 }
 
-template <class S, class Recorder, class A>
-using CollideMesh = S (*)(const A&, const Mesh<S>&, const Pose<S>&, const CollideOptions<S>&,
-                          ContactSink<S, Recorder>&, Recorder&);
-
-/// A convex shape and a mesh: one manifold a triangle.
-template <class S, class Recorder, class A, CollideMesh<S, Recorder, A> kCollide>
+template <class S, class A, CollideWithMesh<S, A>* kCollide>
 void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
-               Recorder& recorder) {
+               Recorder<S>* recorder) {
   // Ids count within a triangle, so those that were kept before say nothing without the triangle:
   // every manifold is reduced as if it were new.
   CollideOptions<S> of_triangle = options;
   of_triangle.reduction.previous = {};
   of_triangle.penetration = PenetrationMethod::Sat;
-  ContactSink<S, Recorder> sink(ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder);
+  ContactSink<S> sink(ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder);
   const S separation =
       kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
                relative_pose(pair.pose_a, pair.pose_b), of_triangle, sink, recorder);
-  if (manifolds.empty()) recorder.separation(separation);
+  if (recorder) recorder->separation(separation);
 }
 
 /// The upper half of the table; nullptr where there is nothing to do.
-template <class S, class R>
-Entry<S, R> entry(ShapeKind a, ShapeKind b) {
+template <class S>
+Entry<S> entry(ShapeKind a, ShapeKind b) {
   using Sp = Sphere<S>;
   using Ca = Capsule<S>;
   using Hu = Hull<S>;
   using Pl = HalfSpace<S>;
-  static constexpr Entry<S, R> kTable[kShapeKinds][kShapeKinds] = {
-      {convex<S, R, Sp, Sp, collide_sphere_sphere<S, R>>,
-       convex<S, R, Sp, Ca, collide_sphere_capsule<S, R>>,
-       convex<S, R, Sp, Hu, collide_sphere_hull<S, R>>,
-       convex<S, R, Sp, Pl, collide_sphere_plane<S, R>>,
-       with_mesh<S, R, Sp, collide_sphere_mesh<S, R>>},
-      {nullptr, convex<S, R, Ca, Ca, collide_capsule_capsule<S, R>>,
-       convex<S, R, Ca, Hu, collide_capsule_hull<S, R>>,
-       convex<S, R, Ca, Pl, collide_capsule_plane<S, R>>,
-       with_mesh<S, R, Ca, collide_capsule_mesh<S, R>>},
-      {nullptr, nullptr, hulls<S, R>, convex<S, R, Hu, Pl, collide_hull_plane<S, R>>,
-       with_mesh<S, R, Hu, collide_hull_mesh<S, R>>},
+  static constexpr Entry<S> kTable[kShapeKinds][kShapeKinds] = {
+      {convex<S, Sp, Sp, collide_sphere_sphere<S>>, convex<S, Sp, Ca, collide_sphere_capsule<S>>,
+       convex<S, Sp, Hu, collide_sphere_hull<S>>, convex<S, Sp, Pl, collide_sphere_plane<S>>,
+       with_mesh<S, Sp, collide_sphere_mesh<S>>},
+      {nullptr, convex<S, Ca, Ca, collide_capsule_capsule<S>>,
+       convex<S, Ca, Hu, collide_capsule_hull<S>>, convex<S, Ca, Pl, collide_capsule_plane<S>>,
+       with_mesh<S, Ca, collide_capsule_mesh<S>>},
+      {nullptr, nullptr, hulls<S>, convex<S, Hu, Pl, collide_hull_plane<S>>,
+       with_mesh<S, Hu, collide_hull_mesh<S>>},
       {nullptr, nullptr, nullptr, nullptr, nullptr},
       {nullptr, nullptr, nullptr, nullptr, nullptr},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
 }
 
-/// Works on the pair in the order of the table.
-template <class S, class Recorder>
+template <class S>
+[[gnu::cold]] void collide_watched(Entry<S> collide_pair, const PlacedPair<S>& pair,
+                                   const CollideOptions<S>& options, Manifolds<S>& manifolds,
+                                   trace::Pair& record, trace::Stages stages) {
+  // Each triangle has these of its own, and a record has room for one of each.
+  if (kind_of(pair.b) == ShapeKind::Mesh)
+    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
+  Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, record);
+  collide_pair(pair, options, manifolds, &recorder);
+}
+
+template <class S>
 void collide_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
-                      Manifolds<S>& manifolds, Recorder& recorder) {
+                      Manifolds<S>& manifolds, trace::Pair* record, const trace::Stages& stages) {
   manifolds.clear();
-  const auto collide_pair = entry<S, Recorder>(kind_of(pair.a), kind_of(pair.b));
-  if (collide_pair != nullptr) collide_pair(pair, options, manifolds, recorder);
+  const Entry<S> collide_pair = entry<S>(kind_of(pair.a), kind_of(pair.b));
+  if (collide_pair == nullptr) return;
+  if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
+  collide_watched(collide_pair, pair, options, manifolds, *record, stages);
 }
 
 /// The same for a pair that belongs_in_double.
-template <class Recorder>
 void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float>& options,
-                       Manifolds<float>& manifolds, Recorder& recorder) {
+                       Manifolds<float>& manifolds, trace::Pair* record,
+                       const trace::Stages& stages) {
   const Shape<double> a = in_double(pair.a);
   const Shape<double> b = in_double(pair.b);
   Manifolds<double> found;
   collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b), nullptr},
-                           in_double(options), found, recorder);
+                           in_double(options), found, record, stages);
   manifolds.clear();
   for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
 }
@@ -163,17 +160,25 @@ S radius_of(const Shape<S>& shape) {
   return sphere != nullptr ? sphere->radius : std::get_if<Capsule<S>>(&shape)->radius;
 }
 
-/// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first.
+/// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first. Not
+/// inlined: collide() keeps its registers for the kinds that have no need of this.
 template <class S>
-bool against_the_table(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                       const Pose<S>& pose_b) {
-  const ShapeKind kind = kind_of(a);
-  if (kind != kind_of(b)) return kind > kind_of(b);
-  if (kind != ShapeKind::Sphere && kind != ShapeKind::Capsule) return false;
+[[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
+                                           const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {
   const S radius_a = radius_of(a);
   const S radius_b = radius_of(b);
   if (radius_a != radius_b) return radius_a < radius_b;
-  return told_apart_by(a, pose_a) < told_apart_by(b, pose_b);
+  const auto of_a = told_apart_by(a, pose_a), of_b = told_apart_by(b, pose_b);
+  return of_a < of_b || (b_first && of_a == of_b);
+}
+
+template <class S>
+bool against_the_table(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                       const Pose<S>& pose_b, bool b_first) {
+  const ShapeKind kind = kind_of(a);
+  if (kind != kind_of(b)) return kind > kind_of(b);
+  if (kind != ShapeKind::Sphere && kind != ShapeKind::Capsule) return b_first;
+  return round_against_order(a, pose_a, b, pose_b, b_first);
 }
 
 }  // namespace
@@ -183,84 +188,34 @@ bool can_cache(ShapeKind one, ShapeKind other) {
 }
 
 bool can_collide(ShapeKind one, ShapeKind other) {
-  return entry<double, NoRecorder<double>>(std::min(one, other), std::max(one, other)) != nullptr;
-}
-
-template <class S>
-void mirror(Manifold<S>& manifold) {
-  manifold.normal = -manifold.normal;
-  manifold.axis = mirrored(manifold.axis);
-  for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
+  return entry<double>(std::min(one, other), std::max(one, other)) != nullptr;
 }
 
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
-             const CollideOptions<S>& options, Manifolds<S>& manifolds, PairCache<S>* cache) {
-  const bool swap = against_the_table(a, pose_a, b, pose_b);
-  const PlacedPair<S> pair = swap ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
-                                  : PlacedPair<S>{a, pose_a, b, pose_b, cache};
-  if (belongs_in_double(a, b, options.reducer)) [[unlikely]] {
-    if constexpr (std::is_same_v<S, float>) {
-      NoRecorder<double> recorder;
-      collide_in_double(pair, options, manifolds, recorder);
+             const CollideOptions<S>& options, Manifolds<S>& manifolds,
+             std::type_identity_t<PairCache<S>>* cache, trace::Pair* record,
+             const trace::Stages& stages) {
+  const bool traded = against_the_table(a, pose_a, b, pose_b, options.b_first);
+  const PlacedPair<S> pair = traded ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
+                                    : PlacedPair<S>{a, pose_a, b, pose_b, cache};
+  const auto work = [&](const CollideOptions<S>& in_order) {
+    if (belongs_in_double(a, b, options.reducer)) [[unlikely]] {
+      if constexpr (std::is_same_v<S, float>)
+        collide_in_double(pair, in_order, manifolds, record, stages);
+    } else {
+      collide_in_order(pair, in_order, manifolds, record, stages);
     }
-  } else {
-    NoRecorder<S> recorder;
-    collide_in_order(pair, options, manifolds, recorder);
-  }
-  if (!swap) return;
-  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+  };
+  work_in_order<S>(pair.a, pair.b, traded, options, manifolds, record, work);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                       \
-  template void mirror(Manifold<S>&);                                                     \
-  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, \
-                        const CollideOptions<S>&, Manifolds<S>&, PairCache<S>*);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                           \
+  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&,     \
+                        const CollideOptions<S>&, Manifolds<S>&, PairCache<S>*, trace::Pair*, \
+                        const trace::Stages&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
-
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-
-template <class S>
-void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
-             const CollideOptions<S>& options, Manifolds<S>& manifolds, const Recording& recording,
-             trace::Pair& record, PairCache<S>* cache) {
-  const bool swap = against_the_table(a, pose_a, b, pose_b);
-  const PlacedPair<S> pair = swap ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
-                                  : PlacedPair<S>{a, pose_a, b, pose_b, cache};
-  const bool told_mirrored = recording.mirrored != swap;
-  record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
-  trace::Stages stages = recording.stages;
-  // Each triangle has these of its own, and a record has room for one of each.
-  if (kind_of(pair.b) == ShapeKind::Mesh) {
-    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
-  }
-  TraceRecorder<S> recorder(ToWorld<S>(pair.pose_a), recording.reducer_name, stages, told_mirrored,
-                            record);
-  if (belongs_in_double(a, b, options.reducer)) {
-    if constexpr (std::is_same_v<S, float>) {
-      TraceRecorder<double> wide(ToWorld<double>(in_double(pair.pose_a)), recording.reducer_name,
-                                 stages, told_mirrored, record);
-      collide_in_double(pair, options, manifolds, wide);
-      record.manifolds.clear();  // told as they are returned
-      for (const Manifold<S>& manifold : manifolds) recorder.manifold(manifold);
-    }
-  } else {
-    collide_in_order(pair, options, manifolds, recorder);
-  }
-  if (!swap) return;
-  for (Manifold<S>& manifold : manifolds) mirror(manifold);
-}
-
-#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
-  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&,        \
-                        const CollideOptions<S>&, Manifolds<S>&, const Recording&, trace::Pair&, \
-                        PairCache<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
-
-#endif
 
 }  // namespace contactscope

@@ -5,9 +5,6 @@
 
 #include "manifold/recorder.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -41,17 +38,17 @@ void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
 
 /// Clips against every side plane of the reference face. Polygons go to and fro between `polygon`
 /// and `spare`; the result is the one returned.
-template <class S, class Recorder>
+template <class S>
 const ClipPolygon<S>& clip_against_sides(const Sides<S>& sides, S thickness,
                                          ClipPolygon<S>& polygon, ClipPolygon<S>& spare,
-                                         Recorder& recorder) {
+                                         Recorder<S>* recorder) {
   ClipPolygon<S>* current = &polygon;
   ClipPolygon<S>* other = &spare;
   for (const Side<S>& side : sides) {
     if (clip(*current, side.plane, side.edge, thickness, *other)) std::swap(current, other);
-    recorder.clip_step(side.plane, *current);
+    if (recorder) recorder->clip_step(side.plane, *current);
     // A record shows every side plane, also after nothing is left.
-    if (!Recorder::kRecords && current->empty()) break;
+    if (!recorder && current->empty()) break;
   }
   return *current;
 }
@@ -89,19 +86,19 @@ int incident_face(const Placed& hull, int support, const Vec3<S>& reference_norm
 
 namespace {
 
-template <class S, class Reference, class Other, class Recorder>
+template <class S, class Reference, class Other>
 S clipped_contact(const Reference& hull, const Other& other_hull, Owner reference,
                   const FaceQuery<S>& query, int incident, S scale, S margin, PointSet<S>& points,
-                  Recorder& recorder) {
+                  Recorder<S>* recorder) {
   const Plane<S> plane = hull.plane(query.face);
 
   ClipPolygon<S> polygon;
   ClipPolygon<S> spare;
   face_polygon(other_hull, other(reference), incident, polygon);
-  if constexpr (Recorder::kRecords) {
+  if (recorder) {
     face_polygon(hull, reference, query.face, spare);
-    recorder.clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
-                         ClipFace<S>{incident, other_hull.normal(incident), polygon});
+    recorder->clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
+                          ClipFace<S>{incident, other_hull.normal(incident), polygon});
   }
   Sides<S> sides;
   side_planes(hull, reference, query.face, sides);
@@ -117,7 +114,7 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
       points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
     } else {
-      recorder.dropped(vertex.position, "above the reference face");
+      if (recorder) recorder->dropped(vertex.position, "above the reference face");
     }
   }
   return deepest;
@@ -125,9 +122,9 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
 
 }  // namespace
 
-template <class S, class Recorder>
+template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
-                      PointSet<S>& points, Recorder& recorder) {
+                      PointSet<S>& points, Recorder<S>* recorder) {
   const PlacedHull<S>& hull = hull_of(pair, reference);
   const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
   const int incident = incident_face(other_hull, query.support, hull.normal(query.face));
@@ -135,46 +132,42 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
                          recorder);
 }
 
-template <class S, class Recorder, bool kReferenceMoved>
+template <class S, bool kReferenceMoved>
 S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
                       const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,
-                      PointSet<S>& points, Recorder& recorder) {
+                      PointSet<S>& points, Recorder<S>* recorder) {
   return clipped_contact(reference_hull, other_hull, reference, query, incident, scale, margin,
                          points, recorder);
 }
 
-template <class S, class Recorder>
+template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
-                                Recorder& recorder) {
+                                Recorder<S>* recorder) {
   const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
   const Plane<S> plane = hull_of(pair, reference).plane(query.face);
   const int incident = incident_face(other_hull, query.support, plane.normal);
   const Vec3<S> support = other_hull.vertices[query.support];
-  recorder.dropped(support, "cut off by the side planes; kept as the deepest point");
+  if (recorder) recorder->dropped(support, "cut off by the side planes; kept as the deepest point");
 
   const Owner owner = other(reference);
   const FeatureId id = corner_id(other_hull, owner, incident, query.support);
   return {support - query.separation * plane.normal, query.separation, id};
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                                     \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
   template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, PointSet<S>&, \
-                                 Recorder<S>&);                                                   \
+                                 Recorder<S>*);                                                   \
   template S create_face_contact(const PlacedFeatures<S, false>&, const PlacedFeatures<S, true>&, \
                                  Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
-                                 Recorder<S>&);                                                   \
+                                 Recorder<S>*);                                                   \
   template S create_face_contact(const PlacedFeatures<S, true>&, const PlacedFeatures<S, false>&, \
                                  Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
-                                 Recorder<S>&);                                                   \
+                                 Recorder<S>*);                                                   \
   template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
-                                           Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
+                                           Recorder<S>*);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                 \

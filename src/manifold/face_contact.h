@@ -6,6 +6,9 @@
 
 namespace contactscope {
 
+template <class S>
+class Recorder;
+
 /// The face of `hull` that is most anti-parallel to `reference_normal`, among those that meet at
 /// its vertex `support`, the deepest below the reference face. The talk looks through all faces.
 /// That is the same face unless the deepest vertex is a sharp one that sticks out beside it (a
@@ -19,23 +22,23 @@ int incident_face(const Placed& hull, int support, const Vec3<S>& reference_norm
 /// reference face itself; points up to `margin` (metres) above it are kept and moved onto it.
 /// `reference` says whose face `query.face` is. Fills `points` (emptied first) and returns the
 /// separation of the deepest in metres; +infinity when nothing is left.
-template <class S, class Recorder>
+template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
-                      PointSet<S>& points, Recorder& recorder);
+                      PointSet<S>& points, Recorder<S>* recorder);
 
 /// The same from two hulls of which only the faces that meet are placed, and with an incident face
 /// that is known. `scale` is the pair's (see HullPair), metres.
-template <class S, class Recorder, bool kReferenceMoved>
+template <class S, bool kReferenceMoved>
 S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
                       const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,
-                      PointSet<S>& points, Recorder& recorder);
+                      PointSet<S>& points, Recorder<S>* recorder);
 
 /// The contact point of the support vertex of `query`: moved onto the reference face, its id from
 /// the two edges of the incident face that meet there. For overlaps whose deepest point the
 /// clipping lost.
-template <class S, class Recorder>
+template <class S>
 ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
-                                Recorder& recorder);
+                                Recorder<S>* recorder);
 
 }  // namespace contactscope

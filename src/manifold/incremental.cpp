@@ -1,14 +1,11 @@
 #include "manifold/incremental.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "manifold/incremental_step.h"
 #include "manifold/recorder.h"
 #include "manifold/to_world.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/incremental_record.h"
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -43,14 +40,14 @@ ContactType type_of(const IncrementalStep<S>& step) {
 }
 
 /// Step 4, in the world. Points that stay keep their order.
-template <class S, class Recorder>
+template <class S>
 void reduce_points(const CollideOptions<S>& options, const Manifold<S>& manifold,
-                   IncrementalStep<S>& step, Recorder& recorder) {
+                   IncrementalStep<S>& step, Recorder<S>* recorder) {
   const std::span<const ContactPoint<S>> points(manifold.points.data(), manifold.points.size());
   KeptIndices kept;
   if (options.reducer != nullptr) {
-    kept = reduce(options.reducer, points, manifold.normal, options.reduction).kept;
-    recorder.reduction(points, manifold.normal, options.reduction.max_points, kept);
+    kept = recorder ? recorder->reduce(options, points, manifold.normal).kept
+                    : reduce(options.reducer, points, manifold.normal, options.reduction).kept;
   } else {
     const std::size_t spare =
         points.size() - std::min<std::size_t>(points.size(), kMaxPersistentPoints);
@@ -84,51 +81,44 @@ void keep_points(const IncrementalStep<S>& step, PersistentManifold<S>& persiste
   for (const StandingPoint<S>& point : step.points) persistent.points.push_back(point.kept);
 }
 
-/// One frame; what it did is left in `step` and `query`. False where nothing can be said.
-template <class S, class Recorder>
-bool step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& options,
+/// One frame. Nothing where nothing can be said.
+template <class S>
+void step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& options,
                    const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
-                   Manifolds<S>& manifolds, CoreQuery<S>& query, IncrementalStep<S>& step,
-                   Recorder& recorder) {
+                   Manifolds<S>& manifolds, Recorder<S>* recorder) {
   manifolds.clear();
-  if (!can_persist(kind_of(pair.a), kind_of(pair.b))) return false;
+  if (!can_persist(kind_of(pair.a), kind_of(pair.b))) return;
   build_cores(pair, incremental.settings, persistent);
   const Pose<S> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
   const ShapeCore<S>& a = *persistent.core_a;
   const ShapeCore<S>& b = *persistent.core_b;
   const PenetrationMethod method = incremental.penetration;
-  const auto found =
-      query_cores(a, b, b_in_a, method, recorder.gjk_run(), recorder.penetration_steps());
-  recorder.gjk(Pose<S>());
-  if (!found) {
+  const auto query =
+      query_cores(a, b, b_in_a, method, gjk_run(recorder), penetration_steps(recorder));
+  if (recorder) recorder->gjk(Pose<S>());
+  if (!query) {
     persistent.points.clear();
-    return false;
+    return;
   }
-  query = *found;
   // The separating axis test has a record of its own, of the shapes' features and not the cores'.
-  if (query.overlap && method != PenetrationMethod::Sat)
-    recorder.penetration(method, query.deep, nullptr);
-  const S separation = query.distance - (a.margin + b.margin);
-  recorder.separation(separation);
-  confirm_points(persistent, b_in_a, query, incremental.settings, options.margin, step);
+  if (recorder && query->overlap && method != PenetrationMethod::Sat)
+    recorder->penetration(method, query->deep, nullptr);
+  const S separation = query->distance - (a.margin + b.margin);
+  if (recorder) recorder->separation(separation);
+  IncrementalStep<S> step;
+  confirm_points(persistent, b_in_a, *query, incremental.settings, options.margin, step);
   if (separation <= options.margin)
-    add_point(persistent, b_in_a, query, incremental.settings, step);
+    add_point(persistent, b_in_a, *query, incremental.settings, step);
 
   const ToWorld<S> to_world(pair.pose_a);
   if (!step.points.empty()) {
     Manifold<S>& manifold = manifolds.emplace_back();
-    to_manifold(to_world, query, step, manifold);
+    to_manifold(to_world, *query, step, manifold);
     reduce_points(options, manifold, step, recorder);
-    to_manifold(to_world, query, step, manifold);
-    recorder.manifold(manifold);
+    to_manifold(to_world, *query, step, manifold);
   }
   keep_points(step, persistent);
-  return true;
-}
-
-template <class S>
-bool against_the_order(const Shape<S>& a, const Shape<S>& b) {
-  return kind_of(a) > kind_of(b);
+  if (recorder) recorder->incremental(*query, step, persistent, incremental);
 }
 
 }  // namespace
@@ -141,59 +131,28 @@ template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                          const Pose<S>& pose_b, const CollideOptions<S>& options,
                          const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
-                         Manifolds<S>& manifolds) {
-  const bool swap = against_the_order(a, b);
+                         Manifolds<S>& manifolds, trace::Pair* record,
+                         const trace::Stages& stages) {
+  // Sizes and places say nothing here: points persist in one order for as long as the pair does.
+  const bool traded = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
   const PersistentPair<S> pair =
-      swap ? PersistentPair<S>{b, pose_b, a, pose_a} : PersistentPair<S>{a, pose_a, b, pose_b};
-  NoRecorder<S> recorder;
-  CoreQuery<S> query;
-  IncrementalStep<S> step;
-  step_in_order(pair, options, incremental, persistent, manifolds, query, step, recorder);
-  if (!swap) return;
-  for (Manifold<S>& manifold : manifolds) mirror(manifold);
-}
-
-#define CONTACTSCOPE_INSTANTIATE(S)                                                               \
-  template void collide_incremental(                                                              \
-      const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&, const CollideOptions<S>&, \
-      const IncrementalOptions&, PersistentManifold<S>&, Manifolds<S>&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
-
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-
-template <class S>
-void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                         const Pose<S>& pose_b, const CollideOptions<S>& options,
-                         const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
-                         Manifolds<S>& manifolds, const Recording& recording, trace::Pair& record) {
-  const bool swap = against_the_order(a, b);
-  const PersistentPair<S> pair =
-      swap ? PersistentPair<S>{b, pose_b, a, pose_a} : PersistentPair<S>{a, pose_a, b, pose_b};
-  const bool told_mirrored = recording.mirrored != swap;
-  record.kind = told_mirrored ? pair_kind(pair.b, pair.a) : pair_kind(pair.a, pair.b);
-  record.incremental.reset();
-  const ToWorld<S> to_world(pair.pose_a);
-  TraceRecorder<S> recorder(to_world, recording.reducer_name, recording.stages, told_mirrored,
-                            record);
-  CoreQuery<S> query;
-  IncrementalStep<S> step;
-  if (step_in_order(pair, options, incremental, persistent, manifolds, query, step, recorder))
-    record.incremental = told_step(to_world, query, step, persistent, incremental, told_mirrored);
-  if (!swap) return;
-  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+      traded ? PersistentPair<S>{b, pose_b, a, pose_a} : PersistentPair<S>{a, pose_a, b, pose_b};
+  const auto work = [&](const CollideOptions<S>& in_order) {
+    std::optional<Recorder<S>> recorder;
+    if (record != nullptr) recorder.emplace(ToWorld<S>(pair.pose_a), stages, *record);
+    step_in_order(pair, in_order, incremental, persistent, manifolds,
+                  recorder ? &*recorder : nullptr);
+  };
+  work_in_order<S>(pair.a, pair.b, traded, options, manifolds, record, work);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                    \
   template void collide_incremental(const Shape<S>&, const Pose<S>&, const Shape<S>&,  \
                                     const Pose<S>&, const CollideOptions<S>&,          \
                                     const IncrementalOptions&, PersistentManifold<S>&, \
-                                    Manifolds<S>&, const Recording&, trace::Pair&);
+                                    Manifolds<S>&, trace::Pair*, const trace::Stages&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
-
-#endif
 
 }  // namespace contactscope

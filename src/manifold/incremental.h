@@ -76,23 +76,16 @@ struct IncrementalOptions {
 ///      features or is nearer than the breaking distance;
 ///   4. the reducer leaves at most max_points (4, unless told otherwise) of those and the new one;
 ///      they stay in their order, the oldest first.
+///
+/// Shapes of one kind are worked on in the order given, or the other one with options.b_first. `record`
+/// is null when nobody watches. Else what became of each point is written there, beside GJK and the
+/// reduction, as collide() does it. A point that another has replaced is listed as broken where
+/// their places differ by more than a hundredth of the breaking distance, which no picture shows.
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                          const Pose<S>& pose_b, const CollideOptions<S>& options,
                          const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
-                         Manifolds<S>& manifolds);
-
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-
-/// The same, bit for bit, and writes what became of each point into `record`, beside GJK and the
-/// reduction. A point that another has replaced is listed as broken where their places differ by
-/// more than a hundredth of the breaking distance, which no picture shows.
-template <class S>
-void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                         const Pose<S>& pose_b, const CollideOptions<S>& options,
-                         const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
-                         Manifolds<S>& manifolds, const Recording& recording, trace::Pair& record);
-
-#endif
+                         Manifolds<S>& manifolds, trace::Pair* record = nullptr,
+                         const trace::Stages& stages = kUsualStages);
 
 }  // namespace contactscope

@@ -99,8 +99,7 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
   if (b.kind == ShapeKind::Plane) return query_half_space(a, b, b_in_a);
   const SupportSet<S> set_a = a.support();
   const SupportSet<S> set_b = b.support();
-  const GjkSimplex<S>* const no_warm_start = nullptr;
-  const GjkResult<S> result = gjk(set_a, set_b, b_in_a, no_warm_start, run);
+  const GjkResult<S> result = gjk<S>(set_a, set_b, b_in_a, nullptr, run);
 
   CoreQuery<S> query;
   query.scale = scale_of_cores(a, b, b_in_a);

@@ -10,9 +10,6 @@
 #include "query/far_axes.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-#include "manifold/trace_recorder.h"
-#endif
 
 namespace contactscope {
 namespace {
@@ -207,10 +204,10 @@ struct Rebuilt {
 };
 
 /// Against the face of `reference` in `cache`, whose other hull has turned by no more than `turn`.
-template <class S, class Reference, class Other, class Recorder>
+template <class S, class Reference, class Other>
 S rebuild_face(const Reference& reference, const Other& other_hull, Owner owner,
                const PairCache<S>& cache, const FaceQuery<S>& query, S turn, S scale, S margin,
-               PointSet<S>& points, Recorder& recorder) {
+               PointSet<S>& points, Recorder<S>* recorder) {
   const bool still_incident =
       query.support == cache.support && S(2) * turn < cache.incident_clearance;
   const int incident = still_incident
@@ -220,10 +217,10 @@ S rebuild_face(const Reference& reference, const Other& other_hull, Owner owner,
                              recorder);
 }
 
-template <class S, class Recorder>
+template <class S>
 Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
                    const MeasuredAxis<S>& axis, S turn, S scale, S margin, Contact<S>& contact,
-                   Recorder& recorder) {
+                   Recorder<S>* recorder) {
   const AxisKind kind = cache.axis;
   contact.axis = kind;
   contact.normal = axis.normal;
@@ -250,10 +247,10 @@ Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
 
 /// Steps: measure the axis; it may separate. If it does not and features were kept, bound the far
 /// axes by how far the pair has moved, rebuild the contact, and bound the near axes by it.
-template <class S, class Recorder>
+template <class S>
 CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                                   const CollideOptions<S>& options, const PairCache<S>& cache,
-                                  Contact<S>& contact, Recorder& recorder) {
+                                  Contact<S>& contact, Recorder<S>* recorder) {
   CacheAnswer<S> answer;
   if (cache.kind == CachedKind::Empty || !belongs_to(cache, a, b)) return answer;
   answer.kind = cache.kind;
@@ -292,7 +289,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   // The bound is not below the deepest point, which is thus deep enough as well.
   answer.hit =
       !contact.points.empty() && preferred(axis.separation, bound, options.margin, min_radius);
-  if (!answer.hit) recorder.clip_abandoned();
+  if (recorder && !answer.hit) recorder->clip_abandoned();
   return answer;
 }
 
@@ -376,16 +373,12 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   return cache;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S, Recorder)                                                \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
   template CacheAnswer<S> collide_from_cache(const Hull<S>&, const Hull<S>&, const Pose<S>&, \
                                              const CollideOptions<S>&, const PairCache<S>&,  \
-                                             Contact<S>&, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE(float, NoRecorder)
-CONTACTSCOPE_INSTANTIATE(double, NoRecorder)
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-CONTACTSCOPE_INSTANTIATE(float, TraceRecorder)
-CONTACTSCOPE_INSTANTIATE(double, TraceRecorder)
-#endif
+                                             Contact<S>&, Recorder<S>*);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                            \

@@ -45,6 +45,9 @@
 /// A hit leaves the cache as it is: bounds do not add up over frames.
 namespace contactscope {
 
+template <class S>
+class Recorder;
+
 enum class CachedKind : std::uint8_t { Empty, SeparatingAxis, Features };
 
 /// "separating_axis", "features", as traces spell it.
@@ -92,10 +95,10 @@ struct CacheAnswer {
 
 /// Tries what `cache` holds. On a hit `contact` is the pair's, in A's frame, empty when separated;
 /// else nothing can be said of `contact`. A pose that is not finite is never a hit.
-template <class S, class Recorder>
+template <class S>
 CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                                   const CollideOptions<S>& options, const PairCache<S>& cache,
-                                  Contact<S>& contact, Recorder& recorder);
+                                  Contact<S>& contact, Recorder<S>* recorder);
 
 /// What is to be kept of a full test: `axes` and `contact` are its results, `faces_a` and `faces_b`
 /// what its face queries measured.

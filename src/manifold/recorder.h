@@ -1,47 +1,125 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/manifold.h"
-#include "core/plane.h"
 #include "core/preference.h"
 #include "geometry/mesh.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
+#include "manifold/to_world.h"
 #include "query/gjk.h"
 #include "query/penetration.h"
 #include "query/sat.h"
 #include "reduce/reducer.h"
+#include "trace/trace.h"
 
 namespace contactscope {
 
-/// The pipeline is a template on its recorder and calls these at the end of each stage. This one
-/// records nothing: every call is empty and disappears, so that a pipeline that nobody watches is
-/// the pipeline without a recorder. TraceRecorder is the other.
-///
-/// What is only worked out for the record stands behind `if constexpr (Recorder::kRecords)`.
 template <class S>
-struct NoRecorder {
-  static constexpr bool kRecords = false;
+struct CoreQuery;
+template <class S>
+struct IncrementalStep;
+template <class S>
+struct PersistentManifold;
+struct IncrementalOptions;
 
-  void axes(const HullPair<S>&, const SatResult<S>&, Preference) {}
-  void cache(const CacheAnswer<S>&) {}
-  void clip_begins(Owner, const ClipFace<S>&, const ClipFace<S>&) {}
-  void clip_step(const Plane<S>&, const ClipPolygon<S>&) {}
-  void dropped(const Vec3<S>&, const char*) {}
-  void clip_abandoned() {}
-  void contact_axis(AxisKind) {}
-  void reduction(std::span<const ContactPoint<S>>, const Vec3<S>&, int, const KeptIndices&) {}
-  /// Where a run of GJK that is to be told goes; nullptr: nowhere.
-  GjkRun<S>* gjk_run() { return nullptr; }
-  void gjk(const Pose<S>&) {}
-  /// Where the steps of a penetration method that are to be told go; nullptr: nowhere.
-  PenetrationSteps<S>* penetration_steps() { return nullptr; }
-  void penetration(PenetrationMethod, const PenetrationResult<S>&, const char*) {}
-  void minkowski(const Hull<S>&, const Hull<S>&, const Pose<S>&) {}
-  void tree(const Mesh<S>&, const Aabb<S>&) {}
-  void degenerate(const char*, Degenerate) {}
-  void separation(S) {}
-  void manifold(const Manifold<S>&) {}
+/// Writes what each stage decided into a trace::Pair: from A's frame to the world in the pipeline's
+/// own scalar, then exactly to double. The record is told in the order in which the pair is worked
+/// on; whoever traded the shapes mirrors it, see pair_order.h.
+///
+/// Stages get a pointer to it, null when nobody watches, and tell what they did as they do it. Its
+/// functions are cold: a pipeline that nobody watches pays one untaken branch for each, and a test
+/// holds it to the same bits.
+template <class S>
+class Recorder {
+ public:
+  /// `pair` must outlive this. It is empty but for its names of the shapes, which are set already,
+  /// in the order in which the pair is worked on.
+  Recorder(const ToWorld<S>& to_world, const trace::Stages& stages, trace::Pair& pair)
+      : to_world_(to_world), stages_(stages), pair_(pair) {}
+
+  /// Where the edge query leaves what it looked at.
+  [[gnu::cold]] EdgeQueryRecord<S>* edge_query();
+  [[gnu::cold]] void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
+  /// What the pair's cache held was tried.
+  [[gnu::cold]] void cache(const CacheAnswer<S>& answer);
+  /// `reference` owns the first face.
+  [[gnu::cold]] void clip_begins(Owner reference, const ClipFace<S>& reference_face,
+                                 const ClipFace<S>& incident_face);
+  /// A side plane of the reference face and what it left.
+  [[gnu::cold]] void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
+  [[gnu::cold]] void dropped(const Vec3<S>& position, const char* reason);
+  /// The face contact is given up for another axis.
+  [[gnu::cold]] void clip_abandoned();
+  /// The axis that made the contact, when it is not the one that the test chose.
+  [[gnu::cold]] void contact_axis(AxisKind kind);
+  /// Runs the reducer of the options, which tells its choices. `points` and `normal` in the world.
+  [[gnu::cold]] Reduction reduce(const CollideOptions<S>& options,
+                                 std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
+  /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.
+  [[gnu::cold]] GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
+  /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
+  [[gnu::cold]] void gjk(const Pose<S>& frame);
+  /// Where a penetration method leaves its steps; nullptr where they are not to be recorded.
+  [[gnu::cold]] PenetrationSteps<S>* penetration_steps() {
+    return stages_.penetration ? &penetration_steps_ : nullptr;
+  }
+  /// What a method found, in A's frame, with the steps that were left in penetration_steps();
+  /// `fallback` names the method whose result stands instead, or is nullptr.
+  [[gnu::cold]] void penetration(PenetrationMethod method, const PenetrationResult<S>& result,
+                                 const char* fallback);
+  /// The Minkowski difference of two hulls, where a view shows it: the pipeline has no need of it.
+  [[gnu::cold]] void minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a);
+  /// Queries a mesh's tree with the other shape's box, both in the mesh's frame; returns the
+  /// triangles.
+  [[gnu::cold]] std::vector<int> query_tree(const Mesh<S>& mesh, const Aabb<S>& box);
+  /// The geometry had no normal of its own; what was done about it.
+  [[gnu::cold]] void degenerate(const char* geometry, Degenerate answer);
+  /// Of the pair, metres: what stands in the record when no point does.
+  [[gnu::cold]] void separation(S separation) { pair_.separation = separation; }
+  /// What became of every point of an incremental manifold.
+  [[gnu::cold]] void incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
+                                 const PersistentManifold<S>& persistent,
+                                 const IncrementalOptions& options);
+
+ private:
+  Vec3d point(const Vec3<S>& in_a) const { return to_world_.point(in_a).template cast<double>(); }
+  Vec3d direction(const Vec3<S>& in_a) const {
+    return to_world_.direction(in_a).template cast<double>();
+  }
+  trace::SimplexVertex vertex(const Vec3<S>& a, const Vec3<S>& b) const {
+    return {point(a), point(b)};
+  }
+  trace::Polygon polygon(const ClipPolygon<S>& in_a) const;
+  trace::Polytope polytope(const PolytopeStep<S>& step) const;
+
+  ToWorld<S> to_world_;
+  trace::Stages stages_;
+  trace::Pair& pair_;
+  EdgeQueryRecord<S> edge_query_;
+  GjkRun<S> gjk_run_;
+  PenetrationSteps<S> penetration_steps_;
 };
+
+/// Where GJK and the penetration methods leave their steps, whether or not somebody watches.
+template <class S>
+GjkRun<S>* gjk_run(Recorder<S>* recorder) {
+  return recorder ? recorder->gjk_run() : nullptr;
+}
+template <class S>
+PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
+  return recorder ? recorder->penetration_steps() : nullptr;
+}
+
+/// A result of the pipeline, in the world, as a fact.
+template <class S>
+trace::Point trace_point(const ContactPoint<S>& in_world);
+
+/// Most differences of two vertices of which the Minkowski difference is made: two hulls of 64
+/// vertices. It takes some milliseconds.
+inline constexpr int kMaxMinkowskiPoints = 4096;
 
 }  // namespace contactscope

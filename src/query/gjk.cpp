@@ -98,6 +98,12 @@ GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>&
   return result;
 }
 
+template <class S>
+[[gnu::cold]] void tell_step(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference,
+                             GjkRun<S>& run) {
+  run.steps.push_back(to_result(simplex, difference));
+}
+
 /// The point with the simplex's weights of one shape, from the heaviest vertex: what rounding the
 /// weights have then meets only differences of vertices.
 template <class S>
@@ -116,7 +122,7 @@ Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
 
 template <class S>
 GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
-                    const MinkowskiDifference<S>& difference) {
+                    const MinkowskiDifference<S>& difference, GjkRun<S>* run) {
   GjkResult<S> result;
   result.status = status;
   result.iterations = iterations;
@@ -126,6 +132,7 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
   const S length = simplex.nearest.direction.norm();
   if (length > S(0)) result.normal = simplex.nearest.direction / length;
+  if (run != nullptr) run->result = result;
   return result;
 }
 
@@ -170,9 +177,9 @@ int GjkSimplex<S>::distinct_b() const {
 /// origin, and the face that carries it; 3. the origin is inside: overlap; or nearer than rounding:
 /// touching; 4. the support point of the difference against that direction; 5. none farther than
 /// the simplex itself: separated; 6. add it and go on at 2.
-template <class S, class StepRecorder>
+template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
-                 const GjkSimplex<S>* warm_start, StepRecorder& steps) {
+                 const GjkSimplex<S>* warm_start, GjkRun<S>* run) {
   const MinkowskiDifference<S> difference(a, b, b_in_a);
   const S rounding = tie_tolerance(difference.scale());
 
@@ -185,45 +192,42 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
           : first_simplex(difference.support_against(difference.between_middles()), difference);
   int stalls = 0;
   for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
-    if constexpr (StepRecorder::kRecords) steps.step(to_result(*simplex, difference));
+    if (run != nullptr) tell_step(*simplex, difference, *run);
     const NearestOnSimplex<S>& nearest = simplex->nearest;
-    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, *simplex, difference);
+    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, *simplex, difference, run);
     if (nearest.squared_distance <= rounding * rounding) {
-      return finish(GjkStatus::Touching, iteration, *simplex, difference);
+      return finish(GjkStatus::Touching, iteration, *simplex, difference, run);
     }
 
     const IndexPair support = difference.support_against(nearest.direction);
     if (simplex->has(support)) {
-      return finish(GjkStatus::Separated, iteration, *simplex, difference);
+      return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
     }
     const Vec3<S> point = difference.point(support);
     const S gain = simplex->least_along(nearest.direction) - nearest.direction.dot(point);
     const bool is_farther =
         gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
-    if (!is_farther) return finish(GjkStatus::Separated, iteration, *simplex, difference);
+    if (!is_farther) return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
 
     grow(*simplex, support, point, difference.scale(), *next);
     if (!(next->nearest.squared_distance < nearest.squared_distance)) {
       const S farther = std::sqrt(next->nearest.squared_distance);
       const bool is_worse = farther > std::sqrt(nearest.squared_distance) + rounding;
       if (is_worse || ++stalls > kMaxGjkStalls) {
-        return finish(GjkStatus::Separated, iteration, *simplex, difference);
+        return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
       }
     }
     std::swap(simplex, next);
   }
-  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, *simplex, difference);
+  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, *simplex, difference, run);
 }
 
-#define CONTACTSCOPE_INSTANTIATE_GJK(S, Recorder)                                       \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                     \
   template GjkResult<S> gjk(const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&, \
-                            const GjkSimplex<S>*, Recorder<S>&);
-CONTACTSCOPE_INSTANTIATE_GJK(float, NoGjkRecorder)
-CONTACTSCOPE_INSTANTIATE_GJK(float, GjkStepList)
-CONTACTSCOPE_INSTANTIATE_GJK(double, NoGjkRecorder)
-CONTACTSCOPE_INSTANTIATE_GJK(double, GjkStepList)
-#undef CONTACTSCOPE_INSTANTIATE_GJK
-template struct GjkSimplex<float>;
-template struct GjkSimplex<double>;
+                            const GjkSimplex<S>*, GjkRun<S>*);                          \
+  template struct GjkSimplex<S>;
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
 
 }  // namespace contactscope

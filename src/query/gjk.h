@@ -66,23 +66,7 @@ struct GjkResult {
 /// thousand random pairs, needles and plates among them, took less than forty.
 inline constexpr int kMaxGjkIterations = 256;
 
-/// For a caller that does not watch.
-template <class S>
-struct NoGjkRecorder {
-  static constexpr bool kRecords = false;
-  void step(const GjkSimplex<S>& /*simplex*/) {}
-};
-
-/// Every simplex of a run, one an iteration; the last is the result's.
-template <class S>
-struct GjkStepList {
-  static constexpr bool kRecords = true;
-  void step(const GjkSimplex<S>& simplex) { steps.push_back(simplex); }
-
-  std::vector<GjkSimplex<S>> steps;
-};
-
-/// A run that somebody watches.
+/// Record of a run of GJK.
 template <class S>
 struct GjkRun {
   GjkResult<S> result;
@@ -91,35 +75,15 @@ struct GjkRun {
 
 /// Distance and closest points of two convex cores. Metres; all results in A's frame. `warm_start`
 /// is the simplex of an earlier call for the same two sets, or nullptr; it changes how many
-/// iterations are taken, and the result by rounding only. StepRecorder is NoGjkRecorder<S> or
-/// GjkStepList<S>.
+/// iterations are taken, and the result by rounding only. `run`: record of this run, null when nobody
+/// watches.
 ///
 /// The distance is right to a few ulps of the pair's length scale, the sum of both reaches and the
 /// way between the frames; shapes nearer than that are Touching. The normal keeps the shapes apart
 /// by the distance up to the same rounding. Swapping A and B changes rounding only. Flat,
 /// needle-like, coincident and coplanar points are fine, as are lengths from 1e-18 m to 1e18 m.
-template <class S, class StepRecorder>
-GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
-                 const GjkSimplex<S>* warm_start, StepRecorder& steps);
-
-/// The same, and leaves the run where there is a place for it: `run` may be nullptr.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
-                 const GjkSimplex<S>* warm_start, GjkRun<S>* run) {
-  if (run == nullptr) {
-    NoGjkRecorder<S> unwatched;
-    return gjk(a, b, b_in_a, warm_start, unwatched);
-  }
-  GjkStepList<S> list;
-  run->result = gjk(a, b, b_in_a, warm_start, list);
-  run->steps = std::move(list.steps);
-  return run->result;
-}
-
-template <class S>
-GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a) {
-  NoGjkRecorder<S> unwatched;
-  return gjk(a, b, b_in_a, static_cast<const GjkSimplex<S>*>(nullptr), unwatched);
-}
+                 const GjkSimplex<S>* warm_start = nullptr, GjkRun<S>* run = nullptr);
 
 }  // namespace contactscope

@@ -1,6 +1,7 @@
 #include "query/sat.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "query/tolerance.h"
 
@@ -28,26 +29,41 @@ AxisKind deepest_axis(const SatResult<S>& queries) {
   return kind;
 }
 
+/// A picture of the Gauss map shows all crossings, also where a face has settled the test.
+template <class S>
+[[gnu::cold]] void tell_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S tie,
+                                  EdgeQueryRecord<S>& record) {
+  if (record.keeps_crossings)
+    query_edges(pair, faces_a, std::numeric_limits<S>::infinity(), tie, &record);
+}
+
 }  // namespace
 
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred) {
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred,
+                 EdgeQueryRecord<S>* record) {
   const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
   SatResult<S> result;
 
   result.face_a = query_faces(pair.a, pair.b, tie, faces_a);
   result.queries_run = 1;
   result.chosen = result.deepest = AxisKind::FaceA;
-  if (result.face_a.separation > margin) return result;  // we found a separating axis
+  if (result.face_a.separation > margin) {  // we found a separating axis
+    if (record != nullptr) tell_crossings(pair, faces_a, tie, *record);
+    return result;
+  }
 
   result.face_b = query_faces(pair.b, pair.a, tie, faces_b);
   result.queries_run = 2;
   result.chosen = result.deepest = AxisKind::FaceB;
-  if (result.face_b.separation > margin) return result;  // we found a separating axis
+  if (result.face_b.separation > margin) {  // we found a separating axis
+    if (record != nullptr) tell_crossings(pair, faces_a, tie, *record);
+    return result;
+  }
 
   const S floor = std::max(result.face_a.separation, result.face_b.separation);
-  result.edge = query_edges(pair, faces_a, floor, tie);
+  result.edge = query_edges(pair, faces_a, floor, tie, record);
   result.queries_run = 3;
   result.chosen = result.deepest = AxisKind::EdgeEdge;
   const bool has_edge = result.edge.edge_a >= 0;
@@ -72,16 +88,17 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
 }
 
 template <class S>
-SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred) {
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred,
+                 EdgeQueryRecord<S>* record) {
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
-  return sat(pair, margin, preference, faces_a, faces_b, preferred);
+  return sat(pair, margin, preference, faces_a, faces_b, preferred, record);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                 \
   template SatResult<S> sat(const HullPair<S>&, S, Preference, FaceSeparations<S>&, \
-                            FaceSeparations<S>&, Owner);                            \
-  template SatResult<S> sat(const HullPair<S>&, S, Preference, Owner);
+                            FaceSeparations<S>&, Owner, EdgeQueryRecord<S>*);       \
+  template SatResult<S> sat(const HullPair<S>&, S, Preference, Owner, EdgeQueryRecord<S>*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

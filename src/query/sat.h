@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "core/manifold.h"
 #include "core/preference.h"
 #include "query/hull_pair.h"
@@ -24,6 +27,16 @@ struct EdgeQuery {
   int edge_b = -1;
   S separation = 0;                   // metres, negative in overlap
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame
+};
+
+/// Record of an edge query. Whoever watches sees every pair of edges whose arcs cross on the Gauss
+/// map, also those that the query can leave out because a face beats them.
+template <class S>
+struct EdgeQueryRecord {
+  EdgeQuery<S> best;  // of all pairs, whether or not it beats the faces
+  S to_beat = -std::numeric_limits<S>::infinity();
+  bool keeps_crossings = false;         // for pictures of the whole Gauss map
+  std::vector<EdgeQuery<S>> crossings;  // in the order of A's edges
 };
 
 /// For every face of one hull the distance of the other hull's support vertex, and that vertex, as
@@ -82,10 +95,10 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
 /// whose separation is larger than `floor`; none when there is no such pair. A pair must beat an
 /// earlier one by more than `tie` (metres, >= 0) to replace it. `faces_a` is what query_faces found
 /// for A. Nearly parallel edges, whose cross product says little, are measured with support points
-/// (see tolerance.h).
+/// (see tolerance.h). `record` is null when nobody watches.
 template <class S>
-EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
-                         S tie);
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor, S tie,
+                         EdgeQueryRecord<S>* record = nullptr);
 
 /// Of two flat hulls: the direction in the plane of either, away from one of its edges, along which
 /// they are farthest apart. Flat hulls side by side on one plane are separated by no other axis: their
@@ -95,15 +108,15 @@ EdgeQuery<S> query_sides(const HullPair<S>& pair);
 
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
 /// more than `margin` (metres, >= 0) apart. Of faces that are nearly as deep those of `preferred`
-/// come first.
+/// come first. `record` is null when nobody watches.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 Owner preferred = Owner::A);
+                 Owner preferred = Owner::A, EdgeQueryRecord<S>* record = nullptr);
 
 /// The same, and leaves what the face queries that ran have measured.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
                  FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b,
-                 Owner preferred = Owner::A);
+                 Owner preferred = Owner::A, EdgeQueryRecord<S>* record = nullptr);
 
 }  // namespace contactscope

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/manifold.h"
@@ -9,14 +9,45 @@
 
 namespace contactscope {
 
-/// Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (6)", looked at from the
-/// answer: for each of the `kept` points, in the order of choice, what each candidate was worth. Of
-/// a fourth or later point the measure of the edge that decides (the least signed area, or for
-/// "distance" the least signed distance; negative outside), and of the chosen one those of all
-/// edges. "AABB (1)" to "(3)", extremes: a support point for each. Empty for reducers that do not
-/// choose in these steps, and where all points were kept.
-std::vector<trace::Choice> choices_made(std::string_view reducer,
-                                        std::span<const ContactPoint<double>> points,
-                                        const Vec3d& normal, std::span<const int> kept);
+/// Record of how a reducer chooses, told by the reducer as it does: Gregorius 2015, "Contact Point
+/// Reduction: 1st Point" to "4th Point (6)" and "AABB (1)" to "(3)". One entry for each point that
+/// was kept, in the order of choice, with what every candidate was worth at that step. Measured here
+/// in double, whatever the reducer computes with. Reducers that do not choose in such steps tell
+/// nothing.
+class Choices {
+ public:
+  using Points = std::span<const ContactPoint<double>>;
+
+  /// What the reducer gets, exactly. `points` must outlive this.
+  Choices(Points points, const Vec3d& normal) : points_(points), normal_(normal) {}
+
+  const Vec3d& normal() const { return normal_; }
+  const std::vector<trace::Choice>& made() const { return made_; }
+
+  /// The farthest point along a unit direction.
+  [[gnu::cold]] void support(const Vec3d& direction);
+  [[gnu::cold]] void deepest();
+  /// The farthest from a point.
+  [[gnu::cold]] void farthest(int from);
+  /// What makes the largest triangle with two points.
+  [[gnu::cold]] void triangle(int first, int second);
+  /// What adds the largest area outside an edge of a ring of kept points, counter-clockwise seen
+  /// against the normal; or, `by_distance`, lies farthest outside of one. Of each candidate the
+  /// measure of the edge that decides (the least; negative outside), and of the `chosen` one those
+  /// of all edges, from the first kept point on.
+  [[gnu::cold]] void outside(std::span<const int> ring, int first, int chosen, bool by_distance);
+  /// A choice is taken back: only the first `count` stand.
+  [[gnu::cold]] void keep(std::size_t count) { made_.resize(std::min(count, made_.size())); }
+
+ private:
+  const Vec3d& at(int point) const { return points_[static_cast<std::size_t>(point)].position; }
+  int count() const { return static_cast<int>(points_.size()); }
+  double signed_area(int q, int a, int b) const;
+  trace::Choice& add(const char* rule);
+
+  Points points_;
+  Vec3d normal_;
+  std::vector<trace::Choice> made_;
+};
 
 }  // namespace contactscope

@@ -1,7 +1,18 @@
+#include <array>
+
+#include "reduce/choices.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
 namespace {
+
+/// Both ways along two axes of the plane.
+template <class S>
+std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
+  const Vec3<S> u = any_perpendicular(normal);
+  const Vec3<S> v = normal.cross(u);
+  return {-u, u, -v, v};
+}
 
 /// The alternative of Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)": the extreme
 /// points along two axes in the contact plane. The axes follow the world's, so that the choice
@@ -12,14 +23,18 @@ namespace {
 template <class S>
 KeptIndices reduce_to_extremes(ContactPoints<S> points, const Vec3<S>& normal,
                                const ReduceOptions& options) {
-  const Vec3<S> u = any_perpendicular(normal);
-  const Vec3<S> v = normal.cross(u);
-  KeptIndices choices;
-  for (const Vec3<S>& axis : {u, v}) {
-    steps::add_once(choices, steps::support_point(points, Vec3<S>(-axis)));
-    steps::add_once(choices, steps::support_point(points, axis));
+  const std::array<Vec3<S>, 4> directions = directions_in_plane(normal);
+  KeptIndices kept;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const int extreme = steps::support_point(points, directions[k]);
+    if (steps::contains(kept, extreme)) continue;
+    kept.push_back(extreme);
+    if (options.choices != nullptr)
+      options.choices->support(directions_in_plane(options.choices->normal())[k]);
   }
-  return steps::first_of(choices, options);
+  if (options.choices != nullptr)
+    options.choices->keep(static_cast<std::size_t>(options.max_points));
+  return steps::first_of(kept, options);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reduce/choices.h"
 #include "reduce/steps.h"
 
 namespace contactscope::steps {
@@ -54,9 +55,10 @@ Addition largest_addition(ContactPoints<S> points, const Vec3<S>& normal, const 
 /// on as the fourth until none adds area. False, and nothing added, when all points lie on one
 /// line. Deviations: the third maximises the absolute area, so that winding does not hide half of
 /// the points, and fixes the winding of the triangle; areas within rounding of zero count as zero.
+/// `choices`: record of each choice, null when nobody watches.
 template <Added added, class S>
 bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIndices& kept,
-          S handicap = S(1)) {
+          S handicap = S(1), Choices* choices = nullptr) {
   const int first = kept[0];
   const int second = kept[1];
   const S negligible = negligible_area(points, first, second);
@@ -69,6 +71,7 @@ bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIn
   if (third < 0) return false;
   if (max_points == 2) return true;
   kept.push_back(third);
+  if (choices != nullptr) choices->triangle(first, second);
 
   const bool left = area(third) > S(0);
   Ring ring;
@@ -78,6 +81,8 @@ bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIn
   while (count_of(kept) < max_points) {
     const Addition next = largest_addition<added>(points, normal, ring, negligible, handicap);
     if (next.index < 0) break;
+    if (choices != nullptr)
+      choices->outside({ring.begin(), ring.end()}, first, next.index, added == Added::Distance);
     kept.push_back(next.index);
     insert(ring, next.after + 1, next.index);
   }
@@ -90,21 +95,30 @@ enum class OnALine {
   KeepFirst,      // with both extremes
 };
 
-/// The whole of "Contact Point Reduction" from a first point on. One point when all coincide.
+/// The whole of "Contact Point Reduction" from a first point on. One point when all coincide. How the
+/// first was chosen has been told already where somebody watches.
 template <Added added, class S>
 KeptIndices grow_from(ContactPoints<S> points, const Vec3<S>& normal, int first, OnALine on_a_line,
-                      int max_points) {
+                      const ReduceOptions& options) {
+  const int max_points = options.max_points;
+  Choices* const choices = options.choices;
   KeptIndices kept;
   kept.push_back(first);
   const int second = farthest_from(points, first);
   if (max_points == 1 || second == first) return kept;
   kept.push_back(second);
-  if (grow<added>(points, normal, max_points, kept)) return kept;
+  if (choices != nullptr) choices->farthest(first);
+  if (grow<added>(points, normal, max_points, kept, S(1), choices)) return kept;
   const int other = farthest_from(points, second);
   if (on_a_line == OnALine::ExchangeFirst) {
     kept[0] = other;
+    if (choices != nullptr) {
+      choices->keep(1);
+      choices->farthest(other);
+    }
   } else if (max_points > 2 && position(points, other) != position(points, first)) {
     kept.push_back(other);
+    if (choices != nullptr) choices->triangle(first, second);
   }
   return kept;
 }

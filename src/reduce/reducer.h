@@ -17,11 +17,14 @@ using ContactPoints = std::span<const ContactPoint<S>>;
 /// Indices into the points that a reducer was given, in the order of choice.
 using KeptIndices = StaticVector<int, kMaxManifoldPoints>;
 
+class Choices;
+
 /// What a reducer may go by beside the points. Most look at max_points only.
 struct ReduceOptions {
   int max_points = 4;                   // >= 1
   std::uint64_t seed = 1;               // of a random choice
   std::span<const FeatureId> previous;  // ids that were kept in the frame before
+  Choices* choices = nullptr;           // record of each choice; null when nobody watches
 };
 
 /// The steps of a manifold reducer. `points` share a plane with unit `normal`, are finite, and more

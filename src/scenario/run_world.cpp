@@ -3,14 +3,10 @@
 
 #include "scenario/run.h"
 
-// Frames of scenarios with dynamic shapes. A frame depends on all frames before it, so states are kept,
-// and a frame is run from the latest state that is not after it. The results are the same whichever
-// state that is.
+// What the solver does in scenarios with dynamic shapes.
 
 namespace contactscope {
 namespace {
-
-constexpr std::size_t kRoomForHistory = std::size_t{64} << 20;  // bytes
 
 /// Of shape `index` without its default.
 double coefficient(const std::optional<double>& own, double otherwise) {
@@ -44,30 +40,6 @@ Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
   body.velocity = shape.body->velocity.template cast<S>();
   body.angular_velocity = shape.body->angular_velocity.template cast<S>();
   return body;
-}
-
-template <class S>
-trace::Solver facts_of(const Scenario& scenario, const std::vector<Body<S>>& bodies) {
-  trace::Solver facts;
-  facts.position_correction = to_string(scenario.solver.position_correction);
-  facts.iterations = scenario.solver.iterations;
-  facts.substeps = scenario.solver.substeps;
-  facts.warm_start = scenario.solver.warm_start;
-  facts.slop = scenario.solver.slop.value_or(0);
-  facts.speculative_margin = scenario.solver.speculative_margin.value_or(0);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body<S>& body = bodies[i];
-    if (!body.dynamic()) continue;
-    trace::Body& fact = facts.bodies.emplace_back();
-    fact.name = scenario.shapes[i].name;
-    fact.mass = static_cast<double>(body.mass);
-    fact.center_of_mass = body.center.template cast<double>();
-    fact.velocity = body.velocity.template cast<double>();
-    fact.angular_velocity = body.angular_velocity.template cast<double>();
-    fact.kinetic_energy = kinetic_energy(body);
-    fact.potential_energy = potential_energy(body, scenario.world.gravity);
-  }
-  return facts;
 }
 
 /// How fast `b` moves against `a` at a place of both, by the arms that it had from their centres.
@@ -123,40 +95,42 @@ void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impul
 }  // namespace
 
 template <class S>
-Runner::History<S>& Runner::history() const {
-  if (!std::holds_alternative<History<S>>(history_)) history_.template emplace<History<S>>();
-  std::vector<PipelineSettings> settings;
-  for (const ScenarioPair& pair : scenario_->pairs) settings.push_back(pair.pipeline);
-  if (settings != history_settings_) {
-    const std::size_t state = scenario_->shapes.size() * sizeof(Body<S>) +
-                              settings.size() * (sizeof(Memory) + 8 * sizeof(PointImpulse<S>));
-    history_.template emplace<History<S>>(kRoomForHistory / state);
-    history_settings_ = std::move(settings);
-  }
-  return std::get<History<S>>(history_);
-}
-
-template <class S>
-void Runner::put(const WorldState<S>& state) const {
-  auto kept = std::make_shared<const WorldState<S>>(state);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  history<S>().put(std::move(kept));
-}
-
-template <class S>
-Runner::WorldState<S> Runner::world_at_start(const std::vector<Shape<S>>& shapes) const {
-  WorldState<S> state;
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    state.bodies.push_back(body_of(scenario_->shapes[i], shapes[i]));
+void Runner::place_bodies(State<S>& state) const {
+  for (std::size_t i = 0; i < scenario_->shapes.size(); ++i)
+    state.bodies.push_back(body_of(scenario_->shapes[i], (*state.shapes)[i]));
   state.impulses.resize(scenario_->pairs.size());
-  for (const ScenarioPair& pair : scenario_->pairs) state.memories.push_back(new_memory<S>(pair));
-  return state;
 }
 
-/// The step of `state`'s frame; leaves the state before the next one.
 template <class S>
-void Runner::solve(WorldState<S>& state, const std::vector<Manifolds<S>>& contacts) const {
+trace::Solver Runner::solver_facts(const State<S>& state) const {
+  const Scenario& scenario = *scenario_;
+  trace::Solver facts;
+  facts.position_correction = to_string(scenario.solver.position_correction);
+  facts.iterations = scenario.solver.iterations;
+  facts.substeps = scenario.solver.substeps;
+  facts.warm_start = scenario.solver.warm_start;
+  facts.slop = scenario.solver.slop.value_or(0);
+  facts.speculative_margin = scenario.solver.speculative_margin.value_or(0);
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const Body<S>& body = state.bodies[i];
+    if (!body.dynamic()) continue;
+    trace::Body& fact = facts.bodies.emplace_back();
+    fact.name = scenario.shapes[i].name;
+    fact.mass = static_cast<double>(body.mass);
+    fact.center_of_mass = body.center.template cast<double>();
+    fact.velocity = body.velocity.template cast<double>();
+    fact.angular_velocity = body.angular_velocity.template cast<double>();
+    fact.kinetic_energy = kinetic_energy(body);
+    fact.potential_energy = potential_energy(body, scenario.world.gravity);
+  }
+  return facts;
+}
+
+template <class S>
+void Runner::solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
+                   trace::Frame* result) const {
   const double now = state.frame * scenario_->dt, next = (state.frame + 1) * scenario_->dt;
+  const std::vector<Body<S>> before = state.bodies;
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const ScenarioShape& shape = scenario_->shapes[i];
     if (!shape.body)
@@ -171,72 +145,20 @@ void Runner::solve(WorldState<S>& state, const std::vector<Manifolds<S>>& contac
   }
   solve_step<S>(state.bodies, pairs, state.impulses, scenario_->world.gravity.cast<S>(),
                 scenario_->solver, static_cast<S>(scenario_->dt));
-  ++state.frame;
   // A script knows where it is; steps would add up their rounding.
   for (std::size_t i = 0; i < state.bodies.size(); ++i)
     if (!scenario_->shapes[i].body)
       state.bodies[i].place(collider_pose_at(scenario_->shapes[i], next).template cast<S>());
+  for (std::size_t i = 0; result && i < contacts.size(); ++i) {
+    record_impulses(contacts[i], state.impulses[i], result->pairs[i]);
+    record_relative_velocities(scenario_->pairs[i], before, state.bodies, result->pairs[i]);
+  }
 }
 
-template <class S>
-Runner::WorldState<S> Runner::world_before(const std::vector<Shape<S>>& shapes, int frame) const {
-  std::shared_ptr<const WorldState<S>> latest;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    latest = history<S>().before(frame);
-  }
-  WorldState<S> state = latest ? *latest : world_at_start(shapes);
-  if (!latest) put(state);
-  while (state.frame < frame) {
-    std::vector<Manifolds<S>> contacts;
-    for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
-      const ScenarioPair& pair = scenario_->pairs[i];
-      contacts.push_back(collide_pair(shapes, pair,
-                                      state.bodies[static_cast<std::size_t>(pair.a)].pose(),
-                                      state.bodies[static_cast<std::size_t>(pair.b)].pose(),
-                                      state.frame, state.memories[i], nullptr));
-    }
-    solve(state, contacts);
-    put(state);
-  }
-  return state;
-}
-
-template <class S>
-trace::Frame Runner::run_world(const std::vector<Shape<S>>& shapes, int frame,
-                               bool recorded) const {
-  WorldState<S> state = world_before(shapes, frame);
-  trace::Frame result;
-  result.frame = frame;
-  result.time = frame * scenario_->dt;
-  std::vector<Pose<S>> poses;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    poses.push_back(state.bodies[i].pose());
-    result.poses.emplace_back(
-        scenario_->shapes[i].name,
-        told_pose(scenario_->shapes[i], result.time, poses.back().template cast<double>()));
-  }
-  if (recorded) result.solver = facts_of(*scenario_, state.bodies);
-
-  std::vector<Manifolds<S>> contacts;
-  for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
-    const ScenarioPair& pair = scenario_->pairs[i];
-    contacts.push_back(add_pair(shapes, pair, poses[static_cast<std::size_t>(pair.a)],
-                                poses[static_cast<std::size_t>(pair.b)], recorded,
-                                state.memories[i], result));
-  }
-  const std::vector<Body<S>> before = state.bodies;
-  solve(state, contacts);
-  put(state);
-  for (std::size_t i = 0; recorded && i < contacts.size(); ++i) {
-    record_impulses(contacts[i], state.impulses[i], result.pairs[i]);
-    record_relative_velocities(scenario_->pairs[i], before, state.bodies, result.pairs[i]);
-  }
-  return result;
-}
-
-#define CONTACTSCOPE_INSTANTIATE(S) \
-  template trace::Frame Runner::run_world(const std::vector<Shape<S>>&, int, bool) const;
+#define CONTACTSCOPE_INSTANTIATE(S)                                   \
+  template void Runner::place_bodies(State<S>&) const;                \
+  template trace::Solver Runner::solver_facts(const State<S>&) const; \
+  template void Runner::solve(State<S>&, const std::vector<Manifolds<S>>&, trace::Frame*) const;
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

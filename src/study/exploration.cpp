@@ -275,7 +275,7 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
                                            const std::vector<std::string>& names,
                                            bool measure_time) {
   const Scenario source = unreduced(scenario);
-  const Runner runner(source);
+  Runner runner(source);
   const trace::Header header = runner.header();
   std::map<ManifoldName, Explorer<S>> explorers;
   std::vector<trace::Exploration> result;

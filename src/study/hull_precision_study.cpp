@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "manifold/collide_hull_hull.h"
-#include "manifold/recorder.h"
 #include "query/sat.h"
 #include "study/all_edge_pairs.h"
 #include "study/depth_oracle.h"
@@ -37,7 +36,7 @@ struct Case {
       : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {
     for (int back = kSteps; back > 0; --back) {
       collide_hull_hull(a, Pose<S>(), b, earlier(hulls, back).cast<S>(), CollideOptions<S>(),
-                        cache);
+                        &cache);
     }
   }
 };
@@ -69,11 +68,10 @@ Found all_pairs(const Case<S>& c) {
 template <class S, Preference preference>
 Found contact(const Case<S>& c) {
   Contact<S> result;
-  NoRecorder<S> recorder;
   CollideOptions<S> options;
   options.preference = preference;
   const double separation =
-      static_cast<double>(collide_hull_hull(c.a, c.b, c.b_in_a, options, result, recorder));
+      static_cast<double>(collide_hull_hull<S>(c.a, c.b, c.b_in_a, options, result, nullptr));
   if (preference == Preference::None) return {separation};
   return {separation, result.normal.template cast<double>()};
 }
@@ -82,9 +80,8 @@ template <class S>
 Found cached_contact(const Case<S>& c) {
   PairCache<S> cache = c.cache;
   Contact<S> result;
-  NoRecorder<S> recorder;
   const double separation = static_cast<double>(
-      collide_hull_hull(c.a, c.b, c.b_in_a, CollideOptions<S>(), cache, result, recorder));
+      collide_hull_hull<S>(c.a, c.b, c.b_in_a, CollideOptions<S>(), cache, result, nullptr));
   return {separation, result.normal.template cast<double>()};
 }
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "dynamics/rest.h"
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "manifold/incremental.h"
-#include "manifold/stability.h"
 #include "study/measurement.h"
 #include "study/solver_stack.h"
 #include "study/uniform.h"
@@ -110,9 +110,8 @@ class LandingWatch {
     const Vec3d center = body.center.cast<double>();
     const double rounding =
         rounding_of(points, center, static_cast<double>(std::numeric_limits<float>::epsilon()));
-    const ManifoldStability stability =
-        stability_of(points, manifolds[0].normal.cast<double>(), center, rounding);
-    if (outcome_.frames_to_stable == 0 && stability.verdict == Verdict::Stable)
+    const Resting resting = rest_of(points, manifolds[0].normal.cast<double>(), center, rounding);
+    if (outcome_.frames_to_stable == 0 && resting.rest == Rest::Stable)
       outcome_.frames_to_stable = frames_;
     const Vec3d in_box = body.pose().cast<double>().inverse_transform(middle);
     if (before_) outcome_.wander += Vec3d(in_box - *before_).norm() / size_;

@@ -47,7 +47,7 @@ trace::Frame without_records(const trace::Frame& recorded) {
 
 TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
   const Scenario scenario = load_scenario(GetParam());
-  const Runner watched(scenario), unwatched(scenario);
+  Runner watched(scenario), unwatched(scenario);
   for (int number = 0; number < scenario.frames; ++number) {
     EXPECT_EQ(trace::to_json_line(without_records(watched.frame(number))),
               trace::to_json_line(unwatched.frame_unrecorded(number)));
@@ -57,7 +57,7 @@ TEST_P(EveryScenario, SlowGivesTheSameManifoldsBitForBitWhetherRecordedOrNot) {
 TEST_P(EveryScenario, MeetsItsExpectationsInEveryFrame) {
   const Scenario scenario = load_scenario(GetParam());
   EXPECT_FALSE(scenario.expectations.empty()) << "a scenario without a proof";
-  const Runner runner(scenario);
+  Runner runner(scenario);
   for (int number = 0; number < scenario.frames; ++number) {
     for (const std::string& sentence : unmet_expectations(scenario, runner.frame(number))) {
       ADD_FAILURE() << sentence;
@@ -69,7 +69,7 @@ TEST_P(EveryScenario, MeetsItsExpectationsInEveryFrame) {
 // the same bytes, solver and all.
 TEST_P(EveryScenario, GivesTheStoredTraceByteForByte) {
   const Scenario scenario = load_scenario(GetParam());
-  const Runner runner(scenario);
+  Runner runner(scenario);
   trace::Trace given{runner.header(), {}};
   for (const int number : scenario.snapshots.frames) given.frames.push_back(runner.frame(number));
   std::ifstream file(snapshot::trace_path(CONTACTSCOPE_SOURCE_DIR "/snapshots", scenario.name));

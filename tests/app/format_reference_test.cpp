@@ -178,7 +178,7 @@ TEST(FormatReference, NamesEveryKeyOfTheTraces) {
                            "incremental/building_up", "solver/pyramid", "query/gauss_map"}) {
     const Scenario scenario =
         load_scenario(std::string(CONTACTSCOPE_SOURCE_DIR) + "/scenarios/" + name + ".toml");
-    const Runner runner(scenario);
+    Runner runner(scenario);
     collect(nlohmann::json::parse(trace::to_json_line(runner.header())), keys);
     collect(nlohmann::json::parse(trace::to_json_line(runner.frame(0))), keys);
     collect(nlohmann::json::parse(trace::to_json_line(runner.frame(2))), keys);

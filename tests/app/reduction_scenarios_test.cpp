@@ -19,7 +19,7 @@ namespace {
 std::map<std::string, std::vector<trace::Reduction>> reductions(const std::string& idea) {
   const Scenario scenario =
       load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/reduction/" + idea + ".toml");
-  const Runner runner(scenario);
+  Runner runner(scenario);
   std::map<std::string, std::vector<trace::Reduction>> result;
   for (int number = 0; number < scenario.frames; ++number) {
     for (const trace::Pair& pair : runner.frame(number).pairs) {

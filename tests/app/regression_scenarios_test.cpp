@@ -26,7 +26,7 @@ struct Sequence {
 };
 
 Sequence sequence_of(const Scenario& scenario) {
-  const Runner runner(scenario);
+  Runner runner(scenario);
   Sequence result{runner.header(), {}};
   for (int number = 0; number < scenario.frames; ++number) {
     result.frames.push_back(runner.frame(number));

@@ -103,8 +103,6 @@ double pass_unrecorded(int workload) {
   return pass_without_recorder(workload, memories[workload], true);
 }
 
-#ifndef CONTACTSCOPE_WITHOUT_RECORDER
-
 double pass_cold(int workload) {
   static std::map<int, Memory> memories;
   return pass_without_recorder(workload, memories[workload], false);
@@ -113,20 +111,15 @@ double pass_cold(int workload) {
 double pass_recorded(int workload) {
   static std::map<int, Memory> memories;
   const CollideOptions<float> settings = options();
-  Recording recording;
-  recording.reducer_name = "area";
   Manifolds<float> manifolds;
   return pass(workload, memories[workload], true,
               [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {
                 trace::Pair record;
                 record.a = "first";
                 record.b = "second";
-                collide(*pair.a, step.a, *pair.b, step.b, settings, manifolds, recording, record,
-                        cache);
+                collide(*pair.a, step.a, *pair.b, step.b, settings, manifolds, cache, &record);
                 return digest(manifolds);
               });
 }
-
-#endif
 
 }  // namespace contactscope::bench

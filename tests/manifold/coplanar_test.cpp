@@ -7,7 +7,6 @@
 #include "manifold/face_contact.h"
 #include "manifold/pair_cache.h"
 #include "manifold/placed_shapes.h"
-#include "manifold/recorder.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
@@ -60,9 +59,8 @@ int points_of_clipping(const PairCase<S>& pair, Preference preference) {
   if (axes.status != SatStatus::Touching || axes.chosen == AxisKind::EdgeEdge) return -1;
   const bool on_a = axes.chosen == AxisKind::FaceA;
   PointSet<S> points;
-  NoRecorder<S> recorder;
-  create_face_contact(placed, on_a ? Owner::A : Owner::B, on_a ? axes.face_a : axes.face_b, S(0),
-                      points, recorder);
+  create_face_contact<S>(placed, on_a ? Owner::A : Owner::B, on_a ? axes.face_a : axes.face_b, S(0),
+                         points, nullptr);
   return static_cast<int>(points.size());
 }
 
@@ -162,7 +160,7 @@ TYPED_TEST(Coplanar, ACachedContactOfUnmergedHullsIsNeverEmptyEither) {
     pose.rotation = about(Vec3d::UnitY(), 0.3 * angle) *
                     about(Vec3d(std::cos(angle), 0, std::sin(angle)), 0.002);
     const Manifold<S> manifold = collide_hull_hull(block, at(0, 0, 0).cast<S>(), block,
-                                                   pose.cast<S>(), CollideOptions<S>(), cache);
+                                                   pose.cast<S>(), CollideOptions<S>(), &cache);
     ASSERT_FALSE(manifold.points.empty()) << step;
     ASSERT_GT(manifold.normal.y(), S(0.99)) << step;
     // A corner is up to 0.71 m from the middle, tilted by 0.002 rad.

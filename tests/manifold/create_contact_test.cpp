@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "manifold/recorder.h"
-#include "manifold/trace_recorder.h"
 #include "support/builders.h"
 
 // What happens when the chosen face's support vertex hangs over its side, so that clipping loses
@@ -35,9 +34,9 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   made.axes.status = SatStatus::Touching;
   made.axes.chosen = chosen;
   made.axes.deepest = deepest;
-  TraceRecorder<double> recorder(ToWorld<double>(pair.pose_a), "none", {}, false, made.record);
+  Recorder<double> recorder(ToWorld<double>(pair.pose_a), {}, made.record);
   recorder.axes(placed, made.axes, Preference::None);
-  create_contact(placed, made.axes, 0.0, Preference::None, made.contact, recorder);
+  create_contact(placed, made.axes, 0.0, Preference::None, made.contact, &recorder);
   return made;
 }
 
@@ -71,8 +70,7 @@ TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
     const SatResult<double> axes = sat(placed, 0.0, Preference::Relative);
     if (axes.status == SatStatus::Separated) continue;
     Contact<double> contact;
-    NoRecorder<double> recorder;
-    create_contact(placed, axes, 0.0, Preference::Relative, contact, recorder);
+    create_contact<double>(placed, axes, 0.0, Preference::Relative, contact, nullptr);
     if (contact.axis == axes.chosen) continue;
     ++given_way;
     ASSERT_EQ(contact.axis, axes.deepest) << "pair " << i;

@@ -34,14 +34,11 @@ class Stepped {
                         incremental_, persistent_, manifolds);
     return manifolds.empty() ? Manifold<S>() : manifolds.front();
   }
-  trace::Pair record(const Pose<double>& pose_a, const Pose<double>& pose_b,
-                     bool mirrored = false) {
+  trace::Pair record(const Pose<double>& pose_a, const Pose<double>& pose_b) {
     Manifolds<S> manifolds;
     trace::Pair pair;
-    Recording recording;
-    recording.mirrored = mirrored;
     collide_incremental(a_, pose_a.template cast<S>(), b_, pose_b.template cast<S>(), options_,
-                        incremental_, persistent_, manifolds, recording, pair);
+                        incremental_, persistent_, manifolds, &pair);
     return pair;
   }
   CollideOptions<S>& options() { return options_; }
@@ -334,10 +331,10 @@ TEST(IncrementalManifold, IsLeftBehindWhenTheShapesPart) {
   EXPECT_TRUE(pair.persistent().points.empty());
 }
 
-TEST(IncrementalManifold, MirroredRecordsTellTheOtherShapeFirst) {
-  Stepped<double> pair(box(0.5, 0.5, 0.5), ground()), mirrored(box(0.5, 0.5, 0.5), ground());
+TEST(IncrementalManifold, TradingTheShapesMirrorsTheRecord) {
+  Stepped<double> pair(box(0.5, 0.5, 0.5), ground()), traded(ground(), box(0.5, 0.5, 0.5));
   const trace::Pair told = pair.record(at(0, 0.49, 0), at(0, 0, 0));
-  const trace::Pair other = mirrored.record(at(0, 0.49, 0), at(0, 0, 0), true);
+  const trace::Pair other = traded.record(at(0, 0, 0), at(0, 0.49, 0));
   EXPECT_EQ(told.incremental->query, "plane");
   EXPECT_EQ(told.incremental->margin_a, other.incremental->margin_b);
   EXPECT_EQ(told.incremental->margin_a, 0.02);

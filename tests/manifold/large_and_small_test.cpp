@@ -121,8 +121,7 @@ TYPED_TEST(LargeAndSmall, IsToldAsItIsReturned) {
     options.reduction.max_points = 3;
     const Manifold<S> manifold = test::manifold_of<S>(pair, options);
     EXPECT_EQ(manifold.points.size(), options.reducer == nullptr ? 4u : 3u);
-    const trace::Pair told =
-        test::record_of<S>(pair, options, {reducer, {.sat = true, .clip = true}, false});
+    const trace::Pair told = test::record_of<S>(pair, options, {.sat = true, .clip = true});
     ASSERT_EQ(told.manifolds.size(), 1u);
     EXPECT_EQ(told.state, "touching");
     EXPECT_EQ(told.separation, static_cast<double>(test::deepest_of(manifold)));

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "manifold/dispatch.h"
-#include "manifold/recorder.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
@@ -62,11 +61,10 @@ TYPED_TEST(PairCacheMotion, SlowResultsEqualThoseWithoutACacheUpToThePreference)
 
         const bool features = cache.kind == CachedKind::Features;
         Contact<S> tried;
-        NoRecorder<S> nobody;
         const CacheAnswer<S> answer =
-            collide_from_cache(pair.a, pair.b, b_in_a, options, cache, tried, nobody);
+            collide_from_cache<S>(pair.a, pair.b, b_in_a, options, cache, tried, nullptr);
         const Manifold<S> cached =
-            collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, cache);
+            collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, &cache);
         const Manifold<S> cold =
             collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
         ++frames;
@@ -151,8 +149,7 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
         const Pose<float> pose_b = motion.pose(start.pose_b, size, k).cast<float>();
         Manifolds<float> watched, unwatched;
         trace::Pair record;
-        collide(a, pose_a, b, pose_b, options, watched, Recording{"area", {}}, record,
-                &watched_cache);
+        collide(a, pose_a, b, pose_b, options, watched, &watched_cache, &record);
         collide(a, pose_a, b, pose_b, options, unwatched, &cache);
         ASSERT_EQ(watched.size(), unwatched.size());
         if (!watched.empty()) {

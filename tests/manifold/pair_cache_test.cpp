@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "manifold/dispatch.h"
-#include "manifold/recorder.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
@@ -27,15 +26,14 @@ template <class S>
 CacheAnswer<S> ask(const PairCase<S>& pair, const PairCache<S>& cache,
                    const CollideOptions<S>& options = {}) {
   Contact<S> contact;
-  NoRecorder<S> nobody;
-  return collide_from_cache(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b), options, cache,
-                            contact, nobody);
+  return collide_from_cache<S>(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b), options,
+                               cache, contact, nullptr);
 }
 
 template <class S>
 Manifold<S> collide(const PairCase<S>& pair, PairCache<S>& cache,
                     const CollideOptions<S>& options = {}) {
-  return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, cache);
+  return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, &cache);
 }
 
 TEST(PairCache, IsEmptyAtFirstAndHoldsTheFeaturesOfATouchingPair) {

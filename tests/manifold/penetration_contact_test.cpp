@@ -6,7 +6,6 @@
 #include "core/penetration_method.h"
 #include "manifold/contact_from_normal.h"
 #include "manifold/dispatch.h"
-#include "query/edge_pairs.h"
 #include "query/tolerance.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
@@ -32,14 +31,23 @@ CollideOptions<S> by(PenetrationMethod method) {
 
 template <class S>
 Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions<S>& options,
-                         trace::Pair& record, bool mirrored = false,
-                         const trace::Stages& stages = {}) {
+                         trace::Pair& record, const trace::Stages& stages = {}) {
   record.a = "crate";
   record.b = "floor";
   Manifolds<S> manifolds;
-  collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, manifolds,
-          Recording{"area", stages, mirrored}, record);
+  collide(Shape<S>(pair.a), pair.pose_a, Shape<S>(pair.b), pair.pose_b, options, manifolds, nullptr,
+          &record, stages);
   return manifolds.empty() ? Manifold<S>() : manifolds.front();
+}
+
+/// The same with the shapes given the other way round, and worked on in the same order.
+template <class S>
+trace::Pair told_traded(const PairCase<S>& pair, CollideOptions<S> options,
+                        const trace::Stages& stages = {}) {
+  options.b_first = true;
+  trace::Pair record;
+  told_contact(test::swapped(pair), options, record, stages);
+  return record;
 }
 
 template <class S>
@@ -145,7 +153,7 @@ TYPED_TEST(PenetrationContact, LeavesNothingInACache) {
   const PairCase<S> pair = test::stacked_cubes(0.3, 0.05).cast<S>();
   PairCache<S> cache;
   const auto with_cache = [&](PenetrationMethod method) {
-    return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, by<S>(method), cache);
+    return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, by<S>(method), &cache);
   };
   with_cache(PenetrationMethod::Sat);
   ASSERT_EQ(cache.kind, CachedKind::Features);
@@ -199,9 +207,9 @@ TYPED_TEST(PenetrationContact, IsToldInTheWorldFromTheFirstShapeToTheSecond) {
   for (int i = 0; i < 100; ++i) {
     const PairCase<S> pair = test::everyday_pair(random).cast<S>();
     for (const PenetrationMethod method : kDeepMethods) {
-      trace::Pair record, mirrored;
+      trace::Pair record;
       told_contact(pair, by<S>(method), record);
-      told_contact(pair, by<S>(method), mirrored, true);
+      const trace::Pair mirrored = told_traded(pair, by<S>(method));
       ASSERT_EQ(record.penetration.has_value(), mirrored.penetration.has_value());
       if (!record.penetration || !record.penetration->fallback.empty()) continue;
       ++told;
@@ -256,7 +264,10 @@ TEST(MinkowskiRecord, ItsNearestFaceIsTheDepthAndItsEdgePairsHoldTheBestAxis) {
     ++overlapping;
     for (const bool mirrored : {false, true}) {
       trace::Pair record;
-      told_contact(pair, {}, record, mirrored, stages);
+      if (mirrored)
+        record = told_traded(pair, {}, stages);
+      else
+        told_contact(pair, {}, record, stages);
       ASSERT_TRUE(record.minkowski) << i;
       double nearest = std::numeric_limits<double>::infinity();
       Vec3d way = Vec3d::Zero();
@@ -302,7 +313,7 @@ TEST(MinkowskiRecord, IsLeftOutUnlessAskedForAndWhereItIsLarge) {
   const PairCase<double> large{test::random_hull(random, 80, 1, 1), test::at(0, 0, 0),
                                test::random_hull(random, 64, 1, 1), test::at(0.2, 0, 0)};
   trace::Pair refused;
-  EXPECT_FALSE(told_contact(large, {}, refused, false, stages).points.empty());
+  EXPECT_FALSE(told_contact(large, {}, refused, stages).points.empty());
   EXPECT_FALSE(refused.minkowski);
 }
 
@@ -329,7 +340,10 @@ TEST(CrossingEdgePairs, AreThoseThatTheTalkAsksFor) {
       }
     }
     if (close_calls > 0) continue;
-    EXPECT_EQ(crossing_edge_pairs(placed, faces_a).size(), asked) << i;
+    EdgeQueryRecord<double> record;
+    record.keeps_crossings = true;
+    query_edges(placed, faces_a, 0.0, 0.0, &record);
+    EXPECT_EQ(record.crossings.size(), asked) << i;
   }
 }
 

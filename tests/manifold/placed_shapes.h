@@ -86,13 +86,13 @@ Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions<S>& optio
 /// What a record says of the pair.
 template <class S>
 trace::Pair record_of(const PlacedShapes& pair, const CollideOptions<S>& options = {},
-                      const Recording& recording = {}) {
+                      const trace::Stages& stages = {}) {
   Manifolds<S> manifolds;
   trace::Pair record;
   record.a = "a";
   record.b = "b";
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
-          pair.pose_b.template cast<S>(), options, manifolds, recording, record);
+          pair.pose_b.template cast<S>(), options, manifolds, nullptr, &record, stages);
   return record;
 }
 

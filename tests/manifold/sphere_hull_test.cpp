@@ -41,8 +41,8 @@ class SphereHull : public testing::Test {
     options.degenerate = answer;
     trace::Pair record;
     collide<S>(Sphere<S>{static_cast<S>(pair.radius)}, pair.round_pose.cast<S>(),
-               hull_cast<S>(pair.hull), pair.hull_pose.cast<S>(), options, manifolds, Recording{},
-               record);
+               hull_cast<S>(pair.hull), pair.hull_pose.cast<S>(), options, manifolds, nullptr,
+               &record);
     return record;
   }
 };

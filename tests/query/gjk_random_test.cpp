@@ -253,8 +253,7 @@ TYPED_TEST(GjkRandom, EarlierSimplexChangesTheResultByRoundingOnly) {
     const Vec3d way = motion * pair.scale() * random.unit_vector();
     earlier.pose_b.position += way.cast<S>();
     const GjkSimplex<S> simplex = earlier.distance().simplex;
-    NoGjkRecorder<S> unwatched;
-    const GjkResult<S> warm = gjk(pair.a.set(), pair.b.set(), pair.b_in_a(), &simplex, unwatched);
+    const GjkResult<S> warm = gjk(pair.a.set(), pair.b.set(), pair.b_in_a(), &simplex);
     const double ulp = static_cast<double>(std::numeric_limits<S>::epsilon()) * pair.scale();
     EXPECT_NEAR(static_cast<double>(warm.distance), static_cast<double>(cold.distance),
                 kFewUlps * ulp)
@@ -271,16 +270,15 @@ TYPED_TEST(GjkRandom, WatchingChangesNoBitAndSeesEveryIteration) {
   for (int i = 0; i < 500; ++i) {
     const ShapePair<S> pair = rounded<S>(random_pair(random, 10, 0));
     const GjkResult<S> unwatched = pair.distance();
-    GjkStepList<S> list;
-    const GjkResult<S> watched = gjk(pair.a.set(), pair.b.set(), pair.b_in_a(),
-                                     static_cast<const GjkSimplex<S>*>(nullptr), list);
+    GjkRun<S> run;
+    const GjkResult<S> watched = gjk<S>(pair.a.set(), pair.b.set(), pair.b_in_a(), nullptr, &run);
     EXPECT_EQ(watched.status, unwatched.status);
     EXPECT_EQ(watched.distance, unwatched.distance);
     EXPECT_EQ(watched.normal, unwatched.normal);
     EXPECT_EQ(watched.on_a, unwatched.on_a);
     EXPECT_EQ(watched.on_b, unwatched.on_b);
-    ASSERT_EQ(static_cast<int>(list.steps.size()), watched.iterations);
-    const GjkSimplex<S>& last = list.steps.back();
+    ASSERT_EQ(static_cast<int>(run.steps.size()), watched.iterations);
+    const GjkSimplex<S>& last = run.steps.back();
     ASSERT_EQ(last.vertices.size(), watched.simplex.vertices.size());
     for (std::size_t k = 0; k < last.vertices.size(); ++k) {
       EXPECT_EQ(last.vertices[k].index_a, watched.simplex.vertices[k].index_a);

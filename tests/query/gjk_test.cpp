@@ -258,9 +258,8 @@ TYPED_TEST(Gjk, SimplexOfOtherShapesIsNoWarmStart) {
   GjkSimplex<S> foreign;
   foreign.weights = {};
   foreign.vertices.push_back({12, 0, Vec3<S>::Zero(), Vec3<S>::Zero()});
-  NoGjkRecorder<S> unwatched;
   const Pose<S> pose = at(0, 3, 0).cast<S>();
-  const GjkResult<S> result = gjk(support_set(cube), support_set(cube), pose, &foreign, unwatched);
+  const GjkResult<S> result = gjk(support_set(cube), support_set(cube), pose, &foreign);
   EXPECT_EQ(result.distance, S(1));
 }
 
@@ -269,9 +268,7 @@ TYPED_TEST(Gjk, LastSimplexEndsTheSameQueryAtOnce) {
   const Hull<S> cube = box<S>(1, 1, 1);
   const Pose<S> pose = Pose<double>{test::about({1, 2, 3}, 1), {1, 4, 0.5}}.cast<S>();
   const GjkResult<S> cold = gjk(support_set(cube), support_set(cube), pose);
-  NoGjkRecorder<S> unwatched;
-  const GjkResult<S> warm =
-      gjk(support_set(cube), support_set(cube), pose, &cold.simplex, unwatched);
+  const GjkResult<S> warm = gjk(support_set(cube), support_set(cube), pose, &cold.simplex);
   EXPECT_GT(cold.iterations, 1);
   EXPECT_EQ(warm.iterations, 1);
   EXPECT_NEAR(static_cast<double>(warm.distance), static_cast<double>(cold.distance),

@@ -19,10 +19,27 @@ using testing::IsEmpty;
 
 const Vec3d kUp = Vec3d::UnitY();
 
+/// What a reducer does, and how it says it came to that.
+struct Told {
+  std::vector<int> kept;
+  std::vector<trace::Choice> made;
+};
+
+Told told(const std::string& reducer, const std::vector<ContactPoint<double>>& points,
+          const Vec3d& normal = kUp, int max_points = 4) {
+  Choices choices(points, normal);
+  ReduceOptions options;
+  options.max_points = max_points;
+  options.choices = &choices;
+  const Reduction reduction =
+      reduce<double>(find_reducer<double>(reducer), points, normal, options);
+  return {{reduction.kept.begin(), reduction.kept.end()}, choices.made()};
+}
+
 std::vector<trace::Choice> choices(const std::string& reducer,
                                    const std::vector<ContactPoint<double>>& points,
                                    int max_points = 4) {
-  return choices_made(reducer, points, kUp, kept_by(reducer, points, max_points));
+  return told(reducer, points, kUp, max_points).made;
 }
 
 std::vector<std::string> rules(const std::vector<trace::Choice>& made) {
@@ -61,8 +78,13 @@ TEST(Choices, OfAHandMadePolygonHaveTheRulesInOrder) {
 TEST(Choices, OfAHandMadePolygonAreExact) {
   const std::vector<ContactPoint<double>> points =
       points_at({{0, 0, 1}, {4, 0, 2}, {4, 3, 7}, {0, 3, 3}, {2, 5, 4}, {6, 1, 5}});
-  const std::vector<int> kept = {2, 0, 5, 3};
-  const std::vector<trace::Choice> made = choices_made("area_deepest", points, kUp, kept);
+  // As if 2, 0, 5 and 3 were kept.
+  Choices choices(points, kUp);
+  choices.deepest();
+  choices.farthest(2);
+  choices.triangle(2, 0);
+  choices.outside(std::vector<int>{5, 2, 0}, 2, 3, false);
+  const std::vector<trace::Choice>& made = choices.made();
   ASSERT_EQ(made.size(), 4u);
   EXPECT_THAT(values(made[0]), ElementsAre(1, 2, 7, 3, 4, 5));  // depths
   EXPECT_THAT(candidates(made[1]), ElementsAre(0, 1, 3, 4, 5));
@@ -100,8 +122,7 @@ TEST(Choices, OfADistanceReducerMeasureDistancesFromEdges) {
   // adds less area.
   const std::vector<ContactPoint<double>> points =
       points_at({{-10, 0}, {10, 0}, {10, -4}, {11.5, -2}, {0, 1}});
-  const std::vector<int> kept = kept_by("distance", points, 4);
-  const std::vector<trace::Choice> made = choices_made("distance", points, kUp, kept);
+  const auto [kept, made] = told("distance", points);
   ASSERT_EQ(made.size(), 4u);
   double most = 0;
   int farthest = -1;
@@ -152,13 +173,8 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
   for (int i = 0; i < 400; ++i) {
     const ContactPolygon polygon = random_contact_polygon(random, 5 + random.index(12));
     const double scale = polygon.points.size() * 1e-9;
-    ReduceOptions options;
-    options.max_points = 1 + random.index(7);
-    const KeptIndices kept =
-        reduce<double>(find_reducer<double>(GetParam()), polygon.points, polygon.normal, options)
-            .kept;
-    const std::vector<trace::Choice> made =
-        choices_made(GetParam(), polygon.points, polygon.normal, kept);
+    const int max_points = 1 + random.index(7);
+    const auto [kept, made] = told(GetParam(), polygon.points, polygon.normal, max_points);
     if (kept.size() == polygon.points.size()) {
       EXPECT_THAT(made, IsEmpty());
       continue;
@@ -166,7 +182,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
     ASSERT_EQ(made.size(), kept.size());
     for (std::size_t step = 0; step < made.size(); ++step) {
       ++steps;
-      const double chosen = worth(made[step], kept[static_cast<int>(step)]);
+      const double chosen = worth(made[step], kept[step]);
       for (int q = 0; q < static_cast<int>(polygon.points.size()); ++q) {
         const bool before = std::find(kept.begin(), kept.begin() + step, q) != kept.begin() + step;
         const auto count = std::ranges::count(candidates(made[step]), q);
@@ -176,13 +192,13 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
           EXPECT_GE(count, 1) << step;
           EXPECT_GE(chosen, worth(made[step], q) - scale) << made[step].rule << " of step " << step;
         }
-        const bool other = !before && q != kept[static_cast<int>(step)];
+        const bool other = !before && q != kept[step];
         if (step > 2 && other) {
           EXPECT_EQ(count, 1);
         }
       }
       if (step > 2) {
-        EXPECT_EQ(std::ranges::count(candidates(made[step]), kept[static_cast<int>(step)]),
+        EXPECT_EQ(std::ranges::count(candidates(made[step]), kept[step]),
                   static_cast<std::ptrdiff_t>(step));
         EXPECT_GT(chosen, 0) << "a point that adds nothing was kept";
       }
@@ -194,8 +210,7 @@ TEST_P(ChoicesOf, RandomPolygonsAreBestAtEachStepInTheKeptOrder) {
 TEST(Choices, OfExtremesAreSupportPointsAlongTwoAxes) {
   // Lowest and highest in x and z, and two that are neither.
   const auto points = points_at({{-2, 0.5}, {3, 0.2}, {0.1, -1}, {0.3, 1.5}, {1, 1}, {-1, -0.5}});
-  const std::vector<int> kept = kept_by("extremes", points, 4);
-  const std::vector<trace::Choice> made = choices_made("extremes", points, kUp, kept);
+  const auto [kept, made] = told("extremes", points);
   EXPECT_THAT(rules(made), ElementsAre("support", "support", "support", "support"));
   EXPECT_THAT(std::set<int>(kept.begin(), kept.end()), ElementsAre(0, 1, 2, 3));
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -213,11 +228,10 @@ TEST_P(ChoicesOf, EdgeAreasOfAFourthPointAddUpToTheTriangle) {
   Random random(12);
   for (int i = 0; i < 200; ++i) {
     const ContactPolygon polygon = random_contact_polygon(random, 8);
-    const KeptIndices kept =
-        reduce<double>(find_reducer<double>(GetParam()), polygon.points, polygon.normal, {}).kept;
+    const Told told_of = told(GetParam(), polygon.points, polygon.normal);
+    const std::vector<int>& kept = told_of.kept;
+    const std::vector<trace::Choice>& made = told_of.made;
     if (kept.size() < 4) continue;
-    const std::vector<trace::Choice> made =
-        choices_made(GetParam(), polygon.points, polygon.normal, kept);
     double sum = 0;
     for (const trace::Measure& measure : made[3].measures) {
       if (measure.point == kept[3]) sum += measure.value;
@@ -234,8 +248,7 @@ TEST_P(ChoicesOf, PointsOnALineOrInOnePlaceHaveFiniteMeasures) {
   for (const auto& places : {std::vector<PlanePoint>(6, PlanePoint{1, 2, 0.1}),
                              std::vector<PlanePoint>{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4, 1}}}) {
     const std::vector<ContactPoint<double>> points = points_at(places);
-    const std::vector<int> kept = kept_by(GetParam(), points, 4);
-    const std::vector<trace::Choice> made = choices_made(GetParam(), points, kUp, kept);
+    const auto [kept, made] = told(GetParam(), points);
     EXPECT_EQ(made.size(), kept.size());
     for (const trace::Choice& choice : made) {
       EXPECT_TRUE(choice.direction.allFinite());
@@ -249,14 +262,10 @@ TEST(Choices, AreEmptyForOtherReducersAndWhereNothingWasReduced) {
   for (const ReducerInfo& info : reducers()) {
     const bool steps = info.name == "area" || info.name == "area_deepest" ||
                        info.name == "distance" || info.name == "extremes";
-    const std::vector<int> kept = kept_by(info.name, points, 4);
-    EXPECT_EQ(choices_made(info.name, points, kUp, kept).empty(), !steps) << info.name;
+    EXPECT_EQ(choices(info.name, points).empty(), !steps) << info.name;
+    EXPECT_THAT(choices(info.name, points, 6), IsEmpty()) << info.name;
+    EXPECT_THAT(choices(info.name, {}), IsEmpty()) << info.name;
   }
-  const std::vector<int> all = {0, 1, 2, 3, 4, 5};
-  EXPECT_THAT(choices_made("area", points, kUp, all), IsEmpty());
-  EXPECT_THAT(choices_made("area", points, kUp, {}), IsEmpty());
-  EXPECT_THAT(choices_made("area", {}, kUp, {}), IsEmpty());
-  EXPECT_THAT(choices_made("magic", points, kUp, std::vector<int>{0}), IsEmpty());
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "scenario/broken.h"
 #include "scenario/expect.h"
 #include "scenario/run.h"
-#include "scenario/snapshots.h"
 #include "trace/json.h"
 
 namespace contactscope {
@@ -33,20 +32,6 @@ std::string falling(const std::string& rest = "") {
          rest;
 }
 
-std::vector<std::string> lines_of(const Scenario& scenario, const std::vector<int>& order) {
-  const Runner runner(scenario);
-  std::vector<std::string> lines(static_cast<std::size_t>(scenario.frames));
-  for (const int frame : order)
-    lines[static_cast<std::size_t>(frame)] = trace::to_json_line(runner.frame(frame));
-  return lines;
-}
-
-std::vector<int> rising(int count) {
-  std::vector<int> order;
-  for (int i = 0; i < count; ++i) order.push_back(i);
-  return order;
-}
-
 class DynamicRun : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Pipelines, DynamicRun,
                          ::testing::Values("scalar = \"float\"", "scalar = \"double\"",
@@ -59,30 +44,29 @@ INSTANTIATE_TEST_SUITE_P(Pipelines, DynamicRun,
                            return name;
                          });
 
-TEST_P(DynamicRun, FramesAskedForInAnyOrderAndOnThreadsAreTheSame) {
+TEST_P(DynamicRun, AFrameIsTheSameWhicheverWereAskedForBeforeAndACopyGoesOnAlike) {
   const Scenario scenario =
       parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
-  const std::vector<std::string> lines = lines_of(scenario, rising(40));
-  std::vector<int> falling_order = rising(40);
-  std::ranges::reverse(falling_order);
-  EXPECT_EQ(lines_of(scenario, falling_order), lines);
-  const Runner runner(scenario);
-  std::vector<std::string> together(lines.size());
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < 4; ++i)
-      threads.emplace_back([&, i] {
-        for (std::size_t k = i; k < together.size(); k += 4)
-          together[k] = trace::to_json_line(runner.frame(static_cast<int>(k)));
-      });
+  Runner runner(scenario);
+  std::vector<std::string> lines;
+  std::vector<Runner> copies;
+  for (int frame = 0; frame < 40; ++frame) {
+    if (frame % 10 == 5) copies.push_back(runner);
+    lines.push_back(trace::to_json_line(runner.frame(frame)));
   }
-  EXPECT_EQ(together, lines);
+  Runner skipping(scenario);
+  for (const int frame : {2, 3, 17, 39})
+    EXPECT_EQ(trace::to_json_line(skipping.frame(frame)), lines[static_cast<std::size_t>(frame)]);
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    const std::size_t frame = 10 * i + 7;
+    EXPECT_EQ(trace::to_json_line(copies[i].frame(static_cast<int>(frame))), lines[frame]);
+  }
 }
 
 TEST_P(DynamicRun, WatchingChangesNothing) {
   const Scenario scenario =
       parse_scenario(falling(std::string("[pipeline]\n") + GetParam()), "g/a.toml");
-  const Runner watched(scenario), unwatched(scenario);
+  Runner watched(scenario), unwatched(scenario);
   for (int number = 0; number < scenario.frames; ++number) {
     const trace::Frame recorded = watched.frame(number);
     const trace::Frame bare = unwatched.frame_unrecorded(number);
@@ -170,7 +154,7 @@ TEST(DynamicRun, AFrameShowsTheBodiesBeforeItsStep) {
                                "[time]\nframes = 3\ndt = 0.25\n[pipeline]\nscalar = \"double\"\n"
                                "[world]\ngravity = [0, -8, 0]\n"),
                      "g/a.toml");
-  const Runner runner(scenario);
+  Runner runner(scenario);
   EXPECT_EQ(runner.frame(0).poses[0].second.position, Vec3d(1, 2, 3));
   // v = -8 * 0.25 and y = 2 - 2 * 0.25 after the first step.
   const trace::Frame second = runner.frame(1);
@@ -332,29 +316,6 @@ TEST(IdleKeys, AreToldWithTheirLineAndTheRemedy) {
       warnings(mixed + "[[pairs]]\na = \"crate\"\nb = \"ball\"\n"
                        "breaking_distance = 0.1\n[[pairs]]\na = \"crate\"\nb = \"floor\"\n"),
       ElementsAre(::testing::StartsWith("line 16: 'breaking_distance' has no effect")));
-}
-
-struct Numbered {
-  int frame;
-};
-
-TEST(Snapshots, AreTheLatestNotAfterAFrameAndBoundedInNumber) {
-  Snapshots<Numbered> snapshots(8);
-  EXPECT_EQ(snapshots.before(5), nullptr);
-  for (int frame = 0; frame < 1000; ++frame) {
-    snapshots.put(std::make_shared<Numbered>(Numbered{frame}));
-    ASSERT_LE(snapshots.size(), 10u);
-    ASSERT_EQ(snapshots.before(frame)->frame, frame);
-    ASSERT_EQ(snapshots.before(0)->frame, 0);
-    if (frame > 0) {
-      ASSERT_EQ(snapshots.before(frame - 1)->frame, frame - 1);
-    }
-    for (int asked = 0; asked <= frame; asked += 97) {
-      const int found = snapshots.before(asked)->frame;
-      ASSERT_LE(found, asked);
-      ASSERT_LE(asked - found, std::max(1, frame / 3));
-    }
-  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 /// mass projects inside of it, along the normal.
 namespace contactscope {
 
-enum class Verdict {
+enum class Rest {
   Stable,            // inside, by more than rounding
   TurnsAboutALine,   // two points, points on a line, or the projection on or beyond an edge
   TurnsAboutAPoint,  // one point, or the projection beyond a corner
@@ -21,15 +21,15 @@ enum class Verdict {
 };
 
 /// "stable", "turns about a line", "turns about a point", "no contact", as traces spell it.
-constexpr const char* to_string(Verdict verdict) {
+constexpr const char* to_string(Rest rest) {
   constexpr const char* kNames[] = {"stable", "turns about a line", "turns about a point",
                                     "no contact"};
-  return kNames[static_cast<int>(verdict)];
+  return kNames[static_cast<int>(rest)];
 }
 
 /// World, metres.
-struct ManifoldStability {
-  Verdict verdict = Verdict::NoContact;
+struct Resting {
+  Rest rest = Rest::NoContact;
   Vec3d projection = Vec3d::Zero();  // of the centre of mass into the contact plane
   std::vector<Vec3d> support;        // corners of the points' hull there, against the normal
   double margin = 0;  // from the projection to its border, negative outside; 0 within rounding
@@ -42,8 +42,8 @@ struct ManifoldStability {
 /// nearer to a line than an area.
 ///
 /// Without points there is no plane: projection and margin say nothing.
-ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& normal,
-                               const Vec3d& center_of_mass, double rounding);
+Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d& center_of_mass,
+                double rounding);
 
 /// How far the pipeline's rounding may have moved points of such coordinates. `epsilon`: of its
 /// scalar.
@@ -51,7 +51,7 @@ double rounding_of(std::span<const Vec3d> points, const Vec3d& center_of_mass, d
 
 /// The same of a recorded pair's manifolds, for the record. Of several manifolds, a mesh's, all
 /// points count, and the normal is the mean of their points'. `shape` names the body.
-trace::Stability stability_of(const trace::Pair& pair, const std::string& shape,
-                              const Vec3d& center_of_mass, double epsilon);
+trace::Stability rest_of(const trace::Pair& pair, const std::string& shape,
+                         const Vec3d& center_of_mass, double epsilon);
 
 }  // namespace contactscope

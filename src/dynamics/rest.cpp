@@ -1,4 +1,4 @@
-#include "manifold/stability.h"
+#include "dynamics/rest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,9 +90,9 @@ double rounding_of(std::span<const Vec3d> points, const Vec3d& center_of_mass, d
   return 64 * epsilon * largest;
 }
 
-ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& normal,
-                               const Vec3d& center_of_mass, double rounding) {
-  ManifoldStability result;
+Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d& center_of_mass,
+                double rounding) {
+  Resting result;
   if (points.empty()) {
     result.projection = center_of_mass;
     return result;
@@ -107,13 +107,13 @@ ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& norma
 
   const std::array<Vec2d, 2> ends = ends_of(corners);
   if ((ends[1] - ends[0]).norm() <= rounding) {
-    result.verdict = Verdict::TurnsAboutAPoint;
+    result.rest = Rest::TurnsAboutAPoint;
     result.margin = beyond_rounding(-Vec2d(projection - corners[0]).norm(), rounding);
     return result;
   }
   const BorderPoint border = nearest_on_border(corners, projection, rounding);
   if (width_of(corners, ends) <= rounding) {
-    result.verdict = Verdict::TurnsAboutALine;
+    result.rest = Rest::TurnsAboutALine;
     result.margin = beyond_rounding(-border.distance, rounding);
     result.axis = {plane.place(ends[0]), plane.place(ends[1])};
     return result;
@@ -121,19 +121,19 @@ ManifoldStability stability_of(std::span<const Vec3d> points, const Vec3d& norma
   const bool inside = is_inside(corners, projection);
   result.margin = beyond_rounding(inside ? border.distance : -border.distance, rounding);
   if (result.margin > 0) {
-    result.verdict = Verdict::Stable;
+    result.rest = Rest::Stable;
   } else if (border.corner && result.margin < 0) {
-    result.verdict = Verdict::TurnsAboutAPoint;
+    result.rest = Rest::TurnsAboutAPoint;
   } else {
-    result.verdict = Verdict::TurnsAboutALine;
+    result.rest = Rest::TurnsAboutALine;
     result.axis = {plane.place(corners[border.edge]),
                    plane.place(corners[(border.edge + 1) % corners.size()])};
   }
   return result;
 }
 
-trace::Stability stability_of(const trace::Pair& pair, const std::string& shape,
-                              const Vec3d& center_of_mass, double epsilon) {
+trace::Stability rest_of(const trace::Pair& pair, const std::string& shape,
+                         const Vec3d& center_of_mass, double epsilon) {
   std::vector<Vec3d> points;
   Vec3d normal = Vec3d::Zero();
   for (const trace::Manifold& manifold : pair.manifolds) {
@@ -145,15 +145,15 @@ trace::Stability stability_of(const trace::Pair& pair, const std::string& shape,
     normal.normalize();
   else if (!pair.manifolds.empty())
     normal = pair.manifolds.front().normal;
-  const ManifoldStability found =
-      stability_of(points, normal, center_of_mass, rounding_of(points, center_of_mass, epsilon));
+  const Resting found =
+      rest_of(points, normal, center_of_mass, rounding_of(points, center_of_mass, epsilon));
   trace::Stability told;
   told.shape = shape;
   told.center_of_mass = center_of_mass;
   told.projection = found.projection;
   told.support = found.support;
   told.margin = found.margin;
-  told.verdict = to_string(found.verdict);
+  told.verdict = to_string(found.rest);
   told.axis = found.axis;
   return told;
 }

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/manifold.h"
+#include "geometry/shape.h"
+#include "manifold/collide_options.h"
+#include "trace/trace.h"
+
+/// A pair is put in order once, by collide() or collide_incremental(), and what came of it is mirrored
+/// once, here, where its shapes had been traded.
+namespace contactscope {
+
+/// One manifold for convex shapes, one a triangle for meshes, none when separated.
+template <class S>
+using Manifolds = std::vector<Manifold<S>>;
+
+/// "sphere-hull": what traces call a pair of such shapes.
+std::string pair_kind(ShapeKind a, ShapeKind b);
+template <class S>
+std::string pair_kind(const Shape<S>& a, const Shape<S>& b) {
+  return pair_kind(kind_of(a), kind_of(b));
+}
+
+/// The stages that are recorded where nobody says which.
+inline constexpr trace::Stages kUsualStages{};
+
+/// The manifold of the same contact when the shapes trade places: normal negated, ids flipped.
+template <class S>
+void mirror(Manifold<S>& manifold) {
+  manifold.normal = -manifold.normal;
+  manifold.axis = mirrored(manifold.axis);
+  for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
+}
+
+/// Empties a record of what it held of another frame, but for its names and label, and turns it to
+/// the order in which the pair is worked on; the names were those of the arguments.
+[[gnu::cold]] void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record);
+
+/// Writes the manifolds, which are in the order in which the pair was worked on, and turns the record
+/// back to that of the arguments.
+template <class S>
+[[gnu::cold]] void end_record(std::span<const Manifold<S>> manifolds, bool traded,
+                              trace::Pair& record);
+
+/// What a pair came to, also of one that nobody watched: its manifolds, and with them its state and
+/// the separation of its deepest point. Without manifolds the record's separation stays.
+template <class S>
+void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record);
+
+/// Options for shapes that were traded: the ids that a reducer kept in the frame before are of the
+/// other one.
+template <class S>
+struct FlippedOptions {
+  [[gnu::cold]] explicit FlippedOptions(const CollideOptions<S>& given);
+  FlippedOptions(const FlippedOptions&) = delete;
+
+  std::vector<FeatureId> previous;
+  CollideOptions<S> options;
+};
+
+/// Runs work(options), which fills `manifolds` and, where there is one, `record` for the pair (a, b)
+/// in the order in which it is worked on: `traded` says that the arguments were (b, a). Leaves both
+/// in the order of the arguments.
+template <class S, class Work>
+[[gnu::always_inline]] inline void work_in_order(const Shape<S>& a, const Shape<S>& b, bool traded,
+                                                 const CollideOptions<S>& options,
+                                                 Manifolds<S>& manifolds, trace::Pair* record,
+                                                 const Work& work) {
+  if (record != nullptr) begin_record(kind_of(a), kind_of(b), traded, *record);
+  std::unique_ptr<FlippedOptions<S>> flipped;
+  if (traded && !options.reduction.previous.empty()) [[unlikely]]
+    flipped = std::make_unique<FlippedOptions<S>>(options);
+  work(flipped ? flipped->options : options);
+  if (record != nullptr) end_record<S>(manifolds, traded, *record);
+  if (!traded) return;
+  for (Manifold<S>& manifold : manifolds) mirror(manifold);
+}
+
+}  // namespace contactscope

@@ -1,0 +1,208 @@
+#include "manifold/recorder.h"
+
+#include <utility>
+
+#include "manifold/edge_contact.h"
+#include "reduce/choices.h"
+#include "reduce/polygon_area.h"
+
+namespace contactscope {
+namespace {
+
+/// Empty for one that is not in the list.
+template <class S>
+std::string reducer_name(Reducer<S> reducer) {
+  for (const ReducerInfo& info : reducers())
+    if (find_reducer<S>(info.name) == reducer) return info.name;
+  return {};
+}
+
+/// What was chosen, held against the best that as many points can span.
+void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, int max_points,
+             trace::Reduction& reduction) {
+  std::vector<Vec3d> all;
+  std::vector<Vec3d> chosen;
+  for (const ContactPoint<double>& point : points) all.push_back(point.position);
+  for (const int index : reduction.kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
+  reduction.area = convex_area(chosen, normal);
+  reduction.best_area = best_convex_area(all, normal, max_points);
+  if (reduction.kept.size() == points.size()) return;  // nothing was chosen
+
+  ReduceOptions options;
+  options.max_points = max_points;
+  const Reduction best = reduce<double>(find_reducer<double>("optimal"), points, normal, options);
+  reduction.best.assign(best.kept.begin(), best.kept.end());
+}
+
+}  // namespace
+
+template <class S>
+trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
+  trace::Polygon result;
+  result.reserve(in_a.size());
+  for (const ClipVertex<S>& vertex : in_a) result.push_back(point(vertex.position));
+  return result;
+}
+
+template <class S>
+EdgeQueryRecord<S>* Recorder<S>::edge_query() {
+  if (!stages_.sat) return nullptr;
+  edge_query_.keeps_crossings = stages_.gauss_map;
+  return &edge_query_;
+}
+
+template <class S>
+void Recorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference) {
+  if (!stages_.sat) return;
+  trace::Sat& sat = pair_.sat.emplace();
+  sat.chosen = to_string(axes.chosen);
+  sat.preference = to_string(preference);
+  if (axes.queries_run >= 1) {
+    const FaceQuery<S>& query = axes.face_a;
+    sat.face_a =
+        trace::FaceAxis{query.face, query.separation, direction(pair.a.normals[query.face]),
+                        point(pair.b.vertices[query.support])};
+  }
+  if (axes.queries_run >= 2) {
+    const FaceQuery<S>& query = axes.face_b;
+    sat.face_b = trace::FaceAxis{query.face, query.separation,
+                                 direction(Vec3<S>(-pair.b.normals[query.face])),
+                                 point(pair.a.vertices[query.support])};
+  }
+  for (const EdgeQuery<S>& query : edge_query_.crossings) {
+    sat.edge_pairs.push_back(
+        {query.edge_a / 2, query.edge_b / 2, query.separation, direction(query.normal)});
+  }
+  // The query looks for what beats the faces. Where nothing does, a picture shows its best pair.
+  const EdgeQuery<S>& query = axes.edge.edge_a >= 0 ? axes.edge : edge_query_.best;
+  if (axes.queries_run < 3 || query.edge_a < 0) return;
+  const ClosestPoints<S> closest = closest_points(pair, query);
+  sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
+                             direction(query.normal), point(closest.on_a), point(closest.on_b)};
+}
+
+template <class S>
+void Recorder<S>::cache(const CacheAnswer<S>& answer) {
+  trace::Cache& cache = pair_.cache.emplace();
+  cache.hit = answer.hit;
+  cache.kind = to_string(answer.kind);
+  cache.axis = to_string(answer.axis);
+  if (answer.hit) cache.normal = direction(answer.normal);
+  if (answer.kind == CachedKind::Features) cache.moved = answer.moved;
+}
+
+template <class S>
+void Recorder<S>::clip_begins(Owner reference, const ClipFace<S>& reference_face,
+                              const ClipFace<S>& incident_face) {
+  if (!stages_.clip) return;
+  const auto told_face = [&](Owner owner, const ClipFace<S>& face) -> trace::ClipFace {
+    return {owner == Owner::A ? pair_.a : pair_.b, face.face, direction(face.normal),
+            polygon(face.polygon)};
+  };
+  trace::Clip& clip = pair_.clip.emplace();
+  clip.reference = told_face(reference, reference_face);
+  clip.incident = told_face(other(reference), incident_face);
+}
+
+template <class S>
+void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
+  if (!stages_.clip) return;
+  const Plane<double> plane = to_world_.plane(side).template cast<double>();
+  pair_.clip->steps.push_back({plane.normal, plane.offset, polygon(left)});
+}
+
+template <class S>
+void Recorder<S>::dropped(const Vec3<S>& position, const char* reason) {
+  if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
+}
+
+template <class S>
+void Recorder<S>::clip_abandoned() {
+  pair_.clip.reset();
+}
+
+template <class S>
+void Recorder<S>::contact_axis(AxisKind kind) {
+  if (stages_.sat) pair_.sat->chosen = to_string(kind);
+}
+
+template <class S>
+Reduction Recorder<S>::reduce(const CollideOptions<S>& options,
+                              std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
+  if (!stages_.reduction)
+    return contactscope::reduce(options.reducer, points, normal, options.reduction);
+  std::vector<ContactPoint<double>> exact;
+  for (const ContactPoint<S>& point : points) {
+    exact.push_back(
+        {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
+  }
+  const Vec3d exact_normal = normal.template cast<double>();
+  Choices choices(exact, exact_normal);
+  ReduceOptions watched = options.reduction;
+  watched.choices = &choices;
+  const Reduction result = contactscope::reduce(options.reducer, points, normal, watched);
+
+  trace::Reduction& reduction = pair_.reduction.emplace();
+  reduction.method = reducer_name(options.reducer);
+  for (const ContactPoint<S>& point : points) reduction.points.push_back(trace_point(point));
+  reduction.kept.assign(result.kept.begin(), result.kept.end());
+  reduction.choices = choices.made();
+  measure(exact, exact_normal, options.reduction.max_points, reduction);
+  return result;
+}
+
+template <class S>
+void Recorder<S>::gjk(const Pose<S>& frame) {
+  if (!stages_.gjk || gjk_run_.steps.empty()) return;
+  const auto placed = [&](const Vec3<S>& a, const Vec3<S>& b) {
+    return vertex(frame.transform(a), frame.transform(b));
+  };
+  const GjkResult<S>& result = gjk_run_.result;
+  trace::Gjk& gjk = pair_.gjk.emplace();
+  gjk.status = to_string(result.status);
+  gjk.iterations = result.iterations;
+  gjk.distance = static_cast<double>(result.distance);
+  const trace::SimplexVertex closest = placed(result.on_a, result.on_b);
+  gjk.point_a = closest.a;
+  gjk.point_b = closest.b;
+  for (const GjkSimplex<S>& step : gjk_run_.steps) {
+    trace::Simplex& simplex = gjk.steps.emplace_back();
+    for (const GjkVertex<S>& vertex : step.vertices) simplex.push_back(placed(vertex.a, vertex.b));
+  }
+}
+
+template <class S>
+std::vector<int> Recorder<S>::query_tree(const Mesh<S>& mesh, const Aabb<S>& box) {
+  AabbTreeRecord<S> found = mesh.tree.recorded_query(box);
+  if (!stages_.tree) return std::move(found.candidates);
+  const auto box_of = [](const Aabb<S>& of) {
+    return trace::Box{of.lower.template cast<double>(), of.upper.template cast<double>()};
+  };
+  trace::Tree& tree = pair_.tree.emplace();
+  tree.shape = pair_.b;
+  tree.box = box_of(box);
+  for (const auto& visit : found.visits)
+    tree.visits.push_back({box_of(visit.box), visit.depth, visit.leaf, visit.overlaps});
+  tree.candidates = found.candidates;
+  return std::move(found.candidates);
+}
+
+template <class S>
+void Recorder<S>::degenerate(const char* geometry, Degenerate answer) {
+  pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
+}
+
+template <class S>
+trace::Point trace_point(const ContactPoint<S>& in_world) {
+  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
+          to_string(in_world.id)};
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S) \
+  template class Recorder<S>;       \
+  template trace::Point trace_point(const ContactPoint<S>&);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope
