@@ -15,7 +15,13 @@ Vec3d middle_where_far(const Aabb<double>& box, double margin) {
   const Vec3d middle = box.center();
   const double radius = 0.5 * box.extent().norm() + margin;
   if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
-  return middle.cast<float>().cast<double>();
+  // GCC 12 folds the casts of a whole vector there and back into nothing, so each number is stored.
+  Vec3d origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const volatile float rounded = static_cast<float>(middle[axis]);
+    origin[axis] = static_cast<double>(rounded);
+  }
+  return origin;
 }
 
 Vec3d origin_for(const Sphere<double>&) {

@@ -92,7 +92,9 @@ TEST(PictureCost, WhatDrawsNothingExplainsNothing) {
     const Sketch sketch = scene.sketch();
     const bool empty = sketch.surfaces.empty() && sketch.curves.empty() && sketch.lines.empty() &&
                        sketch.arrows.empty() && sketch.marks.empty();
-    if (empty) EXPECT_TRUE(sketch.legend.sorted().empty()) << kLayerNames[i];
+    if (empty) {
+      EXPECT_TRUE(sketch.legend.sorted().empty()) << kLayerNames[i];
+    }
   }
 }
 

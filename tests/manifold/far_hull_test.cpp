@@ -54,7 +54,7 @@ PairCase<double> overlapping_pair(Random& random, double& truth) {
 
 /// How far a depth in float may be from the true one, over the radii: what clipping and the poses'
 /// rounding about a metre from the origin leave.
-constexpr double kRounding = 2e-6;
+constexpr double kDepthRounding = 2e-6;
 
 class FarHulls : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Radii, FarHulls, testing::Values(1e3, 1e4, 1e5),
@@ -79,14 +79,14 @@ TEST_P(FarHulls, GivenFarFromTheirOriginWithTheOppositePoseAreAsDeep) {
 
     const Seen unmoved = seen_in_float(far);
     lost_unmoved += unmoved.lost ? 1 : 0;
-    wrong_unmoved += std::abs(unmoved.depth + truth) > kRounding * radius ? 1 : 0;
+    wrong_unmoved += std::abs(unmoved.depth + truth) > kDepthRounding * radius ? 1 : 0;
     centre(far.a, far.pose_a);
     centre(far.b, far.pose_b);
     const Seen seen = seen_in_float(far);
     ASSERT_FALSE(seen.lost) << i;
-    EXPECT_NEAR(seen.depth, -truth, kRounding * radius + 4e-7) << i;
+    EXPECT_NEAR(seen.depth, -truth, kDepthRounding * radius + 4e-7) << i;
     const Seen as_near = seen_in_float({near.a, near.pose_a, near.b, near.pose_b});
-    EXPECT_NEAR(seen.depth, as_near.depth, kRounding * radius + 4e-7) << i;
+    EXPECT_NEAR(seen.depth, as_near.depth, kDepthRounding * radius + 4e-7) << i;
   }
   // Without it the same pairs go wrong, or the test would show nothing.
   EXPECT_GT(wrong_unmoved, 100);
@@ -110,14 +110,14 @@ TEST_P(FarHulls, OfALevelInItsOwnCoordinatesLoseNoOverlap) {
     };
     PlacedShapes level{in_level(near.a, near.pose_a), {}, in_level(near.b, near.pose_b), {}};
     const Seen unmoved = seen_in_float(level);
-    wrong_unmoved += std::abs(unmoved.depth + truth) > kRounding * radius ? 1 : 0;
+    wrong_unmoved += std::abs(unmoved.depth + truth) > kDepthRounding * radius ? 1 : 0;
     centre(level.a, level.pose_a);
     centre(level.b, level.pose_b);
     // Their poses are floats, so not even the level's size is in the depth; the points are in the
     // level, where a float has so many digits.
     const Seen seen = seen_in_float(level);
     ASSERT_FALSE(seen.lost) << i;
-    EXPECT_NEAR(seen.depth, -truth, kRounding * radius) << i;
+    EXPECT_NEAR(seen.depth, -truth, kDepthRounding * radius) << i;
   }
   EXPECT_GT(wrong_unmoved, 100);
 }

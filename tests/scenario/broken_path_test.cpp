@@ -117,9 +117,9 @@ TEST(BrokenPath, ObjFileWithoutVertices) {
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":4:8: 'file' cannot be used: "));
 }
 
-TEST(BrokenPath, FlatObjFile) {
+TEST(BrokenPath, ObjFileOfVerticesInALine) {
   const TemporaryFolder folder;
-  folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n");
   const std::string path =
       folder.write("a.toml", one_shape("type = \"hull\"\nfile = \"leaf.obj\""));
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":4:8: 'file' makes no hull: "));
