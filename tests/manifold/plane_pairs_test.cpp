@@ -232,7 +232,7 @@ TYPED_TEST(PlanePairs, ReducerLeavesFourOfTheCornersOfASunkenBox) {
   const PlacedShapes pair = box_on_ground(test::about(Vec3d(1, 0, 1), 3 * kDegree), 2);
   EXPECT_EQ(test::manifold_of<S>(pair).points.size(), 8u);
   EXPECT_EQ(test::manifold_of<S>(pair, options).points.size(), 4u);
-  const trace::Pair record = test::record_of<S>(pair, options, {"area", {}});
+  const trace::Pair record = test::record_of<S>(pair, options);
   ASSERT_TRUE(record.reduction.has_value());
   EXPECT_EQ(record.reduction->points.size(), 8u);
 }

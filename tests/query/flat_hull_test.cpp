@@ -225,7 +225,7 @@ TYPED_TEST(FlatHulls, MakeTheSameContactsWithAndWithoutACache) {
       pair.pose_b.position += 0.002 * random.unit_vector();
       const PairCase<S> rounded = pair.template cast<S>();
       const Manifold<S> cached = collide_hull_hull(rounded.a, rounded.pose_a, rounded.b,
-                                                   rounded.pose_b, CollideOptions<S>(), cache);
+                                                   rounded.pose_b, CollideOptions<S>(), &cache);
       const Manifold<S> whole = test::collide(rounded);
       ASSERT_EQ(cached.points.empty(), whole.points.empty()) << i << ' ' << frame;
       if (whole.points.empty()) continue;

@@ -83,7 +83,7 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   choices.deepest();
   choices.farthest(2);
   choices.triangle(2, 0);
-  choices.outside(std::vector<int>{5, 2, 0}, 2, 3, false);
+  choices.outside(std::vector<int>{2, 5, 0}, 2, 3, false);
   const std::vector<trace::Choice>& made = choices.made();
   ASSERT_EQ(made.size(), 4u);
   EXPECT_THAT(values(made[0]), ElementsAre(1, 2, 7, 3, 4, 5));  // depths
