@@ -79,7 +79,8 @@ int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
 
 template <class S>
 int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
-  if (set.hull != nullptr) {
+  // A triangle does not fill a register of floats, and the padding is no vertex.
+  if (set.hull != nullptr && set.count >= kRegisterWidth<S>) {
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
   }
   if (set.count == 1) return 0;
