@@ -31,10 +31,6 @@ std::array<Point2, 4> oriented_quad(const Point2& from, const Point2& direction,
   return {corner(-back, -side), corner(ahead, -side), corner(ahead, side), corner(-back, side)};
 }
 
-FontWeight font_weight(draw::Weight weight) {
-  return weight == draw::Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
-}
-
 float share_left_of_anchor(draw::Align align) {
   switch (align) {
     case draw::Align::Left:
@@ -124,8 +120,7 @@ void PrimitiveVertices::append_disc(const draw::Disc& disc) {
 void PrimitiveVertices::append_text(const draw::Text& text, GlyphAtlas& atlas) {
   assert(finite(text.at));
   if (!(text.size > 0)) return;
-  const FontWeight weight = font_weight(text.weight);
-  const float width = text_width(text.text, text.size, weight);
+  const float width = text_width(text.text, text.size, text.weight);
   // The run is put on a quarter as a whole, so that a label that moves keeps its spacing.
   const float anchor = text.at.x - share_left_of_anchor(text.align) * width;
   const float start = std::floor(anchor * 4 + 0.5f) / 4;
@@ -136,9 +131,9 @@ void PrimitiveVertices::append_text(const draw::Text& text, GlyphAtlas& atlas) {
     for (const char32_t code : codes) {
       const int quarters = static_cast<int>(std::floor(pen * 4 + 0.5f));
       const int pixel = quarters >> 2;  // floor, also left of the frame
-      append_glyph(atlas.find({code, text.size, weight, quarters & 3, halo}), pixel, baseline,
+      append_glyph(atlas.find({code, text.size, text.weight, quarters & 3, halo}), pixel, baseline,
                    to_bytes(color));
-      pen += advance(code, text.size, weight);
+      pen += advance(code, text.size, text.weight);
     }
   };
   if (text.halo > 0) run(text.halo, text.halo_color);

@@ -21,7 +21,7 @@ inline void expect_inside(const Drawing& drawing, const Rect& rect) {
       EXPECT_TRUE(inside(stroke->from, 2.5) && inside(stroke->to, 2.5))
           << stroke->to.x << " " << stroke->to.y;
     } else if (const Text* text = std::get_if<Text>(&primitive)) {
-      const float width = text_width(text->text, text->size, font_weight(text->weight));
+      const float width = text_width(text->text, text->size, text->weight);
       const float left = text->at.x - (text->align == Align::Left     ? 0
                                        : text->align == Align::Center ? 0.5f * width
                                                                       : width);

@@ -25,28 +25,6 @@ constexpr double kLeaderCrossesMarker = 30;
 constexpr double kOtherEnd = 10;
 constexpr double kAgainstTheLine = 8;  // not to the right of the preferred end
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
-bool inside(const Rect& box, const Rect& frame) {
-  return box.x >= frame.x && box.y >= frame.y && box.x + box.width <= frame.x + frame.width &&
-         box.y + box.height <= frame.y + frame.height;
-}
-
-Rect grown(const Rect& box, double by) {
-  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
-}
-
-double distance(const Point2& a, const Point2& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
-Point2 nearest_in(const Rect& box, const Point2& p) {
-  return {static_cast<float>(std::clamp<double>(p.x, box.x, box.x + box.width)),
-          static_cast<float>(std::clamp<double>(p.y, box.y, box.y + box.height))};
-}
-
 /// Length of the part of a segment inside a box. Liang and Barsky 1984.
 double length_inside(const Point2& from, const Point2& to, const Rect& box) {
   const double dx = to.x - from.x, dy = to.y - from.y;
@@ -98,13 +76,13 @@ class Placement {
 
  private:
   PlacedLabel placed(const Rect& box, const Point2& anchor) const {
-    PlacedLabel place{box, anchor, nearest_in(box, anchor), false};
+    PlacedLabel place{box, anchor, box.nearest(anchor), false};
     place.needs_leader = distance(place.leader_end, anchor) > kLeaderFrom * scale_;
     return place;
   }
 
   double cost(const PlacedLabel& place, std::size_t label, bool first_anchor) const {
-    const Rect room = grown(place.box, kPadding * scale_);
+    const Rect room = place.box.grown(kPadding * scale_);
     double sum = distance(place.leader_end, place.anchor);
     if (!first_anchor) sum += kOtherEnd * scale_;
     if (place.box.x < place.anchor.x) sum += kAgainstTheLine * scale_;
@@ -116,7 +94,7 @@ class Placement {
     }
     for (const Point2& marker : obstacles_.markers) {
       const double radius = kMarkerRadius * scale_;
-      if (distance(nearest_in(room, marker), marker) < radius) sum += kCoveredMarker * scale_;
+      if (distance(room.nearest(marker), marker) < radius) sum += kCoveredMarker * scale_;
       if (!place.needs_leader || distance(marker, place.anchor) < 1) continue;
       const Rect box{marker.x - radius, marker.y - radius, 2 * radius, 2 * radius};
       if (length_inside(place.anchor, place.leader_end, box) > 0) {
@@ -141,15 +119,15 @@ class Placement {
   }
 
   bool allowed(const Rect& box, std::size_t label) const {
-    if (!inside(box, frame_)) return false;
+    if (!frame_.encloses(box)) return false;
     const double between = kBetween * scale_;
-    const Rect padded = grown(box, kPadding * scale_);
+    const Rect padded = box.grown(kPadding * scale_);
     const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
     for (const Rect& taken : obstacles_.boxes) {
-      if (overlap(room, taken)) return false;
+      if (room.overlaps(taken)) return false;
     }
     for (std::size_t other = 0; other < places_.size(); ++other) {
-      if (other != label && places_[other] && overlap(room, places_[other]->box)) return false;
+      if (other != label && places_[other] && room.overlaps(places_[other]->box)) return false;
     }
     return true;
   }

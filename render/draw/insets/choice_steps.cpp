@@ -198,9 +198,9 @@ class ChoicePainter {
     Vec2d away = label.at - middle_;
     away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
     if (label.inwards) away = -away;
-    const auto found = placer_.place(anchor, pen_.width_of(label.text, weight),
-                                     0.76f * ascent(size, font_weight(weight)),
-                                     descent(size, font_weight(weight)), pen_.px(14), pixel(away));
+    const auto found =
+        placer_.place(anchor, pen_.width_of(label.text, weight), 0.76f * ascent(size, weight),
+                      descent(size, weight), pen_.px(14), pixel(away));
     if (!found) return;
     if (found->needs_leader) {
       stroke(anchor, found->leader_end, 3.5f, with_alpha(kWhite, 0.8f));

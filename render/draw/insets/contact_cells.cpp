@@ -279,8 +279,7 @@ void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, const Pe
     const ContactCell::Row& row = cell.rows[i];
     const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
     const auto y = static_cast<float>(baseline);
-    pen.text(fitted(left_of(row), layout_.px(kNumber), font_weight(weight),
-                    static_cast<float>(rect.width)),
+    pen.text(fitted(left_of(row), layout_.px(kNumber), weight, static_cast<float>(rect.width)),
              {static_cast<float>(rect.x), y}, Align::Left, kText, weight);
     if (detail_.row_ends && !row.right.empty()) {
       pen.text(row.right, {static_cast<float>(rect.x + rect.width), y}, Align::Right, kQuietText);

@@ -229,7 +229,7 @@ void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane,
 void StabilityPlot::draw_words(const trace::Pair* pair, const Rect& rect, const Pen& pen) const {
   const double first = rect.y + rect.height + 0.75 * pen.px(kWordsLine);
   const auto write = [&](const std::string& what, double baseline, Weight weight) {
-    pen.text(fitted(what, pen.px(kChartText), font_weight(weight), static_cast<float>(rect.width)),
+    pen.text(fitted(what, pen.px(kChartText), weight, static_cast<float>(rect.width)),
              {static_cast<float>(rect.x), static_cast<float>(baseline)}, Align::Left, kText,
              weight);
   };

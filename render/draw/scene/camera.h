@@ -8,15 +8,6 @@
 
 namespace contactscope::draw {
 
-/// Part of the canvas, pixels.
-struct Rect {
-  double x = 0, y = 0, width = 0, height = 0;
-
-  bool contains(const Point2& p) const {
-    return p.x >= x && p.x <= x + width && p.y >= y && p.y <= y + height;
-  }
-};
-
 /// Looks from `eye` at `target`, both in metres, and maps world space to the pixels of `viewport`.
 /// Perspective with a vertical field of view, or orthographic with a height in metres.
 class Camera {
@@ -64,10 +55,6 @@ class Camera {
 /// Part of a convex polygon in front of the near plane, as pixels, clipped to the viewport. Empty
 /// when nothing is left.
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon);
-
-struct Segment2 {
-  Point2 from, to;
-};
 
 /// The same for a segment.
 std::optional<Segment2> project_segment(const Camera& camera, const Vec3d& from, const Vec3d& to);

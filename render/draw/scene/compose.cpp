@@ -29,10 +29,6 @@ constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
 
-float distance(const Point2& a, const Point2& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 class Composer {
  public:
   Composer(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing)
@@ -329,7 +325,7 @@ class Composer {
     const std::optional<Point2> at = camera_.project(label.at);
     if (!at || !layout_.view.contains(*at)) return;
     const float size = px(label.size);
-    const FontWeight weight = label.bold ? FontWeight::Bold : FontWeight::Regular;
+    const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
     const std::optional<LabelPlacer::Place> place = placer_.place(
         *at, text_width(label.text, size, weight), up, descent(size, weight), px(label.clearance),
@@ -340,8 +336,7 @@ class Composer {
       pen_.line(*at, place->leader_end, 1, label.color);
       placer_.block(*at, place->leader_end, px(2));
     }
-    pen_.text(label.text, place->left_baseline, Align::Left, label.color,
-              label.bold ? Weight::Bold : Weight::Regular, label.size, 2.5);
+    pen_.text(label.text, place->left_baseline, Align::Left, label.color, weight, label.size, 2.5);
   }
 
   const Sketch& sketch_;

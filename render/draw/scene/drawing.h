@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "image/font.h"
 
 /// What a picture consists of, in pixels, in the order of painting. Perspective, depth order and
 /// hidden lines are already resolved, so that pixels and vector files come from one list.
@@ -13,9 +17,51 @@ struct Color {
   float r = 0, g = 0, b = 0, a = 1;
 };
 
-/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers.
+/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also a way
+/// from one point to another.
 struct Point2 {
   float x = 0, y = 0;
+
+  friend bool operator==(const Point2&, const Point2&) = default;
+  friend Point2 operator+(const Point2& a, const Point2& b) { return {a.x + b.x, a.y + b.y}; }
+  friend Point2 operator-(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Point2 operator*(float s, const Point2& p) { return {s * p.x, s * p.y}; }
+  friend Point2 operator/(const Point2& p, float s) { return {p.x / s, p.y / s}; }
+  friend float dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
+  friend float cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
+  friend float length(const Point2& p) { return std::hypot(p.x, p.y); }
+  friend float distance(const Point2& a, const Point2& b) { return length(b - a); }
+  /// A quarter of a turn from `p`, clockwise on the screen.
+  friend Point2 perpendicular(const Point2& p) { return {-p.y, p.x}; }
+};
+
+/// Part of a straight line.
+struct Segment2 {
+  Point2 from, to;
+};
+
+/// Part of the canvas, pixels.
+struct Rect {
+  double x = 0, y = 0, width = 0, height = 0;
+
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+  bool contains(const Point2& p) const {
+    return p.x >= x && p.x <= right() && p.y >= y && p.y <= bottom();
+  }
+  bool encloses(const Rect& other) const {
+    return other.x >= x && other.y >= y && other.right() <= right() && other.bottom() <= bottom();
+  }
+  bool overlaps(const Rect& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
+  /// So much larger on each side.
+  Rect grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
+  /// The point of it that is nearest to `p`.
+  Point2 nearest(const Point2& p) const {
+    return {static_cast<float>(std::clamp<double>(p.x, x, right())),
+            static_cast<float>(std::clamp<double>(p.y, y, bottom()))};
+  }
 };
 
 /// Filled convex polygon, either winding, without anti-aliased border (neighbours share edges).
@@ -43,7 +89,7 @@ struct Disc {
   Color color;
 };
 
-enum class Weight { Regular, Bold };
+using Weight = FontWeight;
 enum class Align { Left, Center, Right };
 
 /// One line of UTF-8 text. `at` is on the baseline, at its left end, middle or right end.

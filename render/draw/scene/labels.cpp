@@ -15,10 +15,6 @@ constexpr int kDirections = 16;
 // Space around a label's letters that stays free, pixels.
 constexpr float kPadding = 2;
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
 }  // namespace
 
 void LabelPlacer::block(const Point2& center, float radius) {
@@ -27,13 +23,11 @@ void LabelPlacer::block(const Point2& center, float radius) {
 
 void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
   // A chain of squares follows a slanted line more closely than its bounding box.
-  const float dx = to.x - from.x;
-  const float dy = to.y - from.y;
-  const float length = std::hypot(dx, dy);
-  const int pieces = std::clamp(static_cast<int>(length / std::max(width, 1.0f)) + 1, 1, 200);
+  const int wanted = static_cast<int>(distance(from, to) / std::max(width, 1.0f)) + 1;
+  const int pieces = std::clamp(wanted, 1, 200);
   for (int i = 0; i <= pieces; ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(pieces);
-    block({from.x + t * dx, from.y + t * dy}, 0.5f * width);
+    block(from + t * (to - from), 0.5f * width);
   }
 }
 
@@ -48,12 +42,8 @@ bool LabelPlacer::is_crossed(const Rect& box) const {
 }
 
 bool LabelPlacer::is_free(const Rect& box) const {
-  if (box.x < view_.x || box.y < view_.y || box.x + box.width > view_.x + view_.width ||
-      box.y + box.height > view_.y + view_.height) {
-    return false;
-  }
-  return std::none_of(taken_.begin(), taken_.end(),
-                      [&](const Rect& other) { return overlap(box, other); });
+  return view_.encloses(box) &&
+         std::ranges::none_of(taken_, [&](const Rect& other) { return box.overlaps(other); });
 }
 
 std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
@@ -78,18 +68,15 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
           anchor.x + ux * (reach + 0.5 * width * std::abs(ux)) +
           (std::abs(ux) < 0.35 ? 0.0 : std::copysign(0.25 * width * (1 - std::abs(ux)), ux));
       const double cy = anchor.y + uy * (reach + 0.5 * height);
-      Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding, width + 2 * kPadding,
-               height + 2 * kPadding};
+      const Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding,
+                     width + 2 * kPadding, height + 2 * kPadding};
       if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
       taken_.push_back(box);
       Place place;
       place.left_baseline = {static_cast<float>(cx - 0.5 * width),
                              static_cast<float>(cy + 0.5 * height - descent)};
-      place.leader_end = {
-          static_cast<float>(std::clamp<double>(anchor.x, box.x, box.x + box.width)),
-          static_cast<float>(std::clamp<double>(anchor.y, box.y, box.y + box.height))};
-      place.needs_leader = std::hypot(place.leader_end.x - anchor.x,
-                                      place.leader_end.y - anchor.y) > clearance + 0.8 * height;
+      place.leader_end = box.nearest(anchor);
+      place.needs_leader = distance(place.leader_end, anchor) > clearance + 0.8 * height;
       return place;
     }
   }

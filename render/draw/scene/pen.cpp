@@ -9,10 +9,6 @@ namespace {
 
 constexpr float kOnALine = 0.1f;  // pixels
 
-float length_between(const Point2& a, const Point2& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 /// How far a straight way from one point leads: slopes against its first direction that pass all
 /// points so far. A corridor as wide as the tolerance narrows with every point, so that a path of n
 /// points costs n steps. Williams 1978, "An efficient algorithm for the piecewise linear
@@ -23,13 +19,13 @@ class Corridor {
 
   /// Whether the way may end at `point`, having passed all before; takes it in.
   bool reaches(const Point2& point) {
-    const float x = point.x - from_.x, y = point.y - from_.y;
+    const Point2 way = point - from_;
     if (length_ == 0) {
-      const float first = std::hypot(x, y);
+      const float first = length(way);
       if (!(first > 0)) return true;  // the same place
-      along_ = {x / first, y / first};
+      along_ = way / first;
     }
-    const float run = along_.x * x + along_.y * y, aside = along_.x * y - along_.y * x;
+    const float run = dot(along_, way), aside = cross(along_, way);
     if (run < length_) return false;  // it turns back
     length_ = run;
     const float slope = aside / run;
@@ -64,14 +60,9 @@ std::vector<Point2> straightened(const std::vector<Point2>& points) {
 
 }  // namespace
 
-FontWeight font_weight(Weight weight) {
-  return weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
-}
-
 std::vector<Point2> corners_of(const Rect& rect) {
   const auto left = static_cast<float>(rect.x), top = static_cast<float>(rect.y);
-  const auto right = static_cast<float>(rect.x + rect.width);
-  const auto bottom = static_cast<float>(rect.y + rect.height);
+  const auto right = static_cast<float>(rect.right()), bottom = static_cast<float>(rect.bottom());
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
@@ -89,7 +80,7 @@ void Pen::text(const std::string& what, const Point2& at, Align align, const Col
 }
 
 float Pen::width_of(const std::string& what, Weight weight) const {
-  return text_width(what, px(text_size_), font_weight(weight));
+  return text_width(what, px(text_size_), weight);
 }
 
 Stroke Pen::stroke(const Point2& from, const Point2& to, double width, const Color& color,
@@ -113,7 +104,7 @@ void Pen::path(const std::vector<Point2>& points, double width, const Color& col
     Stroke piece = stroke(corners[i - 1], corners[i], width, color, dash, gap);
     piece.cap = dash > 0 ? Cap::Butt : Cap::Round;
     piece.phase = run;
-    run += length_between(corners[i - 1], corners[i]);
+    run += distance(corners[i - 1], corners[i]);
     out_.primitives.push_back(piece);
   }
 }

@@ -57,6 +57,4 @@ class Pen {
 /// Corners of a rectangle, from the top left one.
 std::vector<Point2> corners_of(const Rect& rect);
 
-FontWeight font_weight(Weight weight);
-
 }  // namespace contactscope::draw
