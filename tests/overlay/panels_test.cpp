@@ -147,6 +147,26 @@ TEST_F(PanelColumnTest, EveryLetterIsOneOfOurOwn) {
   EXPECT_EQ(again.primitives.size(), drawing.primitives.size()) << "equal calls, equal pictures";
 }
 
+TEST_F(PanelColumnTest, EveryPairIsThereWhereTheColumnHasRoomAtAnyScale) {
+  for (int pairs = 1; pairs <= 3; ++pairs) {
+    for (const bool degenerate : {false, true}) {
+      std::vector<trace::Frame> frames = resting_ball(false);
+      for (trace::Frame& frame : frames) {
+        if (degenerate) frame.pairs[0].degenerate.emplace();
+        frame.pairs.resize(static_cast<std::size_t>(pairs), frame.pairs[0]);
+      }
+      for (int height = 720; height < 1440; height += 17) {
+        trace::Header header;
+        const draw::Staging staging =
+            staged(header, frames, {Panel::Summary}, height * 16 / 9, height);
+        draw::Drawing drawing;
+        EXPECT_THAT(PanelColumn(staging, frames).add({0, {}}, drawing), ::testing::IsEmpty())
+            << pairs << " pairs, " << height << " lines";
+      }
+    }
+  }
+}
+
 TEST_F(PanelColumnTest, WhatHasNoRoomIsNamedAndTheFirstPanelIsThere) {
   const std::vector<trace::Frame> frames = resting_ball(true);
   trace::Header header;

@@ -108,7 +108,7 @@ class SummaryPanel : public PanelContent {
   // The first pairs, as many as have room whole, so that the same ones are there in every frame.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
-    constexpr float kRounding = 0.5f;  // pixels; heights were added in another order
+    constexpr float kRounding = 1;  // pixels; the window of a panel is cut to whole ones
     const auto room = static_cast<float>(sheet.rest().height) + kRounding;
     std::size_t shown = pairs.size();
     if (shown > 1 && height_of(shown, moment) > room) {
