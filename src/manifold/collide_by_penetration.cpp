@@ -12,7 +12,8 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
                                         Recorder<S>* recorder) {
   const SupportSet<S> set_a = support_set(a), set_b = support_set(b);
   const GjkResult<S> query = gjk<S>(set_a, set_b, b_in_a, nullptr, gjk_run(recorder));
-  if (recorder) recorder->gjk(Pose<S>());
+  if (recorder) [[unlikely]]
+    recorder->gjk(Pose<S>());
   const bool overlap = may_overlap(query, set_a, set_b, b_in_a);
   if (!overlap && query.distance > options.margin) return query.distance;
   if (!overlap) return std::nullopt;
@@ -23,12 +24,14 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
     const HullPair<S> pair(a, b, b_in_a);
     const SatResult<S> axes = axes_of_normal(pair, found.normal, found.depth, options.preference);
     if (axes.status == SatStatus::Touching) {
-      if (recorder) recorder->penetration(options.penetration, found, nullptr);
+      if (recorder) [[unlikely]]
+        recorder->penetration(options.penetration, found, nullptr);
       create_contact(pair, axes, options.margin, options.preference, contact, recorder);
       return axes.separation(axes.chosen);
     }
   }
-  if (recorder) recorder->penetration(options.penetration, found, "sat");
+  if (recorder) [[unlikely]]
+    recorder->penetration(options.penetration, found, "sat");
   return std::nullopt;
 }
 

@@ -213,7 +213,8 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   if (closest.distance > clip_thickness(axes.scale())) {
     contact.normal = normal_between(axes, closest);
   } else {
-    if (recorder) recorder->degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
+    if (recorder) [[unlikely]]
+      recorder->degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
     contact.normal = fallback_normal(axes, a, b, b_in_a);
   }

@@ -261,11 +261,13 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
 
   const CapsuleTouch<S> touch =
       capsule_touch(b, ends, axes, scale, touching_distance(scale), gjk_run(recorder));
-  if (recorder) recorder->gjk(b_in_a);
+  if (recorder) [[unlikely]]
+    recorder->gjk(b_in_a);
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr) {
-    if (recorder) recorder->degenerate(touch.degenerate, options.degenerate);
+    if (recorder) [[unlikely]]
+      recorder->degenerate(touch.degenerate, options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
   }
 

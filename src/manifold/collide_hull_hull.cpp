@@ -17,10 +17,12 @@ EdgeQueryRecord<S>* edge_query(Recorder<S>* recorder) {
 template <class S>
 void contact_of_axes(const HullPair<S>& pair, const SatResult<S>& axes,
                      const CollideOptions<S>& options, Contact<S>& contact, Recorder<S>* recorder) {
-  if (recorder) recorder->axes(pair, axes, options.preference);
+  if (recorder) [[unlikely]]
+    recorder->axes(pair, axes, options.preference);
   if (axes.status != SatStatus::Touching) return;
   create_contact(pair, axes, options.margin, options.preference, contact, recorder);
-  if (recorder) recorder->contact_axis(contact.axis);
+  if (recorder) [[unlikely]]
+    recorder->contact_axis(contact.axis);
 }
 
 }  // namespace
@@ -51,7 +53,8 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
     return collide_hull_hull(a, b, b_in_a, options, contact, recorder);
   }
   const CacheAnswer<S> answer = collide_from_cache(a, b, b_in_a, options, cache, contact, recorder);
-  if (recorder && answer.kind != CachedKind::Empty) recorder->cache(answer);
+  if (recorder && answer.kind != CachedKind::Empty) [[unlikely]]
+    recorder->cache(answer);
   if (answer.hit) return answer.separation;
   contact.points.clear();
 

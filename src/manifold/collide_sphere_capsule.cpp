@@ -59,7 +59,7 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
     contact.normal = b_in_a.rotate(safe_unit(to_axis.vector));
   } else {
     const Vec3<S> along = b.points[1] - b.points[0];
-    if (recorder)
+    if (recorder) [[unlikely]]
       recorder->degenerate(along.isZero(S(0)) ? "coincident centres" : "centre on the axis",
                            options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;

@@ -88,7 +88,8 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
     }
   } else if (!projects_into(b, face, center, S(0))) {
     const Touch<S> closest = touch_edge_or_vertex(b, center, face, gjk_run(recorder));
-    if (recorder) recorder->gjk(b_in_a);
+    if (recorder) [[unlikely]]
+      recorder->gjk(b_in_a);
     if (closest.distance > touching_distance(scale)) {
       touch = closest;
     } else if (closest.feature.kind != FeatureKind::Face) {
@@ -98,7 +99,8 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   const S separation = touch.distance - a.radius;
   if (separation > options.margin) return separation;
   if (degenerate != nullptr) {
-    if (recorder) recorder->degenerate(degenerate, options.degenerate);
+    if (recorder) [[unlikely]]
+      recorder->degenerate(degenerate, options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
   }
 

@@ -66,7 +66,8 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
       const S separation = distance - a.radius;
       if (separation > options.margin) return separation;
       if (distance <= touching) {
-        if (recorder) recorder->degenerate("centre on a triangle", options.degenerate);
+        if (recorder) [[unlikely]]
+          recorder->degenerate("centre on a triangle", options.degenerate);
         if (options.degenerate == Degenerate::Skip) return separation;
       }
       const Vec3<S>& outward = triangle.hull.planes[static_cast<std::size_t>(face)].normal;
@@ -82,7 +83,8 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
     if (distance > touching) {
       outward = closest.outward / distance;
     } else {
-      if (recorder) recorder->degenerate("centre on an edge or a vertex", options.degenerate);
+      if (recorder) [[unlikely]]
+        recorder->degenerate("centre on an edge or a vertex", options.degenerate);
       if (options.degenerate == Degenerate::Skip) return separation;
     }
     add_point<S>(-b_in_a.rotate(outward), distance, a.radius, closest.feature,

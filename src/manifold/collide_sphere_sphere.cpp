@@ -16,7 +16,8 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
   if (distance > S(0)) {
     contact.normal = safe_unit(center_b);
   } else {
-    if (recorder) recorder->degenerate("coincident centres", options.degenerate);
+    if (recorder) [[unlikely]]
+      recorder->degenerate("coincident centres", options.degenerate);
     if (options.degenerate == Degenerate::Skip) return separation;
     contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
   }

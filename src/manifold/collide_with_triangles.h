@@ -205,7 +205,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     kept = std::min(kept, deepest_of(contact));
     sink.add(contact, index);
   };
-  if (recorder) {
+  if (recorder) [[unlikely]] {
     for (const int index : recorder->query_tree(b, box)) collide_triangle(index);
   } else {
     b.tree.query(box, collide_triangle);

@@ -52,7 +52,8 @@ void contact_of_axis(const HullPair<S>& pair, const SatResult<S>& axes, S margin
   // The face's support vertex hangs over its side, which only a face that is not the deepest axis
   // allows beyond rounding.
   if (contact.axis != axes.deepest) {
-    if (recorder) recorder->clip_abandoned();
+    if (recorder) [[unlikely]]
+      recorder->clip_abandoned();
     contact.axis = axes.deepest;
     if (contact.axis == AxisKind::EdgeEdge) return edge_contact(pair, axes, contact);
     deepest = face_contact(pair, axes, margin, contact, recorder);

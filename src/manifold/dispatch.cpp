@@ -41,7 +41,8 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
                   Manifolds<S>& manifolds, Recorder<S>* recorder, const Collide& collide) {
   Contact<S> contact;
   const S separation = collide(relative_pose(pair.pose_a, pair.pose_b), contact);
-  if (recorder) recorder->separation(separation);
+  if (recorder) [[unlikely]]
+    recorder->separation(separation);
   ContactSink<S> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
   sink.add(contact);
 }
@@ -63,7 +64,8 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifold
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
-    if (recorder) recorder->minkowski(a, b, b_in_a);
+    if (recorder) [[unlikely]]
+      recorder->minkowski(a, b, b_in_a);
     return pair.cache == nullptr
                ? collide_hull_hull(a, b, b_in_a, options, contact, recorder)
                : collide_hull_hull(a, b, b_in_a, options, *pair.cache, contact, recorder);
@@ -82,7 +84,8 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Mani
   const S separation =
       kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
                relative_pose(pair.pose_a, pair.pose_b), of_triangle, sink, recorder);
-  if (recorder) recorder->separation(separation);
+  if (recorder) [[unlikely]]
+    recorder->separation(separation);
 }
 
 /// The upper half of the table; nullptr where there is nothing to do.
@@ -108,9 +111,9 @@ Entry<S> entry(ShapeKind a, ShapeKind b) {
 }
 
 template <class S>
-[[gnu::cold]] void collide_watched(Entry<S> collide_pair, const PlacedPair<S>& pair,
-                                   const CollideOptions<S>& options, Manifolds<S>& manifolds,
-                                   trace::Pair& record, trace::Stages stages) {
+void collide_watched(Entry<S> collide_pair, const PlacedPair<S>& pair,
+                     const CollideOptions<S>& options, Manifolds<S>& manifolds, trace::Pair& record,
+                     trace::Stages stages) {
   // Each triangle has these of its own, and a record has room for one of each.
   if (kind_of(pair.b) == ShapeKind::Mesh)
     stages.sat = stages.clip = stages.reduction = stages.gjk = false;

@@ -34,8 +34,8 @@ bool can_cache(ShapeKind one, ShapeKind other);
 /// same pair in the same order, see pair_cache.h.
 ///
 /// `record` is null when nobody watches. Else what each stage decided is written there, of the
-/// optional stages those in `stages`, in the order of the arguments; its names `a` and `b` are set by
-/// the caller. That changes no bit of the result.
+/// optional stages those in `stages`, in the order of the arguments; it is empty but for its names `a`
+/// and `b` and its label, which the caller sets. That changes no bit of the result.
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
              const CollideOptions<S>& options, Manifolds<S>& manifolds,

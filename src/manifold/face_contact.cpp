@@ -46,7 +46,8 @@ const ClipPolygon<S>& clip_against_sides(const Sides<S>& sides, S thickness,
   ClipPolygon<S>* other = &spare;
   for (const Side<S>& side : sides) {
     if (clip(*current, side.plane, side.edge, thickness, *other)) std::swap(current, other);
-    if (recorder) recorder->clip_step(side.plane, *current);
+    if (recorder) [[unlikely]]
+      recorder->clip_step(side.plane, *current);
     // A record shows every side plane, also after nothing is left.
     if (!recorder && current->empty()) break;
   }
@@ -95,7 +96,7 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
   ClipPolygon<S> polygon;
   ClipPolygon<S> spare;
   face_polygon(other_hull, other(reference), incident, polygon);
-  if (recorder) {
+  if (recorder) [[unlikely]] {
     face_polygon(hull, reference, query.face, spare);
     recorder->clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
                           ClipFace<S>{incident, other_hull.normal(incident), polygon});
@@ -114,7 +115,8 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
       points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
     } else {
-      if (recorder) recorder->dropped(vertex.position, "above the reference face");
+      if (recorder) [[unlikely]]
+        recorder->dropped(vertex.position, "above the reference face");
     }
   }
   return deepest;
@@ -148,7 +150,8 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
   const Plane<S> plane = hull_of(pair, reference).plane(query.face);
   const int incident = incident_face(other_hull, query.support, plane.normal);
   const Vec3<S> support = other_hull.vertices[query.support];
-  if (recorder) recorder->dropped(support, "cut off by the side planes; kept as the deepest point");
+  if (recorder) [[unlikely]]
+    recorder->dropped(support, "cut off by the side planes; kept as the deepest point");
 
   const Owner owner = other(reference);
   const FeatureId id = corner_id(other_hull, owner, incident, query.support);

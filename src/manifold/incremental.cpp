@@ -95,16 +95,18 @@ void step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& optio
   const PenetrationMethod method = incremental.penetration;
   const auto query =
       query_cores(a, b, b_in_a, method, gjk_run(recorder), penetration_steps(recorder));
-  if (recorder) recorder->gjk(Pose<S>());
+  if (recorder) [[unlikely]]
+    recorder->gjk(Pose<S>());
   if (!query) {
     persistent.points.clear();
     return;
   }
   // The separating axis test has a record of its own, of the shapes' features and not the cores'.
-  if (recorder && query->overlap && method != PenetrationMethod::Sat)
+  if (recorder && query->overlap && method != PenetrationMethod::Sat) [[unlikely]]
     recorder->penetration(method, query->deep, nullptr);
   const S separation = query->distance - (a.margin + b.margin);
-  if (recorder) recorder->separation(separation);
+  if (recorder) [[unlikely]]
+    recorder->separation(separation);
   IncrementalStep<S> step;
   confirm_points(persistent, b_in_a, *query, incremental.settings, options.margin, step);
   if (separation <= options.margin)
@@ -118,7 +120,8 @@ void step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& optio
     to_manifold(to_world, *query, step, manifold);
   }
   keep_points(step, persistent);
-  if (recorder) recorder->incremental(*query, step, persistent, incremental);
+  if (recorder) [[unlikely]]
+    recorder->incremental(*query, step, persistent, incremental);
 }
 
 }  // namespace
@@ -139,7 +142,8 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
       traded ? PersistentPair<S>{b, pose_b, a, pose_a} : PersistentPair<S>{a, pose_a, b, pose_b};
   const auto work = [&](const CollideOptions<S>& in_order) {
     std::optional<Recorder<S>> recorder;
-    if (record != nullptr) recorder.emplace(ToWorld<S>(pair.pose_a), stages, *record);
+    if (record != nullptr) [[unlikely]]
+      recorder.emplace(ToWorld<S>(pair.pose_a), stages, *record);
     step_in_order(pair, in_order, incremental, persistent, manifolds,
                   recorder ? &*recorder : nullptr);
   };

@@ -289,7 +289,8 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   // The bound is not below the deepest point, which is thus deep enough as well.
   answer.hit =
       !contact.points.empty() && preferred(axis.separation, bound, options.margin, min_radius);
-  if (recorder && !answer.hit) recorder->clip_abandoned();
+  if (recorder && !answer.hit) [[unlikely]]
+    recorder->clip_abandoned();
   return answer;
 }
 

@@ -14,13 +14,9 @@ std::string pair_kind(ShapeKind a, ShapeKind b) {
 }
 
 void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record) {
-  trace::Pair fresh;
-  fresh.a = std::move(traded ? record.b : record.a);
-  fresh.b = std::move(traded ? record.a : record.b);
-  fresh.label = std::move(record.label);
-  fresh.kind = pair_kind(a, b);
-  fresh.state = "separated";
-  record = std::move(fresh);
+  if (traded) std::swap(record.a, record.b);
+  record.kind = pair_kind(a, b);
+  record.state = "separated";
 }
 
 template <class S>
@@ -40,6 +36,7 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
     told.axis = to_string(manifold.axis);
     told.type = to_string(manifold.type);
     if (manifold.triangle >= 0) told.triangle = manifold.triangle;
+    told.points.reserve(manifold.points.size());
     for (const ContactPoint<S>& point : manifold.points) {
       told.points.push_back(trace_point(point));
       // Of several manifolds, a mesh's, the deepest point stands for the pair.

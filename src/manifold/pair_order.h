@@ -36,15 +36,14 @@ void mirror(Manifold<S>& manifold) {
   for (ContactPoint<S>& point : manifold.points) point.id = point.id.flipped();
 }
 
-/// Empties a record of what it held of another frame, but for its names and label, and turns it to
-/// the order in which the pair is worked on; the names were those of the arguments.
-[[gnu::cold]] void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record);
+/// Begins an empty record, of which names and label are set: turns the names from the order of the
+/// arguments to that in which the pair is worked on.
+void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record);
 
 /// Writes the manifolds, which are in the order in which the pair was worked on, and turns the record
 /// back to that of the arguments.
 template <class S>
-[[gnu::cold]] void end_record(std::span<const Manifold<S>> manifolds, bool traded,
-                              trace::Pair& record);
+void end_record(std::span<const Manifold<S>> manifolds, bool traded, trace::Pair& record);
 
 /// What a pair came to, also of one that nobody watched: its manifolds, and with them its state and
 /// the separation of its deepest point. Without manifolds the record's separation stays.
@@ -55,7 +54,7 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
 /// other one.
 template <class S>
 struct FlippedOptions {
-  [[gnu::cold]] explicit FlippedOptions(const CollideOptions<S>& given);
+  explicit FlippedOptions(const CollideOptions<S>& given);
   FlippedOptions(const FlippedOptions&) = delete;
 
   std::vector<FeatureId> previous;
@@ -70,12 +69,14 @@ template <class S, class Work>
                                                  const CollideOptions<S>& options,
                                                  Manifolds<S>& manifolds, trace::Pair* record,
                                                  const Work& work) {
-  if (record != nullptr) begin_record(kind_of(a), kind_of(b), traded, *record);
+  if (record != nullptr) [[unlikely]]
+    begin_record(kind_of(a), kind_of(b), traded, *record);
   std::unique_ptr<FlippedOptions<S>> flipped;
   if (traded && !options.reduction.previous.empty()) [[unlikely]]
     flipped = std::make_unique<FlippedOptions<S>>(options);
   work(flipped ? flipped->options : options);
-  if (record != nullptr) end_record<S>(manifolds, traded, *record);
+  if (record != nullptr) [[unlikely]]
+    end_record<S>(manifolds, traded, *record);
   if (!traded) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }

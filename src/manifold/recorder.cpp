@@ -1,5 +1,6 @@
 #include "manifold/recorder.h"
 
+#include <type_traits>
 #include <utility>
 
 #include "manifold/edge_contact.h"
@@ -12,8 +13,13 @@ namespace {
 /// Empty for one that is not in the list.
 template <class S>
 std::string reducer_name(Reducer<S> reducer) {
-  for (const ReducerInfo& info : reducers())
-    if (find_reducer<S>(info.name) == reducer) return info.name;
+  for (const ReducerInfo& info : reducers()) {
+    if constexpr (std::is_same_v<S, float>) {
+      if (info.in_float == reducer) return info.name;
+    } else {
+      if (info.in_double == reducer) return info.name;
+    }
+  }
   return {};
 }
 
@@ -129,9 +135,8 @@ void Recorder<S>::contact_axis(AxisKind kind) {
 template <class S>
 Reduction Recorder<S>::reduce(const CollideOptions<S>& options,
                               std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
-  if (!stages_.reduction)
-    return contactscope::reduce(options.reducer, points, normal, options.reduction);
   std::vector<ContactPoint<double>> exact;
+  exact.reserve(points.size());
   for (const ContactPoint<S>& point : points) {
     exact.push_back(
         {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
@@ -139,11 +144,13 @@ Reduction Recorder<S>::reduce(const CollideOptions<S>& options,
   const Vec3d exact_normal = normal.template cast<double>();
   Choices choices(exact, exact_normal);
   ReduceOptions watched = options.reduction;
-  watched.choices = &choices;
+  watched.choices = stages_.reduction ? &choices : nullptr;
   const Reduction result = contactscope::reduce(options.reducer, points, normal, watched);
+  if (!stages_.reduction) return result;
 
   trace::Reduction& reduction = pair_.reduction.emplace();
   reduction.method = reducer_name(options.reducer);
+  reduction.points.reserve(points.size());
   for (const ContactPoint<S>& point : points) reduction.points.push_back(trace_point(point));
   reduction.kept.assign(result.kept.begin(), result.kept.end());
   reduction.choices = choices.made();

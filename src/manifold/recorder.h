@@ -42,48 +42,47 @@ class Recorder {
       : to_world_(to_world), stages_(stages), pair_(pair) {}
 
   /// Where the edge query leaves what it looked at.
-  [[gnu::cold]] EdgeQueryRecord<S>* edge_query();
-  [[gnu::cold]] void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
+  EdgeQueryRecord<S>* edge_query();
+  void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
   /// What the pair's cache held was tried.
-  [[gnu::cold]] void cache(const CacheAnswer<S>& answer);
+  void cache(const CacheAnswer<S>& answer);
   /// `reference` owns the first face.
-  [[gnu::cold]] void clip_begins(Owner reference, const ClipFace<S>& reference_face,
-                                 const ClipFace<S>& incident_face);
+  void clip_begins(Owner reference, const ClipFace<S>& reference_face,
+                   const ClipFace<S>& incident_face);
   /// A side plane of the reference face and what it left.
-  [[gnu::cold]] void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
-  [[gnu::cold]] void dropped(const Vec3<S>& position, const char* reason);
+  void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
+  void dropped(const Vec3<S>& position, const char* reason);
   /// The face contact is given up for another axis.
-  [[gnu::cold]] void clip_abandoned();
+  void clip_abandoned();
   /// The axis that made the contact, when it is not the one that the test chose.
-  [[gnu::cold]] void contact_axis(AxisKind kind);
+  void contact_axis(AxisKind kind);
   /// Runs the reducer of the options, which tells its choices. `points` and `normal` in the world.
-  [[gnu::cold]] Reduction reduce(const CollideOptions<S>& options,
-                                 std::span<const ContactPoint<S>> points, const Vec3<S>& normal);
+  Reduction reduce(const CollideOptions<S>& options, std::span<const ContactPoint<S>> points,
+                   const Vec3<S>& normal);
   /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.
-  [[gnu::cold]] GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
+  GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
-  [[gnu::cold]] void gjk(const Pose<S>& frame);
+  void gjk(const Pose<S>& frame);
   /// Where a penetration method leaves its steps; nullptr where they are not to be recorded.
-  [[gnu::cold]] PenetrationSteps<S>* penetration_steps() {
+  PenetrationSteps<S>* penetration_steps() {
     return stages_.penetration ? &penetration_steps_ : nullptr;
   }
   /// What a method found, in A's frame, with the steps that were left in penetration_steps();
   /// `fallback` names the method whose result stands instead, or is nullptr.
-  [[gnu::cold]] void penetration(PenetrationMethod method, const PenetrationResult<S>& result,
-                                 const char* fallback);
+  void penetration(PenetrationMethod method, const PenetrationResult<S>& result,
+                   const char* fallback);
   /// The Minkowski difference of two hulls, where a view shows it: the pipeline has no need of it.
-  [[gnu::cold]] void minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a);
+  void minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a);
   /// Queries a mesh's tree with the other shape's box, both in the mesh's frame; returns the
   /// triangles.
-  [[gnu::cold]] std::vector<int> query_tree(const Mesh<S>& mesh, const Aabb<S>& box);
+  std::vector<int> query_tree(const Mesh<S>& mesh, const Aabb<S>& box);
   /// The geometry had no normal of its own; what was done about it.
-  [[gnu::cold]] void degenerate(const char* geometry, Degenerate answer);
+  void degenerate(const char* geometry, Degenerate answer);
   /// Of the pair, metres: what stands in the record when no point does.
-  [[gnu::cold]] void separation(S separation) { pair_.separation = separation; }
+  void separation(S separation) { pair_.separation = separation; }
   /// What became of every point of an incremental manifold.
-  [[gnu::cold]] void incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
-                                 const PersistentManifold<S>& persistent,
-                                 const IncrementalOptions& options);
+  void incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
+                   const PersistentManifold<S>& persistent, const IncrementalOptions& options);
 
  private:
   Vec3d point(const Vec3<S>& in_a) const { return to_world_.point(in_a).template cast<double>(); }

@@ -99,8 +99,8 @@ GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>&
 }
 
 template <class S>
-[[gnu::cold]] void tell_step(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference,
-                             GjkRun<S>& run) {
+void tell_step(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference,
+               GjkRun<S>& run) {
   run.steps.push_back(to_result(simplex, difference));
 }
 
@@ -132,7 +132,8 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
   const S length = simplex.nearest.direction.norm();
   if (length > S(0)) result.normal = simplex.nearest.direction / length;
-  if (run != nullptr) run->result = result;
+  if (run != nullptr) [[unlikely]]
+    run->result = result;
   return result;
 }
 
@@ -192,7 +193,8 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
           : first_simplex(difference.support_against(difference.between_middles()), difference);
   int stalls = 0;
   for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
-    if (run != nullptr) tell_step(*simplex, difference, *run);
+    if (run != nullptr) [[unlikely]]
+      tell_step(*simplex, difference, *run);
     const NearestOnSimplex<S>& nearest = simplex->nearest;
     if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, *simplex, difference, run);
     if (nearest.squared_distance <= rounding * rounding) {

@@ -102,8 +102,8 @@ template <class S>
 
 /// A crossing as the record has it: by the distance between a point of each edge.
 template <class S>
-[[gnu::cold]] void tell(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a,
-                        int edge_b, S tie, EdgeQueryRecord<S>& record) {
+void tell(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a, int edge_b, S tie,
+          EdgeQueryRecord<S>& record) {
   if (measure(pair, arc, along_a, edge_b, record.to_beat, record.best))
     record.to_beat = record.best.separation + tie;
   if (!record.keeps_crossings) return;
@@ -126,6 +126,8 @@ EdgeQuery<S> search_arcs(const HullPair<S>& pair, const FaceSeparations<S>& face
   const Mat3<S> a_to_b = b.rotation.transpose();
   EdgeQuery<S> best;
   S to_beat = floor;
+  // The record's own best is only told where nothing beats the faces.
+  const auto is_told = [&] { return best.edge_a < 0 || record->keeps_crossings; };
 
   for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
     const int first = a.half_edge(edge).face;
@@ -135,16 +137,22 @@ EdgeQuery<S> search_arcs(const HullPair<S>& pair, const FaceSeparations<S>& face
     if (start == end) continue;
 
     const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
-    const bool left_out =
-        arc_stays_below(arc, faces_a.separation(first), faces_a.separation(second),
-                        b.vertices[start], b.vertices[end], std::min(to_beat, S(0)));
-    if (left_out && !kWatched) continue;
+    const auto stays_below = [&](S bound) {
+      return arc_stays_below(arc, faces_a.separation(first), faces_a.separation(second),
+                             b.vertices[start], b.vertices[end], std::min(bound, S(0)));
+    };
+    const bool left_out = stays_below(to_beat);
+    if (left_out) {
+      if constexpr (!kWatched) continue;
+      if (!is_told() || (!record->keeps_crossings && stays_below(record->to_beat))) continue;
+    }
 
     const Vec3<S> along_a = a.direction(edge);
     const Vec3<S> first_in_b = a_to_b * arc.first;
     const Vec3<S> second_in_b = a_to_b * arc.second;
     walk_arc(b.hull, first_in_b, second_in_b, start, end, [&](int edge_b) {
-      if constexpr (kWatched) tell(pair, arc, along_a, edge_b, tie, *record);
+      if constexpr (kWatched)
+        if (is_told()) tell(pair, arc, along_a, edge_b, tie, *record);
       if (kWatched && left_out) return;
       if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
     });
@@ -194,7 +202,8 @@ EdgeQuery<S> query_edges_of_flat(const HullPair<S>& pair, const FaceSeparations<
     const Vec3<S> first_in_b = a_to_b * arc.first;
     const Vec3<S> second_in_b = a_to_b * arc.second;
     walk_arc(pair.b.hull, first_in_b, second_in_b, start.support, end.support, [&](int edge_b) {
-      if (record != nullptr) tell(pair, arc, along_a, edge_b, tie, *record);
+      if (record != nullptr) [[unlikely]]
+        tell(pair, arc, along_a, edge_b, tie, *record);
       if (left_out) return;
       if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
     });

@@ -31,8 +31,8 @@ AxisKind deepest_axis(const SatResult<S>& queries) {
 
 /// A picture of the Gauss map shows all crossings, also where a face has settled the test.
 template <class S>
-[[gnu::cold]] void tell_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S tie,
-                                  EdgeQueryRecord<S>& record) {
+void tell_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S tie,
+                    EdgeQueryRecord<S>& record) {
   if (record.keeps_crossings)
     query_edges(pair, faces_a, std::numeric_limits<S>::infinity(), tie, &record);
 }
@@ -50,7 +50,8 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   result.queries_run = 1;
   result.chosen = result.deepest = AxisKind::FaceA;
   if (result.face_a.separation > margin) {  // we found a separating axis
-    if (record != nullptr) tell_crossings(pair, faces_a, tie, *record);
+    if (record != nullptr) [[unlikely]]
+      tell_crossings(pair, faces_a, tie, *record);
     return result;
   }
 
@@ -58,7 +59,8 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
   result.queries_run = 2;
   result.chosen = result.deepest = AxisKind::FaceB;
   if (result.face_b.separation > margin) {  // we found a separating axis
-    if (record != nullptr) tell_crossings(pair, faces_a, tie, *record);
+    if (record != nullptr) [[unlikely]]
+      tell_crossings(pair, faces_a, tie, *record);
     return result;
   }
 

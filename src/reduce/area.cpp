@@ -13,7 +13,7 @@ namespace {
 template <class S>
 KeptIndices reduce_by_area(ContactPoints<S> points, const Vec3<S>& normal,
                            const ReduceOptions& options) {
-  if (options.choices != nullptr)
+  if (options.choices != nullptr) [[unlikely]]
     options.choices->support(steps::fixed_direction(options.choices->normal()).normalized());
   return steps::grow_from<steps::Added::Area>(
       points, normal, steps::support_point(points, steps::fixed_direction(normal)),

@@ -10,7 +10,8 @@ namespace {
 template <class S>
 KeptIndices reduce_by_area_from_deepest(ContactPoints<S> points, const Vec3<S>& normal,
                                         const ReduceOptions& options) {
-  if (options.choices != nullptr) options.choices->deepest();
+  if (options.choices != nullptr) [[unlikely]]
+    options.choices->deepest();
   return steps::grow_from<steps::Added::Area>(points, normal, steps::deepest_point(points),
                                               steps::OnALine::KeepFirst, options);
 }

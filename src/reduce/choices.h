@@ -25,19 +25,19 @@ class Choices {
   const std::vector<trace::Choice>& made() const { return made_; }
 
   /// The farthest point along a unit direction.
-  [[gnu::cold]] void support(const Vec3d& direction);
-  [[gnu::cold]] void deepest();
+  void support(const Vec3d& direction);
+  void deepest();
   /// The farthest from a point.
-  [[gnu::cold]] void farthest(int from);
+  void farthest(int from);
   /// What makes the largest triangle with two points.
-  [[gnu::cold]] void triangle(int first, int second);
+  void triangle(int first, int second);
   /// What adds the largest area outside an edge of a ring of kept points, counter-clockwise seen
   /// against the normal; or, `by_distance`, lies farthest outside of one. Of each candidate the
   /// measure of the edge that decides (the least; negative outside), and of the `chosen` one those
   /// of all edges, from the first kept point on.
-  [[gnu::cold]] void outside(std::span<const int> ring, int first, int chosen, bool by_distance);
+  void outside(std::span<const int> ring, int first, int chosen, bool by_distance);
   /// A choice is taken back: only the first `count` stand.
-  [[gnu::cold]] void keep(std::size_t count) { made_.resize(std::min(count, made_.size())); }
+  void keep(std::size_t count) { made_.resize(std::min(count, made_.size())); }
 
  private:
   const Vec3d& at(int point) const { return points_[static_cast<std::size_t>(point)].position; }

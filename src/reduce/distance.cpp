@@ -9,7 +9,7 @@ namespace {
 template <class S>
 KeptIndices reduce_by_distance(ContactPoints<S> points, const Vec3<S>& normal,
                                const ReduceOptions& options) {
-  if (options.choices != nullptr)
+  if (options.choices != nullptr) [[unlikely]]
     options.choices->support(steps::fixed_direction(options.choices->normal()).normalized());
   return steps::grow_from<steps::Added::Distance>(
       points, normal, steps::support_point(points, steps::fixed_direction(normal)),

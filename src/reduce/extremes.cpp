@@ -29,10 +29,10 @@ KeptIndices reduce_to_extremes(ContactPoints<S> points, const Vec3<S>& normal,
     const int extreme = steps::support_point(points, directions[k]);
     if (steps::contains(kept, extreme)) continue;
     kept.push_back(extreme);
-    if (options.choices != nullptr)
+    if (options.choices != nullptr) [[unlikely]]
       options.choices->support(directions_in_plane(options.choices->normal())[k]);
   }
-  if (options.choices != nullptr)
+  if (options.choices != nullptr) [[unlikely]]
     options.choices->keep(static_cast<std::size_t>(options.max_points));
   return steps::first_of(kept, options);
 }

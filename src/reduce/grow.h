@@ -71,7 +71,8 @@ bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIn
   if (third < 0) return false;
   if (max_points == 2) return true;
   kept.push_back(third);
-  if (choices != nullptr) choices->triangle(first, second);
+  if (choices != nullptr) [[unlikely]]
+    choices->triangle(first, second);
 
   const bool left = area(third) > S(0);
   Ring ring;
@@ -81,7 +82,7 @@ bool grow(ContactPoints<S> points, const Vec3<S>& normal, int max_points, KeptIn
   while (count_of(kept) < max_points) {
     const Addition next = largest_addition<added>(points, normal, ring, negligible, handicap);
     if (next.index < 0) break;
-    if (choices != nullptr)
+    if (choices != nullptr) [[unlikely]]
       choices->outside({ring.begin(), ring.end()}, first, next.index, added == Added::Distance);
     kept.push_back(next.index);
     insert(ring, next.after + 1, next.index);
@@ -107,18 +108,20 @@ KeptIndices grow_from(ContactPoints<S> points, const Vec3<S>& normal, int first,
   const int second = farthest_from(points, first);
   if (max_points == 1 || second == first) return kept;
   kept.push_back(second);
-  if (choices != nullptr) choices->farthest(first);
+  if (choices != nullptr) [[unlikely]]
+    choices->farthest(first);
   if (grow<added>(points, normal, max_points, kept, S(1), choices)) return kept;
   const int other = farthest_from(points, second);
   if (on_a_line == OnALine::ExchangeFirst) {
     kept[0] = other;
-    if (choices != nullptr) {
+    if (choices != nullptr) [[unlikely]] {
       choices->keep(1);
       choices->farthest(other);
     }
   } else if (max_points > 2 && position(points, other) != position(points, first)) {
     kept.push_back(other);
-    if (choices != nullptr) choices->triangle(first, second);
+    if (choices != nullptr) [[unlikely]]
+      choices->triangle(first, second);
   }
   return kept;
 }

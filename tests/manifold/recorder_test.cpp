@@ -189,7 +189,6 @@ TYPED_TEST(RecordOfAPair, TellsTheBestOfEveryQueryAlsoWhereTheEdgesCannotWin) {
 TYPED_TEST(RecordOfAPair, TellsTheEdgesOfAnEdgeContact) {
   using S = TypeParam;
   trace::Pair record;
-  record.clip.emplace();  // of a frame before
   recorded(test::crossed_edges(1, 0.01).cast<S>(), {}, record);
   EXPECT_EQ(record.sat->chosen, "edge_edge");
   EXPECT_FALSE(record.clip.has_value());
