@@ -1,10 +1,8 @@
 #include "image/compare.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
+#include <array>
 #include <cstdlib>
-#include <vector>
 
 namespace contactscope {
 namespace {
@@ -16,8 +14,8 @@ std::size_t index(int width, int x, int y) {
 
 /// Where two pictures differ, on a canvas that holds both.
 struct DifferenceMask {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> differs;
+  int width, height;
+  std::vector<std::uint8_t> differs = std::vector<std::uint8_t>(index(width, 0, height));
   int count = 0;
   int largest_channel_difference = 0;
 };
@@ -33,20 +31,15 @@ int channel_difference(const Image& a, const Image& b, int x, int y) {
 }
 
 DifferenceMask find_differences(const Image& a, const Image& b) {
-  DifferenceMask mask;
-  mask.width = std::max(a.width, b.width);
-  mask.height = std::max(a.height, b.height);
-  mask.differs.resize(index(mask.width, 0, mask.height));
+  DifferenceMask mask{std::max(a.width, b.width), std::max(a.height, b.height)};
   const int both_wide = std::min(a.width, b.width), both_high = std::min(a.height, b.height);
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {
       const bool in_both = x < both_wide && y < both_high;
       const int difference = in_both ? channel_difference(a, b, x, y) : 255;
       mask.largest_channel_difference = std::max(mask.largest_channel_difference, difference);
-      if (difference > kChannelTolerance) {
-        mask.differs[index(mask.width, x, y)] = 1;
-        ++mask.count;
-      }
+      mask.differs[index(mask.width, x, y)] = difference > kChannelTolerance;
+      mask.count += difference > kChannelTolerance;
     }
   }
   return mask;
@@ -69,10 +62,9 @@ Cluster take_cluster(DifferenceMask& mask, int x, int y) {
     const Pixel at = open.back();
     open.pop_back();
     ++cluster.size;
-    cluster.box.left = std::min(cluster.box.left, at.x);
-    cluster.box.top = std::min(cluster.box.top, at.y);
-    cluster.box.right = std::max(cluster.box.right, at.x + 1);
-    cluster.box.bottom = std::max(cluster.box.bottom, at.y + 1);
+    PixelBox& box = cluster.box;
+    box = {std::min(box.left, at.x), std::min(box.top, at.y), std::max(box.right, at.x + 1),
+           std::max(box.bottom, at.y + 1)};
     for (int ny = std::max(at.y - 1, 0); ny <= std::min(at.y + 1, mask.height - 1); ++ny) {
       for (int nx = std::max(at.x - 1, 0); nx <= std::min(at.x + 1, mask.width - 1); ++nx) {
         std::uint8_t& differs = mask.differs[index(mask.width, nx, ny)];
@@ -98,12 +90,9 @@ Cluster largest_cluster(DifferenceMask mask) {
   return largest;
 }
 
-void set_pixel(Image& image, int x, int y, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+void set_pixel(Image& image, int x, int y, const std::array<std::uint8_t, 3>& rgb) {
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
-  std::uint8_t* pixel = &image.rgb[3 * index(image.width, x, y)];
-  pixel[0] = r;
-  pixel[1] = g;
-  pixel[2] = b;
+  std::ranges::copy(rgb, &image.rgb[3 * index(image.width, x, y)]);
 }
 
 /// A frame of `thickness` pixels that leaves `gap` pixels free around the box.
@@ -113,7 +102,7 @@ void draw_frame(Image& image, const PixelBox& box, int gap, int thickness) {
     for (int x = box.left - outer; x < box.right + outer; ++x) {
       const bool inside =
           x >= box.left - gap && x < box.right + gap && y >= box.top - gap && y < box.bottom + gap;
-      if (!inside) set_pixel(image, x, y, 0x00, 0x72, 0xB2);
+      if (!inside) set_pixel(image, x, y, {0x00, 0x72, 0xB2});
     }
   }
 }
@@ -121,21 +110,14 @@ void draw_frame(Image& image, const PixelBox& box, int gap, int thickness) {
 }  // namespace
 
 PixelComparison compare_pixels(const Image& expected, const Image& actual) {
-  PixelComparison result;
-  if (expected.width != actual.width || expected.height != actual.height) {
-    result.verdict = PixelVerdict::SizeDiffers;
-    return result;
-  }
-  if (expected.rgb == actual.rgb) return result;
-  DifferenceMask mask = find_differences(expected, actual);
-  result.differing = mask.count;
-  result.largest_channel_difference = mask.largest_channel_difference;
-  const Cluster cluster = largest_cluster(std::move(mask));
-  result.largest_cluster = cluster.size;
-  result.largest_cluster_at = cluster.box;
-  const bool fails = cluster.size >= kClusterLimit || result.differing > kTotalLimit;
-  result.verdict = fails ? PixelVerdict::Different : PixelVerdict::WithinTolerance;
-  return result;
+  if (expected.width != actual.width || expected.height != actual.height)
+    return {.verdict = PixelVerdict::SizeDiffers};
+  if (expected.rgb == actual.rgb) return {};
+  const DifferenceMask mask = find_differences(expected, actual);
+  const Cluster cluster = largest_cluster(mask);
+  const bool fails = cluster.size >= kClusterLimit || mask.count > kTotalLimit;
+  return {fails ? PixelVerdict::Different : PixelVerdict::WithinTolerance, mask.count, cluster.size,
+          cluster.box, mask.largest_channel_difference};
 }
 
 Image difference_image(const Image& expected, const Image& actual) {
@@ -144,14 +126,14 @@ Image difference_image(const Image& expected, const Image& actual) {
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {
       if (mask.differs[index(mask.width, x, y)]) {
-        set_pixel(out, x, y, 0xD5, 0x5E, 0x00);
+        set_pixel(out, x, y, {0xD5, 0x5E, 0x00});
         continue;
       }
       const std::uint8_t* pixel = &expected.rgb[3 * index(expected.width, x, y)];
       // Rec. 601 luma, then a third of the contrast on white.
       const int luma = (299 * pixel[0] + 587 * pixel[1] + 114 * pixel[2] + 500) / 1000;
-      const std::uint8_t ghost = static_cast<std::uint8_t>(255 - (255 - luma) / 3);
-      set_pixel(out, x, y, ghost, ghost, ghost);
+      const auto ghost = static_cast<std::uint8_t>(255 - (255 - luma) / 3);
+      set_pixel(out, x, y, {ghost, ghost, ghost});
     }
   }
   const Cluster cluster = largest_cluster(std::move(mask));

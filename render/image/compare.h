@@ -26,7 +26,7 @@ struct PixelComparison {
   PixelVerdict verdict = PixelVerdict::Identical;
   int differing = 0;                   // pixels with a channel off by more than kChannelTolerance
   int largest_cluster = 0;             // pixels of the largest 8-connected group of them
-  PixelBox largest_cluster_at;         // bounding box of that group; empty without one
+  PixelBox largest_cluster_at{};       // bounding box of that group; empty without one
   int largest_channel_difference = 0;  // over all pixels, 0 to 255
 
   bool passed() const {

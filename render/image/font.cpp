@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 
 #include "image/glyph_coverage.h"
@@ -60,15 +59,15 @@ std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float sca
   stbtt_vertex* vertices = nullptr;
   const int count = stbtt_GetGlyphShape(&info, glyph, &vertices);
   std::vector<Contour> outline;  // in units of the font, y up
+  const auto corner = [](double x, double y) { return ContourPoint{x, y}; };
   for (int i = 0; i < count; ++i) {
     const stbtt_vertex& vertex = vertices[i];
-    const ContourPoint to{static_cast<double>(vertex.x), static_cast<double>(vertex.y)};
+    const ContourPoint to = corner(vertex.x, vertex.y);
     if (vertex.type == STBTT_vmove) {
       outline.push_back({to});
     } else if (vertex.type == STBTT_vcurve) {
       const ContourPoint from = outline.back().back();
-      add_curve(from, {static_cast<double>(vertex.cx), static_cast<double>(vertex.cy)}, to,
-                kFlatness / scale, outline.back());
+      add_curve(from, corner(vertex.cx, vertex.cy), to, kFlatness / scale, outline.back());
     } else {
       outline.back().push_back(to);
     }
@@ -88,13 +87,10 @@ std::vector<Contour> outline_of(const stbtt_fontinfo& info, int glyph, float sca
 /// places outwards of a covered one holds halo - (k - 1) of the halo, clamped.
 GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
   const int reach = static_cast<int>(std::ceil(halo));
-  GlyphBitmap out;
-  out.width = glyph.width + 2 * reach;
-  out.height = glyph.height + 2 * reach;
-  out.left = glyph.left - reach;
-  out.top = glyph.top - reach;
-  out.coverage.assign(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height),
-                      0);
+  GlyphBitmap out{glyph.width + 2 * reach, glyph.height + 2 * reach, glyph.left - reach,
+                  glyph.top - reach};
+  const auto width = static_cast<std::size_t>(out.width);
+  out.coverage.resize(width * static_cast<std::size_t>(out.height));
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const float distance = std::sqrt(static_cast<float>(dx * dx + dy * dy));
@@ -103,8 +99,7 @@ GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
       for (int y = 0; y < glyph.height; ++y) {
         const std::uint8_t* from =
             &glyph.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(glyph.width)];
-        std::uint8_t* to = &out.coverage[static_cast<std::size_t>(y + dy + reach) *
-                                             static_cast<std::size_t>(out.width) +
+        std::uint8_t* to = &out.coverage[static_cast<std::size_t>(y + dy + reach) * width +
                                          static_cast<std::size_t>(dx + reach)];
         for (int x = 0; x < glyph.width; ++x) {
           const float faded = static_cast<float>(from[x]) * weight;
@@ -116,17 +111,34 @@ GlyphBitmap dilated(const GlyphBitmap& glyph, float halo) {
   return out;
 }
 
+constexpr char32_t kReplacement = 0xFFFD;
+
+/// Bytes that a sequence starting with `lead` has; 0 when no sequence starts so.
+std::size_t sequence_length(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;  // 0xC0 and 0xC1 only start overlong forms
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  if (lead >= 0xF0 && lead < 0xF5) return 4;
+  return 0;
+}
+
+bool is_scalar_value(char32_t code, std::size_t length) {
+  const char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  return code >= smallest[length] && code <= 0x10FFFF && !surrogate;
+}
+
 }  // namespace
 
 float ascent(float size, FontWeight weight) {
-  int up = 0, down = 0, gap = 0;
-  stbtt_GetFontVMetrics(&font(weight), &up, &down, &gap);
+  int up = 0;
+  stbtt_GetFontVMetrics(&font(weight), &up, nullptr, nullptr);
   return static_cast<float>(up) * scale_of(size, weight);
 }
 
 float descent(float size, FontWeight weight) {
-  int up = 0, down = 0, gap = 0;
-  stbtt_GetFontVMetrics(&font(weight), &up, &down, &gap);
+  int down = 0;
+  stbtt_GetFontVMetrics(&font(weight), nullptr, &down, nullptr);
   return static_cast<float>(-down) * scale_of(size, weight);
 }
 
@@ -154,16 +166,32 @@ GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, 
   const int glyph = stbtt_FindGlyphIndex(&info, static_cast<int>(code_point));
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph, scale, scale, subpixel_x, 0, &x0, &y0, &x1, &y1);
-  GlyphBitmap out;
-  if (x1 <= x0 || y1 <= y0) return out;  // a space
-  out.width = x1 - x0;
-  out.height = y1 - y0;
-  out.left = x0;
-  out.top = y0;
+  if (x1 <= x0 || y1 <= y0) return {};  // a space
+  GlyphBitmap out{x1 - x0, y1 - y0, x0, y0};
   out.coverage = coverage_of(
       outline_of(info, glyph, scale, subpixel_x - static_cast<float>(x0), static_cast<float>(-y0)),
       out.width, out.height);
   return halo > 0 ? dilated(out, halo) : out;
+}
+
+std::vector<char32_t> code_points(std::string_view utf8) {
+  std::vector<char32_t> out;
+  out.reserve(utf8.size());
+  for (std::size_t i = 0; i < utf8.size();) {
+    const unsigned char lead = static_cast<unsigned char>(utf8[i]);
+    const std::size_t length = sequence_length(lead);
+    bool valid = length != 0 && i + length <= utf8.size();
+    char32_t code = length <= 1 ? lead : lead & (0xFFu >> (length + 1));
+    for (std::size_t k = 1; valid && k < length; ++k) {
+      const unsigned char next = static_cast<unsigned char>(utf8[i + k]);
+      valid = (next & 0xC0) == 0x80;
+      code = code << 6 | (next & 0x3Fu);
+    }
+    valid = valid && is_scalar_value(code, length);
+    out.push_back(valid ? code : kReplacement);
+    i += valid ? length : 1;
+  }
+  return out;
 }
 
 }  // namespace contactscope

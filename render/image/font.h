@@ -17,7 +17,7 @@ std::span<const unsigned char> font_data(FontWeight weight);
 struct GlyphBitmap {
   int width = 0, height = 0;
   int left = 0, top = 0;
-  std::vector<std::uint8_t> coverage;  // width * height
+  std::vector<std::uint8_t> coverage{};  // width * height
 };
 
 /// Text metrics and glyph coverage from the embedded font. `size` is pixels from ascender to

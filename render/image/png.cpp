@@ -74,23 +74,6 @@ void write_png(const std::string& path, const Image& image, int level) {
   write_whole_file(path, encode_png(image, level));
 }
 
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw PngError(name + ": cannot be read as a PNG: larger than 2 GB");
-  }
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
-      stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
-                            &channels, 3),
-      stbi_image_free);
-  if (!pixels) {
-    throw PngError(name + ": cannot be read as a PNG: " + stbi_failure_reason());
-  }
-  Image image(width, height);
-  image.rgb.assign(pixels.get(), pixels.get() + image.rgb.size());
-  return image;
-}
-
 Image read_png(const std::string& path) {
   const auto fail = [&path](int error) {
     throw std::filesystem::filesystem_error("cannot read", path,
@@ -105,7 +88,20 @@ Image read_png(const std::string& path) {
     bytes.insert(bytes.end(), block, block + count);
   }
   if (std::ferror(file.get())) fail(errno);
-  return decode_png(bytes, path);
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw PngError(path + ": cannot be read as a PNG: larger than 2 GB");
+  }
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
+      stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                            &channels, 3),
+      stbi_image_free);
+  if (!pixels) {
+    throw PngError(path + ": cannot be read as a PNG: " + stbi_failure_reason());
+  }
+  Image image(width, height);
+  image.rgb.assign(pixels.get(), pixels.get() + image.rgb.size());
+  return image;
 }
 
 }  // namespace contactscope

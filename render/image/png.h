@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,7 +25,5 @@ void write_png(const std::string& path, const Image& image, int level = 1);
 /// Reads any PNG as 8-bit RGB; alpha is dropped. Throws std::filesystem::filesystem_error when the
 /// file cannot be read and PngError when it is no PNG.
 Image read_png(const std::string& path);
-/// The same from memory; `name` stands for the path in errors.
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace contactscope

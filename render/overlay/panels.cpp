@@ -52,15 +52,6 @@ PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::
 std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw::Drawing& drawing) {
   draw::Drawing contents;
   windows_.begin_frame();
-  std::vector<std::string> left_out = lay_out(moment, contents);
-  windows_.end_frame(drawing);
-  drawing.primitives.insert(drawing.primitives.end(), contents.primitives.begin(),
-                            contents.primitives.end());
-  return left_out;
-}
-
-std::vector<std::string> PanelColumn::lay_out(const draw::PanelMoment& moment,
-                                              draw::Drawing& contents) const {
   std::vector<draw::PanelNeed> needs;
   for (const draw::FilledPanel& panel : panels_)
     needs.push_back(with_padding(panel.content->need(moment)));
@@ -92,6 +83,9 @@ std::vector<std::string> PanelColumn::lay_out(const draw::PanelMoment& moment,
                 layout_.scale, contents)
         .line(without_room, draw::kQuietText);
   }
+  windows_.end_frame(drawing);
+  drawing.primitives.insert(drawing.primitives.end(), contents.primitives.begin(),
+                            contents.primitives.end());
   return left_out;
 }
 

@@ -22,8 +22,6 @@ class PanelColumn {
   std::vector<std::string> add(const draw::PanelMoment& moment, draw::Drawing& drawing);
 
  private:
-  std::vector<std::string> lay_out(const draw::PanelMoment& moment, draw::Drawing& contents) const;
-
   const draw::Layout& layout_;
   std::vector<draw::FilledPanel> panels_;
   Windows windows_;
