@@ -1,20 +1,16 @@
 #include "draw/illustrate.h"
 
-#include <array>
-#include <cstdio>
-
 #include "draw/pair_label.h"
 #include "draw/picture_legend.h"
 #include "draw/scene/compose.h"
 #include "draw/scene/pair_points.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
 
 std::string moment(const trace::Frame& frame) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "frame %d, t = %.3f s", frame.frame, frame.time);
-  return text.data();
+  return printed("frame %d, t = %.3f s", frame.frame, frame.time);
 }
 
 // Labels stand away from the middle of what touches.

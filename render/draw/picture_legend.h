@@ -1,6 +1,6 @@
 #pragma once
 
-#include "draw/insets/panel_legend.h"
+#include "draw/insets/contact_plane.h"
 #include "draw/layers/layer.h"
 #include "draw/staging.h"
 

@@ -12,8 +12,6 @@
 #include "app/study_tables.h"
 #include "app/verbs.h"
 #include "draw/charts/plot.h"
-#include "draw/charts/plot_curves.h"
-#include "draw/charts/plot_map.h"
 #include "image/png.h"
 #include "image/whole_file.h"
 #include "scenario/nearest_word.h"
@@ -64,18 +62,6 @@ Size size_of(const trace::Study& result) {
   return one_panel ? roomy_size(result.series.size()) : Size{};
 }
 
-draw::Drawing drawing_of(const trace::Study& result, const Size& size) {
-  switch (result.form) {
-    case trace::StudyForm::Curves:
-      return draw::plot_curves(result, size.width, size.height);
-    case trace::StudyForm::Map:
-      return draw::plot_map(result, size.width, size.height);
-    case trace::StudyForm::WorkPrecision:
-      break;
-  }
-  return draw::plot(result, size.width, size.height);
-}
-
 // All is computed before the first file is written: a study that fails leaves those of an earlier
 // run as they are.
 ExitCode run_study(const Options& options) {
@@ -94,8 +80,8 @@ ExitCode run_study(const Options& options) {
     files.push_back({folder / ("results" + suffix + ".csv"), bytes_of(trace::to_csv(result))});
     if (options.tables_only) continue;
     const Size size = options.size.value_or(size_of(result));
-    files.push_back(
-        {folder / ("plot" + suffix + ".png"), encode_png(studio.paint(drawing_of(result, size)))});
+    files.push_back({folder / ("plot" + suffix + ".png"),
+                     encode_png(studio.paint(draw::plot(result, size.width, size.height)))});
   }
   if (options.tables_only) {
     ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");

@@ -22,10 +22,10 @@ TEST(ContactCells, StayOnTheCanvasAtEverySize) {
         const std::vector<ContactMoment> moments = moments_of(cells, frames);
         const ContactCells picture("A crate on a floor", "Gregorius 2015", "y", moments, 0, width,
                                    height);
-        EXPECT_EQ(picture.width(), width);
-        EXPECT_EQ(picture.height(), height);
         for (const int frame : {0, frames - 1}) {
           const Drawing drawing = picture.frame(frame);
+          EXPECT_EQ(drawing.width, width);
+          EXPECT_EQ(drawing.height, height);
           expect_on_canvas(drawing, std::to_string(width) + " wide, " + std::to_string(cells) +
                                         " cells, " + std::to_string(frames) + " frames");
           EXPECT_GE(rings(drawing).size(), 4u * static_cast<std::size_t>(cells));

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/charts/axis_history.h"
+#include "draw/charts/pair_history.h"
 #include "draw/crate_on_slab.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"

@@ -1,4 +1,4 @@
-#include "draw/panels/column.h"
+#include "draw/panels/panel.h"
 
 #include <gmock/gmock.h>
 

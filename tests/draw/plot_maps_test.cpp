@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "draw/charts/plot_curves.h"
-#include "draw/charts/plot_map.h"
+#include "draw/charts/plot_page.h"
 #include "draw/scene/camera.h"
 #include "image/font.h"
 

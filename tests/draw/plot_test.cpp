@@ -178,7 +178,8 @@ TEST(Plot, AStudyWithNothingInItIsStillAPicture) {
 }
 
 TEST(PlotGeometry, ZerosFailuresAndTheRestHaveRowsOfTheirOwn) {
-  const PlotGeometry geometry = plot_geometry(crowded(), ErrorKind::Mean, {50, 40, 500, 400}, 1);
+  const PlotGeometry geometry =
+      plot_geometry(crowded(), ErrorKind::Mean, {50, 40, 500, 400}, 1, crowded());
   EXPECT_GT(geometry.failures_end, 40);
   EXPECT_LT(geometry.zeros_begin, 440);
   for (const Course& course : geometry.courses) {
@@ -189,7 +190,7 @@ TEST(PlotGeometry, ZerosFailuresAndTheRestHaveRowsOfTheirOwn) {
       EXPECT_GT(at.y, zero ? geometry.zeros_begin : geometry.failures_end) << course.method;
       EXPECT_LT(at.y, zero ? 440 : geometry.zeros_begin) << course.method;
     }
-    if (course.failed > 0) {
+    if (!course.failures.empty()) {
       EXPECT_GT(course.failure_row, 40) << course.method;
       EXPECT_LT(course.failure_row, geometry.failures_end) << course.method;
     }
@@ -203,16 +204,17 @@ TEST(PlotGeometry, ErrorsWithinTheResolutionStandInTheRowOfZerosWhichSaysSo) {
   trace::Study study = crowded();
   study.resolution = 1e-6;
   study.series[18].points[0].error = 0.9e-6;
-  const PlotGeometry geometry = plot_geometry(study, ErrorKind::Mean, {0, 0, 500, 400}, 1);
+  const PlotGeometry geometry = plot_geometry(study, ErrorKind::Mean, {0, 0, 500, 400}, 1, study);
   EXPECT_EQ(geometry.zeros_label, "≤ 10⁻⁶");
   EXPECT_GT(geometry.courses[18].points[0].y, geometry.zeros_begin);
-  EXPECT_EQ(plot_geometry(crowded(), ErrorKind::Mean, {0, 0, 500, 400}, 1).zeros_label, "0");
+  EXPECT_EQ(plot_geometry(crowded(), ErrorKind::Mean, {0, 0, 500, 400}, 1, crowded()).zeros_label,
+            "0");
 }
 
 TEST(PlotGeometry, FasterIsToTheLeftAndCloserIsLower) {
   trace::Study study = crowded(0);
   study.series = {{"fast", {point(5, 0.5, 10)}}, {"close", {point(5, 0.01, 1000)}}};
-  const PlotGeometry geometry = plot_geometry(study, ErrorKind::Mean, {0, 0, 500, 400}, 1);
+  const PlotGeometry geometry = plot_geometry(study, ErrorKind::Mean, {0, 0, 500, 400}, 1, study);
   EXPECT_LT(geometry.courses[0].points[0].x, geometry.courses[1].points[0].x);
   EXPECT_LT(geometry.courses[0].points[0].y, geometry.courses[1].points[0].y);
   for (const Course& course : geometry.courses) {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -21,12 +22,6 @@ std::string superscript(int exponent) {
   return text;
 }
 
-std::string plain(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
 std::string power_of_ten(double value) {
   const int exponent = static_cast<int>(std::floor(std::log10(value) + kRounding));
   const int factor = static_cast<int>(std::lround(value / std::pow(10.0, exponent)));
@@ -37,17 +32,11 @@ std::string power_of_ten(double value) {
 }  // namespace
 
 Axis Axis::linear(double low, double high, float from, float to) {
-  Axis axis;
-  axis.low_ = low;
-  axis.high_ = high;
-  axis.from_ = from;
-  axis.to_ = to;
-  return axis;
+  return {false, low, high, from, to};
 }
 
 Axis Axis::logarithmic(double low, double high, float from, float to, float before, float after) {
-  Axis axis = linear(std::log10(low), std::log10(high), from, to);
-  axis.logarithmic_ = true;
+  Axis axis(true, std::log10(low), std::log10(high), from, to);
   const double missing = kLeastSpan - (axis.high_ - axis.low_);
   if (missing > 0) {
     axis.low_ -= 0.5 * missing;
@@ -68,38 +57,29 @@ float Axis::at(double value) const {
 std::vector<Axis::Tick> Axis::ticks(float least_decade) const {
   const bool minor = std::abs(to_ - from_) >= least_decade * (high_ - low_);
   std::vector<Tick> list;
-  int decades = 0;
   for (int exponent = static_cast<int>(std::floor(low_)); exponent <= high_; ++exponent) {
     for (int factor = 1; factor <= (minor ? 9 : 1); ++factor) {
       const double logarithm = exponent + std::log10(factor);
       if (logarithm < low_ - kRounding || logarithm > high_ + kRounding) continue;
-      Tick tick;
-      tick.value = factor * std::pow(10.0, exponent);
-      tick.at = at(tick.value);
-      tick.decade = factor == 1;
-      tick.labelled = tick.decade;
-      decades += tick.decade;
-      list.push_back(tick);
+      const double value = factor * std::pow(10.0, exponent);
+      list.push_back({value, at(value), factor == 1, factor == 1 || factor == 2 || factor == 5});
     }
   }
-  if (decades >= 3) return list;
-  for (Tick& tick : list) {
-    const double exponent = std::floor(std::log10(tick.value) + kRounding);
-    const long factor = std::lround(tick.value / std::pow(10.0, exponent));
-    tick.labelled = factor == 1 || factor == 2 || factor == 5;
+  if (std::ranges::count_if(list, &Tick::decade) >= 3) {
+    for (Tick& tick : list) tick.labelled = tick.decade;
   }
   return list;
 }
 
 std::string spell_tick_time(double nanoseconds) {
-  if (nanoseconds < 1e3 * (1 - kRounding)) return plain(nanoseconds) + " ns";
-  if (nanoseconds < 1e6 * (1 - kRounding)) return plain(nanoseconds / 1e3) + " µs";
-  return plain(nanoseconds / 1e6) + " ms";
+  if (nanoseconds < 1e3 * (1 - kRounding)) return printed("%.6g", nanoseconds) + " ns";
+  if (nanoseconds < 1e6 * (1 - kRounding)) return printed("%.6g", nanoseconds / 1e3) + " µs";
+  return printed("%.6g", nanoseconds / 1e6) + " ms";
 }
 
 std::string spell_tick_error(double value, const std::string& unit) {
   const bool short_enough = value > 0.9e-3 && value < 1e4;
-  const std::string number = short_enough ? plain(value) : power_of_ten(value);
+  const std::string number = short_enough ? printed("%.6g", value) : power_of_ten(value);
   return unit.empty() ? number : number + " " + unit;
 }
 

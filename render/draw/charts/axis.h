@@ -36,6 +36,9 @@ class Axis {
   std::vector<Tick> ticks(float least_decade = 0) const;
 
  private:
+  Axis(bool logarithmic, double low, double high, float from, float to)
+      : logarithmic_(logarithmic), low_(low), high_(high), from_(from), to_(to) {}
+
   bool logarithmic_ = false;
   double low_ = 0, high_ = 1;  // or their logarithms
   float from_ = 0, to_ = 1;

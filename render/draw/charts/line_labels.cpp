@@ -39,9 +39,9 @@ double length_inside(const Point2& from, const Point2& to, const Rect& box) {
     }
   };
   clip(-dx, from.x - box.x);
-  clip(dx, box.x + box.width - from.x);
+  clip(dx, box.right() - from.x);
   clip(-dy, from.y - box.y);
-  clip(dy, box.y + box.height - from.y);
+  clip(dy, box.bottom() - from.y);
   return leave > enter ? (leave - enter) * std::hypot(dx, dy) : 0;
 }
 
@@ -81,39 +81,36 @@ class Placement {
     return place;
   }
 
+  static bool leader_meets(const PlacedLabel& place, const Rect& box) {
+    return place.needs_leader && length_inside(place.anchor, place.leader_end, box) > 0;
+  }
+  static bool leader_crosses(const PlacedLabel& place, const Point2& from, const Point2& to) {
+    return place.needs_leader && cross(place.anchor, place.leader_end, from, to);
+  }
+
   double cost(const PlacedLabel& place, std::size_t label, bool first_anchor) const {
     const Rect room = place.box.grown(kPadding * scale_);
     double sum = distance(place.leader_end, place.anchor);
     if (!first_anchor) sum += kOtherEnd * scale_;
     if (place.box.x < place.anchor.x) sum += kAgainstTheLine * scale_;
-    for (const LabelObstacles::Line& line : obstacles_.lines) {
-      sum += kCoveredPixel * line.weight * length_inside(line.from, line.to, room);
-      if (place.needs_leader && cross(line.from, line.to, place.anchor, place.leader_end)) {
-        sum += kLeaderCrossesLine * line.weight * scale_;
-      }
+    for (const auto& [from, to, weight] : obstacles_.lines) {
+      sum += kCoveredPixel * weight * length_inside(from, to, room);
+      if (leader_crosses(place, from, to)) sum += kLeaderCrossesLine * weight * scale_;
     }
     for (const Point2& marker : obstacles_.markers) {
       const double radius = kMarkerRadius * scale_;
-      if (distance(room.nearest(marker), marker) < radius) sum += kCoveredMarker * scale_;
-      if (!place.needs_leader || distance(marker, place.anchor) < 1) continue;
       const Rect box{marker.x - radius, marker.y - radius, 2 * radius, 2 * radius};
-      if (length_inside(place.anchor, place.leader_end, box) > 0) {
+      if (distance(room.nearest(marker), marker) < radius) sum += kCoveredMarker * scale_;
+      if (distance(marker, place.anchor) >= 1 && leader_meets(place, box))
         sum += kLeaderCrossesMarker * scale_;
-      }
     }
     for (std::size_t other = 0; other < places_.size(); ++other) {
       if (other == label || !places_[other]) continue;
       const PlacedLabel& fixed = *places_[other];
-      if (place.needs_leader && length_inside(place.anchor, place.leader_end, fixed.box) > 0) {
-        sum += 4 * kCoveredMarker * scale_;
-      }
-      if (fixed.needs_leader && length_inside(fixed.anchor, fixed.leader_end, room) > 0) {
-        sum += 4 * kCoveredMarker * scale_;
-      }
-      if (place.needs_leader && fixed.needs_leader &&
-          cross(place.anchor, place.leader_end, fixed.anchor, fixed.leader_end)) {
+      if (leader_meets(place, fixed.box)) sum += 4 * kCoveredMarker * scale_;
+      if (leader_meets(fixed, room)) sum += 4 * kCoveredMarker * scale_;
+      if (fixed.needs_leader && leader_crosses(place, fixed.anchor, fixed.leader_end))
         sum += kCoveredMarker * scale_;
-      }
     }
     return sum;
   }
@@ -123,11 +120,10 @@ class Placement {
     const double between = kBetween * scale_;
     const Rect padded = box.grown(kPadding * scale_);
     const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
-    for (const Rect& taken : obstacles_.boxes) {
-      if (room.overlaps(taken)) return false;
-    }
+    const auto takes_room = [&](const Rect& taken) { return room.overlaps(taken); };
+    if (std::ranges::any_of(obstacles_.boxes, takes_room)) return false;
     for (std::size_t other = 0; other < places_.size(); ++other) {
-      if (other != label && places_[other] && room.overlaps(places_[other]->box)) return false;
+      if (other != label && places_[other] && takes_room(places_[other]->box)) return false;
     }
     return true;
   }
@@ -158,16 +154,16 @@ class Placement {
       }
     }
     if (found) return *found;
-    for (double y = frame_.y + 0.5 * height_; y < frame_.y + frame_.height; y += 0.5 * height_) {
-      for (double x = frame_.x + 0.5 * request.width; x < frame_.x + frame_.width; x += height_) {
+    for (double y = frame_.y + 0.5 * height_; y < frame_.bottom(); y += 0.5 * height_) {
+      for (double x = frame_.x + 0.5 * request.width; x < frame_.right(); x += height_) {
         consider(x, y, 0);
       }
     }
     if (found) return *found;
     // Nowhere free: at the anchor, pushed into the frame.
     const Point2& at = request.anchors.front();
-    const double most_x = std::max(frame_.x, frame_.x + frame_.width - request.width);
-    const double most_y = std::max(frame_.y, frame_.y + frame_.height - height_);
+    const double most_x = std::max(frame_.x, frame_.right() - request.width);
+    const double most_y = std::max(frame_.y, frame_.bottom() - height_);
     return placed({std::clamp(at.x + kRings[0], frame_.x, most_x),
                    std::clamp(at.y - 0.5 * height_, frame_.y, most_y), request.width, height_},
                   at);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 namespace {
@@ -33,26 +35,19 @@ Color legible(Color color) {
   return color;
 }
 
-std::vector<Point2> corners_of(Marker marker, const Point2& c, float r) {
+/// Corners of a marker of radius 1 that is a polygon.
+std::vector<Point2> corners_of(Marker marker) {
   switch (marker) {
     case Marker::Square:
-    case Marker::HollowSquare: {
-      const float s = 0.88f * r;
-      return {{c.x - s, c.y - s}, {c.x + s, c.y - s}, {c.x + s, c.y + s}, {c.x - s, c.y + s}};
-    }
+    case Marker::HollowSquare:
+      return {{-0.88f, -0.88f}, {0.88f, -0.88f}, {0.88f, 0.88f}, {-0.88f, 0.88f}};
     case Marker::Diamond:
-    case Marker::HollowDiamond: {
-      const float s = 1.25f * r;
-      return {{c.x, c.y - s}, {c.x + s, c.y}, {c.x, c.y + s}, {c.x - s, c.y}};
-    }
+    case Marker::HollowDiamond:
+      return {{0, -1.25f}, {1.25f, 0}, {0, 1.25f}, {-1.25f, 0}};
     case Marker::TriangleUp:
-      return {{c.x, c.y - 1.25f * r},
-              {c.x + 1.15f * r, c.y + 0.8f * r},
-              {c.x - 1.15f * r, c.y + 0.8f * r}};
+      return {{0, -1.25f}, {1.15f, 0.8f}, {-1.15f, 0.8f}};
     case Marker::TriangleDown:
-      return {{c.x, c.y + 1.25f * r},
-              {c.x - 1.15f * r, c.y - 0.8f * r},
-              {c.x + 1.15f * r, c.y - 0.8f * r}};
+      return {{0, 1.25f}, {-1.15f, -0.8f}, {1.15f, -0.8f}};
     case Marker::Circle:
     case Marker::Ring:
     case Marker::Plus:
@@ -61,65 +56,35 @@ std::vector<Point2> corners_of(Marker marker, const Point2& c, float r) {
   return {};
 }
 
-void draw_outline(const std::vector<Point2>& corners, float width, const Color& color,
-                  Drawing& drawing) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    drawing.primitives.push_back(
-        Stroke{corners[i], corners[(i + 1) % corners.size()], width, color, Cap::Round});
-  }
-}
-
 }  // namespace
 
 // The strides are prime to the counts, so that colour, marker and dash change at different beats.
 MethodStyle method_style(std::size_t index) {
   constexpr std::array<std::array<float, 2>, 3> kDashes = {{{0, 0}, {8, 4}, {2.5f, 3.5f}}};
-  MethodStyle style;
-  style.color = kColors[index % kColors.size()];
-  style.text = legible(style.color);
-  style.marker = static_cast<Marker>(index % kMarkers);
-  const std::array<float, 2>& dash = kDashes[(index / kColors.size()) % kDashes.size()];
-  style.dash = dash[0];
-  style.gap = dash[1];
-  return style;
+  const Color& color = kColors[index % kColors.size()];
+  const auto& [dash, gap] = kDashes[(index / kColors.size()) % kDashes.size()];
+  return {color, legible(color), static_cast<Marker>(index % kMarkers), dash, gap};
 }
 
 void draw_marker(Marker marker, const Point2& center, float radius, const Color& color,
                  Drawing& drawing) {
+  const Pen pen(drawing, 1, 0);  // lengths are pixels of the canvas
   const float line = 0.42f * radius;
-  switch (marker) {
-    case Marker::Circle:
-      drawing.primitives.push_back(Disc{center, 0, radius, color});
-      return;
-    case Marker::Ring:
-      drawing.primitives.push_back(Disc{center, 0, radius, kWhite});
-      drawing.primitives.push_back(Disc{center, radius - line, radius + 0.2f * line, color});
-      return;
-    case Marker::Plus: {
-      const float s = 1.15f * radius;
-      const float width = 0.75f * radius;
-      drawing.primitives.push_back(
-          Stroke{{center.x - s, center.y}, {center.x + s, center.y}, width, color});
-      drawing.primitives.push_back(
-          Stroke{{center.x, center.y - s}, {center.x, center.y + s}, width, color});
-      return;
-    }
-    case Marker::HollowSquare:
-    case Marker::HollowDiamond: {
-      const std::vector<Point2> corners = corners_of(marker, center, radius);
-      drawing.primitives.push_back(Fill{corners, kWhite});
-      draw_outline(corners, line, color, drawing);
-      return;
-    }
-    case Marker::Square:
-    case Marker::Diamond:
-    case Marker::TriangleUp:
-    case Marker::TriangleDown: {
-      const std::vector<Point2> corners = corners_of(marker, center, radius);
-      drawing.primitives.push_back(Fill{corners, color});
-      draw_outline(corners, 1, color, drawing);  // fills have no soft border of their own
-      return;
-    }
+  if (marker == Marker::Circle) {
+    pen.disc(center, radius, color);
+  } else if (marker == Marker::Ring) {
+    pen.disc(center, radius, kWhite);
+    pen.ring(center, radius - line, radius + 0.2f * line, color);
+  } else if (marker == Marker::Plus) {
+    for (const Point2& half : {Point2{1.15f * radius, 0}, Point2{0, 1.15f * radius}})
+      pen.line(center - half, center + half, 0.75f * radius, color);
+  } else {
+    std::vector<Point2> corners = corners_of(marker);
+    for (Point2& corner : corners) corner = center + radius * corner;
+    const bool hollow = marker == Marker::HollowSquare || marker == Marker::HollowDiamond;
+    pen.fill(corners, hollow ? kWhite : color);
+    // A thin line, for fills have no soft border of their own.
+    pen.outline(corners, hollow ? line : 1, color);
   }
 }
 
@@ -132,18 +97,16 @@ std::vector<bool> on_front(const trace::Study& study, ErrorKind kind) {
   const auto beats = [&](const trace::StudyPoint& one, const trace::StudyPoint& other) {
     const std::optional<double>& error = error_of(one, kind);
     const double least = *error_of(other, kind);
-    const double time = one.nanoseconds.median;
-    const double other_time = other.nanoseconds.median;
+    const double time = one.nanoseconds.median, other_time = other.nanoseconds.median;
     const bool comparable = same_cases || one.parameter == other.parameter;
     return error && comparable && *error <= least && time <= other_time &&
            (*error < least || time < other_time);
   };
   const auto unbeaten = [&](const trace::StudyPoint& point) {
-    if (!error_of(point, kind)) return false;
-    return std::ranges::none_of(study.series, [&](const trace::StudySeries& other) {
-      return std::ranges::any_of(
-          other.points, [&](const trace::StudyPoint& rival) { return beats(rival, point); });
-    });
+    return error_of(point, kind) &&
+           std::ranges::none_of(
+               study.series | std::views::transform(&trace::StudySeries::points) | std::views::join,
+               [&](const trace::StudyPoint& rival) { return beats(rival, point); });
   };
   std::vector<bool> front;
   for (const trace::StudySeries& series : study.series) {

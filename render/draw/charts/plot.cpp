@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "draw/charts/plot_geometry.h"
 #include "draw/charts/plot_page.h"
-#include "draw/charts/plot_panel.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
@@ -13,28 +13,64 @@
 namespace contactscope::draw {
 namespace {
 
+// Pixels at 720 lines.
+constexpr double kHeading = 22;
+constexpr double kUnder = 26;
+constexpr double kBetween = 18;
+constexpr double kGutter = 22;  // between diagrams of work precision
 constexpr double kTitle = 28;
 constexpr double kSubtitle = 15;
-constexpr double kCaption = 14;
-constexpr double kGutter = 22;
+constexpr double kLegend = 24;
+constexpr double kCaption = 20;
+
+/// A power of ten on an axis.
+struct Decade {
+  float at = 0;  // pixels
+  std::string label{};
+};
+
+/// Those of an axis, labelled as often as labels have room.
+std::vector<Decade> decades_of(const Axis& axis, float room) {
+  const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  int every = 1;
+  if (ticks.size() > 1) {
+    const float decade = std::abs(ticks[1].at - ticks[0].at);
+    while (every < 7 && static_cast<float>(every) * decade < room) ++every;
+    if (every == 7) every = 8;
+  }
+  std::vector<Decade> decades;
+  for (const Axis::Tick& tick : ticks) {
+    Decade& decade = decades.emplace_back(Decade{tick.at});
+    if (std::lround(std::log10(tick.value)) % every == 0)
+      decade.label = spell_tick_error(tick.value, "");
+  }
+  return decades;
+}
+
+/// "CPU · compiler · build · date", and if asked for the scalar.
+std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
+  std::string line;
+  for (const std::string& part : {context.cpu, context.compiler, context.build_type,
+                                  with_scalar ? context.scalar : "", context.date.substr(0, 10)}) {
+    if (!part.empty()) line += (line.empty() ? "" : " · ") + part;
+  }
+  return line;
+}
 
 std::string subtitle(const trace::Study& study) {
   std::set<double> parameters;
   for (const trace::StudySeries& series : study.series) {
     for (const trace::StudyPoint& point : series.points) parameters.insert(point.parameter);
   }
+  std::string along;
+  for (const double parameter : parameters)
+    along += (along.empty() ? "" : ", ") + spell_number(parameter);
+  along = "Along a line: " + along + " " + study.parameter + ". Strong: at half ";
+  if (!trace::has_panels(study))
+    return along + "of these or more, nothing else is both as fast and as close.";
   // Panels are headed by what they are of, so the error is named here.
-  std::string line = trace::has_panels(study) ? "Up: mean " + study.error + ". " : std::string();
-  line += "Along a line: ";
-  bool first = true;
-  for (const double parameter : parameters) {
-    line += (first ? "" : ", ") + spell_number(parameter);
-    first = false;
-  }
-  line += " " + study.parameter;
-  if (trace::has_panels(study))
-    return line + ". Strong: at half or more nothing in the panel as fast is as close.";
-  return line + ". Strong: at half of these or more, nothing else is both as fast and as close.";
+  return "Up: mean " + study.error + ". " + along +
+         "or more nothing in the panel as fast is as close.";
 }
 
 bool has_worst(const trace::Study& study) {
@@ -45,58 +81,136 @@ bool has_worst(const trace::Study& study) {
   });
 }
 
+/// One diagram of the page.
+struct Part {
+  ErrorKind kind = ErrorKind::Mean;
+  std::string panel{};
+};
+
 }  // namespace
 
-Drawing plot(const trace::Study& study, int width, int height) {
+void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen) {
+  const auto top = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
+  for (const auto& [at, label] : decades_of(axis, pen.px(44))) {
+    if (grid) pen.line({at, top}, {at, bottom}, 1, kChartGrid);
+    pen.line({at, bottom}, {at, bottom + pen.px(label.empty() ? 3 : 5)}, 1.2, kChartBorder);
+    if (!label.empty()) pen.text(label, {at, bottom + pen.px(18)}, Align::Center, kQuietText);
+  }
+}
+
+void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen) {
+  const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
+  for (const auto& [at, label] : decades_of(axis, pen.px(22))) {
+    if (grid && !label.empty()) pen.line({left, at}, {right, at}, 1, kChartGrid);
+    pen.line({left - pen.px(label.empty() ? 3 : 5), at}, {left, at}, 1.2, kChartBorder);
+    if (label.empty() || !labels) continue;
+    pen.text(label, {left - pen.px(8), at + pen.px(5)}, Align::Right, kQuietText);
+  }
+}
+
+void PositiveRange::include(double value) {
+  if (!(value > 0)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+double largest_error(const trace::StudyPoint& point) {
+  return point.error_worst.value_or(point.error.value_or(0));
+}
+
+std::string spell_failures(const trace::StudySeries& series) {
+  int failed = 0, of = 0;
+  for (const trace::StudyPoint& point : series.points) {
+    failed += point.failed;
+    of += point.of;
+  }
+  return std::to_string(failed) + " of " + std::to_string(of);
+}
+
+PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height) {
   const Layout layout = make_layout(width, height, false, {});
-  Drawing drawing;
-  drawing.width = width;
-  drawing.height = height;
-  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, true),
-                layout, drawing);
-
+  const bool has_legend = study.form != trace::StudyForm::WorkPrecision;
+  PlotPage page;
+  page.scale = layout.scale;
+  page.drawing.width = width;
+  page.drawing.height = height;
+  draw_captions(study.title, "Against " + study.reference,
+                spell_context(study.context, !has_legend), layout, page.drawing);
   const double left = layout.legend.x;
-  const double inner = layout.legend.width;
-  double top = left + layout.px(kTitle + 4);
-  Pen(drawing, layout.scale, kSubtitle)
-      .text(subtitle(study),
-            {static_cast<float>(left), static_cast<float>(top) + 0.8f * layout.px(kSubtitle)},
-            Align::Left, kQuietText);
-  top += layout.px(kSubtitle + 12);
-  const double bottom = height - left - layout.px(kCaption + 6);
+  const double top = left + layout.px(kTitle + 4);
+  const float baseline = has_legend ? layout.px(12) : 0.8f * layout.px(kSubtitle);
+  Pen(page.drawing, layout.scale, has_legend ? kPlotText : kSubtitle)
+      .text(shown, {static_cast<float>(left), static_cast<float>(top) + baseline}, Align::Left,
+            kQuietText);
+  const double legend = top + layout.px(16 + 0.5 * kLegend);
+  page.legend = pixel(left, legend);
+  const double begin =
+      has_legend ? legend + layout.px(0.5 * kLegend + 4) : top + layout.px(kSubtitle + 12);
+  page.panels = {left, begin, layout.legend.width, height - left - layout.px(kCaption) - begin};
+  return page;
+}
 
-  if (trace::has_panels(study)) {
-    const std::vector<PlotPanel> panels = panels_of(study);
-    const std::size_t rows = panels.size() > 2 ? 2 : 1;
-    const std::size_t columns = (panels.size() + rows - 1) / rows;
-    const double gutter = layout.px(kGutter);
-    const double across = (inner + gutter) / static_cast<double>(columns);
-    const double down = (bottom - top + 0.5 * gutter) / static_cast<double>(rows);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-      const Rect rect{left + across * static_cast<double>(i % columns),
-                      top + down * static_cast<double>(i / columns), across - gutter,
-                      down - 0.5 * gutter};
-      draw_plot_panel(study, ErrorKind::Mean, rect, layout.scale, drawing, panels[i].name);
+std::vector<PlotPanel> panels_of(const trace::Study& study) {
+  std::vector<PlotPanel> panels;
+  for (const trace::StudySeries& series : study.series) {
+    auto panel = std::ranges::find(panels, series.panel, &PlotPanel::name);
+    if (panel == panels.end()) {
+      const std::string& parameter = series.parameter.empty() ? study.parameter : series.parameter;
+      panel = panels.insert(panels.end(), PlotPanel{series.panel, parameter, {}});
     }
-    return drawing;
+    panel->series.push_back(&series);
   }
-  if (!has_worst(study)) {
-    draw_plot_panel(study, ErrorKind::Mean, {left, top, inner, bottom - top}, layout.scale,
-                    drawing);
-    return drawing;
+  return panels;
+}
+
+std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study, double left) {
+  std::vector<PlotPanel> panels = panels_of(study);
+  const std::size_t rows = panels.size() > 2 ? 2 : 1;
+  const std::size_t columns = (panels.size() + rows - 1) / rows;
+  const double scale = page.scale;
+  const double label = scale * left, between = scale * kBetween;
+  const double width = (page.panels.width - label - between * static_cast<double>(columns - 1)) /
+                       static_cast<double>(columns);
+  const double height = page.panels.height / static_cast<double>(rows);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+    panels[i].area = {page.panels.x + label + column * (width + between),
+                      page.panels.y + row * height + scale * kHeading, width,
+                      height - scale * (kHeading + kUnder)};
+    panels[i].begins_row = i % columns == 0;
   }
-  const double down = bottom - top;
-  const double gutter = layout.px(kGutter);
-  const bool is_tall = height > width;
-  const double panel_width = is_tall ? inner : 0.5 * (inner - gutter);
-  const double panel_height = is_tall ? 0.5 * (down - gutter) : down;
-  draw_plot_panel(study, ErrorKind::Mean, {left, top, panel_width, panel_height}, layout.scale,
-                  drawing);
-  draw_plot_panel(
-      study, ErrorKind::Worst,
-      {left + inner - panel_width, top + down - panel_height, panel_width, panel_height},
-      layout.scale, drawing);
-  return drawing;
+  return panels;
+}
+
+Drawing plot(const trace::Study& study, int width, int height) {
+  if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
+  if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
+
+  const bool in_panels = trace::has_panels(study);
+  std::vector<Part> parts;
+  if (in_panels) {
+    for (const PlotPanel& panel : panels_of(study)) parts.push_back({ErrorKind::Mean, panel.name});
+  } else {
+    parts.push_back({ErrorKind::Mean});
+    if (has_worst(study)) parts.push_back({ErrorKind::Worst});
+  }
+  std::size_t rows = height > width ? parts.size() : 1;
+  if (in_panels) rows = parts.size() > 2 ? 2 : 1;
+  const std::size_t columns = (parts.size() + rows - 1) / rows;
+
+  PlotPage page = plot_page(study, subtitle(study), width, height);
+  const Rect& space = page.panels;
+  const double gutter = page.scale * static_cast<float>(kGutter);
+  const double between_rows = in_panels ? 0.5 * gutter : gutter;
+  const double across = (space.width + gutter) / static_cast<double>(columns);
+  const double down = (space.height + between_rows) / static_cast<double>(rows);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Rect rect{space.x + across * static_cast<double>(i % columns),
+                    space.y + down * static_cast<double>(i / columns), across - gutter,
+                    down - between_rows};
+    draw_plot_panel(study, parts[i].kind, rect, page, parts[i].panel);
+  }
+  return page.drawing;
 }
 
 }  // namespace contactscope::draw

@@ -7,7 +7,6 @@
 #include "draw/charts/axis.h"
 #include "draw/charts/method_style.h"
 #include "draw/charts/plot_page.h"
-#include "draw/scene/camera.h"
 #include "trace/study.h"
 
 namespace contactscope::draw {
@@ -20,7 +19,6 @@ struct Course {
   std::vector<Point2> points;                // those with an error, in the order of the parameter
   std::vector<std::array<float, 2>> spread;  // x of the least and greatest time of each
   std::vector<float> failures;               // x of the points with failures
-  int failed = 0, of = 0;                    // cases over all points
   std::string failure_text;                  // "mjx: 3 of 120"
   Point2 failure_text_at;                    // left end of the baseline
   float failure_row = 0;                     // y of the crosses
@@ -38,10 +36,13 @@ struct PlotGeometry {
 };
 
 /// Maps a study's points into `area`, with room to the right of the slowest for the widest label.
-/// Axes span the points of `whole`, of which the study may be a panel.
+/// Axes span the points of `whole`, which is the study or what it is a panel of.
 PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area, float scale,
                            const trace::Study& whole);
-PlotGeometry plot_geometry(const trace::Study& study, ErrorKind kind, const Rect& area,
-                           float scale);
+
+/// One diagram of plot(), in `rect`: heading, axes and all that lies between them. Where series have
+/// a panel, those of `panel` are drawn alone, under its name.
+void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, PlotPage& page,
+                     const std::string& panel);
 
 }  // namespace contactscope::draw

@@ -1,5 +1,3 @@
-#include "draw/charts/plot_map.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,18 +25,31 @@ std::size_t decade_of(double error) {
   return static_cast<std::size_t>(std::clamp(above, 0.0, double(kDecades.size() - 1)));
 }
 
-class Map {
+/// Half a cell beyond the first and the last value.
+Axis axis_through(const std::vector<double>& values, double from, double to) {
+  const double cell = std::abs(to - from) / static_cast<double>(values.size());
+  const auto half = static_cast<float>(0.5 * cell);
+  return Axis::logarithmic(values.front(), values.back(), static_cast<float>(from),
+                           static_cast<float>(to), half, half);
+}
+
+class Map : Pen {
  public:
-  Map(const trace::Study& study, Drawing& drawing, float scale)
-      : study_(study), pen_(drawing, scale, kPlotText) {
-    for (const trace::StudySeries& series : study.series) {
-      numbered_ = numbered_ && series.row.has_value();
-    }
+  Map(const trace::Study& study, PlotPage& page)
+      : Pen(page.drawing, page.scale, kPlotText), study_(study) {
+    numbered_ = std::ranges::all_of(study.series,
+                                    [](const auto& series) { return series.row.has_value(); });
   }
 
-  void legend(const Point2& begin) {
+  double left() const { return numbered_ ? kLeftNumbers : kLeftNames; }
+
+  void legend(const Point2& begin) const {
     float at = begin.x;
-    const float middle = begin.y;
+    const auto name = [&](const std::string& what, float aside) {
+      text(what, {at + aside, begin.y + px(5)}, Align::Left, kText);
+      at += aside + width_of(what) + px(18);
+    };
+    const auto box = [&] { return Rect{at, begin.y - px(8), px(26), px(16)}; };
     std::size_t most = 0;
     for (const trace::StudySeries& series : study_.series) {
       for (const trace::StudyPoint& point : series.points) {
@@ -46,104 +57,77 @@ class Map {
       }
     }
     for (std::size_t i = 0; i <= most; ++i) {
-      const Rect box{at, middle - px(8), px(26), px(16)};
-      pen_.fill(box, kDecades[i]);
-      pen_.frame(box, 1.2, kChartBorder);
+      fill(box(), kDecades[i]);
+      frame(box(), 1.2, kChartBorder);
       const bool open = i + 1 == kDecades.size();
       const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));
-      const std::string name = (open ? "> " : "≤ ") + spell_tick_error(bound, "");
-      pen_.text(name, {at + px(32), middle + px(5)}, Align::Left, kText);
-      at += px(32) + pen_.width_of(name) + px(18);
+      name((open ? "> " : "≤ ") + spell_tick_error(bound, ""), px(32));
     }
-    pen_.cross({at + px(10), middle}, 5, 1.8, kFailure);
+    cross({at + px(10), begin.y}, 5, 1.8, kFailure);
     at += px(22);
-    pen_.text("cases failed", {at, middle + px(5)}, Align::Left, kText);
-    at += pen_.width_of("cases failed") + px(18);
-    const Rect box{at, middle - px(8), px(26), px(16)};
-    hatched(box);
-    pen_.frame(box, 1.2, kChartBorder);
-    pen_.text("all of them", {at + px(32), middle + px(5)}, Align::Left, kText);
+    name("cases failed", 0);
+    hatched(box());
+    frame(box(), 1.2, kChartBorder);
+    name("all of them", px(32));
   }
 
-  void panels(const Rect& space) {
-    const std::vector<PlotPanel> all = panels_of(study_);
-    const std::vector<Rect> areas =
-        panel_areas(space, all.size(), numbered_ ? kLeftNumbers : kLeftNames, px(1));
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      panel(all[i], areas[i], areas[i].x == areas[0].x);
+  void panel(const PlotPanel& panel) const {
+    const Rect& area = panel.area;
+    std::vector<double> parameters, rows;
+    for (const trace::StudyPoint& point : panel.series.front()->points)
+      parameters.push_back(point.parameter);
+    if (parameters.empty()) return;
+    const auto left = static_cast<float>(area.x);
+    const Axis x = axis_through(parameters, area.x, area.right());
+    const double width = area.width / static_cast<double>(parameters.size());
+    const double height = area.height / static_cast<double>(panel.series.size());
+    for (std::size_t i = 0; i < panel.series.size(); ++i) {
+      const trace::StudySeries& series = *panel.series[i];
+      // Numbers grow upwards, names are read downwards.
+      const double row = static_cast<double>(numbered_ ? panel.series.size() - 1 - i : i);
+      const double top = area.y + row * height;
+      for (const trace::StudyPoint& point : series.points)
+        cell(point, {x.at(point.parameter) - 0.5 * width, top, width, height});
+      if (numbered_) {
+        rows.push_back(*series.row);
+      } else if (panel.begins_row) {
+        const auto middle = static_cast<float>(top + 0.5 * height);
+        text(series.method, {left - px(8), middle + px(5)}, Align::Right, kText);
+      }
     }
+    if (numbered_)
+      draw_decades_up(axis_through(rows, area.bottom(), area.y), area, false, panel.begins_row,
+                      *this);
+    draw_decades_along(x, area, false, *this);
+    frame(area, 1.2, kChartBorder);
+    const float above = static_cast<float>(area.y) - px(6);
+    text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
+    const std::string axes =
+        "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
+    if (width_of(axes) + width_of(panel.name, Weight::Bold) + px(12) < area.width)
+      text(axes, {static_cast<float>(area.right()), above}, Align::Right, kQuietText);
   }
 
  private:
-  float px(double at_720) const { return pen_.px(at_720); }
-
-  /// Half a cell beyond the first and the last value.
-  static Axis axis_of(const std::vector<double>& values, double from, double to) {
-    const double cell = std::abs(to - from) / static_cast<double>(values.size());
-    const auto half = static_cast<float>(0.5 * cell);
-    return Axis::logarithmic(values.front(), values.back(), static_cast<float>(from),
-                             static_cast<float>(to), half, half);
-  }
-
-  void panel(const PlotPanel& panel, const Rect& area, bool labelled) {
-    std::vector<double> parameters;
-    for (const trace::StudyPoint& point : panel.series.front()->points) {
-      parameters.push_back(point.parameter);
-    }
-    if (parameters.empty()) return;
-    const double bottom = area.y + area.height;
-    const Axis x = axis_of(parameters, area.x, area.x + area.width);
-    const double cell_width = area.width / static_cast<double>(parameters.size());
-    const double cell_height = area.height / static_cast<double>(panel.series.size());
-    for (std::size_t row = 0; row < panel.series.size(); ++row) {
-      // Numbers grow upwards, names are read downwards.
-      const double from_top =
-          static_cast<double>(numbered_ ? panel.series.size() - 1 - row : row) * cell_height;
-      for (const trace::StudyPoint& point : panel.series[row]->points) {
-        const double left = x.at(point.parameter) - 0.5 * cell_width;
-        cell(point, {left, area.y + from_top, cell_width, cell_height});
-      }
-      if (numbered_ || !labelled) continue;
-      pen_.text(panel.series[row]->method,
-                {static_cast<float>(area.x) - px(8),
-                 static_cast<float>(area.y + from_top + 0.5 * cell_height) + px(5)},
-                Align::Right, kText);
-    }
-    if (numbered_) {
-      std::vector<double> rows;
-      for (const trace::StudySeries* series : panel.series) rows.push_back(*series->row);
-      draw_decades_up(axis_of(rows, bottom, area.y), area, false, labelled, pen_);
-    }
-    draw_decades_along(x, area, false, pen_);
-    pen_.frame(area, 1.2, kChartBorder);
-    const float above = static_cast<float>(area.y) - px(6);
-    pen_.text(panel.name, {static_cast<float>(area.x), above}, Align::Left, kText, Weight::Bold);
-    const std::string axes =
-        "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
-    if (pen_.width_of(axes) + pen_.width_of(panel.name, Weight::Bold) + px(12) < area.width) {
-      pen_.text(axes, {static_cast<float>(area.x + area.width), above}, Align::Right, kQuietText);
-    }
-  }
-
   /// A cell without a value is hatched: white alone would look like the smallest error.
-  void hatched(const Rect& rect) {
-    const double right = rect.x + rect.width, bottom = rect.y + rect.height;
-    hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, px(6), px(1),
-          with_alpha(kDropped, 0.4f), pen_.drawing());
+  void hatched(const Rect& rect) const {
+    hatch({{rect.x, rect.y},
+           {rect.right(), rect.y},
+           {rect.right(), rect.bottom()},
+           {rect.x, rect.bottom()}},
+          {}, px(6), px(1), with_alpha(kDropped, 0.4f), drawing());
   }
 
-  void cell(const trace::StudyPoint& point, const Rect& rect) {
-    if (point.error) pen_.fill(rect, kDecades[decade_of(largest_error(point))]);
+  void cell(const trace::StudyPoint& point, const Rect& rect) const {
+    if (point.error) fill(rect, kDecades[decade_of(largest_error(point))]);
     if (point.failed == 0) return;
     if (!point.error) hatched(rect);
     const double room = 0.32 * std::min(rect.width, rect.height) / px(1);
-    const Point2 middle{static_cast<float>(rect.x + 0.5 * rect.width),
-                        static_cast<float>(rect.y + 0.5 * rect.height)};
-    pen_.cross(middle, std::clamp(room, 2.0, 5.0), 1.8, kFailure);
+    cross(pixel(rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height), std::clamp(room, 2.0, 5.0),
+          1.8, kFailure);
   }
 
   const trace::Study& study_;
-  Pen pen_;
   bool numbered_ = true;
 };
 
@@ -151,9 +135,9 @@ class Map {
 
 Drawing plot_map(const trace::Study& study, int width, int height) {
   PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
-  Map map(study, page.drawing, page.scale);
+  const Map map(study, page);
   map.legend(page.legend);
-  map.panels(page.panels);
+  for (const PlotPanel& panel : panels_on(page, study, map.left())) map.panel(panel);
   return page.drawing;
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "draw/charts/axis.h"
-#include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/pen.h"
 #include "trace/study.h"
@@ -33,32 +32,48 @@ struct PositiveRange {
 /// The larger error of a point.
 double largest_error(const trace::StudyPoint& point);
 
-/// The panels of a study, in the order of the series, which stay together.
-struct PlotPanel {
-  std::string name;
-  std::string parameter;
-  std::vector<const trace::StudySeries*> series;
-};
-std::vector<PlotPanel> panels_of(const trace::Study& study);
-
-/// Places for so many panels in two rows, with room for labels to the left of each row and under
-/// each panel, and for a heading over it; `left` in pixels at 720 lines.
-std::vector<Rect> panel_areas(const Rect& space, std::size_t count, double left, float scale);
-
-/// "CPU · compiler · build · date", and if asked for the scalar.
-std::string spell_context(const trace::StudyContext& context, bool with_scalar);
+/// "3 of 120": how many of the cases of a series failed.
+std::string spell_failures(const trace::StudySeries& series);
 
 /// Size of text in plots of a study, pixels at 720 lines.
 inline constexpr double kPlotText = 14;
 
-/// A picture of small multiples: its frame is drawn, and says where the rest belongs.
+/// A picture of a study: its frame is drawn, and says where the rest belongs.
 struct PlotPage {
   Drawing drawing;
   float scale;    // pixels for one at 720 lines
   Point2 legend;  // its left end, half-way up
   Rect panels;
 };
-/// With the captions of a study, and under its title a line that says what is shown.
+/// With the captions of a study, and under its title a line that says what is shown. Below that is
+/// room for a legend, unless the lines themselves are labelled: those of work precision.
 PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height);
+
+/// A panel of a study, and its place on a page of small multiples.
+struct PlotPanel {
+  std::string name;
+  std::string parameter;
+  std::vector<const trace::StudySeries*> series;
+  Rect area{};
+  bool begins_row = false;  // the labels left of it are those of the whole row
+};
+/// The panels of a study, in the order of the series, which stay together.
+std::vector<PlotPanel> panels_of(const trace::Study& study);
+/// The same placed in up to two rows of a page, with room for labels to the left of each row and
+/// under each panel, and for a heading over it; `left` in pixels at 720 lines.
+std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study, double left);
+
+/// Small multiples of a study of form Curves: in each panel the largest error of every series
+/// against the parameter, both logarithmic. The error axis is the same in all panels. Series of the
+/// same name look the same everywhere: solid and filled, or dashed and hollow where the name goes on
+/// after a comma ("float, unrounded" beside "float"). The series that study.signal names is a grey
+/// line: errors above it drown what is measured. Failures are crosses in rows at the top, with how
+/// many of how many cases.
+Drawing plot_curves(const trace::Study& study, int width, int height);
+
+/// Panels of a study of form Map: a cell for every parameter (to the right, logarithmic) and row (up,
+/// logarithmic, or a line each for rows that are names), in the colour of the decade of its largest
+/// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white.
+Drawing plot_map(const trace::Study& study, int width, int height);
 
 }  // namespace contactscope::draw

@@ -1,5 +1,3 @@
-#include "draw/charts/plot_panel.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -30,24 +28,24 @@ Color muted(const Color& color) {
 Rect area_in(const Rect& rect, float scale) {
   const double left = rect.x + scale * kTickColumn;
   const double top = rect.y + scale * (kHeading + 10);
-  const double bottom = rect.y + rect.height - scale * (2 * kPlotText + 8);
-  return {left, top, rect.x + rect.width - left, bottom - top};
+  const double bottom = rect.bottom() - scale * (2 * kPlotText + 8);
+  return {left, top, rect.right() - left, bottom - top};
 }
 
-class Panel {
+class Diagram : Pen {
  public:
   /// `study` is `whole` or one panel of it.
-  Panel(const trace::Study& study, const trace::Study& whole, ErrorKind kind, const Rect& rect,
-        float scale, Drawing& drawing)
-      : study_(study),
+  Diagram(const trace::Study& study, const trace::Study& whole, ErrorKind kind, const Rect& rect,
+          PlotPage& page)
+      : Pen(page.drawing, page.scale, kPlotText),
+        study_(study),
         kind_(kind),
         rect_(rect),
-        pen_(drawing, scale, kPlotText),
-        plot_(plot_geometry(study, kind, area_in(rect, scale), scale, whole)),
+        plot_(plot_geometry(study, kind, area_in(rect, page.scale), page.scale, whole)),
         left_(static_cast<float>(plot_.area.x)),
-        right_(static_cast<float>(plot_.area.x + plot_.area.width)),
+        right_(static_cast<float>(plot_.area.right())),
         top_(static_cast<float>(plot_.area.y)),
-        bottom_(static_cast<float>(plot_.area.y + plot_.area.height)) {}
+        bottom_(static_cast<float>(plot_.area.bottom())) {}
 
   void run() {
     draw_grid();
@@ -56,11 +54,10 @@ class Panel {
       if (course.strong) draw_spread(course);
     }
     for (const bool strong : {false, true}) {
-      for (const Course& course : plot_.courses) {
-        if (course.strong == strong) draw_line(course);
-      }
-      for (const Course& course : plot_.courses) {
-        if (course.strong == strong) draw_markers(course);
+      for (const auto part : {&Diagram::draw_line, &Diagram::draw_markers}) {
+        for (const Course& course : plot_.courses) {
+          if (course.strong == strong) (this->*part)(course);
+        }
       }
     }
     draw_failures();
@@ -69,16 +66,14 @@ class Panel {
   }
 
  private:
-  float px(double at_720) const { return pen_.px(at_720); }
-
   void draw_grid() {
     for (const bool decades : {false, true}) {
       const Color& color = decades ? kChartGrid : kMinorGrid;
       for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) pen_.line({tick.at, top_}, {tick.at, bottom_}, 1, color);
+        if (tick.decade == decades) line({tick.at, top_}, {tick.at, bottom_}, 1, color);
       }
       for (const Axis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) pen_.line({left_, tick.at}, {right_, tick.at}, 1, color);
+        if (tick.decade == decades) line({left_, tick.at}, {right_, tick.at}, 1, color);
       }
     }
     draw_time_ticks();
@@ -92,15 +87,15 @@ class Panel {
       for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
         if (!tick.labelled || tick.decade != decades) continue;
         const std::string label = spell_tick_time(tick.value);
-        const float half = 0.5f * text_width(label, px(kPlotText), FontWeight::Regular);
+        const float half = 0.5f * width_of(label);
         const float center = std::clamp(tick.at, left_ + half - px(kTickColumn), right_ - half);
         const float begin = center - half - px(5), end = center + half + px(5);
         if (std::ranges::any_of(taken, [&](const auto& t) { return begin < t[1] && t[0] < end; })) {
           continue;
         }
         taken.push_back({begin, end});
-        pen_.line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kChartBorder);
-        pen_.text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
+        line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kChartBorder);
+        text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
       }
     }
   }
@@ -111,7 +106,7 @@ class Panel {
       const float clear = px(kPlotText);
       if (std::ranges::any_of(taken, [&](float t) { return std::abs(t - y) < clear; })) return;
       taken.push_back(y);
-      pen_.text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
+      text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
     };
     if (plot_.zeros_begin < bottom_) {
       label(plot_.zeros_label, 0.5f * (plot_.zeros_begin + bottom_));
@@ -126,19 +121,17 @@ class Panel {
   }
 
   void draw_headings() {
-    const std::string which = kind_ == ErrorKind::Mean ? "mean" : "worst";
     const float x = static_cast<float>(rect_.x);
     const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
-    pen_.text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right,
-              kText);
-    if (!study_.series.empty() && !study_.series.front().panel.empty()) {
-      pen_.text(study_.series.front().panel, {x, baseline}, Align::Left, kText, Weight::Bold,
-                kHeading);
-      return;
-    }
-    pen_.text(study_.error, {x, baseline}, Align::Left, kText, Weight::Regular, kHeading);
-    const float used = text_width(study_.error + "  ", px(kHeading), FontWeight::Regular);
-    pen_.text(which, {x + used, baseline}, Align::Left, kText, Weight::Bold, kHeading);
+    const auto heading = [&](const std::string& what, float at, Weight weight) {
+      text(what, {at, baseline}, Align::Left, kText, weight, kHeading);
+    };
+    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
+    if (!study_.series.empty() && !study_.series.front().panel.empty())
+      return heading(study_.series.front().panel, x, Weight::Bold);
+    heading(study_.error, x, Weight::Regular);
+    const float used = text_width(study_.error + "  ", px(kHeading), Weight::Regular);
+    heading(kind_ == ErrorKind::Mean ? "mean" : "worst", x + used, Weight::Bold);
   }
 
   void draw_spread(const Course& course) {
@@ -147,39 +140,41 @@ class Panel {
       const float before = course.points[i - 1].y, after = course.points[i].y;
       const auto& [low, high] = course.spread[i];
       const auto& [low_before, high_before] = course.spread[i - 1];
-      pen_.fill({{low_before, before}, {high_before, before}, {high, after}, {low, after}}, color);
+      fill({{low_before, before}, {high_before, before}, {high, after}, {low, after}}, color);
     }
   }
 
+  static Color ink(const Course& course) {
+    return course.strong ? course.style.color : muted(course.style.color);
+  }
+
   void draw_line(const Course& course) {
-    const MethodStyle& style = course.style;
-    pen_.path(course.points, course.strong ? 3.0 : 1.2,
-              course.strong ? style.color : muted(style.color), style.dash, style.gap);
+    path(course.points, course.strong ? 3.0 : 1.2, ink(course), course.style.dash,
+         course.style.gap);
   }
 
   void draw_markers(const Course& course) {
+    const Marker marker = course.style.marker;
     const float radius = px(course.strong ? kStrongMarker : kMutedMarker);
-    const Color color = course.strong ? course.style.color : muted(course.style.color);
     for (const Point2& point : course.points) {
-      if (course.strong)
-        draw_marker(course.style.marker, point, radius + px(1.6f), kWhite, pen_.drawing());
-      draw_marker(course.style.marker, point, radius, color, pen_.drawing());
+      if (course.strong) draw_marker(marker, point, radius + px(1.6f), kWhite, drawing());
+      draw_marker(marker, point, radius, ink(course), drawing());
     }
   }
 
   void draw_failures() {
     for (const Course& course : plot_.courses) {
-      if (course.failed == 0) continue;
+      if (course.failures.empty()) continue;
       for (const float x : course.failures)
-        pen_.cross({x, course.failure_row}, kCross, 2, course.style.color);
-      pen_.text(course.failure_text, course.failure_text_at, Align::Left, course.style.text);
+        cross({x, course.failure_row}, kCross, 2, course.style.color);
+      text(course.failure_text, course.failure_text_at, Align::Left, course.style.text);
     }
   }
 
   void draw_border() {
-    pen_.frame(plot_.area, 1.2, kChartBorder);
+    frame(plot_.area, 1.2, kChartBorder);
     for (const float y : {plot_.failures_end, plot_.zeros_begin}) {
-      if (y > top_ && y < bottom_) pen_.line({left_, y}, {right_, y}, 1.2, kChartBorder, 4, 4);
+      if (y > top_ && y < bottom_) line({left_, y}, {right_, y}, 1.2, kChartBorder, 4, 4);
     }
   }
 
@@ -189,12 +184,10 @@ class Panel {
     for (const Course& course : plot_.courses) {
       for (std::size_t i = 0; i < course.points.size(); ++i) {
         // Points along the way to the next, and the point itself.
+        const Point2& at = course.points[i];
         const Point2& next = course.points[std::min(i + 1, course.points.size() - 1)];
-        for (int step = 0; step < 10; ++step) {
-          const float t = 0.1f * static_cast<float>(step);
-          count += box.contains({course.points[i].x + t * (next.x - course.points[i].x),
-                                 course.points[i].y + t * (next.y - course.points[i].y)});
-        }
+        for (int step = 0; step < 10; ++step)
+          count += box.contains(at + 0.1f * static_cast<float>(step) * (next - at));
       }
     }
     return count;
@@ -204,44 +197,53 @@ class Panel {
   Rect draw_arrow() {
     const float reach = px(30);
     const std::string word = "better";
-    const float word_width = text_width(word, px(kPlotText), FontWeight::Bold);
-    const double width = reach + word_width + px(8), height = reach + px(6);
+    const double width = reach + width_of(word, Weight::Bold) + px(8), height = reach + px(6);
     const double floor = plot_.zeros_begin - px(8) - height;
     const double rise = std::max(0.0, floor - plot_.failures_end - px(8));
     const double run = std::max(0.0, right_ - px(8) - width - (left_ + px(8)));
     Rect best;
     int least = -1;
-    for (const auto& [along, up] : {std::pair{0.0, 0.0},
-                                    {0.0, 0.15},
-                                    {0.15, 0.0},
-                                    {0.0, 0.3},
-                                    {0.3, 0.0},
-                                    {0.0, 0.5},
-                                    {0.5, 0.0},
-                                    {0.0, 0.7},
-                                    {0.0, 1.0},
-                                    {0.7, 0.0},
-                                    {1.0, 0.0},
-                                    {1.0, 1.0}}) {
+    constexpr std::array<std::array<double, 2>, 12> kPlaces = {{{0, 0},
+                                                                {0, 0.15},
+                                                                {0.15, 0},
+                                                                {0, 0.3},
+                                                                {0.3, 0},
+                                                                {0, 0.5},
+                                                                {0.5, 0},
+                                                                {0, 0.7},
+                                                                {0, 1},
+                                                                {0.7, 0},
+                                                                {1, 0},
+                                                                {1, 1}}};
+    for (const auto& [along, up] : kPlaces) {
       const Rect box{left_ + px(8) + along * run, floor - up * rise, width, height};
       const int hidden = covered(box);
       if (least >= 0 && hidden >= least) continue;
       least = hidden;
       best = box;
     }
-    const float x = static_cast<float>(best.x) + px(3);
-    const float y = static_cast<float>(best.y + best.height) - px(3);
+    const Point2 tip = pixel(best.x, best.bottom()) + Point2{px(3), -px(3)};
     const float head = px(11);
-    pen_.line({x + 0.6f * head, y - 0.6f * head}, {x + reach, y - reach}, 3, kText);
-    pen_.fill({{x, y}, {x + 1.15f * head, y - 0.35f * head}, {x + 0.35f * head, y - 1.15f * head}},
-              kText);
-    pen_.text(word, {x + reach + px(3), y - reach + px(7)}, Align::Left, kText, Weight::Bold);
+    line(tip + head * Point2{0.6f, -0.6f}, tip + Point2{reach, -reach}, 3, kText);
+    fill({tip, tip + head * Point2{1.15f, -0.35f}, tip + head * Point2{0.35f, -1.15f}}, kText);
+    text(word, {tip.x + reach + px(3), tip.y - reach + px(7)}, Align::Left, kText, Weight::Bold);
     return best;
   }
 
   void draw_labels(const Rect& arrow) {
     LabelObstacles obstacles;
     obstacles.boxes.push_back(arrow);
+    // The strong ones choose first.
+    std::vector<const Course*> order;
+    std::vector<LineLabel> labels;
+    for (const bool strong : {true, false}) {
+      for (const Course& course : plot_.courses) {
+        if (course.strong != strong || course.points.empty()) continue;
+        order.push_back(&course);
+        labels.push_back({width_of(course.method, weight_of(course)),
+                          {course.points.back(), course.points.front()}});
+      }
+    }
     for (const Course& course : plot_.courses) {
       for (std::size_t i = 0; i < course.points.size(); ++i) {
         obstacles.markers.push_back(course.points[i]);
@@ -250,52 +252,41 @@ class Panel {
             {course.points[i - 1], course.points[i], course.strong ? 1.5f : 0.7f});
       }
     }
-    // The strong ones choose first.
-    std::vector<const Course*> order;
-    for (const bool strong : {true, false}) {
-      for (const Course& course : plot_.courses) {
-        if (course.strong == strong && !course.points.empty()) order.push_back(&course);
-      }
-    }
-    std::vector<LineLabel> labels;
-    for (const Course* course : order) {
-      const FontWeight weight = course->strong ? FontWeight::Bold : FontWeight::Regular;
-      labels.push_back({text_width(course->method, px(kPlotText), weight),
-                        {course->points.back(), course->points.front()}});
-    }
     const float height = px(kPlotText);
     const double inset = px(3);
-    const Rect frame{left_ + inset, plot_.failures_end + inset, right_ - left_ - 2 * inset,
-                     bottom_ - plot_.failures_end - 2 * inset};
+    const Rect room{left_ + inset, plot_.failures_end + inset, right_ - left_ - 2 * inset,
+                    bottom_ - plot_.failures_end - 2 * inset};
     const std::vector<PlacedLabel> places =
-        place_line_labels(labels, obstacles, frame, height, pen_.scale());
+        place_line_labels(labels, obstacles, room, height, scale());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (!places[i].needs_leader) continue;
-      pen_.line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
+      if (places[i].needs_leader)
+        line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const Point2 at{static_cast<float>(places[i].box.x),
-                      static_cast<float>(places[i].box.y) + 0.5f * (height + 0.68f * height)};
-      pen_.text(order[i]->method, at, Align::Left, order[i]->style.text,
-                order[i]->strong ? Weight::Bold : Weight::Regular, 0, 2);
+      const Point2 at =
+          pixel(places[i].box.x, places[i].box.y) + Point2{0, 0.5f * (height + 0.68f * height)};
+      text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(*order[i]), 0, 2);
     }
+  }
+
+  static Weight weight_of(const Course& course) {
+    return course.strong ? Weight::Bold : Weight::Regular;
   }
 
   const trace::Study& study_;
   ErrorKind kind_;
   Rect rect_;
-  Pen pen_;
   PlotGeometry plot_;
   float left_, right_, top_, bottom_;
 };
 
 }  // namespace
 
-void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, float scale,
-                     Drawing& drawing, const std::string& panel) {
+void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect, PlotPage& page,
+                     const std::string& panel) {
   trace::Study part = study;
   std::erase_if(part.series, [&](const trace::StudySeries& one) { return one.panel != panel; });
-  Panel(part, study, kind, rect, scale, drawing).run();
+  Diagram(part, study, kind, rect, page).run();
 }
 
 }  // namespace contactscope::draw

@@ -43,6 +43,9 @@ struct SeriesChart {
 inline constexpr double kChartText = 15;
 inline constexpr double kChartGutter = 46;
 
+/// What `rect` leaves for curves beside the ticks and under `heading` pixels at 720 lines.
+Rect chart_area(const Rect& rect, double heading, const Pen& pen);
+
 /// Draws frames 0 to `moment` on an axis that holds all frames. `rect` is all that the chart may
 /// use, its gutter and heading included.
 void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,

@@ -20,33 +20,28 @@ constexpr double kIdRow = 9;
 constexpr double kLeastIdRow = 2.6;
 constexpr double kLegibleIdRow = 3.4;  // thinner rows are a solid block
 
-std::vector<double> divided(std::vector<double> values, double by) {
-  for (double& value : values) value /= by;
-  return values;
-}
-
 /// Lines of pairs in the charts that have them; the other quantities belong to no pair.
 std::vector<SeriesChart> charts_of(const std::vector<TimeSeries>& series, double step) {
-  const std::vector<PairSeries>* pairs =
-      series.size() == 1 && !series[0].pairs.empty() ? &series[0].pairs : nullptr;
   const double unit = step > 0 ? step : 1;
   SeriesChart penetration{"penetration", "m"}, energy{"kinetic energy", "J"},
       impulse{step > 0 ? "normal forces" : "normal impulses", step > 0 ? "N" : "N s"},
       points{"contact points", ""};
   points.steps = true;
-  energy.total = points.total = pairs != nullptr;
-  if (pairs != nullptr) {
-    for (const PairSeries& pair : *pairs) {
-      penetration.curves.push_back(pair.penetration);
-      impulse.curves.push_back(divided(pair.impulse, unit));
-    }
+  const auto add = [&](const auto& one) {
+    penetration.curves.push_back(one.penetration);
+    impulse.curves.push_back(one.impulse);
+    for (double& value : impulse.curves.back()) value /= unit;
+  };
+  const bool of_pairs = series.size() == 1 && !series[0].pairs.empty();
+  if (of_pairs) {
+    std::ranges::for_each(series[0].pairs, add);
+  } else {
+    std::ranges::for_each(series, add);
   }
+  energy.total = points.total = of_pairs;
   for (const TimeSeries& one : series) {
     energy.curves.push_back(one.energy);
     points.curves.push_back(one.points);
-    if (pairs != nullptr) continue;
-    penetration.curves.push_back(one.penetration);
-    impulse.curves.push_back(divided(one.impulse, unit));
   }
   if (series.size() == 1) penetration.subjects = series[0].deepest;
   const std::vector<std::string>& query = series.front().query;
@@ -67,24 +62,40 @@ IdHistory ids_of(const std::vector<TimeSeries>& series) {
   std::size_t before = 0;
   for (const TimeSeries& one : series) {
     rows.insert(rows.end(), one.ids.begin(), one.ids.end());
-    std::size_t next = before;
-    for (const std::size_t pair : one.id_pairs) {
-      pairs.push_back(before + pair);
-      next = std::max(next, before + pair + 1);
-    }
-    before = next;
+    for (const std::size_t pair : one.id_pairs) pairs.push_back(before + pair);
+    if (!one.id_pairs.empty()) before += std::ranges::max(one.id_pairs) + 1;
   }
   return {rows, pairs};
 }
 
 std::vector<std::string> names_of(const std::vector<TimeSeries>& series) {
   std::vector<std::string> names;
+  const auto add = [&](const auto& one) { names.push_back(one.name); };
   if (series.size() == 1) {
-    for (const PairSeries& pair : series[0].pairs) names.push_back(pair.name);
+    std::ranges::for_each(series[0].pairs, add);
   } else {
-    for (const TimeSeries& one : series) names.push_back(one.name);
+    std::ranges::for_each(series, add);
   }
   return names;
+}
+
+/// The names of the curves, in as many rows as they take. Returns the height of these.
+double draw_names(const std::vector<std::string>& names, const Rect& rect, const Pen& pen) {
+  if (names.empty()) return 0;
+  const float swatch = pen.px(kCurveSwatch + 6);
+  double x = rect.x, y = rect.y;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double width = swatch + pen.width_of(names[i]);
+    if (x > rect.x && x + width > rect.right()) {
+      x = rect.x;
+      y += pen.px(kNamesRow);
+    }
+    const Point2 left = pixel(x, y + 0.45 * pen.px(kNamesRow));
+    draw_series_swatch(i, left, kCurveSwatch, pen);
+    pen.text(names[i], left + Point2{swatch, pen.px(5)}, Align::Left, kText);
+    x += width + pen.px(16);
+  }
+  return y + pen.px(kNamesRow) - rect.y;
 }
 
 }  // namespace
@@ -95,25 +106,6 @@ SeriesPlots::SeriesPlots(const std::vector<TimeSeries>& series, double duration,
   charts_ = charts_of(series, step);
   names_ = names_of(series);
   ids_ = ids_of(series);
-}
-
-/// The names of the curves, in as many rows as they take. Returns the height of these.
-double SeriesPlots::draw_names(const Rect& rect, const Pen& pen) const {
-  if (names_.empty()) return 0;
-  double x = rect.x, y = rect.y;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    const double width = pen.px(kCurveSwatch + 6) + pen.width_of(names_[i]);
-    if (x > rect.x && x + width > rect.x + rect.width) {
-      x = rect.x;
-      y += pen.px(kNamesRow);
-    }
-    const Point2 left{static_cast<float>(x), static_cast<float>(y + 0.45 * pen.px(kNamesRow))};
-    draw_series_swatch(i, left, kCurveSwatch, pen);
-    pen.text(names_[i], {left.x + pen.px(kCurveSwatch + 6), left.y + pen.px(5)}, Align::Left,
-             kText);
-    x += width + pen.px(16);
-  }
-  return y + pen.px(kNamesRow) - rect.y;
 }
 
 /// 0 where the charts need all the room.
@@ -129,9 +121,7 @@ double SeriesPlots::strip_height(double room, const Pen& pen) const {
 }
 
 void SeriesPlots::draw_ids(std::size_t moment, const Rect& strip, const Pen& pen) const {
-  const double gutter = pen.px(kChartGutter), heading = pen.px(kStripHeading);
-  const Rect inner{strip.x + gutter, strip.y + heading, strip.width - gutter,
-                   strip.height - heading - pen.px(4)};
+  const Rect inner = chart_area(strip, kStripHeading, pen);
   const auto rows = static_cast<double>(ids_.row_count());
   const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_.pair_count() > 1;
   const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
@@ -142,9 +132,7 @@ void SeriesPlots::draw_ids(std::size_t moment, const Rect& strip, const Pen& pen
   } else if (bands) {
     text = "contact ids by pair, cut where one changes";
   }
-  pen.text(text,
-           {static_cast<float>(strip.x), static_cast<float>(strip.y + pen.px(kStripHeading - 6))},
-           Align::Left, kText);
+  pen.text(text, pixel(strip.x, strip.y + pen.px(kStripHeading - 6)), Align::Left, kText);
   if (bands) {
     ids_.draw_bands(inner, moment, moment + 1, most, pen);
   } else {
@@ -154,7 +142,7 @@ void SeriesPlots::draw_ids(std::size_t moment, const Rect& strip, const Pen& pen
 
 std::size_t SeriesPlots::draw(std::size_t moment, const Rect& rect, const Pen& pen) const {
   if (charts_.empty()) return 0;
-  const double named = draw_names(rect, pen);
+  const double named = draw_names(names_, rect, pen);
   double y = rect.y + named;
   const double room = rect.height - pen.px(kTimeAxis) - named;
   const double strip = strip_height(room, pen);

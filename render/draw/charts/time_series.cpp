@@ -1,10 +1,12 @@
-#include "draw/charts/time_series.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+
+#include "draw/charts/series_plots.h"
+#include "draw/scene/pair_points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -33,72 +35,45 @@ std::map<std::string, std::set<std::string>> groups_of(const std::vector<trace::
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Pairs by the names of their shapes, in the order of their first contact, and what they did.
-class Pairs {
- public:
-  explicit Pairs(std::size_t frames) : frames_(frames) {}
+/// A chart can tell so many lines apart.
+constexpr std::size_t kMostPairLines = 4;
 
-  std::size_t index(const trace::Pair& pair) {
-    const auto [entry, is_new] = known_.try_emplace({pair.a, pair.b}, series_.size());
-    if (is_new) {
-      const std::vector<double> none(frames_, kNone);
-      series_.push_back({pair.a + "–" + pair.b, none, none});
-    }
-    return entry->second;
+/// In one frame; the first of equals, empty where none touches.
+std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
+  const PairSeries* most = nullptr;
+  for (const PairSeries& series : pairs) {
+    if (std::isnan(series.penetration[frame])) continue;
+    if (most == nullptr || series.penetration[frame] > most->penetration[frame]) most = &series;
   }
-  void note(const trace::Pair& pair, const trace::Point& point, std::size_t frame) {
-    PairSeries& series = series_[index(pair)];
-    double& depth = series.penetration[frame];
-    depth = std::max(std::isnan(depth) ? 0.0 : depth, -point.separation);
-    double& impulse = series.impulse[frame];
-    if (std::isnan(impulse)) impulse = 0;
-    if (point.impulse) impulse += point.impulse->normal;
-  }
-  std::string deepest(std::size_t frame) const {
-    const PairSeries* most = nullptr;
-    for (const PairSeries& series : series_) {
-      if (std::isnan(series.penetration[frame])) continue;
-      if (most == nullptr || series.penetration[frame] > most->penetration[frame]) most = &series;
-    }
-    return most == nullptr ? "" : most->name;
-  }
-  std::vector<PairSeries> take() { return std::move(series_); }
-  std::size_t size() const { return series_.size(); }
-
- private:
-  std::size_t frames_;
-  std::map<std::pair<std::string, std::string>, std::size_t> known_;
-  std::vector<PairSeries> series_;
-};
-
-class Ids {
- public:
-  Ids(std::size_t frames, TimeSeries& series) : frames_(frames), series_(series) {}
-
-  void note(const trace::Pair& pair, std::size_t pair_index, const trace::Point& point,
-            std::size_t frame, IdState state) {
-    const std::string key = pair.a + '\n' + pair.b + '\n' + point.id;
-    const auto [entry, is_new] = known_.try_emplace(key, series_.ids.size());
-    if (is_new) {
-      series_.ids.emplace_back(frames_, IdState::Absent);
-      series_.id_pairs.push_back(pair_index);
-    }
-    IdState& now = series_.ids[entry->second][frame];
-    if (now != IdState::Kept) now = state;
-  }
-
- private:
-  std::size_t frames_;
-  TimeSeries& series_;
-  std::map<std::string, std::size_t> known_;
-};
+  return most == nullptr ? "" : most->name;
+}
 
 TimeSeries one_series(const std::vector<trace::Frame>& frames, const std::string& label,
                       const std::map<std::string, std::set<std::string>>& groups) {
   TimeSeries series;
   series.name = label;
-  Ids ids(frames.size(), series);
-  Pairs pairs(frames.size());
+  std::vector<PairSeries> pairs;  // in the order of their first contact
+  std::map<std::array<std::string, 2>, std::size_t> pair_of;
+  std::map<std::array<std::string, 3>, std::size_t> row_of;  // of ids
+  const auto pair_index = [&](const trace::Pair& pair) {
+    const auto [entry, is_new] = pair_of.try_emplace({pair.a, pair.b}, pairs.size());
+    if (is_new) {
+      const std::vector<double> none(frames.size(), kNone);
+      pairs.push_back({pair.a + "–" + pair.b, none, none});
+    }
+    return entry->second;
+  };
+  const auto note_id = [&](const trace::Pair& pair, const trace::Point& point, std::size_t f,
+                           IdState state) {
+    const auto [entry, is_new] = row_of.try_emplace({pair.a, pair.b, point.id}, series.ids.size());
+    if (is_new) {
+      series.ids.emplace_back(frames.size(), IdState::Absent);
+      series.id_pairs.push_back(pair_index(pair));
+    }
+    IdState& now = series.ids[entry->second][f];
+    if (now != IdState::Kept) now = state;
+  };
+
   const bool solved = std::ranges::any_of(
       frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
   for (std::size_t f = 0; f < frames.size(); ++f) {
@@ -107,19 +82,21 @@ TimeSeries one_series(const std::vector<trace::Frame>& frames, const std::string
     for (const trace::Pair& pair : frames[f].pairs) {
       if (pair.label != label) continue;
       if (pair.incremental && query.empty()) query = pair.incremental->query;
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        for (const trace::Point& point : manifold.points) {
-          deepest = std::max(deepest, -point.separation);
-          points += 1;
-          if (point.impulse) impulse += point.impulse->normal;
-          pairs.note(pair, point, f);
-          ids.note(pair, pairs.index(pair), point, f, IdState::Kept);
-        }
+      for (const PairPoint& any : all_points(pair)) {
+        const trace::Point& point = *any.point;
+        const double depth = -point.separation, load = point.impulse ? point.impulse->normal : 0;
+        deepest = std::max(deepest, depth);
+        points += 1;
+        impulse += load;
+        PairSeries& own = pairs[pair_index(pair)];
+        double &own_depth = own.penetration[f], &own_impulse = own.impulse[f];
+        own_depth = std::max(std::isnan(own_depth) ? 0.0 : own_depth, depth);
+        own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
+        note_id(pair, point, f, IdState::Kept);
       }
       if (!pair.reduction) continue;
-      for (const trace::Point& point : pair.reduction->points) {
-        ids.note(pair, pairs.index(pair), point, f, IdState::Dropped);
-      }
+      for (const trace::Point& point : pair.reduction->points)
+        note_id(pair, point, f, IdState::Dropped);
     }
     if (frames[f].solver) {
       for (const trace::Body& body : frames[f].solver->bodies) {
@@ -135,11 +112,11 @@ TimeSeries one_series(const std::vector<trace::Frame>& frames, const std::string
     series.impulse.push_back(impulse);
   }
   if (pairs.size() > kMostPairLines) {
-    for (std::size_t f = 0; f < frames.size(); ++f) series.deepest.push_back(pairs.deepest(f));
+    for (std::size_t f = 0; f < frames.size(); ++f) series.deepest.push_back(deepest_of(pairs, f));
   } else if (pairs.size() > 1) {
-    series.pairs = pairs.take();
-    if (!solved) {
-      for (PairSeries& pair : series.pairs) pair.impulse.clear();
+    series.pairs = std::move(pairs);
+    for (PairSeries& pair : series.pairs) {
+      if (!solved) pair.impulse.clear();
     }
   }
   return series;

@@ -1,9 +1,9 @@
 #include "draw/insets/contact_cells.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
-#include "draw/insets/choice_steps.h"
 #include "draw/scene/hatch.h"
 #include "draw/scene/swatches.h"
 #include "image/font.h"
@@ -39,21 +39,14 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
                        cell.normal.cross(cell.choices.front().direction)};
   const Vec3d origin = cell.points.front().position;
   PlaneExtent extent;
-  for (const trace::Point& point : cell.points) extent.include(axes, point.position - origin);
+  for (const trace::Point& point : cell.points) extent.extend(axes.along(point.position - origin));
   std::vector<Point2> box;
-  for (const auto& [x, y] : {std::pair{extent.low[0], extent.low[1]},
-                             {extent.high[0], extent.low[1]},
-                             {extent.high[0], extent.high[1]},
-                             {extent.low[0], extent.high[1]}}) {
-    box.push_back(plane.at(origin + x * axes.u + y * axes.v));
+  for (const auto corner : {PlaneExtent::BottomLeft, PlaneExtent::BottomRight,
+                            PlaneExtent::TopRight, PlaneExtent::TopLeft}) {
+    const Vec2d at = extent.corner(corner);
+    box.push_back(plane.at(origin + at.x() * axes.u + at.y() * axes.v));
   }
   return box;
-}
-
-std::vector<Point2> pixels(const std::vector<Vec2d>& polygon) {
-  std::vector<Point2> corners;
-  for (const Vec2d& corner : polygon) corners.push_back(pixel(corner));
-  return corners;
 }
 
 // The signs of the contact plane alone. Its legend stands in the order in which it is made.
@@ -61,8 +54,7 @@ constexpr Swatch kKeptPolygonSwatch{LegendGroup::Points, 12, [](const SwatchPen&
                                       pen.box(with_alpha(kContact, 0.16f), kContact, 2);
                                     }};
 constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13, [](const SwatchPen& pen) {
-                                  draw_deepest_mark(pen.middle(), pen.layout(), 0.72, kNormal,
-                                                    pen.drawing());
+                                  draw_deepest_mark(pen.middle(), pen, 0.72);
                                 }};
 constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14,
                                  [](const SwatchPen& pen) { pen.hatched(kDropped); }};
@@ -102,7 +94,7 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
                            const std::string& up, std::vector<ContactMoment> moments, int choices,
                            int width, int height)
     : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
-  frame_patches(up);
+  frame_patches(up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
   gather_ids();
   fit(width, height);
 }
@@ -114,23 +106,20 @@ bool ContactCells::any_cell(const std::function<bool(const ContactCell&)>& holds
 }
 
 std::vector<LegendEntry> ContactCells::legend() const {
-  if (cell_count() == 0 || !detail_.legend) return {};
+  if (cell_count() == 0 || !shows(Detail::Legend)) return {};
   if (choices_ > 0) return legend_of_choice();
-  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"}};
   const bool reduces =
       any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+  const bool deepest =
+      any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); });
+  const bool best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });
+  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"}};
   if (reduces) entries.push_back({&kReducedSwatch, "reduced away"});
   entries.push_back({&kKeptSwatch, reduces ? "kept, in order of choice" : "kept"});
-  if (any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); })) {
-    entries.push_back({&kDeepestSwatch, "deepest"});
-  }
-  if (reduces) {
-    entries.push_back({&kKeptPolygonSwatch, "kept area"});
-    entries.push_back({&kLostAreaSwatch, "lost area"});
-  }
-  if (any_cell([](const ContactCell& cell) { return cell.best.size() > 2; })) {
-    entries.push_back({&kBestPolygonSwatch, "best polygon"});
-  }
+  if (deepest) entries.push_back({&kDeepestSwatch, "deepest"});
+  if (reduces) entries.push_back({&kKeptPolygonSwatch, "kept area"});
+  if (reduces) entries.push_back({&kLostAreaSwatch, "lost area"});
+  if (best) entries.push_back({&kBestPolygonSwatch, "best polygon"});
   if (any_cell(by_extremes)) entries.push_back({&kAxesBoxSwatch, "box along the axes"});
   if (moments_.size() > 1) entries.push_back({&kKeptIdsSwatch, "ids kept, over the frames"});
   return entries;
@@ -141,7 +130,7 @@ std::vector<LegendEntry> ContactCells::legend_of_choice() const {
   std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"},
                                       {&kPlainPointSwatch, "contact point"},
                                       {&kKeptSwatch, "kept, in order of choice"}};
-  const auto shows = [&](const std::string& rule) {
+  const auto by_rule = [&](const std::string& rule) {
     return any_cell([&](const ContactCell& cell) {
       const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
       return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
@@ -153,16 +142,13 @@ std::vector<LegendEntry> ContactCells::legend_of_choice() const {
     entry.swatch = &swatch;
     entry.text = text;
   };
-  const bool grows = shows("outside") || shows("distance");
-  if (shows("triangle") || grows) {
-    add(kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
-  }
+  const bool grows = by_rule("outside") || by_rule("distance");
+  const bool triangle = by_rule("triangle") || grows;
+  if (triangle) add(kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
   if (grows) add(kOutsideTriangleSwatch, "added outside");
-  if (shows("outside")) add(kInsideTriangleSwatch, "edge sees it inside");
-  if (shows("distance")) add(kDecidingEdgesSwatch, "distance to the edge");
-  if (shows("farthest") || shows("triangle") || grows) {
-    add(kCandidateSwatch, "other candidates");
-  }
+  if (by_rule("outside")) add(kInsideTriangleSwatch, "edge sees it inside");
+  if (by_rule("distance")) add(kDecidingEdgesSwatch, "distance to the edge");
+  if (by_rule("farthest") || triangle) add(kCandidateSwatch, "other candidates");
   return entries;
 }
 
@@ -173,16 +159,15 @@ Drawing ContactCells::frame(int number) const {
   drawing.height = layout_.height;
   const Pen pen(drawing, layout_.scale, kNumber);
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
-  for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, drawing);
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, pen);
   if (cell_count() == 0) {
-    double line = 0;
+    const Rect& view = layout_.view;
+    double y = view.y + 0.5 * view.height;
     for (const char* words : {"nothing is reduced as one patch here:",
                               "nothing touches, or a mesh, a triangle at a time"}) {
-      pen.text(words,
-               {static_cast<float>(layout_.view.x + 0.5 * layout_.view.width),
-                static_cast<float>(layout_.view.y + 0.5 * layout_.view.height + line)},
-               Align::Center, kQuietText, Weight::Regular, kName);
-      line += 1.3 * layout_.px(kName);
+      pen.text(words, pixel(view.x + 0.5 * view.width, y), Align::Center, kQuietText,
+               Weight::Regular, kName);
+      y += 1.3 * pen.px(kName);
     }
   }
   draw_legend(legend(), layout_, drawing);
@@ -190,101 +175,86 @@ Drawing ContactCells::frame(int number) const {
   return drawing;
 }
 
-void ContactCells::draw_cell(std::size_t number, std::size_t moment, Drawing& drawing) const {
-  const Rect rect = cell_rect(number);
+void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& pen) const {
   const ContactCell& cell = moments_[moment].cells[number];
-  const Pen pen(drawing, layout_.scale, kNumber);
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  const double gap = pen.px(kGap);
+  const Rect rect{
+      layout_.view.x + static_cast<double>(number % columns) * (grid_.cell_width + gap),
+      layout_.view.y + static_cast<double>(number / columns) * (grid_.cell_height + gap),
+      grid_.cell_width, grid_.cell_height};
   const auto width = static_cast<float>(rect.width);
-  if (cell_count() > 1 && detail_.names) {
-    pen.text(fitted(cell.name, layout_.px(kName), FontWeight::Bold, width),
-             {static_cast<float>(rect.x), static_cast<float>(rect.y + 0.8 * layout_.px(kName))},
-             Align::Left, kText, Weight::Bold, kName);
+  if (cell_count() > 1 && shows(Detail::Names)) {
+    pen.text(fitted(cell.name, pen.px(kName), Weight::Bold, width),
+             pixel(rect.x, rect.y + 0.8 * pen.px(kName)), Align::Left, kText, Weight::Bold, kName);
   }
-  const Rect map{rect.x, rect.y + layout_.px(name_height()), rect.width, grid_.map_height};
+  const Rect map{rect.x, rect.y + pen.px(name_height()), rect.width, grid_.map_height};
   if (cell.points.empty()) {
-    pen.text(
-        fitted("no contact in this frame", layout_.px(kNumber), FontWeight::Regular, width),
-        {static_cast<float>(map.x + 0.5 * map.width), static_cast<float>(map.y + 0.5 * map.height)},
-        Align::Center, kQuietText);
+    pen.text(fitted("no contact in this frame", pen.px(kNumber), Weight::Regular, width),
+             pixel(map.x + 0.5 * map.width, map.y + 0.5 * map.height), Align::Center, kQuietText);
   } else {
-    draw_map(map, cell, patches_[number], pen);
+    const Patch& patch = patches_[number];
+    draw_map(cell, {patch.axes, patch.center, grid_.pixels_per_metre, map, pen});
   }
-  const double strip = grid_.strip;
-  if (strip > 0) {
-    const double inset = layout_.px(3);
-    ids_[number].draw_rows({rect.x, map.y + map.height + inset, rect.width, strip - 2 * inset},
+  if (grid_.strip > 0) {
+    const double inset = pen.px(3);
+    ids_[number].draw_rows({rect.x, map.bottom() + inset, rect.width, grid_.strip - 2 * inset},
                            moment, moments_.size(), pen);
   }
-  const double top = map.y + map.height + strip;
-  if (choices_ == 0 && detail_.rows)
-    draw_rows({rect.x, top, rect.width, rect.y + rect.height - top}, cell, pen);
+  const double top = map.bottom() + grid_.strip;
+  draw_rows({rect.x, top, rect.width, rect.bottom() - top}, cell, pen);
 }
 
-void ContactCells::draw_map(const Rect& map, const ContactCell& cell, const Patch& patch,
-                            const Pen& pen) const {
-  const ContactPlane plane(patch.axes, patch.center, grid_.pixels_per_metre, map, pen);
-  std::vector<Point2> places;
-  std::vector<Vec2d> flats;
-  for (const trace::Point& point : cell.points) {
-    places.push_back(plane.at(point.position));
-    flats.push_back(flat(places.back()));
-  }
-  const auto chosen = [&](const std::vector<int>& indices) {
-    std::vector<Vec2d> result;
-    for (const int i : indices) result.push_back(flats[static_cast<std::size_t>(i)]);
-    return convex_polygon(result);
+void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) const {
+  const std::vector<Point2> places = plane.at(cell.points);
+  const auto polygon_of = [&](const std::vector<int>& points) {
+    std::vector<Vec2d> corners;
+    for (const int i : points) corners.push_back(flat(places[static_cast<std::size_t>(i)]));
+    return convex_polygon(corners);
   };
-  const std::vector<Vec2d> all = convex_polygon(flats);
-  pen.fill(pixels(all), with_alpha(kClipPolygon, 0.10f));
+  const auto pixels = [](const std::vector<Vec2d>& polygon) {
+    std::vector<Point2> corners;
+    for (const Vec2d& corner : polygon) corners.push_back(pixel(corner));
+    return corners;
+  };
+  std::vector<int> every(places.size());
+  std::iota(every.begin(), every.end(), 0);
+  const std::vector<Vec2d> all = polygon_of(every);
+  plane.fill(pixels(all), with_alpha(kClipPolygon, 0.10f));
   if (choices_ > 0) {
-    pen.outline(pixels(all), 2, kClipPolygon);
-    const Vec3d direction = choices_ <= static_cast<int>(cell.choices.size())
-                                ? cell.choices[static_cast<std::size_t>(choices_) - 1].direction
-                                : Vec3d(Vec3d::Zero());
-    draw_choice({places, cell.kept, cell.choices, choices_,
-                 Vec2d(patch.axes.u.dot(direction), -patch.axes.v.dot(direction)),
-                 grid_.pixels_per_metre, map, layout_},
-                pen.drawing());
+    plane.outline(pixels(all), 2, kClipPolygon);
+    draw_choice(plane, places, cell.kept, cell.choices, choices_);
     return;
   }
-  const std::vector<Vec2d> kept = chosen(cell.kept);
-  if (kept.size() > 2) pen.fill(pixels(kept), with_alpha(kContact, 0.16f));
-  hatch(all, kept, layout_.px(kHatchSpacing), layout_.px(1.1), with_alpha(kDropped, 0.8f),
-        pen.drawing());
-  pen.outline(pixels(all), 2, kClipPolygon);
-  pen.outline(pixels(kept), 2, kContact);
-  if (cell.best.size() > 2) pen.outline(pixels(chosen(cell.best)), 1.6, kNormal, 6);
-  if (by_extremes(cell)) pen.outline(axes_box(plane, cell), 1.8, kAxis, 6);
-  draw_points(plane, places, cell, pen);
-}
+  const std::vector<Vec2d> kept = polygon_of(cell.kept);
+  if (kept.size() > 2) plane.fill(pixels(kept), with_alpha(kContact, 0.16f));
+  hatch(all, kept, plane.px(kHatchSpacing), plane.px(1.1), with_alpha(kDropped, 0.8f),
+        plane.drawing());
+  plane.outline(pixels(all), 2, kClipPolygon);
+  plane.outline(pixels(kept), 2, kContact);
+  if (cell.best.size() > 2) plane.outline(pixels(polygon_of(cell.best)), 1.6, kNormal, 6);
+  if (by_extremes(cell)) plane.outline(axes_box(plane, cell), 1.8, kAxis, 6);
 
-void ContactCells::draw_points(const ContactPlane& plane, const std::vector<Point2>& places,
-                               const ContactCell& cell, const Pen& pen) const {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (std::ranges::find(cell.kept, static_cast<int>(i)) == cell.kept.end())
-      draw_dropped_point(places[i], pen, grid_.mark);
+  for (const int i : every) {
+    if (std::ranges::find(cell.kept, i) == cell.kept.end())
+      draw_dropped_point(places[static_cast<std::size_t>(i)], plane, grid_.mark);
   }
-  for (const int kept : cell.kept)
-    draw_kept_point(places[static_cast<std::size_t>(kept)], pen, grid_.mark);
+  for (const int i : cell.kept)
+    draw_kept_point(places[static_cast<std::size_t>(i)], plane, grid_.mark);
   const std::optional<std::size_t> deepest = deepest_of(cell.points);
-  if (deepest) draw_deepest_mark(places[*deepest], layout_, grid_.mark, kNormal, pen.drawing());
-  const bool chosen = cell.kept.size() < cell.points.size();
-  if (chosen) plane.number_kept(places, cell.kept, grid_.mark, deepest);
+  if (deepest) draw_deepest_mark(places[*deepest], plane, grid_.mark);
+  if (cell.kept.size() < places.size()) plane.number_kept(places, cell.kept, grid_.mark, deepest);
 }
 
 void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const {
-  double baseline = rect.y + 0.8 * layout_.px(kNumberRow);
-  const std::size_t count = std::min(row_count(), cell.rows.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const ContactCell::Row& row = cell.rows[i];
+  double baseline = rect.y + 0.8 * pen.px(kNumberRow);
+  for (const ContactCell::Row& row : shown_rows(cell)) {
     const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
-    const auto y = static_cast<float>(baseline);
-    pen.text(fitted(left_of(row), layout_.px(kNumber), weight, static_cast<float>(rect.width)),
-             {static_cast<float>(rect.x), y}, Align::Left, kText, weight);
-    if (detail_.row_ends && !row.right.empty()) {
-      pen.text(row.right, {static_cast<float>(rect.x + rect.width), y}, Align::Right, kQuietText);
-    }
-    baseline += layout_.px(kNumberRow);
+    pen.text(fitted(left_of(row), pen.px(kNumber), weight, static_cast<float>(rect.width)),
+             pixel(rect.x, baseline), Align::Left, kText, weight);
+    if (shows(Detail::RowEnds) && !row.right.empty())
+      pen.text(row.right, pixel(rect.right(), baseline), Align::Right, kQuietText);
+    baseline += pen.px(kNumberRow);
   }
 }
 

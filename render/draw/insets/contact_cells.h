@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -68,9 +67,6 @@ class ContactCells {
   ContactCells(const std::string& title, const std::string& source, const std::string& up,
                std::vector<ContactMoment> moments, int choices, int width, int height);
 
-  int width() const { return layout_.width; }
-  int height() const { return layout_.height; }
-
   /// The picture of the moment with this frame number.
   Drawing frame(int number) const;
 
@@ -89,30 +85,26 @@ class ContactCells {
   /// Where the contacts of one cell are in the world, in all frames.
   struct Patch {
     PlaneAxes axes;
-    std::array<double, 2> center{};  // along them
+    Vec2d center = Vec2d::Zero();  // along them
   };
+
+  /// What beside the maps a canvas may have no room for, in the order in which it is given up.
+  enum class Detail { RowEnds, WholeRows, Strip, AllRows, Rows, Legend, Names, None };
+  bool shows(Detail detail) const { return detail >= given_up_; }
 
   // Pixels at 720 lines.
   static constexpr double kName = 15;       // size of a cell's heading
   static constexpr double kNumber = 14;     // size of the numbers beneath
   static constexpr double kNumberRow = 17;  // height of a row of numbers
-
-  /// What beside the maps there is room for.
-  struct Detail {
-    bool row_ends = true, whole_rows = true, strip = true, all_rows = true, rows = true;
-    bool legend = true, names = true;
-  };
+  static constexpr double kGap = 14;        // between cells
 
   void fit(int width, int height);
   Grid best_grid() const;
-  void share_out(Grid& grid) const;
   double nearest_points() const;
-  double name_height() const;
-  double furniture() const;
+  double name_height() const { return shows(Detail::Names) ? kName + 4 : 0; }
   double strip_height() const;
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
-  bool has_row_ends() const;
   bool any_cell(const std::function<bool(const ContactCell&)>& holds) const;
   std::size_t id_count() const { return ids_.empty() ? 0 : ids_.front().row_count(); }
   std::string left_of(const ContactCell::Row& row) const;
@@ -120,24 +112,20 @@ class ContactCells {
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   std::vector<LegendEntry> legend() const;
   std::vector<LegendEntry> legend_of_choice() const;
-  Rect cell_rect(std::size_t cell) const;
-  void frame_patches(const std::string& up);
+  void frame_patches(const Vec3d& above);
   void gather_ids();
-  void frame_patch(std::size_t cell, const Vec3d& above);
-  void draw_cell(std::size_t cell, std::size_t moment, Drawing& drawing) const;
-  void draw_map(const Rect& map, const ContactCell& cell, const Patch& patch, const Pen& pen) const;
-  void draw_points(const ContactPlane& plane, const std::vector<Point2>& places,
-                   const ContactCell& cell, const Pen& pen) const;
+  void draw_cell(std::size_t cell, std::size_t moment, const Pen& pen) const;
+  void draw_map(const ContactCell& cell, const ContactPlane& plane) const;
   void draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const;
 
   std::string title_, source_;
   std::vector<ContactMoment> moments_;
   int choices_;
   Layout layout_;
-  std::vector<Patch> patches_;          // of each cell
-  double extent_u_ = 0, extent_v_ = 0;  // metres that the largest of them fill
-  std::vector<IdHistory> ids_;          // of each cell, a row an id in order of appearance
-  Detail detail_;                       // what is shown, of what there is
+  std::vector<Patch> patches_;    // of each cell
+  Vec2d extent_ = Vec2d::Zero();  // metres that the largest of them fill
+  std::vector<IdHistory> ids_;    // of each cell, a row an id in order of appearance
+  Detail given_up_ = Detail{};    // all before this one
   Grid grid_;
 };
 

@@ -9,7 +9,6 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kGap = 14;        // between cells
 constexpr double kRowGap = 6;      // between the left and the right of a row
 constexpr double kReserve = 20;    // around the patch in a map, for rings and digits
 constexpr double kMostStrip = 30;  // height of the strip of ids, more of few cells
@@ -24,37 +23,15 @@ constexpr double kLeastMap = 44;  // height of a map that shows anything
 
 /// Gives up one thing after the other until the maps have room.
 void ContactCells::fit(int width, int height) {
-  const float scale = interface_scale(width, height);
-  std::vector<float> widths;
-  for (const LegendEntry& entry : legend()) widths.push_back(legend_entry_width(entry, scale));
-  const auto arranged = [&] {
+  for (int given_up = 0; given_up <= static_cast<int>(Detail::None); ++given_up) {
+    given_up_ = static_cast<Detail>(given_up);
+    std::vector<float> widths;
+    for (const LegendEntry& entry : legend())
+      widths.push_back(legend_entry_width(entry, interface_scale(width, height)));
     layout_ = make_layout(width, height, false, {widths});
     grid_ = best_grid();
-    return grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width();
-  };
-  for (bool Detail::*given_up :
-       {&Detail::row_ends, &Detail::whole_rows, &Detail::strip, &Detail::all_rows, &Detail::rows,
-        &Detail::legend, &Detail::names}) {
-    if (arranged()) return;
-    detail_.*given_up = false;
-    if (!detail_.legend) widths.clear();
+    if (grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width()) return;
   }
-  arranged();
-}
-
-/// Gives what a patch leaves free above and below to the strip, and marks the size that they have
-/// room for.
-void ContactCells::share_out(Grid& grid) const {
-  grid.strip = layout_.px(strip_height());
-  if (grid.strip > 0) {
-    const double needed = layout_.px(2 * kReserve) + grid.pixels_per_metre * extent_v_;
-    const double wide = layout_.px(kWideRow * static_cast<double>(id_count()) + 6);
-    const double more = std::clamp(wide - grid.strip, 0.0, std::max(0.0, grid.map_height - needed));
-    grid.strip += more;
-    grid.map_height -= more;
-  }
-  const double between = nearest_points() * grid.pixels_per_metre / layout_.scale;
-  grid.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
 }
 
 /// How far apart neighbouring points are, metres: the median over all of them.
@@ -82,32 +59,45 @@ std::vector<std::string> ContactCells::left_out() const {
   std::vector<std::string> list;
   const bool has_rows =
       choices_ == 0 && any_cell([](const ContactCell& cell) { return !cell.rows.empty(); });
-  if (has_rows && !detail_.rows) {
+  const bool has_row_ends = any_cell([](const ContactCell& cell) {
+    return std::ranges::any_of(cell.rows, [](const auto& row) { return !row.right.empty(); });
+  });
+  if (has_rows && !shows(Detail::Rows)) {
     list.emplace_back("the numbers");
-  } else if (has_rows && !detail_.all_rows) {
+  } else if (has_rows && !shows(Detail::AllRows)) {
     list.emplace_back("all numbers but the first");
-  } else if (has_rows && !detail_.whole_rows) {
+  } else if (has_rows && !shows(Detail::WholeRows)) {
     list.emplace_back("parts of the numbers");
-  } else if (has_row_ends() && choices_ == 0 && !detail_.row_ends) {
+  } else if (has_row_ends && choices_ == 0 && !shows(Detail::RowEnds)) {
     list.emplace_back("the numbers on the right");
   }
-  if (!detail_.strip && moments_.size() > 1 && choices_ == 0) {
+  if (!shows(Detail::Strip) && moments_.size() > 1 && choices_ == 0)
     list.emplace_back("the ids over time");
-  }
-  if (!detail_.legend) list.emplace_back("the legend");
-  if (!detail_.names && cell_count() > 1) list.emplace_back("the names");
+  if (!shows(Detail::Legend)) list.emplace_back("the legend");
+  if (!shows(Detail::Names) && cell_count() > 1) list.emplace_back("the names");
   return list;
 }
 
 /// Axes and middle of each cell's patch, and the extent of the largest.
-void ContactCells::frame_patches(const std::string& up) {
-  patches_.resize(cell_count());
-  for (std::size_t cell = 0; cell < cell_count(); ++cell)
-    frame_patch(cell, up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
+void ContactCells::frame_patches(const Vec3d& above) {
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) {
+    Patch& patch = patches_.emplace_back();
+    const auto touching = std::ranges::find_if(
+        moments_, [&](const ContactMoment& moment) { return !moment.cells[cell].points.empty(); });
+    patch.axes =
+        axes_from_above(touching == moments_.end() ? above : touching->cells[cell].normal, above);
+    PlaneExtent extent;
+    for (const ContactMoment& moment : moments_) {
+      for (const trace::Point& point : moment.cells[cell].points)
+        extent.extend(patch.axes.along(point.position));
+    }
+    if (extent.isEmpty()) continue;
+    patch.center = extent.center();
+    extent_ = extent_.cwiseMax(extent.sizes());
+  }
   // A patch without size is drawn in the middle, at any scale.
-  const double least = std::max({extent_u_, extent_v_, 1e-12});
-  extent_u_ = std::max(extent_u_, 1e-3 * least);
-  extent_v_ = std::max(extent_v_, 1e-3 * least);
+  const double least = 1e-3 * std::max(extent_.maxCoeff(), 1e-12);
+  extent_ = extent_.cwiseMax(Vec2d::Constant(least));
 }
 
 /// Every cell has a row for every id of any cell, so that the same ids stand at the same height.
@@ -133,52 +123,28 @@ void ContactCells::gather_ids() {
   }
 }
 
-void ContactCells::frame_patch(std::size_t cell, const Vec3d& above) {
-  const auto touching = std::ranges::find_if(
-      moments_, [&](const ContactMoment& moment) { return !moment.cells[cell].points.empty(); });
-  Patch& patch = patches_[cell];
-  patch.axes =
-      axes_from_above(touching == moments_.end() ? above : touching->cells[cell].normal, above);
-  PlaneExtent extent;
-  for (const ContactMoment& moment : moments_) {
-    for (const trace::Point& point : moment.cells[cell].points)
-      extent.include(patch.axes, point.position);
-  }
-  if (extent.empty()) return;
-  patch.center = extent.center();
-  extent_u_ = std::max(extent_u_, extent.width());
-  extent_v_ = std::max(extent_v_, extent.height());
-}
-
 double ContactCells::strip_height() const {
-  if (!detail_.strip || moments_.size() < 2 || choices_ > 0 || id_count() == 0) return 0;
+  if (!shows(Detail::Strip) || moments_.size() < 2 || choices_ > 0 || id_count() == 0) return 0;
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
   return wide * std::min(kMostStrip, kStripRow * static_cast<double>(id_count())) + 6;
 }
 
 std::size_t ContactCells::row_count() const {
-  if (!detail_.rows || choices_ > 0) return 0;  // the result of choices is another picture's
+  if (!shows(Detail::Rows) || choices_ > 0) return 0;  // the result of choices is another picture's
   std::size_t most = 0;
   for (const ContactMoment& moment : moments_) {
     for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
   }
-  return detail_.all_rows ? most : std::min<std::size_t>(most, 1);
+  return shows(Detail::AllRows) ? most : std::min<std::size_t>(most, 1);
 }
 
 std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& cell) const {
   return std::span(cell.rows).first(std::min(row_count(), cell.rows.size()));
 }
 
-bool ContactCells::has_row_ends() const {
-  return any_cell([](const ContactCell& cell) {
-    return std::ranges::any_of(cell.rows,
-                               [](const ContactCell::Row& row) { return !row.right.empty(); });
-  });
-}
-
 /// What of a row there is room for on the left.
 std::string ContactCells::left_of(const ContactCell::Row& row) const {
-  return detail_.whole_rows || row.brief.empty() ? row.left : row.brief;
+  return shows(Detail::WholeRows) || row.brief.empty() ? row.left : row.brief;
 }
 
 /// Width that the widest row of any cell needs, pixels.
@@ -188,11 +154,9 @@ double ContactCells::row_width() const {
   for (const ContactMoment& moment : moments_) {
     for (const ContactCell& cell : moment.cells) {
       for (const ContactCell::Row& row : shown_rows(cell)) {
-        const FontWeight weight = row.strong ? FontWeight::Bold : FontWeight::Regular;
-        double width = text_width(left_of(row), size, weight);
-        if (detail_.row_ends && !row.right.empty()) {
-          width += layout_.px(kRowGap) + text_width(row.right, size, FontWeight::Regular);
-        }
+        double width = text_width(left_of(row), size, row.strong ? Weight::Bold : Weight::Regular);
+        if (shows(Detail::RowEnds) && !row.right.empty())
+          width += layout_.px(kRowGap) + text_width(row.right, size, Weight::Regular);
         widest = std::max(widest, width);
       }
     }
@@ -200,58 +164,54 @@ double ContactCells::row_width() const {
   return widest;
 }
 
-double ContactCells::name_height() const {
-  return detail_.names ? kName + 4 : 0;
-}
-
-/// Height of a cell beside its map, at 720 lines.
-double ContactCells::furniture() const {
-  return name_height() + strip_height() + kNumberRow * static_cast<double>(row_count());
-}
-
 /// The number of columns that draws the patch largest, of those with room for the rows if there are
-/// such.
+/// such. What a patch leaves free above and below goes to the strip.
 ContactCells::Grid ContactCells::best_grid() const {
+  const int count = static_cast<int>(cell_count());
+  if (count == 0) return Grid{};
   const double gap = layout_.px(kGap);
   const double reserve = layout_.px(2 * kReserve);
   const double needed = row_width();
-  Grid best;
-  best.pixels_per_metre = 0;
-  const int count = static_cast<int>(cell_count());
-  if (count == 0) return Grid{};
-  for (int columns = 1; columns <= count; ++columns) {
+  // What is beside the map in a cell.
+  const double furniture =
+      layout_.px(name_height() + strip_height() + kNumberRow * static_cast<double>(row_count()));
+  const auto grid_of = [&](int columns) {
     const int rows = (count + columns - 1) / columns;
     Grid grid;
     grid.columns = columns;
     grid.cell_width = (layout_.view.width - (columns - 1) * gap) / columns;
     grid.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
-    grid.map_height = grid.cell_height - layout_.px(furniture());
+    grid.map_height = grid.cell_height - furniture;
+    grid.pixels_per_metre = 0;
+    return grid;
+  };
+  Grid best;
+  best.pixels_per_metre = 0;
+  for (int columns = 1; columns <= count; ++columns) {
+    Grid grid = grid_of(columns);
     if (grid.cell_width <= reserve || grid.map_height <= reserve) continue;
-    grid.pixels_per_metre =
-        std::min((grid.cell_width - reserve) / extent_u_, (grid.map_height - reserve) / extent_v_);
+    grid.pixels_per_metre = std::min((grid.cell_width - reserve) / extent_.x(),
+                                     (grid.map_height - reserve) / extent_.y());
     const bool fits = grid.cell_width >= needed;
     const bool best_fits = best.cell_width >= needed;
     const bool is_larger = grid.pixels_per_metre > best.pixels_per_metre;
     if (fits == best_fits ? is_larger : fits) best = grid;
   }
   // No room at all: what a canvas this small shows is a dot in each cell.
-  if (best.pixels_per_metre <= 0) {
-    best.columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(count))));
-    const int rows = (count + best.columns - 1) / best.columns;
-    best.cell_width = (layout_.view.width - (best.columns - 1) * gap) / best.columns;
-    best.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
-    best.map_height = best.cell_height - layout_.px(furniture());
-  }
-  share_out(best);
-  return best;
-}
+  if (best.pixels_per_metre <= 0)
+    best = grid_of(std::max(1, static_cast<int>(std::ceil(std::sqrt(count)))));
 
-Rect ContactCells::cell_rect(std::size_t cell) const {
-  const auto column = static_cast<double>(static_cast<int>(cell) % grid_.columns);
-  const auto row = static_cast<double>(static_cast<int>(cell) / grid_.columns);
-  const double gap = layout_.px(kGap);
-  return {layout_.view.x + column * (grid_.cell_width + gap),
-          layout_.view.y + row * (grid_.cell_height + gap), grid_.cell_width, grid_.cell_height};
+  best.strip = layout_.px(strip_height());
+  if (best.strip > 0) {
+    const double used = reserve + best.pixels_per_metre * extent_.y();
+    const double wide = layout_.px(kWideRow * static_cast<double>(id_count()) + 6);
+    const double more = std::clamp(wide - best.strip, 0.0, std::max(0.0, best.map_height - used));
+    best.strip += more;
+    best.map_height -= more;
+  }
+  const double between = nearest_points() * best.pixels_per_metre / layout_.scale;
+  best.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
+  return best;
 }
 
 }  // namespace contactscope::draw

@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "draw/charts/pair_history.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 
@@ -9,37 +8,28 @@ namespace contactscope::draw {
 namespace {
 
 std::string percent(double share) {
-  std::array<char, 32> text{};
   const double value = 100 * share;
   // Only what is whole may be called so.
   const bool nearly = value > 99.94 && value < 99.9995;
-  std::snprintf(text.data(), text.size(), nearly ? "%.3f %%" : "%.1f %%", value);
-  return text.data();
-}
-
-template <class... Values>
-std::string spelled(const char* format, Values... values) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
+  return printed(nearly ? "%.3f %%" : "%.1f %%", value);
 }
 
 std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
   std::vector<ContactCell::Row> rows;
   const std::string area = "area " + percent(answer.area_ratio);
-  rows.push_back({area, answer.median ? spelled("%.0f ns", *answer.median) : "", area, false});
+  rows.push_back({area, answer.median ? printed("%.0f ns", *answer.median) : "", area, false});
   if (answer.wrench_error > 1e-6) {
     const double lost = 100 * answer.wrench_error;
     rows.push_back(
-        {spelled("lost arm %.1f %% of r", lost), "", spelled("arm −%.0f %%", lost), false});
+        {printed("lost arm %.1f %% of r", lost), "", printed("arm −%.0f %%", lost), false});
   } else {
     rows.push_back({"no arm lost", "", "arm whole", false});
   }
-  std::string verdict = answer.deepest_kept ? "deepest kept" : "deepest lost";
-  if (!answer.supports_center_of_mass) verdict += ", tips over";
-  std::string brief = verdict;
-  if (!answer.supports_center_of_mass) brief = brief.substr(brief.find(' ') + 1);
-  rows.push_back({verdict, "", brief, !answer.deepest_kept || !answer.supports_center_of_mass});
+  const bool tips_over = !answer.supports_center_of_mass;
+  const std::string verdict = answer.deepest_kept ? "kept" : "lost";
+  const std::string brief = tips_over ? verdict + ", tips over" : "deepest " + verdict;
+  rows.push_back(
+      {tips_over ? "deepest " + brief : brief, "", brief, !answer.deepest_kept || tips_over});
   return rows;
 }
 
@@ -49,21 +39,15 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   const std::string area = spell_area(reduction.area);
   const std::string share = has_best ? percent(reduction.area / reduction.best_area) : area;
   rows.push_back({"area " + area + (has_best ? ", " + share : ""), "", "area " + share, false});
-  double deepest = 0;
+  double deepest = 0, kept = 0;
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
-  double kept = 0;
-  for (const int i : reduction.kept) {
+  for (const int i : reduction.kept)
     kept = std::min(kept, reduction.points[static_cast<std::size_t>(i)].separation);
-  }
   const bool has_deepest = kept == deepest;
   rows.push_back({has_deepest ? "deepest kept, " + spell_length(deepest)
                               : "deepest lost by " + spell_length(kept - deepest),
                   "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest});
   return rows;
-}
-
-bool same_cell(const trace::Pair& one, const trace::Pair& other) {
-  return one.a == other.a && one.b == other.b && one.label == other.label;
 }
 
 }  // namespace
@@ -97,27 +81,22 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 
 std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames) {
   // A pair may touch in some frames only; its cell is there in all.
-  std::vector<trace::Pair> cells;
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      const auto same = [&](const trace::Pair& known) { return same_cell(known, pair); };
-      if (pair.reduction && std::ranges::none_of(cells, same)) cells.push_back(pair);
-    }
-  }
-  const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair& pair) {
-    return pair.a != cells.front().a || pair.b != cells.front().b;
+  const std::vector<const trace::Pair*> cells =
+      distinct_pairs(frames, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
+  const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair* pair) {
+    return pair->a != cells.front()->a || pair->b != cells.front()->b;
   });
   std::vector<ContactMoment> moments;
   for (const trace::Frame& frame : frames) {
     ContactMoment& moment = moments.emplace_back();
     moment.frame = frame.frame;
-    moment.caption = spelled("frame %d, t = %.3f s", frame.frame, frame.time);
-    for (const trace::Pair& known : cells) {
+    moment.caption = printed("frame %d, t = %.3f s", frame.frame, frame.time);
+    for (const trace::Pair* known : cells) {
       ContactCell& cell = moment.cells.emplace_back();
-      cell.name = known.label.empty() ? known.reduction->method : known.label;
-      if (several_bodies) cell.name = known.a + " and " + known.b + ": " + cell.name;
+      cell.name = known->label.empty() ? known->reduction->method : known->label;
+      if (several_bodies) cell.name = known->a + " and " + known->b + ": " + cell.name;
       const auto pair = std::ranges::find_if(
-          frame.pairs, [&](const trace::Pair& other) { return same_cell(known, other); });
+          frame.pairs, [&](const trace::Pair& other) { return same_pair(*known, other); });
       if (pair == frame.pairs.end() || !pair->reduction || pair->manifolds.empty()) continue;
       const trace::Reduction& reduction = *pair->reduction;
       cell.normal = pair->manifolds.front().normal;

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <string>
 
+#include "draw/charts/pair_history.h"
 #include "draw/scene/labels.h"
-#include "draw/scene/layout.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sequence_scales.h"
+#include "draw/scene/support.h"
+#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {
@@ -20,6 +23,43 @@ PlaneAxes axes_about(const Vec3d& normal, const Vec3d& right, double least) {
   const Vec3d along = right - right.dot(normal) * normal;
   const Vec3d u = along.norm() > least ? Vec3d(along.normalized()) : any_perpendicular(normal);
   return {u, normal.cross(u)};
+}
+
+constexpr double kShortMargin = 0.06;  // of the support: too short to be drawn
+
+constexpr Swatch kMarginSwatch{LegendGroup::Masses, 2, [](const SwatchPen& pen) {
+                                 pen.level_line(0, 16, 2.2, kAxis);
+                                 pen.head(22, 8, kAxis);
+                               }};
+
+void explain_stability(const trace::Pair& pair, Legend& legend) {
+  if (!pair.stability || pair.manifolds.empty()) return;
+  const trace::Stability& stability = *pair.stability;
+  if (stability.verdict == "no contact") return;
+  explain_support(stability, stability.axis && stability.verdict != "stable", legend);
+  double reach = 0;
+  for (const Vec3d& corner : stability.support)
+    reach = std::max(reach, (corner - stability.projection).norm());
+  if (std::abs(stability.margin) > kShortMargin * reach)
+    legend.explain(kMarginSwatch, "margin: to the border of the support");
+}
+
+void explain_contact_plane(const View& view, const trace::Pair& pair, Legend& legend) {
+  if (pair.clip && pair.manifolds.size() == 1) {
+    legend.explain(kReferenceFaceSwatch, "reference face");
+    legend.explain(kIncidentFaceSwatch, "incident face");
+    if (!pair.clip->steps.empty() && !pair.clip->steps.back().polygon.empty())
+      legend.explain(kClipPolygonSwatch, "clip polygon");
+    for (const trace::DroppedPoint& dropped : pair.clip->dropped) {
+      if (!is_kept(pair, dropped)) legend.explain(kDroppedSwatch, dropped.reason);
+    }
+  }
+  if (!view.shows(Layer::Contacts)) legend.explain(kPlainPointSwatch, "contact point");
+  if (reduction_in_contact_plane(pair) &&
+      pair.reduction->kept.size() < pair.reduction->points.size()) {
+    legend.explain(kReducedSwatch, "reduced away");
+    legend.explain(kKeptSwatch, "kept, in order of choice");
+  }
 }
 
 }  // namespace
@@ -34,19 +74,9 @@ PlaneAxes axes_from_above(const Vec3d& normal, const Vec3d& above) {
   return axes_about(normal.dot(above) < 0 ? Vec3d(-normal) : normal, Vec3d::UnitX(), 0.1);
 }
 
-void PlaneExtent::include(const PlaneAxes& axes, const Vec3d& point) {
-  const std::array<double, 2> at{axes.u.dot(point), axes.v.dot(point)};
-  for (std::size_t k = 0; k < 2; ++k) {
-    low[k] = std::min(low[k], at[k]);
-    high[k] = std::max(high[k], at[k]);
-  }
-}
-
 Point2 ContactPlane::at(const Vec3d& point) const {
-  const double right = pixels_per_metre_ * (axes_.u.dot(point) - center_[0]);
-  const double up = pixels_per_metre_ * (axes_.v.dot(point) - center_[1]);
-  return {static_cast<float>(map_.x + 0.5 * map_.width + right),
-          static_cast<float>(map_.y + 0.5 * map_.height - up)};
+  const Vec2d way = pixels_per_metre * (axes.along(point) - center);
+  return pixel(map.x + 0.5 * map.width + way.x(), map.y + 0.5 * map.height - way.y());
 }
 
 std::vector<Point2> ContactPlane::at(const std::vector<Vec3d>& points) const {
@@ -55,22 +85,28 @@ std::vector<Point2> ContactPlane::at(const std::vector<Vec3d>& points) const {
   return places;
 }
 
+std::vector<Point2> ContactPlane::at(const std::vector<trace::Point>& points) const {
+  std::vector<Point2> places;
+  for (const trace::Point& point : points) places.push_back(at(point.position));
+  return places;
+}
+
 void ContactPlane::area(const std::vector<Point2>& polygon, const Color& color) const {
-  pen_.fill(clip_polygon(map_, polygon), color);
+  fill(clip_polygon(map, polygon), color);
 }
 
 void ContactPlane::border(const std::vector<Point2>& polygon, double width, const Color& color,
                           double dash) const {
   std::vector<Point2> run;
   const auto finish = [&] {
-    pen_.path(run, width, color, dash);
+    path(run, width, color, dash);
     run.clear();
   };
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2& to = polygon[(i + 1) % polygon.size()];
-    const std::optional<Segment2> seen = clip_segment(map_, polygon[i], to);
+    const std::optional<Segment2> seen = clip_segment(map, polygon[i], to);
     if (!seen) continue;
-    if (!run.empty() && (run.back().x != seen->from.x || run.back().y != seen->from.y)) finish();
+    if (!run.empty() && run.back() != seen->from) finish();
     if (run.empty()) run.push_back(seen->from);
     run.push_back(seen->to);
   }
@@ -80,47 +116,52 @@ void ContactPlane::border(const std::vector<Point2>& polygon, double width, cons
 void ContactPlane::line_through(const Vec3d& a, const Vec3d& b, double width, const Color& color,
                                 double dash) const {
   const Point2 from = at(a), to = at(b);
-  const float dx = to.x - from.x, dy = to.y - from.y;
-  const float length = std::hypot(dx, dy);
-  if (!(length > 0)) return;
-  const float reach = static_cast<float>(map_.width + map_.height) / length;
-  const std::optional<Segment2> seen = clip_segment(
-      map_, {from.x - reach * dx, from.y - reach * dy}, {to.x + reach * dx, to.y + reach * dy});
-  if (seen) pen_.line(seen->from, seen->to, width, color, dash);
+  const Point2 way = to - from;
+  if (!(length(way) > 0)) return;
+  const float reach = static_cast<float>(map.width + map.height) / length(way);
+  const std::optional<Segment2> seen = clip_segment(map, from - reach * way, to + reach * way);
+  if (seen) line(seen->from, seen->to, width, color, dash);
 }
 
 void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vector<int>& kept,
                                double size, const std::optional<std::size_t>& deepest) const {
-  Vec2d middle = Vec2d::Zero();
-  for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
-  LabelPlacer placer(map_);
-  for (const Point2& place : places) placer.block(place, pen_.px(kKeptReach * size));
-  if (deepest) placer.block(places[*deepest], pen_.px(12 * size));
-  const float height = pen_.px(kOrderDigit);
+  const Vec2d middle = middle_of(places);
+  LabelPlacer placer(map);
+  for (const Point2& place : places) placer.block(place, px(kKeptReach * size));
+  if (deepest) placer.block(places[*deepest], px(12 * size));
+  const float height = px(kOrderDigit);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Point2& place = places[static_cast<std::size_t>(kept[k])];
-    Vec2d away = flat(place) - middle;
-    away = away.norm() > 1 ? Vec2d(away.normalized()) : Vec2d(0, -1);
     const std::string digit = std::to_string(k + 1);
     const auto found = placer.place(place, text_width(digit, height, FontWeight::Bold),
                                     0.76f * ascent(height, FontWeight::Bold), 0,
-                                    pen_.px(kKeptReach * size + 2), pixel(away));
+                                    px(kKeptReach * size + 2), pixel(way_out(middle, flat(place))));
     if (!found) continue;
-    if (found->needs_leader) pen_.line(place, found->leader_end, 1, kContact);
-    pen_.text(digit, found->left_baseline, Align::Left, kContact, Weight::Bold, kOrderDigit, 2);
+    if (found->needs_leader) line(place, found->leader_end, 1, kContact);
+    text(digit, found->left_baseline, Align::Left, kContact, Weight::Bold, kOrderDigit, 2);
   }
 }
 
 void ContactPlane::scale_bar(double share, double middle) const {
-  const double length = round_down(share * map_.width / pixels_per_metre_);
-  const auto right = static_cast<float>(map_.x + map_.width);
-  const auto left = right - static_cast<float>(length * pixels_per_metre_);
+  const double metres = round_down(share * map.width / pixels_per_metre);
+  const auto right = static_cast<float>(map.right());
+  const auto left = right - static_cast<float>(metres * pixels_per_metre);
   const auto y = static_cast<float>(middle);
-  const float end = pen_.px(3);
-  pen_.line({left, y}, {right, y}, 1.5, kQuietText);
-  for (const float x : {left, right}) pen_.line({x, y - end}, {x, y + end}, 1.5, kQuietText);
-  pen_.text(spell_quantity(length, "m", 1), {left - pen_.px(8), y + pen_.px(4.5)}, Align::Right,
-            kQuietText);
+  const float end = px(3);
+  line({left, y}, {right, y}, 1.5, kQuietText);
+  for (const float x : {left, right}) line({x, y - end}, {x, y + end}, 1.5, kQuietText);
+  text(spell_quantity(metres, "m", 1), {left - px(8), y + px(4.5)}, Align::Right, kQuietText);
+}
+
+Vec2d middle_of(const std::vector<Point2>& places) {
+  Vec2d middle = Vec2d::Zero();
+  for (const Point2& place : places) middle += flat(place) / static_cast<double>(places.size());
+  return middle;
+}
+
+Vec2d way_out(const Vec2d& middle, const Vec2d& at) {
+  const Vec2d out = at - middle;
+  return out.norm() > 1 ? Vec2d(out.normalized()) : Vec2d(0, -1);
 }
 
 void draw_kept_point(const Point2& at, const Pen& pen, double size) {
@@ -145,13 +186,29 @@ void draw_dropped_point(const Point2& at, const Pen& pen, double size) {
   pen.cross(at, 3.6 * size, 2 * size, kDropped, Cap::Round);
 }
 
-void draw_deepest_mark(const Point2& at, const Layout& layout, double size, const Color& color,
-                       Drawing& drawing) {
-  const double h = layout.px(10.4 * size);
+void draw_deepest_mark(const Point2& at, const Pen& pen, double size) {
+  const double h = pen.px(10.4 * size);
   const std::vector<Point2> corners = corners_of({at.x - h, at.y - h, 2 * h, 2 * h});
-  const Pen pen(drawing, layout.scale, kOrderDigit);
   pen.outline(corners, 3.6 * size, with_alpha(kWhite, 0.8f));
-  pen.outline(corners, 1.6 * size, color);
+  pen.outline(corners, 1.6 * size, kNormal);
+}
+
+const trace::Pair* pair_of_contact_plane(const trace::Frame& frame) {
+  return first_pair(frame, [](const trace::Pair& pair) { return !pair.manifolds.empty(); });
+}
+
+bool reduction_in_contact_plane(const trace::Pair& pair) {
+  return pair.manifolds.size() == 1 && pair.reduction &&
+         (pair.reduction->points.size() > 2 || pair.kind == "hull-hull");
+}
+
+void explain_panels(const View& view, const trace::Frame& frame, Legend& legend) {
+  if (view.shows(Panel::Stability)) {
+    for (const trace::Pair& pair : frame.pairs) explain_stability(pair, legend);
+  }
+  const trace::Pair* pair = pair_of_contact_plane(frame);
+  if (view.shows(Panel::ContactPlane) && pair != nullptr)
+    explain_contact_plane(view, *pair, legend);
 }
 
 }  // namespace contactscope::draw

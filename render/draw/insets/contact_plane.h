@@ -1,31 +1,31 @@
 #pragma once
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/convex_polygon.h"
 #include "core/vec3.h"
+#include "core/view.h"
 #include "draw/scene/camera.h"
+#include "draw/scene/legend.h"
 #include "draw/scene/pen.h"
 #include "trace/trace.h"
 
 /// The contact plane seen along its normal: the same in panels, in views of that kind and in explore.
 namespace contactscope::draw {
 
-struct Layout;
-
 inline Vec2d flat(const Point2& p) {
   return {p.x, p.y};
 }
 inline Point2 pixel(const Vec2d& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+  return pixel(p.x(), p.y());
 }
 
 /// Right and up on the page, unit.
 struct PlaneAxes {
   Vec3d u = Vec3d::UnitX(), v = Vec3d::UnitY();
+
+  Vec2d along(const Vec3d& point) const { return {u.dot(point), v.dot(point)}; }
 };
 
 /// Right on the page is the camera's right as far as the plane has it, so that map and 3D view read
@@ -35,32 +35,19 @@ PlaneAxes axes_as_seen(const Camera& camera, const Vec3d& normal);
 /// From above where there is an above, with x to the right, as on a map.
 PlaneAxes axes_from_above(const Vec3d& normal, const Vec3d& above);
 
-/// The least rectangle of a plane around points, metres.
-struct PlaneExtent {
-  std::array<double, 2> low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  std::array<double, 2> high{-std::numeric_limits<double>::max(),
-                             -std::numeric_limits<double>::max()};
+/// The least rectangle of a plane around points, metres along its axes.
+using PlaneExtent = Eigen::AlignedBox2d;
 
-  void include(const PlaneAxes& axes, const Vec3d& point);
-  bool empty() const { return low[0] > high[0]; }
-  std::array<double, 2> center() const {
-    return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
-  }
-  double width() const { return high[0] - low[0]; }
-  double height() const { return high[1] - low[1]; }
-};
-
-/// A contact plane on the page. `map` is its place, `center` (metres along the axes) the middle of
-/// it.
-class ContactPlane {
- public:
-  ContactPlane(const PlaneAxes& axes, const std::array<double, 2>& center, double pixels_per_metre,
-               const Rect& map, const Pen& pen)
-      : axes_(axes), center_(center), pixels_per_metre_(pixels_per_metre), map_(map), pen_(pen) {}
+/// A contact plane on the page, and what draws on it. `map` is its place, `center` (metres along the
+/// axes) the middle of it.
+struct ContactPlane : Pen {
+  ContactPlane(const PlaneAxes& plane_axes, const Vec2d& middle, double scale, const Rect& place,
+               const Pen& pen)
+      : Pen(pen), axes(plane_axes), center(middle), pixels_per_metre(scale), map(place) {}
 
   Point2 at(const Vec3d& point) const;
   std::vector<Point2> at(const std::vector<Vec3d>& points) const;
-  double pixels_per_metre() const { return pixels_per_metre_; }
+  std::vector<Point2> at(const std::vector<trace::Point>& points) const;
 
   /// Cut off at the border of the map: of a floor there is only a part.
   void area(const std::vector<Point2>& polygon, const Color& color) const;
@@ -78,13 +65,15 @@ class ContactPlane {
   /// Under the map on its right: a length of 1, 2 or 5 times a power of ten, with its name.
   void scale_bar(double share, double y) const;
 
- private:
-  PlaneAxes axes_;
-  std::array<double, 2> center_;
-  double pixels_per_metre_;
-  Rect map_;
-  Pen pen_;
+  PlaneAxes axes;
+  Vec2d center;
+  double pixels_per_metre;
+  Rect map;
 };
+
+/// The middle of places on the page, and the way out of it to one of them: unit, up at the middle.
+Vec2d middle_of(const std::vector<Point2>& places);
+Vec2d way_out(const Vec2d& middle, const Vec2d& at);
 
 /// The marks of the contact plane, in pixels: the same in every picture of it, but for their size
 /// where points stand close; 1 is that of a single patch.
@@ -94,9 +83,24 @@ void draw_plain_point(const Point2& at, const Pen& pen);
 void draw_apart_point(const Point2& at, const Pen& pen);
 void draw_dropped_point(const Point2& at, const Pen& pen, double size);
 /// A square about the point, whatever became of it.
-void draw_deepest_mark(const Point2& at, const Layout& layout, double size, const Color& color,
-                       Drawing& drawing);
+void draw_deepest_mark(const Point2& at, const Pen& pen, double size);
 /// Half the width of a kept point, at 720 lines.
 inline constexpr double kKeptReach = 8.2;
+
+/// The first `shown` choices of a reducer, the last of them with its candidates. Gregorius 2015,
+/// "Contact Point Reduction: 1st Point" to "4th Point (4)": what each was worth, and why the last
+/// shown one won. `places`: of all points.
+void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
+                 const std::vector<int>& kept, const std::vector<trace::Choice>& choices,
+                 int shown);
+
+/// The pair whose contact plane is shown, the first that touches; nullptr where none does.
+const trace::Pair* pair_of_contact_plane(const trace::Frame& frame);
+
+/// Whether its panel shows which points were kept; of many manifolds each was reduced by itself.
+bool reduction_in_contact_plane(const trace::Pair& pair);
+
+/// What the legend has to say about the panels: it is one for the whole picture.
+void explain_panels(const View& view, const trace::Frame& frame, Legend& legend);
 
 }  // namespace contactscope::draw

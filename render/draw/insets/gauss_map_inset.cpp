@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/shading.h"
@@ -37,15 +38,12 @@ bool has_map(const trace::Pair& pair) {
   return pair.kind == "hull-hull" || pair.kind == "capsule-hull" || pair.kind == "hull-capsule";
 }
 
-const trace::Pair* pair_with_map(const trace::Frame& frame) {
-  for (const trace::Pair& pair : frame.pairs) {
-    if (has_map(pair)) return &pair;
-  }
-  return nullptr;
+double angle_between(const Vec3d& a, const Vec3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 std::vector<Vec3d> map_arc(const Vec3d& from, const Vec3d& to) {
-  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  const double angle = angle_between(from, to);
   std::vector<Vec3d> points;
   for (int i = 0; i <= kArcSteps; ++i) {
     const double t = static_cast<double>(i) / kArcSteps;
@@ -118,7 +116,7 @@ class ShapeMap {
       draw_curve(camera, map_arc(arc.from, arc.to), lit.contains(arc.edge), sketch);
     for (int face = 0; face < static_cast<int>(shape_.mesh->normals.size()); ++face) {
       const Vec3d at = direction(face);
-      if (camera.faces(at, at)) sketch.marks.push_back({MarkKind::Node, at, ink()});
+      if (camera.faces(at, at)) sketch.mark(MarkKind::Node, at, ink());
     }
     sketch.explain(swatch(), "faces and edges of " + name);
   }
@@ -183,12 +181,12 @@ void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const 
 }
 
 void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch) {
-  if (sat.face_a && sat.chosen == "face_a")
-    draw_best(sat.face_a->normal, "face of A: " + spell_length(sat.face_a->separation), true,
-              camera, sketch);
-  if (sat.face_b && sat.chosen == "face_b")
-    draw_best(sat.face_b->normal, "face of B: " + spell_length(sat.face_b->separation), true,
-              camera, sketch);
+  for (const bool of_a : {true, false}) {
+    const auto& face = of_a ? sat.face_a : sat.face_b;
+    if (!face || sat.chosen != (of_a ? "face_a" : "face_b")) continue;
+    const std::string name = of_a ? "face of A: " : "face of B: ";
+    draw_best(face->normal, name + spell_length(face->separation), true, camera, sketch);
+  }
   if (sat.edge)
     draw_best(sat.edge->normal,
               "edge " + std::to_string(sat.edge->a) + " of A × edge " +
@@ -218,13 +216,11 @@ std::vector<MapCrossing> crossings_of(const trace::Pair& pair, const ShapeMap& a
 
 Vec3d gauss_map_direction(const std::vector<trace::Frame>& frames, const Vec3d& usual) {
   for (const trace::Frame& frame : frames) {
-    const trace::Pair* pair = pair_with_map(frame);
+    const trace::Pair* pair = first_pair(frame, has_map);
     const Vec3d axis = pair == nullptr ? Vec3d(Vec3d::Zero()) : best_direction(*pair);
     if (axis.isZero()) continue;
-    const double angle = std::atan2(axis.cross(usual).norm(), axis.dot(usual));
-    if (angle <= kInFront) return usual;
     const Vec3d across = usual - usual.dot(axis) * axis;
-    if (across.norm() < 1e-6) return usual;
+    if (angle_between(axis, usual) <= kInFront || across.norm() < 1e-6) return usual;
     return std::cos(kInFront) * axis + std::sin(kInFront) * across.normalized();
   }
   return usual;
@@ -235,7 +231,7 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   picture.heading = "Gauss map of A and −B";
   Sketch& sketch = picture.sketch;
   draw_sphere(inset.camera, sketch);
-  const trace::Pair* pair = pair_with_map(scene.frame);
+  const trace::Pair* pair = first_pair(scene.frame, has_map);
   if (pair == nullptr) {
     sketch.label(Vec3d::Zero(), "no two hulls, nor a hull and a capsule", kQuietText, 15, 0).bold =
         false;
@@ -257,7 +253,7 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   for (const MapCrossing& crossing : crossings) {
     if (!inset.camera.faces(crossing.normal, crossing.normal)) continue;
     ++in_front;
-    sketch.marks.push_back({MarkKind::Dot, crossing.normal, kAxis});
+    sketch.mark(MarkKind::Dot, crossing.normal, kAxis);
     sketch.explain(kCrossingSwatch, "arcs that cross");
   }
   if (pair->sat) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "draw/scene/compose.h"
 #include "draw/scene/palette.h"
@@ -11,7 +12,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kInsetFieldOfView = 30 * 3.14159265358979323846 / 180;
+constexpr double kInsetFieldOfView = 30 * std::numbers::pi / 180;
 constexpr double kInsetShare = 0.82;  // of the viewport: labels stand around what it shows
 constexpr double kSphereShare = 0.9;
 constexpr double kInsetHeading = 17;  // pixels at 720 lines
@@ -23,20 +24,11 @@ bool is_inset(Panel panel) {
   return panel == Panel::Minkowski || panel == Panel::GaussMap;
 }
 
-Rect viewport_of(const Rect& frame, const Layout& layout) {
-  const double padding = layout.px(kInsetPadding);
-  const double top = padding + layout.px(kInsetHeadingRow);
-  return {frame.x + padding, frame.y + top, frame.width - 2 * padding,
-          frame.height - top - padding};
-}
-
 }  // namespace
 
 std::vector<Panel> take_insets(View& view) {
   std::vector<Panel> insets;
-  for (const Panel panel : view.panels) {
-    if (is_inset(panel)) insets.push_back(panel);
-  }
+  std::ranges::copy_if(view.panels, std::back_inserter(insets), is_inset);
   std::erase_if(view.panels, is_inset);
   return insets;
 }
@@ -47,7 +39,11 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
   std::vector<Inset> insets;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const bool sphere = panels[i] == Panel::GaussMap;
-    const Rect viewport = viewport_of(layout.insets[i], layout);
+    const Rect& frame = layout.insets[i];
+    const double padding = layout.px(kInsetPadding);
+    const double top = padding + layout.px(kInsetHeadingRow);
+    const Rect viewport{frame.x + padding, frame.y + top, frame.width - 2 * padding,
+                        frame.height - top - padding};
     Vec3d direction = camera.right().cross(camera.up());
     if (sphere) direction = gauss_map_direction(frames, direction);
     const double half_height = std::tan(0.5 * kInsetFieldOfView);
@@ -60,7 +56,7 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
                      half_height, aspect, kInsetShare);
       if (!(fit.distance > 0)) fit.distance = 1;  // nothing but the origin
     }
-    insets.push_back({panels[i], layout.insets[i],
+    insets.push_back({panels[i], frame,
                       Camera::perspective(fit.target + fit.distance * direction, fit.target,
                                           world_up, kInsetFieldOfView, viewport),
                       layout.scale});
@@ -83,12 +79,12 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
   pen.frame(inset.frame, 1, with_alpha(kQuietText, 0.5f));
   const float padding = pen.px(kInsetPadding), size = pen.px(kInsetHeading);
   const float left = static_cast<float>(inset.frame.x) + padding;
-  const float right = static_cast<float>(inset.frame.x + inset.frame.width) - padding;
+  const float right = static_cast<float>(inset.frame.right()) - padding;
   const float baseline = static_cast<float>(inset.frame.y) + padding + 0.8f * size;
-  const std::string heading = fitted(picture.heading, size, FontWeight::Bold, right - left);
+  const std::string heading = fitted(picture.heading, size, Weight::Bold, right - left);
   pen.text(heading, {left, baseline}, Align::Left, kText, Weight::Bold, kInsetHeading);
   // A word that lost its end tells nothing.
-  const float used = text_width(heading, size, FontWeight::Bold) + 2 * padding;
+  const float used = text_width(heading, size, Weight::Bold) + 2 * padding;
   if (pen.width_of(picture.note) <= right - left - used)
     pen.text(picture.note, {right, baseline}, Align::Right, kQuietText);
 }

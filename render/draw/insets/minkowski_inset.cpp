@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/simplex_steps.h"
@@ -41,15 +42,10 @@ bool holds_origin(const trace::Pair& pair) {
   return pair.gjk ? pair.gjk->status == "overlap" : pair.state == "touching";
 }
 
-const trace::Pair* pair_with_difference(const trace::Frame& frame) {
-  for (const trace::Pair& pair : frame.pairs) {
-    if (has_difference(pair)) return &pair;
-  }
-  return nullptr;
-}
-
-void add_simplex(const std::vector<trace::SimplexVertex>& vertices, std::vector<Vec3d>& points) {
+std::vector<Vec3d> differences(const std::vector<trace::SimplexVertex>& vertices) {
+  std::vector<Vec3d> points;
   for (const trace::SimplexVertex& vertex : vertices) points.push_back(difference(vertex));
+  return points;
 }
 
 Color step_color(const SimplexStep& step) {
@@ -75,8 +71,7 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
   const std::optional<Point2> tip = inset.camera.project(to);
   if (from && tip) {
     const float size = inset.scale * static_cast<float>(label.size);
-    const float length = std::hypot(tip->x - from->x, tip->y - from->y);
-    label.leader = length < text_width(label.text, size, FontWeight::Bold);
+    label.leader = length(*tip - *from) < text_width(label.text, size, Weight::Bold);
     if (label.leader) {  // on the other side of the origin's name
       label.clearance = kNumberAside;
       label.direction = inset.camera.right();
@@ -86,7 +81,7 @@ void draw_distance(const Inset& inset, const Vec3d& to, double distance, const s
 
 void draw_next(const SimplexStep& step, Sketch& sketch) {
   if (!step.next) return;
-  sketch.marks.push_back({MarkKind::Hollow, difference(*step.next), step_color(step)});
+  sketch.mark(MarkKind::Hollow, difference(*step.next), step_color(step));
   sketch.explain(step.polytope != nullptr ? kNextOfPolytopeSwatch : kNextOfSimplexSwatch,
                  "next support point");
 }
@@ -95,8 +90,7 @@ void draw_next(const SimplexStep& step, Sketch& sketch) {
 void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
   const std::size_t count = step.vertices.size();
   const Color color = step_color(step);
-  std::vector<Vec3d> points;
-  add_simplex(step.vertices, points);
+  const std::vector<Vec3d> points = differences(step.vertices);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       sketch.lines.push_back({points[i], points[j], {2.0f, color}, true});
@@ -117,8 +111,7 @@ void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, 
 
 void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
   const trace::Polytope& polytope = *step.polytope;
-  std::vector<Vec3d> points;
-  add_simplex(polytope.vertices, points);
+  const std::vector<Vec3d> points = differences(polytope.vertices);
   const auto at = [&](int vertex) { return points[static_cast<std::size_t>(vertex)]; };
   std::set<std::pair<int, int>> edges;
   std::set<int> corners;  // of faces: the others are inside by now
@@ -132,8 +125,7 @@ void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest,
   }
   for (const auto& [from, to] : edges)
     sketch.lines.push_back({at(from), at(to), {1.5f, with_alpha(kReferenceFace, 0.75f)}});
-  for (const int corner : corners)
-    sketch.marks.push_back({MarkKind::Core, at(corner), kReferenceFace});
+  for (const int corner : corners) sketch.mark(MarkKind::Core, at(corner), kReferenceFace);
   sketch.explain(kPolytopeSwatch, "polytope");
   if (polytope.nearest < 0) return;
   const std::array<int, 3>& face = polytope.faces[static_cast<std::size_t>(polytope.nearest)];
@@ -172,15 +164,11 @@ void draw_border_distance(const Inset& inset, const trace::Minkowski& difference
 
 std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& step) {
   if (!step) return pair.state == "touching" ? "holds the origin" : "the origin is outside";
-  const auto counted = [&](const char* name) {
-    return std::string(name) + " " + std::to_string(step->step) + " of " +
-           std::to_string(step->steps);
-  };
-  if (step->of == SimplexStep::Of::Epa)
-    return step->last() ? "EPA: " + pair.penetration->status : counted("EPA, expansion");
-  if (step->of == SimplexStep::Of::Mpr)
-    return step->last() ? "MPR: " + pair.penetration->status : counted("MPR, step");
-  return step->last() ? "GJK: " + pair.gjk->status : counted("GJK, step");
+  const bool gjk = step->of == SimplexStep::Of::Gjk, epa = step->of == SimplexStep::Of::Epa;
+  const std::string name = gjk ? "GJK" : epa ? "EPA" : "MPR";
+  if (step->last()) return name + ": " + (gjk ? pair.gjk->status : pair.penetration->status);
+  return name + (epa ? ", expansion " : ", step ") + std::to_string(step->step) + " of " +
+         std::to_string(step->steps);
 }
 
 }  // namespace
@@ -188,16 +176,17 @@ std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& s
 std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
   std::vector<Vec3d> points = {Vec3d::Zero()};
   for (const trace::Frame& frame : frames) {
-    const trace::Pair* pair = pair_with_difference(frame);
+    const trace::Pair* pair = first_pair(frame, has_difference);
     if (pair == nullptr) continue;
-    if (pair->minkowski)
-      points.insert(points.end(), pair->minkowski->vertices.begin(),
-                    pair->minkowski->vertices.end());
+    const auto add = [&](const std::vector<Vec3d>& more) {
+      points.insert(points.end(), more.begin(), more.end());
+    };
+    if (pair->minkowski) add(pair->minkowski->vertices);
     if (pair->gjk) {
-      for (const trace::Simplex& simplex : pair->gjk->steps) add_simplex(simplex, points);
+      for (const trace::Simplex& simplex : pair->gjk->steps) add(differences(simplex));
     }
     if (pair->penetration) {
-      for (const trace::Polytope& p : pair->penetration->polytopes) add_simplex(p.vertices, points);
+      for (const trace::Polytope& p : pair->penetration->polytopes) add(differences(p.vertices));
     }
   }
   return points;
@@ -206,7 +195,7 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
 InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   InsetPicture picture;
   picture.heading = "Minkowski difference B − A";
-  const trace::Pair* pair = pair_with_difference(scene.frame);
+  const trace::Pair* pair = first_pair(scene.frame, has_difference);
   Sketch& sketch = picture.sketch;
   double size = 0;
   if (pair != nullptr && pair->minkowski) {

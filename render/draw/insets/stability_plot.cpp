@@ -9,6 +9,7 @@
 #include "draw/charts/pair_history.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/marks.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -36,30 +37,15 @@ struct VerdictRow {
 constexpr std::array<VerdictRow, 3> kVerdictRows{
     {{"stable", "stable"}, {"turns about a line", "line"}, {"turns about a point", "point"}}};
 
-/// The pairs whose stability was recorded in any frame.
-std::vector<const trace::Pair*> pairs_that_rest(const std::vector<trace::Frame>& frames) {
-  std::vector<const trace::Pair*> pairs;
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      if (pairs.size() == kMostMaps) return pairs;
-      if (!pair.stability) continue;
-      const auto same = [&](const trace::Pair* known) { return same_pair(*known, pair); };
-      if (std::ranges::none_of(pairs, same)) pairs.push_back(&pair);
-    }
-  }
-  return pairs;
-}
-
 bool in_contact(const trace::Pair& pair) {
   return pair.stability && pair.stability->verdict != "no contact" && !pair.manifolds.empty();
 }
 
 Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
-  const float dx = to.x - from.x, dy = to.y - from.y;
-  const float squared = dx * dx + dy * dy;
+  const Point2 way = to - from;
+  const float squared = dot(way, way);
   if (!(squared > 0)) return from;
-  const float t = std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / squared, 0.0f, 1.0f);
-  return {from.x + t * dx, from.y + t * dy};
+  return from + std::clamp(dot(p - from, way) / squared, 0.0f, 1.0f) * way;
 }
 
 /// From the projection to the nearest place of the border.
@@ -68,19 +54,15 @@ void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pe
   float least = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < border.size(); ++i) {
     const Point2 place = nearest_on(border[i], border[(i + 1) % border.size()], from);
-    const float length = std::hypot(place.x - from.x, place.y - from.y);
-    if (length >= least) continue;
-    least = length;
+    if (distance(place, from) >= least) continue;
+    least = distance(place, from);
     nearest = place;
   }
   if (border.empty() || least <= pen.px(14)) return;
   pen.path({from, nearest}, 2.2, kAxis);
-  const float head = pen.px(8) / least;
-  const Point2 back{head * (from.x - nearest.x), head * (from.y - nearest.y)};
-  pen.fill({nearest,
-            {nearest.x + back.x - 0.45f * back.y, nearest.y + back.y + 0.45f * back.x},
-            {nearest.x + back.x + 0.45f * back.y, nearest.y + back.y - 0.45f * back.x}},
-           kAxis);
+  const Point2 back = pen.px(8) / least * (from - nearest);
+  const Point2 aside = 0.45f * perpendicular(back);
+  pen.fill({nearest, nearest + back + aside, nearest + back - aside}, kAxis);
 }
 
 }  // namespace
@@ -92,7 +74,10 @@ StabilityPlot::StabilityPlot(const std::vector<trace::Frame>& frames) {
     return std::ranges::any_of(
         frame.pairs, [](const trace::Pair& pair) { return pair.incremental.has_value(); });
   });
-  for (const trace::Pair* wanted : pairs_that_rest(frames)) {
+  std::vector<const trace::Pair*> pairs =
+      distinct_pairs(frames, [](const trace::Pair& pair) { return pair.stability.has_value(); });
+  if (pairs.size() > kMostMaps) pairs.resize(kMostMaps);
+  for (const trace::Pair* wanted : pairs) {
     History& history = histories_.emplace_back();
     history.name = pair_name(*wanted);
     history.pairs = pair_history(frames, *wanted);
@@ -105,9 +90,7 @@ StabilityPlot::StabilityPlot(const std::vector<trace::Frame>& frames) {
       std::vector<Vec3d>& points = history.points;
       points.insert(points.end(), pair->stability->support.begin(), pair->stability->support.end());
       points.push_back(pair->stability->projection);
-      for (const trace::Manifold& manifold : pair->manifolds) {
-        for (const trace::Point& point : manifold.points) points.push_back(point.position);
-      }
+      for (const PairPoint& any : all_points(*pair)) points.push_back(any.point->position);
     }
   }
   margins_.baseline = true;
@@ -117,8 +100,7 @@ StabilityPlot::StabilityPlot(const std::vector<trace::Frame>& frames) {
 void StabilityPlot::draw(std::size_t moment, const Camera& camera, const Rect& rect,
                          const Pen& pen) const {
   if (histories_.empty()) {
-    pen.text("no stability in this sequence",
-             {static_cast<float>(rect.x), static_cast<float>(rect.y + 0.8 * pen.px(kWordsLine))},
+    pen.text("no stability in this sequence", pixel(rect.x, rect.y + 0.8 * pen.px(kWordsLine)),
              Align::Left, kQuietText);
     return;
   }
@@ -166,72 +148,68 @@ void StabilityPlot::draw_maps(std::size_t moment, const Camera& camera, const Re
     axes.push_back(pair == nullptr ? PlaneAxes{}
                                    : axes_as_seen(camera, pair->manifolds.front().normal));
     PlaneExtent& extent = extents.emplace_back();
-    for (const Vec3d& point : histories_[h].points) extent.include(axes[h], point);
-    if (extent.empty()) continue;
-    const auto [x, y] = extent.center();
-    const double least = 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
+    for (const Vec3d& point : histories_[h].points) extent.extend(axes[h].along(point));
+    if (extent.isEmpty()) continue;
+    const double least = 1e-9 * std::max(1.0, extent.center().cwiseAbs().maxCoeff());
     const double reserve = pen.px(2 * kMapReserve);
     const double free_width = std::max<double>(pen.px(10), cell(h).width - reserve);
     const double free_height = std::max<double>(pen.px(10), height - reserve);
-    scale = std::min({scale, free_width / std::max(least, extent.width()),
-                      free_height / std::max(least, extent.height())});
+    const Vec2d sizes = extent.sizes().cwiseMax(Vec2d::Constant(least));
+    scale = std::min({scale, free_width / sizes.x(), free_height / sizes.y()});
   }
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const Rect map = cell(h);
-    const trace::Pair* pair = pair_at(h, moment);
+    const trace::Pair* pair = histories_[h].pairs[moment];
     if (named) {
-      const auto left = static_cast<float>(map.x), top = static_cast<float>(rect.y);
-      draw_series_swatch(h, {left, top + 0.5f * pen.px(kWordsLine)}, kNameSwatch - 6, pen);
-      pen.text(fitted(histories_[h].name, pen.px(kChartText), FontWeight::Bold,
-                      static_cast<float>(map.width) - pen.px(kNameSwatch)),
-               {left + pen.px(kNameSwatch), top + 0.75f * pen.px(kWordsLine)}, Align::Left,
+      const Point2 left = pixel(map.x, rect.y);
+      const float swatch = pen.px(kNameSwatch);
+      draw_series_swatch(h, {left.x, left.y + 0.5f * pen.px(kWordsLine)}, kNameSwatch - 6, pen);
+      pen.text(fitted(histories_[h].name, pen.px(kChartText), Weight::Bold,
+                      static_cast<float>(map.width) - swatch),
+               left + Point2{swatch, 0.75f * pen.px(kWordsLine)}, Align::Left,
                series_style(h).color, Weight::Bold);
     }
     const ContactPlane plane(axes[h], extents[h].center(), scale, map, pen);
-    if (pair != nullptr) draw_map(*pair, plane, pen);
+    if (pair != nullptr) draw_map(*pair, plane);
     draw_words(pair, map, pen);
-    if (h + 1 < histories_.size() || scale > 1e299) continue;
-    plane.scale_bar(0.25, map.y + map.height + pen.px(0.5 * kWordsLine));
+    const bool last = h + 1 == histories_.size();
+    if (last && scale <= 1e299) plane.scale_bar(0.25, map.bottom() + pen.px(0.5 * kWordsLine));
   }
 }
 
-void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane,
-                             const Pen& pen) const {
+void StabilityPlot::draw_map(const trace::Pair& pair, const ContactPlane& plane) const {
   const trace::Stability& stability = *pair.stability;
   const std::vector<Point2> support = plane.at(stability.support);
-  if (support.size() > 2) pen.fill(support, with_alpha(kClipPolygon, 0.25f));
+  if (support.size() > 2) plane.fill(support, with_alpha(kClipPolygon, 0.25f));
   if (stability.axis && stability.verdict != "stable")
     plane.line_through((*stability.axis)[0], (*stability.axis)[1], 2.2, kNormal, 7);
-  if (support.size() > 1) pen.outline(support, 2.6, kClipPolygon);
+  if (support.size() > 1) plane.outline(support, 2.6, kClipPolygon);
   const Point2 projection = plane.at(stability.projection);
-  draw_margin(projection, support, pen);
-  const auto dot = [&](const Vec3d& position, PointState state) {
-    draw_state_dot(state, plane.at(position), pen.px(kMapDot), kContact, pen.drawing());
+  draw_margin(projection, support, plane);
+  const auto dot = [&](const trace::Point& point, PointState state) {
+    draw_state_dot(state, plane.at(point.position), plane.px(kMapDot), kContact, plane.drawing());
   };
   if (pair.incremental) {
     for (const trace::PersistentPoint& point : pair.incremental->points) {
       const PointState state = point_state(point.state);
-      if (state != PointState::Broken) dot(point.point.position, state);
+      if (state != PointState::Broken) dot(point.point, state);
     }
   } else {
-    for (const trace::Manifold& manifold : pair.manifolds) {
-      for (const trace::Point& point : manifold.points) {
-        if (has_ages_)
-          draw_square(plane.at(point.position), pen.px(kMapSquare), kContact, pen.drawing());
-        else
-          dot(point.position, PointState::New);
-      }
+    for (const PairPoint& any : all_points(pair)) {
+      if (has_ages_)
+        draw_square(plane.at(any.point->position), plane.px(kMapSquare), kContact, plane.drawing());
+      else
+        dot(*any.point, PointState::New);
     }
   }
-  draw_quartered_disc(projection, pen.px(kMapCenter), pen.px(1.4), pen.drawing());
+  draw_quartered_disc(projection, plane.px(kMapCenter), plane.px(1.4), plane.drawing());
 }
 
 void StabilityPlot::draw_words(const trace::Pair* pair, const Rect& rect, const Pen& pen) const {
-  const double first = rect.y + rect.height + 0.75 * pen.px(kWordsLine);
+  const double first = rect.bottom() + 0.75 * pen.px(kWordsLine);
   const auto write = [&](const std::string& what, double baseline, Weight weight) {
     pen.text(fitted(what, pen.px(kChartText), weight, static_cast<float>(rect.width)),
-             {static_cast<float>(rect.x), static_cast<float>(baseline)}, Align::Left, kText,
-             weight);
+             pixel(rect.x, baseline), Align::Left, kText, weight);
   };
   write(pair == nullptr ? "no contact" : pair->stability->verdict, first, Weight::Bold);
   if (pair == nullptr) return;
@@ -249,48 +227,45 @@ void StabilityPlot::draw_verdicts(std::size_t moment, const Rect& rect, const Pe
                   row * static_cast<double>(kVerdictRows.size())};
   double top = rows.y;
   for (const VerdictRow& verdict : kVerdictRows) {
-    pen.text(verdict.name,
-             {static_cast<float>(rows.x) - pen.px(6), static_cast<float>(top + 0.78 * row)},
-             Align::Right, kQuietText);
+    pen.text(verdict.name, pixel(rows.x, top + 0.78 * row) - Point2{pen.px(6), 0}, Align::Right,
+             kQuietText);
     pen.fill({rows.x, top + pen.px(1), rows.width, row - pen.px(2)}, with_alpha(kQuietText, 0.10f));
     top += row;
   }
-  for (std::size_t h = 0; h < histories_.size(); ++h) draw_verdict_line(h, moment, rows, pen);
-  draw_moment(rows, histories_[0].pairs.size(), moment, pen);
-  draw_time_axis(duration_, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
-}
-
-void StabilityPlot::draw_verdict_line(std::size_t h, std::size_t moment, const Rect& rows,
-                                      const Pen& pen) const {
-  const SeriesStyle style = series_style(h);
-  const std::vector<const trace::Pair*>& pairs = histories_[h].pairs;
-  const double column = rows.width / static_cast<double>(pairs.size());
-  // Beside each other where verdicts are the same.
-  const double aside =
-      pen.px(4.5) * (static_cast<double>(h) - 0.5 * static_cast<double>(histories_.size() - 1));
-  std::vector<Point2> corners;
-  const auto finish = [&] {
-    pen.path(corners, 2.6, style.color, style.dash);
-    corners.clear();
-  };
-  for (std::size_t f = 0; f <= moment && f < pairs.size(); ++f) {
-    const auto* known = std::ranges::find_if(kVerdictRows, [&](const VerdictRow& verdict) {
-      return pairs[f] != nullptr && pairs[f]->stability->verdict == verdict.verdict;
-    });
-    if (known == kVerdictRows.end()) {
-      finish();
-      continue;
+  const std::size_t frames = histories_[0].pairs.size();
+  const double column = rows.width / static_cast<double>(frames);
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const SeriesStyle style = series_style(h);
+    // Beside each other where verdicts are the same.
+    const double aside =
+        pen.px(4.5) * (static_cast<double>(h) - 0.5 * static_cast<double>(histories_.size() - 1));
+    std::vector<Point2> corners;
+    const auto finish = [&] {
+      pen.path(corners, 2.6, style.color, style.dash);
+      corners.clear();
+    };
+    for (std::size_t f = 0; f <= moment && f < frames; ++f) {
+      const trace::Pair* pair = histories_[h].pairs[f];
+      const auto* known = std::ranges::find_if(kVerdictRows, [&](const VerdictRow& verdict) {
+        return pair != nullptr && pair->stability->verdict == verdict.verdict;
+      });
+      if (known == kVerdictRows.end()) {
+        finish();
+        continue;
+      }
+      const auto level = static_cast<double>(known - kVerdictRows.begin());
+      const Point2 from = pixel(rows.x + column * static_cast<double>(f),
+                                rows.y + pen.px(kVerdictRow) * (level + 0.5) + aside);
+      if (corners.size() > 1 && corners.back().y == from.y)
+        corners.pop_back();  // goes on
+      else
+        corners.push_back(from);
+      corners.push_back(from + Point2{static_cast<float>(column), 0});
     }
-    const auto level = static_cast<double>(known - kVerdictRows.begin());
-    const auto y = static_cast<float>(rows.y + pen.px(kVerdictRow) * (level + 0.5) + aside);
-    const auto from = static_cast<float>(rows.x + column * static_cast<double>(f));
-    if (corners.size() > 1 && corners.back().y == y)
-      corners.pop_back();  // goes on
-    else
-      corners.push_back({from, y});
-    corners.push_back({from + static_cast<float>(column), y});
+    finish();
   }
-  finish();
+  draw_moment(rows, frames, moment, pen);
+  draw_time_axis(duration_, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
 }
 
 }  // namespace contactscope::draw

@@ -32,16 +32,11 @@ class StabilityPlot {
     std::vector<Vec3d> points;              // what must be in sight in any of them
   };
 
-  const trace::Pair* pair_at(std::size_t history, std::size_t moment) const {
-    return histories_[history].pairs[moment];
-  }
   void draw_maps(std::size_t moment, const Camera& camera, const Rect& rect, double height,
                  const Pen& pen) const;
-  void draw_map(const trace::Pair& pair, const ContactPlane& plane, const Pen& pen) const;
+  void draw_map(const trace::Pair& pair, const ContactPlane& plane) const;
   void draw_words(const trace::Pair* pair, const Rect& rect, const Pen& pen) const;
   void draw_verdicts(std::size_t moment, const Rect& rect, const Pen& pen) const;
-  void draw_verdict_line(std::size_t history, std::size_t moment, const Rect& rows,
-                         const Pen& pen) const;
 
   std::vector<History> histories_;
   SeriesChart margins_{"margin", "m"};

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <set>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "draw/charts/axis_history.h"
 #include "draw/charts/pair_history.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/palette.h"
@@ -32,65 +30,29 @@ bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
 }
 
-/// What the frames up to one come to.
-struct Counts {
-  int switches = 0;
-  int hits = 0;
-  int tests = 0;
-};
-
 /// One pair through the sequence.
 struct PairAxes {
   std::string name;
   std::vector<AxisMoment> moments;
-  std::vector<Counts> counts;
 };
 
 std::string number_of(int number, const char* one, const char* many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
-/// "2 switches", and where a cache is at work how often the full test ran.
-std::string told(const Counts& counts) {
-  std::string text = number_of(counts.switches, "switch", "switches");
-  if (counts.hits > 0)
-    text += ", " + number_of(counts.tests, "full test", "full tests") + ", " +
-            number_of(counts.hits, "cache hit", "cache hits");
+/// Up to a frame: "2 switches", and where a cache is at work how often the full test ran.
+std::string told(const std::vector<AxisMoment>& moments, std::size_t now) {
+  int switches = 0, hits = 0, tests = 0;
+  for (const AxisMoment& moment : std::span(moments).first(now + 1)) {
+    if (moment.pair == nullptr) continue;
+    switches += moment.switched;
+    ++(from_cache(*moment.pair) ? hits : tests);
+  }
+  std::string text = number_of(switches, "switch", "switches");
+  if (hits > 0)
+    text += ", " + number_of(tests, "full test", "full tests") + ", " +
+            number_of(hits, "cache hit", "cache hits");
   return text;
-}
-
-/// The pairs of which an axis is known in some frame, in the order of appearance.
-std::vector<const trace::Pair*> pairs_with_axes(const Frames& frames) {
-  std::set<std::array<std::string_view, 3>> known;
-  std::vector<const trace::Pair*> pairs;
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      if (axis_of(pair).empty()) continue;
-      if (known.insert({pair.a, pair.b, pair.label}).second) pairs.push_back(&pair);
-    }
-  }
-  return pairs;
-}
-
-PairAxes axes_of(const Frames& frames, const trace::Pair& pair) {
-  PairAxes axes;
-  axes.name = pair_name(pair);
-  axes.moments = axis_history(pair_history(frames, pair));
-  Counts counts;
-  for (const AxisMoment& moment : axes.moments) {
-    if (moment.pair != nullptr) {
-      counts.switches += moment.switched;
-      ++(from_cache(*moment.pair) ? counts.hits : counts.tests);
-    }
-    axes.counts.push_back(counts);
-  }
-  return axes;
-}
-
-bool cache_is_told(const Frames& frames) {
-  return std::ranges::any_of(frames, [](const trace::Frame& frame) {
-    return std::ranges::any_of(frame.pairs, from_cache);
-  });
 }
 
 /// Which axis made the contact, frame by frame: a switch of rows is a flip-flop, and so is a gap in
@@ -98,15 +60,18 @@ bool cache_is_told(const Frames& frames) {
 /// half as high: no axis was looked for in them.
 class AxisHistoryPanel : public PanelContent {
  public:
-  AxisHistoryPanel(const Staging& staging, const Frames& frames)
-      : scale_(staging.layout.scale), cached_(cache_is_told(frames)) {
-    const std::vector<const trace::Pair*> pairs = pairs_with_axes(frames);
+  AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
+    cached_ = std::ranges::any_of(frames, [](const trace::Frame& frame) {
+      return std::ranges::any_of(frame.pairs, from_cache);
+    });
+    const std::vector<const trace::Pair*> pairs =
+        distinct_pairs(frames, [](const trace::Pair& pair) { return !axis_of(pair).empty(); });
     count_ = pairs.size();
     // No more than a column of their own would hold.
     const double least = kLeastHistory * Sheet::line_height(scale_);
     const double most = std::max(1.0, staging.layout.panels.height / least);
     for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(most)); ++i)
-      pairs_.push_back(axes_of(frames, *pairs[i]));
+      pairs_.push_back({pair_name(*pairs[i]), axis_history(pair_history(frames, *pairs[i]))});
   }
 
   PanelNeed need(const PanelMoment&) const override {
@@ -135,7 +100,7 @@ class AxisHistoryPanel : public PanelContent {
         std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
                                       static_cast<float>(kAxisRows.size()));
     for (std::size_t p = 0; p < shown; ++p) {
-      sheet.line(pairs_[p].name + ": " + told(pairs_[p].counts[moment.frame]), kText);
+      sheet.line(pairs_[p].name + ": " + told(pairs_[p].moments, moment.frame), kText);
       draw_rows(pairs_[p].moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()) + 0.5f * line);
     }
@@ -147,15 +112,13 @@ class AxisHistoryPanel : public PanelContent {
                         const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
-    const double left = rest.x + pen.px(kNameColumn), width = rest.x + rest.width - left;
+    const double left = rest.x + pen.px(kNameColumn), width = rest.right() - left;
     const double cell = width / static_cast<double>(moments.size());
     const double gap = pen.px(1);
     const auto at = [&](std::size_t frame) { return left + cell * static_cast<double>(frame); };
     for (std::size_t r = 0; r < kAxisRows.size(); ++r) {
       const double y = rest.y + row * static_cast<double>(r);
-      pen.text(kAxisRows[r].name,
-               {static_cast<float>(rest.x),
-                static_cast<float>(y + 0.5 * row + 0.3 * sheet.text_height())},
+      pen.text(kAxisRows[r].name, pixel(rest.x, y + 0.5 * row + 0.3 * sheet.text_height()),
                Align::Left, kQuietText);
       pen.fill({left, y + gap, width, row - 2 * gap}, with_alpha(kQuietText, 0.10f));
       const auto is_here = [&](std::size_t f) {
@@ -185,7 +148,7 @@ class AxisHistoryPanel : public PanelContent {
   }
 
   float scale_;
-  bool cached_;            // some answers came from the cache
+  bool cached_ = false;    // some answers came from the cache
   std::size_t count_ = 0;  // pairs of which an axis is known
   std::vector<PairAxes> pairs_;
 };

@@ -1,17 +1,14 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "draw/insets/contact_plane.h"
-#include "draw/insets/panel_legend.h"
 #include "draw/panels/panel.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/whisker.h"
 
 namespace contactscope::draw {
 namespace {
@@ -23,11 +20,11 @@ constexpr int kRoundSteps = 96;
 
 /// Shapes of the pair that are round: their outline along the normal is context for one or two
 /// points, which have no extent of their own.
-std::vector<const trace::Shape*> round_shapes(const Staging& staging, const trace::Pair& pair) {
-  std::vector<const trace::Shape*> round;
+std::vector<const ShapeMesh*> round_shapes(const Staging& staging, const trace::Pair& pair) {
+  std::vector<const ShapeMesh*> round;
   for (const ShapeMesh& mesh : staging.meshes) {
     const bool is_of_pair = mesh.shape->name == pair.a || mesh.shape->name == pair.b;
-    if (is_of_pair && mesh.shape->radius > 0) round.push_back(mesh.shape);
+    if (is_of_pair && mesh.shape->radius > 0) round.push_back(&mesh);
   }
   return round;
 }
@@ -51,15 +48,12 @@ std::vector<Vec3d> core_of(const trace::Shape& shape, const trace::Frame& frame)
 
 /// A sphere or capsule seen along the normal.
 std::vector<Point2> outline_of(const std::vector<Point2>& core, float radius) {
-  const Point2& first = core.front();
-  const Point2& last = core.back();
+  const Point2 &first = core.front(), &last = core.back();
   std::vector<Point2> points;
   for (int i = 0; i < kRoundSteps; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRoundSteps;
     const Point2 out{std::cos(angle), std::sin(angle)};
-    const bool at_first = out.x * (first.x - last.x) + out.y * (first.y - last.y) > 0;
-    const Point2& end = at_first ? first : last;
-    points.push_back({end.x + radius * out.x, end.y + radius * out.y});
+    points.push_back((dot(out, first - last) > 0 ? first : last) + radius * out);
   }
   return points;
 }
@@ -94,14 +88,14 @@ class ContactPlanePanel : public PanelContent {
     }
     const Rect rest = sheet.rest();
     const double line = sheet.line_height();
-    const double caption = rest.y + rest.height - kCaptionLines * line;
+    const double caption = rest.bottom() - kCaptionLines * line;
     const Rect map{rest.x, rest.y, rest.width, caption - line - rest.y};
     const ContactPlane plane = plane_of(*pair, map, sheet.pen());
-    draw_round_shapes(*pair, frame, plane, sheet.pen());
-    if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane, sheet.pen());
-    const std::vector<std::string> words = draw_points(*pair, plane, sheet.pen());
+    draw_round_shapes(*pair, frame, plane);
+    if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane);
+    const std::vector<std::string> words = draw_points(*pair, plane);
     plane.scale_bar(0.3, caption - 0.2 * line);
-    sheet.skip_to(rest.y + rest.height - 2 * line);
+    sheet.skip_to(rest.bottom() - 2 * line);
     sheet.lines(words, kText);
     return {};
   }
@@ -112,53 +106,50 @@ class ContactPlanePanel : public PanelContent {
   void gather_extent(const trace::Frame& frame) {
     const trace::Pair* pair = pair_of_contact_plane(frame);
     if (pair == nullptr) return;
-    for (const trace::Manifold& manifold : pair->manifolds) {
-      for (const trace::Point& point : manifold.points) points_.push_back(point.position);
-    }
+    for (const PairPoint& any : all_points(*pair)) points_.push_back(any.point->position);
     if (pair->clip) {
       const trace::Polygon& incident = pair->clip->incident.polygon;
       points_.insert(points_.end(), incident.begin(), incident.end());
     }
-    const std::vector<const trace::Shape*> round = round_shapes(staging_, *pair);
-    const auto smallest = std::ranges::min_element(round, {}, [&](const trace::Shape* shape) {
-      return std::ranges::find(staging_.meshes, shape, &ShapeMesh::shape)->radius;
-    });
+    const std::vector<const ShapeMesh*> round = round_shapes(staging_, *pair);
+    const auto smallest = std::ranges::min_element(round, {}, &ShapeMesh::radius);
     if (smallest == round.end()) return;
-    for (const Vec3d& center : core_of(**smallest, frame))
-      balls_.push_back({center, (*smallest)->radius});
+    const trace::Shape& ball = *(*smallest)->shape;
+    for (const Vec3d& center : core_of(ball, frame)) balls_.push_back({center, ball.radius});
   }
 
   /// One scale for the sequence: the largest frame fits.
   ContactPlane plane_of(const trace::Pair& pair, const Rect& map, const Pen& pen) const {
     const PlaneAxes axes = axes_as_seen(staging_.camera, pair.manifolds.front().normal);
     PlaneExtent extent;
-    for (const Vec3d& point : points_) extent.include(axes, point);
+    for (const Vec3d& point : points_) extent.extend(axes.along(point));
     for (const auto& [center, radius] : balls_) {
       for (const Vec3d& side : {axes.u, axes.v}) {
-        extent.include(axes, center + radius * side);
-        extent.include(axes, center - radius * side);
+        extent.extend(axes.along(center + radius * side));
+        extent.extend(axes.along(center - radius * side));
       }
     }
+    const Vec2d sizes = extent.sizes().cwiseMax(Vec2d::Constant(1e-12));
     const double share = 1 - 2 * kMapFree;
-    const double scale = std::min(map.width * share / std::max(extent.width(), 1e-12),
-                                  map.height * share / std::max(extent.height(), 1e-12));
+    const double scale = std::min(map.width * share / sizes.x(), map.height * share / sizes.y());
     return {axes, extent.center(), scale, map, pen};
   }
 
   void draw_round_shapes(const trace::Pair& pair, const trace::Frame& frame,
-                         const ContactPlane& plane, const Pen& pen) const {
-    for (const trace::Shape* shape : round_shapes(staging_, pair)) {
-      const std::vector<Point2> core = plane.at(core_of(*shape, frame));
+                         const ContactPlane& plane) const {
+    for (const ShapeMesh* mesh : round_shapes(staging_, pair)) {
+      const trace::Shape& shape = *mesh->shape;
+      const std::vector<Point2> core = plane.at(core_of(shape, frame));
       if (core.empty()) continue;
-      const auto radius = static_cast<float>(shape->radius * plane.pixels_per_metre());
+      const auto radius = static_cast<float>(shape.radius * plane.pixels_per_metre);
       const std::vector<Point2> outline = outline_of(core, radius);
-      plane.area(outline, with_alpha(is_a(frame, shape->name) ? kShapeA : kShapeB, 0.55f));
+      plane.area(outline, with_alpha(is_a(frame, shape.name) ? kShapeA : kShapeB, 0.55f));
       plane.border(outline, 1.5, pale(kShapeEdge));
-      if (core.size() == 2) pen.line(core[0], core[1], 1, pale(kShapeEdge), 8, 5);
+      if (core.size() == 2) plane.line(core[0], core[1], 1, pale(kShapeEdge), 8, 5);
     }
   }
 
-  static void draw_clip(const trace::Pair& pair, const ContactPlane& plane, const Pen& pen) {
+  static void draw_clip(const trace::Pair& pair, const ContactPlane& plane) {
     const trace::Clip& clip = *pair.clip;
     const auto polygon = [&](const trace::Polygon& corners, const Color& color, float fill,
                              double dash) {
@@ -172,63 +163,53 @@ class ContactPlanePanel : public PanelContent {
     // Its dashes leave an equal clip polygon visible.
     polygon(clip.incident.polygon, kIncidentFace, 0.18f, 8);
     for (const trace::DroppedPoint& dropped : clip.dropped) {
-      if (!is_kept(pair, dropped)) draw_dropped_point(plane.at(dropped.position), pen, 1);
+      if (!is_kept(pair, dropped)) draw_dropped_point(plane.at(dropped.position), plane, 1);
     }
   }
 
   /// Returns what they come to.
-  std::vector<std::string> draw_points(const trace::Pair& pair, const ContactPlane& plane,
-                                       const Pen& pen) const {
-    if (reduction_in_contact_plane(pair)) return draw_reduction(*pair.reduction, plane, pen);
-    std::size_t count = 0;
-    for (const trace::Manifold& manifold : pair.manifolds) {
-      for (const trace::Point& point : manifold.points) draw_point(point, plane, pen);
-      count += manifold.points.size();
-    }
-    std::string text = std::to_string(count);
+  std::vector<std::string> draw_points(const trace::Pair& pair, const ContactPlane& plane) const {
+    if (reduction_in_contact_plane(pair)) return draw_reduction(*pair.reduction, plane);
+    const std::vector<PairPoint> points = all_points(pair);
+    for (const PairPoint& any : points) draw_point(*any.point, plane);
+    std::string text = std::to_string(points.size());
     if (pair.manifolds.size() > 1) {
       // Each was reduced by itself, and the record holds one of these reductions.
       return {text + " points in " + std::to_string(pair.manifolds.size()) + " manifolds"};
     }
-    text += count == 1 ? " point, no area" : " points";
-    if (count == 2) {
-      const std::vector<trace::Point>& points = pair.manifolds.front().points;
-      text += ", " + spell_length((points[1].position - points[0].position).norm()) + " apart";
+    text += points.size() == 1 ? " point, no area" : " points";
+    if (points.size() == 2) {
+      const Vec3d way = points[1].point->position - points[0].point->position;
+      text += ", " + spell_length(way.norm()) + " apart";
     }
     return {text};
   }
 
   std::vector<std::string> draw_reduction(const trace::Reduction& reduction,
-                                          const ContactPlane& plane, const Pen& pen) const {
+                                          const ContactPlane& plane) const {
     const std::vector<int>& kept = reduction.kept;
     const bool fewer = kept.size() < reduction.points.size();
-    std::vector<Point2> places;
-    for (const trace::Point& point : reduction.points) places.push_back(plane.at(point.position));
+    const std::vector<Point2> places = plane.at(reduction.points);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (std::ranges::find(kept, static_cast<int>(i)) == kept.end())
-        draw_dropped_point(places[i], pen, 1);
+        draw_dropped_point(places[i], plane, 1);
       else if (fewer)
-        draw_kept_point(places[i], pen, 1);
+        draw_kept_point(places[i], plane, 1);
       else
-        draw_point(reduction.points[i], plane, pen);
+        draw_point(reduction.points[i], plane);
     }
     if (fewer) plane.number_kept(places, kept, 1);
     std::vector<std::string> words = {"area of the kept points " + spell_area(reduction.area)};
-    if (fewer && reduction.best_area > 0) {
-      std::array<char, 64> percent{};
-      std::snprintf(percent.data(), percent.size(), "%.1f %% of the best %zu of %zu points",
-                    100 * reduction.area / reduction.best_area, kept.size(), places.size());
-      words.emplace_back(percent.data());
-    }
+    if (fewer && reduction.best_area > 0)
+      words.push_back(printed("%.1f %% of the best %zu of %zu points",
+                              100 * reduction.area / reduction.best_area, kept.size(),
+                              places.size()));
     return words;
   }
 
-  void draw_point(const trace::Point& point, const ContactPlane& plane, const Pen& pen) const {
-    const Point2 at = plane.at(point.position);
-    if (stands_off(point, staging_.scales))
-      draw_apart_point(at, pen);
-    else
-      draw_plain_point(at, pen);
+  void draw_point(const trace::Point& point, const ContactPlane& plane) const {
+    const auto draw = stands_off(point, staging_.scales) ? draw_apart_point : draw_plain_point;
+    draw(plane.at(point.position), plane);
   }
 
   struct Ball {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/layers.h"
-#include "draw/panels/column.h"
 #include "draw/panels/sheet.h"
 #include "draw/staging.h"
 #include "trace/trace.h"
@@ -22,6 +21,14 @@ namespace contactscope::draw {
 struct PanelMoment {
   std::size_t frame = 0;  // index into the frames
   std::optional<double> pipeline_nanoseconds{};
+};
+
+/// How high one panel of a column must, can and would be, in pixels.
+struct PanelNeed {
+  float least = 0;   // below this it says nothing
+  float good = 0;    // at which nothing that it shows is left out; not below `least`
+  float wanted = 0;  // where it has no use for more; 0: it takes its share of what is left
+  float share = 0;   // of what panels without a wanted height divide
 };
 
 /// What one panel shows of a sequence. It looks through the frames once, when it is made or first
@@ -48,6 +55,15 @@ struct FilledPanel {
 /// The panels that the staged view names, but for those that are insets. Staging and frames outlive
 /// them.
 std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frames);
+
+/// Divides a column among its panels: a height for each, in their order, 0 for those that have no
+/// room. Each gets its least height; from what is left first the good ones are reached and then the
+/// wanted ones, in order; the others divide the rest by their shares, none less than it has. Where
+/// even the least heights do not fit, the last panels are left out, and `note` pixels are kept below
+/// the others for a line that says so. The first panel is always there, cut to the column. `gap`:
+/// between two panels.
+std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float height, float gap,
+                                 float note);
 
 // The panels, one file each.
 std::unique_ptr<PanelContent> make_summary_panel(const Staging& staging, const Frames& frames);

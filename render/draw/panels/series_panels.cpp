@@ -16,11 +16,6 @@ constexpr double kStabilityOverTime = 64;
 constexpr double kPlotsAxis = 40;  // of time, and a row of names
 constexpr double kPlotsChart = 46;
 
-/// Charts have a text size of their own, which is not a whole number of pixels everywhere.
-Pen chart_pen(const Sheet& sheet) {
-  return {sheet.pen().drawing(), sheet.pen().scale(), kChartText};
-}
-
 /// Whether the centre of mass projects into the manifold, by what margin, and over time.
 class StabilityPanel : public PanelContent {
  public:
@@ -35,7 +30,9 @@ class StabilityPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("stability: centre of mass over the contact");
-    plot_.draw(moment.frame, staging_.camera, sheet.rest(), chart_pen(sheet));
+    // Charts have a text size of their own, which is not a whole number of pixels everywhere.
+    plot_.draw(moment.frame, staging_.camera, sheet.rest(),
+               {sheet.pen().drawing(), sheet.pen().scale(), kChartText});
     return {};
   }
 

@@ -24,7 +24,7 @@ float spacing_at(float scale) {
 }
 
 /// Baseline of text whose top is at `top`, so that its letters stand on whole pixels.
-float baseline_below(float top, float size, FontWeight weight) {
+float baseline_below(float top, float size, Weight weight) {
   return std::floor(top) + std::floor(ascent(size, weight) + 1);
 }
 
@@ -37,7 +37,7 @@ std::vector<std::string> wrapped(const std::string& text, float size, float widt
     const std::size_t space = std::min(text.find(' ', from), text.size());
     const std::string word = text.substr(from, space - from);
     const std::string longer = line.empty() ? word : line + ' ' + word;
-    if (!line.empty() && text_width(longer, size, FontWeight::Regular) > width) {
+    if (!line.empty() && text_width(longer, size, Weight::Regular) > width) {
       lines.push_back(line);
       line = word;
     } else {
@@ -56,41 +56,33 @@ Sheet::Sheet(const Rect& rect, float scale, Drawing& drawing)
       spacing_(spacing_at(scale)),
       y_(static_cast<float>(rect.y)) {}
 
-void Sheet::advance(float height) {
-  y_ = std::floor(y_ + height + spacing_);
-}
-
-void Sheet::write(const std::string& text, float x, float y, const Color& color) {
-  const auto room = static_cast<float>(rect_.x + rect_.width) - x;
-  pen_.text(fitted(text, text_, FontWeight::Regular, room),
-            {x, baseline_below(y, text_, FontWeight::Regular)}, Align::Left, color);
+void Sheet::skip(float pixels) {
+  y_ = std::floor(y_ + pixels + spacing_);
 }
 
 void Sheet::heading(const std::string& text) {
   const float scale = pen_.scale(), size = whole_size(kHeadingSize, scale);
   const auto left = static_cast<float>(rect_.x), width = static_cast<float>(rect_.width);
-  pen_.text(fitted(text, size, FontWeight::Bold, width),
-            {left, baseline_below(y_, size, FontWeight::Bold)}, Align::Left, kText, Weight::Bold,
-            size / scale);
-  advance(size);
+  pen_.text(fitted(text, size, Weight::Bold, width), {left, baseline_below(y_, size, Weight::Bold)},
+            Align::Left, kText, Weight::Bold, size / scale);
+  skip(size);
   const float middle = y_ + 0.5f;  // of a row of pixels
   pen_.line({left, middle}, {left + width, middle}, std::max(1.0f, 1 / scale),
             with_alpha(kQuietText, 0.5f));
-  advance(kUnderRule * scale);
-}
-
-void Sheet::line(const std::string& text, const Color& color) {
-  lines({text}, color);
+  skip(kUnderRule * scale);
 }
 
 void Sheet::write(const std::vector<std::string>& lines, float x, const Color& color) {
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    write(lines[i], x, y_ + text_ * static_cast<float>(i), color);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const float top = y_ + text_ * static_cast<float>(i);
+    pen_.text(fitted(lines[i], text_, Weight::Regular, static_cast<float>(rect_.right()) - x),
+              {x, baseline_below(top, text_, Weight::Regular)}, Align::Left, color);
+  }
+  skip(text_ * static_cast<float>(lines.size()));
 }
 
 void Sheet::lines(const std::vector<std::string>& all, const Color& color) {
   write(all, static_cast<float>(rect_.x), color);
-  advance(text_ * static_cast<float>(all.size()));
 }
 
 void Sheet::paragraph(const std::string& text, const Color& color) {
@@ -100,26 +92,21 @@ void Sheet::paragraph(const std::string& text, const Color& color) {
 void Sheet::row(const NamedValue& row) {
   const auto left = static_cast<float>(rect_.x);
   const float values = left + std::floor(pen_.px(kValueColumn));
-  write(row.first, left, y_, kQuietText);
-  const std::vector<std::string> all =
-      wrapped(row.second, text_, static_cast<float>(rect_.x + rect_.width) - values);
-  write(all, values, kText);
-  advance(text_ * static_cast<float>(all.size()));
-}
-
-void Sheet::skip(float pixels) {
-  advance(pixels);
+  const float top = y_;
+  write({row.first}, left, kQuietText);
+  y_ = top;
+  write(wrapped(row.second, text_, static_cast<float>(rect_.right()) - values), values, kText);
 }
 
 std::string Sheet::more(std::size_t count, const char* one, const char* many) {
   if (count == 0) return {};
-  const std::string counted = std::to_string(count) + " " + (count == 1 ? one : many);
-  line("and " + std::to_string(count) + " more " + (count == 1 ? one : many), kQuietText);
-  return counted;
+  const std::string things = count == 1 ? one : many, number = std::to_string(count);
+  line("and " + number + " more " + things, kQuietText);
+  return number + " " + things;
 }
 
 Rect Sheet::rest() const {
-  return {rect_.x, y_, rect_.width, rect_.y + rect_.height - y_};
+  return {rect_.x, y_, rect_.width, rect_.bottom() - y_};
 }
 
 float Sheet::line_height(float scale) {

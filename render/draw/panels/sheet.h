@@ -21,12 +21,13 @@ class Sheet {
 
   /// In bold, with a thin rule under it.
   void heading(const std::string& text);
-  void line(const std::string& text, const Color& color);
+  void line(const std::string& text, const Color& color) { lines({text}, color); }
   /// Close under each other.
   void lines(const std::vector<std::string>& all, const Color& color);
   void paragraph(const std::string& text, const Color& color);
   /// Names in a column of their own, left of the values.
   void row(const NamedValue& row);
+  /// Moves down past something this high. Rows begin on whole pixels.
   void skip(float pixels);
   /// Goes on at this height of the canvas.
   void skip_to(double y) { y_ = static_cast<float>(y); }
@@ -45,9 +46,6 @@ class Sheet {
   static float heading_height(float scale);
 
  private:
-  /// Moves down past something this high. Rows begin on whole pixels.
-  void advance(float height);
-  void write(const std::string& text, float x, float y, const Color& color);
   void write(const std::vector<std::string>& lines, float x, const Color& color);
 
   Rect rect_;

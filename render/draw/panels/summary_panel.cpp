@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/palette.h"
@@ -12,8 +10,6 @@ namespace {
 constexpr std::size_t kUsualRows = 5;  // of two hulls that touch
 constexpr float kAroundRows = 2.2f;    // lines of text: a heading, and space below
 constexpr float kBetweenPairs = 0.4f;  // of the height of text
-
-using Rows = std::vector<NamedValue>;
 
 std::string spoken(const std::string& axis) {
   if (axis == "face_a") return "face of A";
@@ -127,14 +123,10 @@ class SummaryPanel : public PanelContent {
   }
 
  private:
-  Rows time_rows(const PanelMoment& moment) const {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.3f s", frames_[moment.frame].time);
-    Rows rows{{"time", text.data()}};
-    if (moment.pipeline_nanoseconds) {
-      std::snprintf(text.data(), text.size(), "%.2f µs", *moment.pipeline_nanoseconds / 1000);
-      rows.emplace_back("pipeline", text.data());
-    }
+  std::vector<NamedValue> time_rows(const PanelMoment& moment) const {
+    std::vector<NamedValue> rows{{"time", printed("%.3f s", frames_[moment.frame].time)}};
+    if (moment.pipeline_nanoseconds)
+      rows.emplace_back("pipeline", printed("%.2f µs", *moment.pipeline_nanoseconds / 1000));
     return rows;
   }
 

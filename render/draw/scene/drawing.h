@@ -35,6 +35,11 @@ struct Point2 {
   friend Point2 perpendicular(const Point2& p) { return {-p.y, p.x}; }
 };
 
+/// A place that was computed in double.
+inline Point2 pixel(double x, double y) {
+  return {static_cast<float>(x), static_cast<float>(y)};
+}
+
 /// Part of a straight line.
 struct Segment2 {
   Point2 from, to;
@@ -59,8 +64,7 @@ struct Rect {
   Rect grown(double by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
   /// The point of it that is nearest to `p`.
   Point2 nearest(const Point2& p) const {
-    return {static_cast<float>(std::clamp<double>(p.x, x, right())),
-            static_cast<float>(std::clamp<double>(p.y, y, bottom()))};
+    return pixel(std::clamp<double>(p.x, x, right()), std::clamp<double>(p.y, y, bottom()));
   }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 namespace contactscope::draw {
@@ -11,12 +10,6 @@ namespace {
 
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
-}
-
-std::string printed(const char* format, int precision, double value) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, precision, value);
-  return buffer.data();
 }
 
 }  // namespace

@@ -1,8 +1,18 @@
 #pragma once
 
+#include <array>
+#include <cstdio>
 #include <string>
 
 namespace contactscope::draw {
+
+/// As std::printf prints the values, fewer than 96 characters.
+template <class... Values>
+std::string printed(const char* format, Values... values) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
 
 /// A plain number with at most four significant digits and a real minus sign.
 std::string spell_number(double value);
