@@ -1,13 +1,14 @@
 #include "study/exploration.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <tuple>
 
+#include "core/at.h"
 #include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "scenario/run.h"
+#include "study/measurement.h"
 #include "study/patch_motion.h"
 #include "study/reduction_quality.h"
 
@@ -26,24 +27,20 @@ ManifoldName manifold_name(const trace::Exploration& exploration) {
 Scenario unreduced(const Scenario& scenario) {
   Scenario result = scenario;
   result.pairs.clear();
+  const auto same_shapes = [](const ScenarioPair& pair) {
+    return [&](const ScenarioPair& other) { return other.a == pair.a && other.b == pair.b; };
+  };
   for (ScenarioPair pair : scenario.pairs) {
     pair.pipeline.reducer = "none";
-    const auto same_shapes = [&](const ScenarioPair& other) {
-      return other.a == pair.a && other.b == pair.b;
-    };
     const bool is_known = std::ranges::any_of(result.pairs, [&](const ScenarioPair& other) {
-      return same_shapes(other) && other.pipeline == pair.pipeline;
+      return same_shapes(pair)(other) && other.pipeline == pair.pipeline;
     });
     if (!is_known) result.pairs.push_back(pair);
   }
   for (ScenarioPair& pair : result.pairs) {
-    const auto of_these = [&](const ScenarioPair& other) {
-      return other.a == pair.a && other.b == pair.b;
-    };
-    if (std::ranges::count_if(result.pairs, of_these) == 1 &&
-        std::ranges::count_if(scenario.pairs, of_these) > 1) {
+    if (std::ranges::count_if(result.pairs, same_shapes(pair)) == 1 &&
+        std::ranges::count_if(scenario.pairs, same_shapes(pair)) > 1)
       pair.label.clear();
-    }
   }
   return result;
 }
@@ -64,142 +61,98 @@ class Ids {
 /// What a reducer kept in the last frame.
 struct Memory {
   std::vector<FeatureId> ids;
-  std::vector<NamedPlace> places;
+  std::vector<trace::Point> points;
 };
 
+int changed(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
+  const auto missing = [](const std::vector<FeatureId>& from, const std::vector<FeatureId>& in) {
+    return std::ranges::count_if(
+        from, [&](const FeatureId& id) { return std::ranges::find(in, id) == in.end(); });
+  };
+  return static_cast<int>(missing(before, now) + missing(now, before));
+}
+
+/// Answers for the manifolds of one pair, or of one triangle of a mesh, frame after frame.
 template <class S>
 class Explorer {
  public:
   Explorer(const std::vector<std::string>& names, int max_points)
-      : names_(names), memories_(names.size()), max_points_(max_points) {
+      : names_(names), max_points_(max_points) {
     for (const std::string& name : names) reducers_.push_back(find_reducer<S>(name));
   }
 
   /// All but whether the centre of mass is supported, which takes all manifolds of a pair.
   void answer(int frame, const trace::Manifold& manifold, bool measure_time,
               trace::Exploration& result) {
-    if (frame != last_frame_ + 1) forget();
+    // What was kept is forgotten after a frame in which the shapes did not touch.
+    if (frame != last_frame_ + 1) memories_.assign(names_.size(), {});
     last_frame_ = frame;
-    set_points(manifold);
-    const std::vector<Reduction> reductions = reduce_all();
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      result.reducers.push_back(describe(i, reductions[i].kept, manifold));
+    std::vector<ContactPoint<double>> exact;
+    std::vector<ContactPoint<S>> points;
+    std::vector<Vec3d> places;
+    for (const trace::Point& point : manifold.points) {
+      const FeatureId id = ids_.of(point.id);
+      places.push_back(point.position);
+      exact.push_back({point.position, point.separation, id});
+      // Exact: the trace holds what was computed in S.
+      points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), id});
     }
-    result.best_area = best_convex_area(manifold.normal);
-    const Reduction best = run(find_reducer<S>("optimal"), {});
-    result.best.assign(best.kept.begin(), best.kept.end());
-    if (measure_time && points_.size() > static_cast<std::size_t>(max_points_)) time_all(result);
+    const Vec3<S> normal = manifold.normal.cast<S>();
+    const auto run = [&](Reducer<S> reducer, std::span<const FeatureId> previous) {
+      ReduceOptions options;
+      options.max_points = max_points_;
+      options.previous = previous;
+      return reduce<S>(reducer, points, normal, options).kept;
+    };
+
+    std::vector<Memory> memories;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      memories_[i] = {ids_of(reductions[i].kept), places_of(reductions[i].kept, manifold)};
+      const KeptIndices kept = run(reducers_[i], memories_[i].ids);
+      Memory& now = memories.emplace_back();
+      for (const int index : kept) {
+        now.ids.push_back(at(points, index).id);
+        now.points.push_back(at(manifold.points, index));
+      }
+      trace::ReducerAnswer& answer = result.reducers.emplace_back();
+      answer.name = names_[i];
+      answer.kept.assign(kept.begin(), kept.end());
+      // `none` keeps more than max_points: it is measured against itself.
+      const ReductionQuality quality = measure_reduction(exact, manifold.normal, answer.kept,
+                                                         std::max(max_points_, count_of(kept)));
+      answer.area = quality.area;
+      answer.area_ratio = quality.area_ratio;
+      answer.deepest_kept = quality.deepest_kept;
+      answer.wrench_error = quality.wrench_error;
+      answer.depth_error = quality.depth_error;
+      if (memories_[i].ids.empty()) continue;
+      answer.ids_changed = changed(memories_[i].ids, now.ids);
+      answer.patch_moved = patch_move(memories_[i].points, now.points);
     }
+    result.best_area = best_convex_area(places, manifold.normal, max_points_);
+    const KeptIndices best = run(find_reducer<S>("optimal"), {});
+    result.best.assign(best.begin(), best.end());
+    if (measure_time && count_of(points) > max_points_) time_all(run, result);
+    memories_ = std::move(memories);
   }
 
  private:
-  /// Forgets what was kept, after a frame in which the shapes did not touch.
-  void forget() {
-    for (Memory& memory : memories_) memory = {};
-  }
-
-  void set_points(const trace::Manifold& manifold) {
-    points_.clear();
-    exact_.clear();
-    for (const trace::Point& point : manifold.points) {
-      const FeatureId id = ids_.of(point.id);
-      exact_.push_back({point.position, point.separation, id});
-      // Exact: the trace holds what was computed in S.
-      points_.push_back({point.position.cast<S>(), static_cast<S>(point.separation), id});
-    }
-    normal_ = manifold.normal.cast<S>();
-  }
-
-  Reduction run(Reducer<S> reducer, std::span<const FeatureId> previous) const {
-    ReduceOptions options;
-    options.max_points = max_points_;
-    options.previous = previous;
-    return reduce<S>(reducer, points_, normal_, options);
-  }
-
-  std::vector<Reduction> reduce_all() const {
-    std::vector<Reduction> result;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      result.push_back(run(reducers_[i], memories_[i].ids));
-    }
-    return result;
-  }
-
-  double best_convex_area(const Vec3d& normal) const {
-    std::vector<Vec3d> places;
-    for (const ContactPoint<double>& point : exact_) places.push_back(point.position);
-    return contactscope::best_convex_area(places, normal, max_points_);
-  }
-
-  trace::ReducerAnswer describe(std::size_t i, const KeptIndices& kept,
-                                const trace::Manifold& manifold) const {
-    trace::ReducerAnswer answer;
-    answer.name = names_[i];
-    answer.kept.assign(kept.begin(), kept.end());
-    // `none` keeps more than max_points: it is measured against itself.
-    const int allowed = std::max(max_points_, static_cast<int>(kept.size()));
-    const ReductionQuality quality =
-        measure_reduction(exact_, manifold.normal, answer.kept, allowed);
-    answer.area = quality.area;
-    answer.area_ratio = quality.area_ratio;
-    answer.deepest_kept = quality.deepest_kept;
-    answer.wrench_error = quality.wrench_error;
-    answer.depth_error = quality.depth_error;
-    if (!memories_[i].ids.empty()) {
-      answer.ids_changed = changed(memories_[i].ids, ids_of(kept));
-      answer.patch_moved = patch_move(memories_[i].places, places_of(kept, manifold));
-    }
-    return answer;
-  }
-
-  std::vector<FeatureId> ids_of(const KeptIndices& kept) const {
-    std::vector<FeatureId> ids;
-    for (const int index : kept) ids.push_back(exact_[static_cast<std::size_t>(index)].id);
-    return ids;
-  }
-
-  static std::vector<NamedPlace> places_of(const KeptIndices& kept,
-                                           const trace::Manifold& manifold) {
-    std::vector<NamedPlace> places;
-    for (const int index : kept) {
-      const trace::Point& point = manifold.points[static_cast<std::size_t>(index)];
-      places.push_back({point.id, point.position});
-    }
-    return places;
-  }
-
-  static int changed(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
-    const auto missing = [](const std::vector<FeatureId>& from, const std::vector<FeatureId>& in) {
-      return std::ranges::count_if(
-          from, [&](const FeatureId& id) { return std::ranges::find(in, id) == in.end(); });
-    };
-    return static_cast<int>(missing(before, now) + missing(now, before));
-  }
-
-  void time_all(trace::Exploration& result) const {
-    using Clock = std::chrono::steady_clock;
+  template <class Run>
+  void time_all(const Run& run, trace::Exploration& result) const {
     constexpr int kRounds = 41;
     constexpr int kCalls = 24;
-    std::vector<std::vector<double>> times(names_.size());
-    int kept_points = 0;  // printed nowhere, but the compiler cannot know
+    std::vector<PassTimes> times(names_.size());
     for (int round = 0; round < kRounds; ++round) {
       for (std::size_t i = 0; i < names_.size(); ++i) {
-        const Clock::time_point begin = Clock::now();
-        for (int call = 0; call < kCalls; ++call) {
-          kept_points += static_cast<int>(run(reducers_[i], memories_[i].ids).kept.size());
-        }
-        const std::chrono::duration<double, std::nano> taken = Clock::now() - begin;
-        times[i].push_back(taken.count() / kCalls);
+        times[i].measure(kCalls, [&](int) {
+          return static_cast<double>(run(reducers_[i], memories_[i].ids).size());
+        });
       }
     }
-    sink_ = kept_points;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      std::ranges::sort(times[i]);
-      result.reducers[i].min = times[i].front();
-      result.reducers[i].median = times[i][times[i].size() / 2];
-      result.reducers[i].quarter = times[i][times[i].size() * 3 / 4];
+      const std::vector<double> sorted = times[i].sorted();
+      result.reducers[i].min = sorted.front();
+      result.reducers[i].median = sorted[kRounds / 2];
+      result.reducers[i].quarter = sorted[kRounds * 3 / 4];
     }
   }
 
@@ -209,10 +162,6 @@ class Explorer {
   int max_points_;
   int last_frame_ = -2;
   Ids ids_;
-  std::vector<ContactPoint<S>> points_;
-  std::vector<ContactPoint<double>> exact_;
-  Vec3<S> normal_ = Vec3<S>::Zero();
-  mutable volatile int sink_ = 0;
 };
 
 const Pose<double>& pose_of(const trace::Frame& frame, const std::string& shape) {

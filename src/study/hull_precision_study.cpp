@@ -4,7 +4,6 @@
 #include "manifold/collide_hull_hull.h"
 #include "query/sat.h"
 #include "study/all_edge_pairs.h"
-#include "study/depth_oracle.h"
 #include "study/measurement.h"
 #include "study/overlapping_hulls.h"
 
@@ -27,19 +26,17 @@ Pose<double> earlier(const OverlappingHulls& hulls, int back) {
 
 /// A pair as one scalar sees it.
 template <class S>
-struct Case {
-  Hull<S> a, b;
-  Pose<S> b_in_a;
+struct Case : RoundedHulls<S> {
   PairCache<S> cache;  // that the steps up to this pose have left
 
-  explicit Case(const OverlappingHulls& hulls)
-      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {
+  explicit Case(const OverlappingHulls& hulls) : RoundedHulls<S>(hulls) {
     for (int back = kSteps; back > 0; --back) {
-      collide_hull_hull(a, Pose<S>(), b, earlier(hulls, back).cast<S>(), CollideOptions<S>(),
-                        &cache);
+      collide_hull_hull(this->a, Pose<S>(), this->b, earlier(hulls, back).cast<S>(),
+                        CollideOptions<S>(), &cache);
     }
   }
 };
+using Cases = HullCases<Case>;
 
 /// What a method found. With a normal: the separation along that, which need not be the least.
 struct Found {
@@ -85,27 +82,9 @@ Found cached_contact(const Case<S>& c) {
   return {separation, result.normal.template cast<double>()};
 }
 
-/// The cases of one size of hull, in both scalars.
-struct Cases {
-  std::vector<OverlappingHulls> exact;
-  std::vector<Case<float>> as_float;
-  std::vector<Case<double>> as_double;
-};
-
-Cases make_cases(std::mt19937_64& engine, int vertices, int count) {
-  Cases cases;
-  for (int i = 0; i < count; ++i) {
-    cases.exact.push_back(overlapping_hulls(engine, vertices));
-    cases.as_float.emplace_back(cases.exact.back());
-    cases.as_double.emplace_back(cases.exact.back());
-  }
-  return cases;
-}
-
 template <class S, Found (*method)(const Case<S>&)>
 Found found(const Cases& cases, std::size_t i) {
-  if constexpr (std::is_same_v<S, float>) return method(cases.as_float[i]);
-  if constexpr (std::is_same_v<S, double>) return method(cases.as_double[i]);
+  return method(cases.in<S>(i));
 }
 
 struct Method {
@@ -136,9 +115,10 @@ void judge_all(const Method& method, const Cases& cases, Measurement& measured) 
       ++measured.failed;
       continue;
     }
-    const double wanted = found.normal
-                              ? separation_along(exact.a, exact.b, exact.b_in_a, *found.normal)
-                              : exact.separation;
+    const double wanted = found.normal ? SeparationOracle(Shape<double>(exact.a), Pose<double>(),
+                                                          Shape<double>(exact.b), exact.b_in_a)
+                                             .separation_along(*found.normal, -1)
+                                       : exact.deepest.separation;
     measured.errors[0].add(std::abs(found.separation - wanted) / exact.size);
   }
 }
@@ -154,16 +134,11 @@ void judge_all(const Method& method, const Cases& cases, Measurement& measured) 
 ///
 /// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer an
 /// axis that is a little deeper, which is no error: of them the oracle measures the axis that they
-/// took (separation_along()). For float the error includes what rounding the input to float costs.
-/// A call has failed when it finds no overlap.
+/// took. For float the error includes what rounding the input to float costs. A call has failed when it
+/// finds no overlap.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress) {
-  StudyGrid grid{{},
-                 {std::begin(kVertexCounts), std::end(kVertexCounts)},
-                 options.cases.value_or(kCases),
-                 options.repetitions.value_or(kRepetitions)};
-  for (const Method& method : kMethods) grid.methods.emplace_back(method.name);
-
+  const StudyGrid grid(options, kMethods, kVertexCounts, kCases, kRepetitions);
   trace::Study study;
   study.study = "hull_precision";
   study.measure = "depth";
@@ -175,12 +150,13 @@ std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
   study.error = "error of the depth / size of the hulls";
   study.parameter = "vertices";
   std::vector<trace::Study> results{study};
-  std::vector<Cases> cases;
+  std::vector<Cases> cases(grid.parameters.size());
   std::mt19937_64 engine(options.seed);
   measure_grid(
       grid, results, progress,
       [&](std::size_t size) {
-        cases.push_back(make_cases(engine, kVertexCounts[size], grid.cases));
+        for (int i = 0; i < grid.cases; ++i)
+          cases[size].add(overlapping_hulls(engine, kVertexCounts[size]));
       },
       [&](std::size_t m, std::size_t size, Measurement& measured) {
         judge_all(kMethods[m], cases[size], measured);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/at.h"
 #include "dynamics/rest.h"
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
@@ -25,47 +26,41 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kRotationResolution = 1e-3;
 constexpr double kWanderResolution = 1e-4;
 
-/// One pair, with what its method keeps.
-class LandingPair {
- public:
-  explicit LandingPair(LandingMethod method) : method_(method) {
-    options_.reducer = find_reducer<float>("area");
-    incremental_.settings.confirm =
-        method == LandingMethod::ByIds ? Confirm::Ids : Confirm::Distance;
-  }
-  void collide_with(const Shape<float>& floor, const Pose<float>& floor_pose,
-                    const Shape<float>& box, const Pose<float>& box_pose) {
-    if (method_ == LandingMethod::OneShot)
-      collide(floor, floor_pose, box, box_pose, options_, manifolds_, &cache_);
-    else
-      collide_incremental(floor, floor_pose, box, box_pose, options_, incremental_, persistent_,
-                          manifolds_);
-  }
-  const Manifolds<float>& manifolds() const { return manifolds_; }
-
- private:
-  LandingMethod method_;
-  CollideOptions<float> options_;
-  IncrementalOptions incremental_;
-  PairCache<float> cache_;
-  PersistentManifold<float> persistent_;
-  Manifolds<float> manifolds_;
-};
-
-Shape<float> landing_floor() {
-  return shape_cast<float>(make_box(Vec3d(20, 0.5, 20)));
-}
-
 Pose<float> floor_pose() {
   return {Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
 }
+
+/// A box on the floor, with what its method keeps from frame to frame.
+struct LandingPair {
+  Shape<float> floor, box;
+  LandingMethod method;
+  CollideOptions<float> options;
+  IncrementalOptions incremental;
+  PairCache<float> cache;
+  PersistentManifold<float> persistent;
+  Manifolds<float> manifolds;
+
+  LandingPair(const LandingCase& c, LandingMethod by)
+      : floor(shape_cast<float>(make_box(Vec3d(20, 0.5, 20)))),
+        box(shape_cast<float>(make_box(c.half_extents))),
+        method(by) {
+    options.reducer = find_reducer<float>("area");
+    incremental.settings.confirm = by == LandingMethod::ByIds ? Confirm::Ids : Confirm::Distance;
+  }
+  void collide_at(const Pose<float>& box_pose) {
+    if (method == LandingMethod::OneShot)
+      collide(floor, floor_pose(), box, box_pose, options, manifolds, &cache);
+    else
+      collide_incremental(floor, floor_pose(), box, box_pose, options, incremental, persistent,
+                          manifolds);
+  }
+};
 
 Pose<double> start_of(const LandingCase& c) {
   constexpr double kGap = 1e-3;
   Pose<double> pose;
   pose.rotation = Quatd(Eigen::AngleAxisd(c.yaw, Vec3d::UnitY()));
-  double height = kGap;
-  if (c.landing == Landing::Drop) height = c.parameter;
+  const double height = c.landing == Landing::Drop ? c.parameter : kGap;
   double lowest = -c.half_extents.y();
   if (c.landing == Landing::Tilt) {
     pose.rotation = pose.rotation * Quatd(Eigen::AngleAxisd(c.parameter, Vec3d::UnitX()));
@@ -87,19 +82,16 @@ double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd&
   return std::atan2(before.cross(after).norm(), before.dot(after)) * kDegrees;
 }
 
-Shape<float> landing_box(const LandingCase& c) {
-  return shape_cast<float>(make_box(c.half_extents));
-}
-
 /// Follows the manifold from frame to frame.
-class LandingWatch {
- public:
-  LandingWatch(const LandingCase& c, LandingOutcome& outcome)
-      : size_(std::max(c.half_extents.x(), c.half_extents.z())), outcome_(outcome) {}
+struct LandingWatch {
+  double size;  // metres, of the box
+  LandingOutcome& outcome;
+  int frames = 0;                 // since the first contact
+  std::optional<Vec3d> before{};  // middle of the contact points, in the box
 
   void look(const Manifolds<float>& manifolds, const Body<float>& body) {
-    if (manifolds.empty() && !before_) return;
-    ++frames_;
+    if (manifolds.empty() && !before) return;
+    ++frames;
     if (manifolds.empty()) return;
     std::vector<Vec3d> points;
     Vec3d middle = Vec3d::Zero();
@@ -111,18 +103,12 @@ class LandingWatch {
     const double rounding =
         rounding_of(points, center, static_cast<double>(std::numeric_limits<float>::epsilon()));
     const Resting resting = rest_of(points, manifolds[0].normal.cast<double>(), center, rounding);
-    if (outcome_.frames_to_stable == 0 && resting.rest == Rest::Stable)
-      outcome_.frames_to_stable = frames_;
+    if (outcome.frames_to_stable == 0 && resting.rest == Rest::Stable)
+      outcome.frames_to_stable = frames;
     const Vec3d in_box = body.pose().cast<double>().inverse_transform(middle);
-    if (before_) outcome_.wander += Vec3d(in_box - *before_).norm() / size_;
-    before_ = in_box;
+    if (before) outcome.wander += Vec3d(in_box - *before).norm() / size;
+    before = in_box;
   }
-
- private:
-  double size_;
-  LandingOutcome& outcome_;
-  int frames_ = 0;
-  std::optional<Vec3d> before_;
 };
 
 struct LandingPanel {
@@ -153,12 +139,11 @@ LandingCase random_landing(const LandingPanel& panel, double parameter, std::mt1
 
 void time_landing(const LandingCase& c, LandingMethod method, const LandingOutcome& outcome,
                   int repetitions, PassTimes& times) {
-  const Shape<float> floor = landing_floor(), box = landing_box(c);
   for (int repetition = 0; repetition < repetitions; ++repetition) {
-    LandingPair pair(method);
-    times.measure(static_cast<int>(outcome.poses.size()), [&](int i) {
-      pair.collide_with(floor, floor_pose(), box, outcome.poses[static_cast<std::size_t>(i)]);
-      return static_cast<double>(pair.manifolds().size());
+    LandingPair pair(c, method);
+    times.measure(count_of(outcome.poses), [&](int i) {
+      pair.collide_at(at(outcome.poses, i));
+      return static_cast<double>(pair.manifolds.size());
     });
   }
 }
@@ -166,11 +151,11 @@ void time_landing(const LandingCase& c, LandingMethod method, const LandingOutco
 }  // namespace
 
 LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
-  const Shape<float> floor = landing_floor(), box = landing_box(c);
+  LandingPair pair(c, method);
   const Pose<double> start = start_of(c);
   std::vector<Body<float>> bodies{
       static_body<float>(floor_pose()),
-      dynamic_body<float>(start.cast<float>(), *mass_properties(box, 1000))};
+      dynamic_body<float>(start.cast<float>(), *mass_properties(pair.box, 1000))};
   Body<float>& body = bodies[1];
   if (c.landing == Landing::Slide) {
     const Vec3d velocity = start.rotate(Vec3d(c.parameter, 0, 0));
@@ -179,16 +164,15 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   SolverSettings settings;
   settings.slop = kStackSlop;
   settings.speculative_margin = 0;  // frames count from the touch
-  LandingPair pair(method);
   LandingOutcome outcome;
-  LandingWatch watch(c, outcome);
+  LandingWatch watch{std::max(c.half_extents.x(), c.half_extents.z()), outcome};
   std::vector<PairImpulses<float>> impulses;
   const Vec3<float> gravity(0, -9.81F, 0);
   for (int frame = 0; frame < frames; ++frame) {
     outcome.poses.push_back(body.pose());
-    pair.collide_with(floor, floor_pose(), box, body.pose());
-    watch.look(pair.manifolds(), body);
-    const PairContacts<float> contacts{0, 1, &pair.manifolds(), 0.6F, 0};
+    pair.collide_at(body.pose());
+    watch.look(pair.manifolds, body);
+    const PairContacts<float> contacts{0, 1, &pair.manifolds, 0.6F, 0};
     solve_step<float>(bodies, {&contacts, 1}, impulses, gravity, settings, kFrame);
     outcome.rotation = std::max(
         outcome.rotation, impossible_rotation(c, start.rotation, body.rotation.cast<double>()));
@@ -223,8 +207,8 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                  "way of the patch / half length of the box")};
   results[1].resolution = kRotationResolution;
   results[2].resolution = kWanderResolution;
-  const int total = static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods));
-  int done = 0;
+  const StudyStep step =
+      counted(progress, static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods)));
   for (const LandingPanel& panel : kLandingPanels) {
     for (int m = 0; m < 3; ++m) {
       begin_series(results, {kLandingMethods[m], {}, panel.parameter, panel.parameter, {}});
@@ -246,7 +230,7 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
         }
         add_point(results, value, measured);
       }
-      progress(++done, total, std::string(panel.parameter) + ", " + kLandingMethods[m]);
+      step(std::string(panel.parameter) + ", " + kLandingMethods[m]);
     }
   }
   return results;

@@ -4,25 +4,22 @@
 
 namespace contactscope {
 
-void Errors::write(trace::StudyPoint& point) const {
-  if (count_ == 0) return;
-  point.error = sum_ / count_;
-  point.error_worst = worst_;
-}
-
 double PassTimes::now() {
   const std::chrono::duration<double, std::nano> time =
       std::chrono::steady_clock::now().time_since_epoch();
   return time.count();
 }
 
+std::vector<double> PassTimes::sorted() const {
+  std::vector<double> times = times_;
+  std::ranges::sort(times);
+  return times;
+}
+
 trace::Nanoseconds PassTimes::summary() const {
-  std::vector<double> sorted = times_;
-  std::ranges::sort(sorted);
-  const std::size_t middle = sorted.size() / 2;
-  const double median =
-      sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
-  return {median, sorted.front(), sorted.back()};
+  const std::vector<double> times = sorted();
+  const double median = 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
+  return {median, times.front(), times.back()};
 }
 
 trace::StudyPoint Measurement::point(double parameter, std::size_t measure) const {
@@ -31,7 +28,11 @@ trace::StudyPoint Measurement::point(double parameter, std::size_t measure) cons
   result.nanoseconds = times.summary();
   result.failed = failed;
   result.of = of;
-  errors[measure].write(result);
+  const Errors& found = errors[measure];
+  if (found.count > 0) {
+    result.error = found.sum / found.count;
+    result.error_worst = found.worst;
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,22 +9,27 @@
 
 namespace contactscope {
 
-/// Mean and worst error over the cases that did not fail.
-class Errors {
- public:
-  void add(double error) {
-    sum_ += error;
-    worst_ = std::max(worst_, error);
-    ++count_;
-  }
-  /// Leaves both empty where nothing was added.
-  void write(trace::StudyPoint& point) const;
+/// Mean and worst error over the cases that did not fail; none where there is no such case.
+struct Errors {
+  double sum = 0, worst = 0;
+  int count = 0;
 
- private:
-  double sum_ = 0;
-  double worst_ = 0;
-  int count_ = 0;
+  void add(double error) {
+    sum += error;
+    worst = std::max(worst, error);
+    ++count;
+  }
 };
+
+/// Tells of the next step of a study.
+using StudyStep = std::function<void(const std::string& what)>;
+
+/// One that counts up to `total`. `progress` must outlive it.
+inline StudyStep counted(const StudyProgress& progress, int total) {
+  return [&progress, total, done = 0](const std::string& what) mutable {
+    progress(++done, total, what);
+  };
+}
 
 /// Times of one method, nanoseconds a call, one a repetition.
 class PassTimes {
@@ -40,6 +46,7 @@ class PassTimes {
   }
   void add(double nanoseconds) { times_.push_back(nanoseconds); }
 
+  std::vector<double> sorted() const;
   /// At least one repetition was measured.
   trace::Nanoseconds summary() const;
 
@@ -75,8 +82,18 @@ void add_point(std::vector<trace::Study>& results, double parameter, const Measu
 struct StudyGrid {
   std::vector<std::string> methods;
   std::vector<double> parameters;
-  int cases = 1;  // a parameter
-  int repetitions = 1;
+  int cases;  // a parameter
+  int repetitions;
+
+  /// `list`: anything with a `name` each. The options go before the study's own numbers.
+  template <class Methods>
+  StudyGrid(const StudyOptions& options, const Methods& list, std::span<const int> every_parameter,
+            int own_cases, int own_repetitions)
+      : parameters(every_parameter.begin(), every_parameter.end()),
+        cases(options.cases.value_or(own_cases)),
+        repetitions(options.repetitions.value_or(own_repetitions)) {
+    for (const auto& method : list) methods.emplace_back(method.name);
+  }
 };
 
 /// Steps: for each parameter make its cases, `prepare(p)`, and let each method be judged by them,
@@ -91,14 +108,12 @@ void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
   Measurement empty(results.size());
   empty.of = grid.cases;
   std::vector<std::vector<Measurement>> measured(methods, {parameters, empty});
-  const int steps = static_cast<int>(parameters) + grid.repetitions;
-  int done = 0;
+  const StudyStep step = counted(progress, static_cast<int>(parameters) + grid.repetitions);
   for (std::size_t p = 0; p < parameters; ++p) {
     prepare(p);
     for (std::size_t m = 0; m < methods; ++m) judge(m, p, measured[m][p]);
-    progress(++done, steps,
-             "errors of " + std::to_string(static_cast<int>(grid.parameters[p])) + " " +
-                 results.front().parameter);
+    step("errors of " + std::to_string(static_cast<int>(grid.parameters[p])) + " " +
+         results.front().parameter);
   }
   for (int repetition = 0; repetition < grid.repetitions; ++repetition) {
     for (std::size_t p = 0; p < parameters; ++p) {
@@ -108,7 +123,7 @@ void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
             grid.cases, [&](int i) { return call(m, p, static_cast<std::size_t>(i)); });
       }
     }
-    progress(++done, steps, "times");
+    step("times");
   }
   for (std::size_t m = 0; m < methods; ++m) {
     begin_series(results, {grid.methods[m], {}});

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "geometry/hull_builder.h"
-#include "study/depth_oracle.h"
 #include "study/uniform.h"
 
 namespace contactscope {
@@ -49,9 +48,9 @@ OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
       reach_b = std::max(reach_b, -direction.dot(hulls.b_in_a.rotate(v)));
     }
     hulls.b_in_a.position = (reach_a + reach_b - overlap) * direction;
-    hulls.separation = oracle_separation(hulls.a, hulls.b, hulls.b_in_a);
+    hulls.deepest = oracle_axis(hulls.a, hulls.b, hulls.b_in_a);
     // A kiss is no overlap: what float makes of it is chance.
-    if (hulls.separation < -1e-3 * hulls.size) return hulls;
+    if (hulls.deepest.separation < -1e-3 * hulls.size) return hulls;
   }
 }
 

@@ -1,19 +1,11 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "core/pose.h"
 #include "trace/trace.h"
 
 namespace contactscope {
-
-/// A contact point, and what names it from frame to frame.
-struct NamedPlace {
-  std::string id;
-  Vec3d position = Vec3d::Zero();  // world, metres
-};
 
 /// How far a manifold moved from one frame to the next, in metres: the largest move of any of its
 /// points, or of their middle if that is more. A point that bears the same id in both moves between
@@ -21,7 +13,7 @@ struct NamedPlace {
 /// nearest place after. So four points that give way to four others about the same middle have
 /// moved, and an id that is spelled anew at the same place has not. 0 where either frame has no
 /// points.
-double patch_move(std::span<const NamedPlace> before, std::span<const NamedPlace> now);
+double patch_move(std::span<const trace::Point> before, std::span<const trace::Point> now);
 
 /// How far any surface point of a shape moved between two poses, in metres, of those looked at: its
 /// vertices and, as a plane has none and a sphere's is its centre, what it has now at `contacts`

@@ -1,8 +1,7 @@
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "query/penetration.h"
-#include "study/depth_oracle.h"
 #include "study/measurement.h"
 #include "study/overlapping_hulls.h"
 #include "study/uniform.h"
@@ -10,36 +9,12 @@
 namespace contactscope {
 namespace {
 
+constexpr int kEfforts[] = {1, 2, 3, 4, 5, 6};
 constexpr int kDepthVertices = 32;
 constexpr int kDepthCases = 200;
 constexpr int kDepthRepetitions = 7;
 
-/// A pair as one scalar sees it.
-template <class S>
-struct DeepPair {
-  Hull<S> a, b;
-  Pose<S> b_in_a;
-
-  explicit DeepPair(const OverlappingHulls& hulls)
-      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
-};
-
-struct DeepCases {
-  std::vector<double> sizes;  // metres
-  std::vector<OracleAxis> truth;
-  std::vector<DeepPair<float>> as_float;
-  std::vector<DeepPair<double>> as_double;
-
-  int count() const { return static_cast<int>(sizes.size()); }
-  template <class S>
-  const DeepPair<S>& at(std::size_t i) const {
-    if constexpr (sizeof(S) == sizeof(float)) {
-      return as_float[i];
-    } else {
-      return as_double[i];
-    }
-  }
-};
+using DeepCases = HullCases<RoundedHulls>;
 
 DeepCases make_deep_cases(std::uint64_t seed, int count) {
   std::mt19937_64 engine(seed);
@@ -49,123 +24,89 @@ DeepCases make_deep_cases(std::uint64_t seed, int count) {
     if (i % 2 == 1) {
       const Vec3d between = hulls.b_in_a.transform(hulls.b.centroid) - hulls.a.centroid;
       hulls.b_in_a.position -= uniform(engine, 0.5, 1.0) * between;
+      hulls.deepest = oracle_axis(hulls.a, hulls.b, hulls.b_in_a);
     }
-    cases.sizes.push_back(hulls.size);
-    cases.truth.push_back(oracle_axis(hulls.a, hulls.b, hulls.b_in_a));
-    cases.as_float.emplace_back(hulls);
-    cases.as_double.emplace_back(hulls);
+    cases.add(hulls);
   }
   return cases;
 }
 
-/// What the method was given.
-struct Effort {
-  double parameter = 0;  // 1 is the least
-  double tolerance = 0;
-  int iterations = 0;
-  int samples = 64;
-};
+/// What a method gets more of with each effort.
+enum class Effort { Same, Tolerance, Iterations, Directions, DirectionsInOneRound };
+
+/// `effort` counts from 0 here.
+template <class S>
+PenetrationOptions<S> options_at(Effort kind, std::size_t effort) {
+  constexpr double kTolerances[] = {1e-1, 1e-2, 1e-3,
+                                    1e-4, 1e-5, 0};  // at last what rounding allows
+  PenetrationOptions<S> options;
+  if (kind == Effort::Tolerance) options.tolerance = static_cast<S>(kTolerances[effort]);
+  if (kind == Effort::Iterations) options.max_iterations = 2 << effort;
+  if (kind == Effort::DirectionsInOneRound) options.max_iterations = 1;
+  options.samples = 8 << (2 * effort);
+  return options;
+}
 
 struct FoundDepth {
-  bool has_depth;
-  bool converged;
+  PenetrationStatus status;
   double depth;
   Vec3d normal;
 };
 
-template <class S>
-FoundDepth run_method(PenetrationMethod method, const Effort& effort, const DeepPair<S>& pair) {
-  PenetrationOptions<S> options;
-  options.tolerance = static_cast<S>(effort.tolerance);
-  options.max_iterations = effort.iterations;
-  options.samples = effort.samples;
-  const PenetrationResult<S> found =
-      penetration(method, support_set(pair.a), support_set(pair.b), pair.b_in_a, options);
-  return {has_depth(found.status), found.status == PenetrationStatus::Converged,
-          static_cast<double>(found.depth), found.normal.template cast<double>()};
-}
-
 struct DepthSeries {
-  std::string name;
-  PenetrationMethod method;
+  const char* name;
   bool is_float;
-  std::vector<Effort> efforts;  // by growing parameter
+  PenetrationMethod method;
+  Effort effort;
 
-  FoundDepth run(const Effort& effort, const DeepCases& cases, std::size_t i) const {
-    return is_float ? run_method(method, effort, cases.at<float>(i))
-                    : run_method(method, effort, cases.at<double>(i));
+  template <class S>
+  FoundDepth find_in(std::size_t at, const RoundedHulls<S>& pair) const {
+    const PenetrationResult<S> found = penetration(method, support_set(pair.a), support_set(pair.b),
+                                                   pair.b_in_a, options_at<S>(effort, at));
+    return {found.status, static_cast<double>(found.depth), found.normal.template cast<double>()};
+  }
+  FoundDepth find(std::size_t at, const DeepCases& cases, std::size_t i) const {
+    return is_float ? find_in(at, cases.in<float>(i)) : find_in(at, cases.in<double>(i));
   }
 };
 
-constexpr int kEfforts = 6;
-
-/// One of each effort; every series has as many, so that they make a table.
-template <class Make>
-std::vector<Effort> efforts(const Make& make) {
-  std::vector<Effort> list;
-  for (int effort = 1; effort <= kEfforts; ++effort) list.push_back(make(effort));
-  return list;
-}
-
-/// 0.1 to 1e-5, then what rounding allows.
-std::vector<Effort> tolerances() {
-  constexpr double kTolerances[kEfforts] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0};
-  return efforts([&](int effort) { return Effort{1.0 * effort, kTolerances[effort - 1], 0, 64}; });
-}
-
-/// 2 to 64.
-std::vector<Effort> iteration_caps() {
-  return efforts([](int effort) { return Effort{1.0 * effort, 0, 1 << effort, 64}; });
-}
-
-/// 8 to 8192. `rounds` of the search about the best; 0: until it converges.
-std::vector<Effort> sample_counts(int rounds) {
-  return efforts([&](int effort) { return Effort{1.0 * effort, 0, rounds, 2 << (2 * effort)}; });
-}
-
-/// The same each time.
-std::vector<Effort> no_choice() {
-  return efforts([](int effort) { return Effort{1.0 * effort, 0, 0, 64}; });
-}
-
-std::vector<DepthSeries> every_series() {
-  using enum PenetrationMethod;
-  return {
-      {"float, SAT", Sat, true, no_choice()},
-      {"float, EPA by tolerance", Epa, true, tolerances()},
-      {"float, MPR by tolerance", Mpr, true, tolerances()},
-      {"float, sampling", Sampling, true, sample_counts(0)},
-      {"double, SAT", Sat, false, no_choice()},
-      {"double, EPA by tolerance", Epa, false, tolerances()},
-      {"double, EPA by iterations", Epa, false, iteration_caps()},
-      {"double, MPR by tolerance", Mpr, false, tolerances()},
-      {"double, MPR by iterations", Mpr, false, iteration_caps()},
-      {"double, sampling", Sampling, false, sample_counts(0)},
-      {"double, sampling, one round", Sampling, false, sample_counts(1)},
-  };
-}
+constexpr DepthSeries kDepthSeries[] = {
+    {"float, SAT", true, PenetrationMethod::Sat, Effort::Same},
+    {"float, EPA by tolerance", true, PenetrationMethod::Epa, Effort::Tolerance},
+    {"float, MPR by tolerance", true, PenetrationMethod::Mpr, Effort::Tolerance},
+    {"float, sampling", true, PenetrationMethod::Sampling, Effort::Directions},
+    {"double, SAT", false, PenetrationMethod::Sat, Effort::Same},
+    {"double, EPA by tolerance", false, PenetrationMethod::Epa, Effort::Tolerance},
+    {"double, EPA by iterations", false, PenetrationMethod::Epa, Effort::Iterations},
+    {"double, MPR by tolerance", false, PenetrationMethod::Mpr, Effort::Tolerance},
+    {"double, MPR by iterations", false, PenetrationMethod::Mpr, Effort::Iterations},
+    {"double, sampling", false, PenetrationMethod::Sampling, Effort::Directions},
+    {"double, sampling, one round", false, PenetrationMethod::Sampling,
+     Effort::DirectionsInOneRound},
+};
 
 double angle_between(const Vec3d& one, const Vec3d& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-void judge_depths(const DepthSeries& series, const Effort& effort, const DeepCases& cases,
+void judge_depths(const DepthSeries& series, std::size_t effort, const DeepCases& cases,
                   Measurement& measured) {
   const double epsilon = series.is_float
                              ? static_cast<double>(std::numeric_limits<float>::epsilon())
                              : std::numeric_limits<double>::epsilon();
-  for (std::size_t i = 0; i < cases.sizes.size(); ++i) {
-    const FoundDepth found = series.run(effort, cases, i);
-    const double truth = -cases.truth[i].separation;
-    measured.errors[2].add(found.converged ? 0 : 1);
+  for (std::size_t i = 0; i < cases.exact.size(); ++i) {
+    const FoundDepth found = series.find(effort, cases, i);
+    const OverlappingHulls& exact = cases.exact[i];
+    const double truth = -exact.deepest.separation;
+    measured.errors[2].add(found.status == PenetrationStatus::Converged ? 0 : 1);
     // Both hulls reach about their size from their frames; float rounds its input as well.
-    const bool is_short = found.depth < truth - 64 * epsilon * cases.sizes[i];
-    if (!found.has_depth || is_short) {
+    const bool is_short = found.depth < truth - 64 * epsilon * exact.size;
+    if (!has_depth(found.status) || is_short) {
       ++measured.failed;
       continue;
     }
-    measured.errors[0].add(std::abs(found.depth - truth) / cases.sizes[i]);
-    measured.errors[1].add(angle_between(found.normal, cases.truth[i].normal));
+    measured.errors[0].add(std::abs(found.depth - truth) / exact.size);
+    measured.errors[1].add(angle_between(found.normal, exact.deepest.normal));
   }
 }
 
@@ -192,12 +133,7 @@ void judge_depths(const DepthSeries& series, const Effort& effort, const DeepCas
 /// failure here: that is what is studied.
 std::vector<trace::Study> study_penetration(const StudyOptions& options,
                                             const StudyProgress& progress) {
-  const std::vector<DepthSeries> list = every_series();
-  StudyGrid grid{{},
-                 {1, 2, 3, 4, 5, 6},
-                 options.cases.value_or(kDepthCases),
-                 options.repetitions.value_or(kDepthRepetitions)};
-  for (const DepthSeries& series : list) grid.methods.push_back(series.name);
+  const StudyGrid grid(options, kDepthSeries, kEfforts, kDepthCases, kDepthRepetitions);
   const DeepCases cases = make_deep_cases(options.seed, grid.cases);
 
   trace::Study study;
@@ -220,10 +156,10 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
   measure_grid(
       grid, results, progress, [](std::size_t) {},
       [&](std::size_t s, std::size_t e, Measurement& measured) {
-        judge_depths(list[s], list[s].efforts[e], cases, measured);
+        judge_depths(kDepthSeries[s], e, cases, measured);
       },
       [&](std::size_t s, std::size_t e, std::size_t i) {
-        return list[s].run(list[s].efforts[e], cases, i).depth;
+        return kDepthSeries[s].find(e, cases, i).depth;
       });
   for (trace::StudySeries& series : results[2].series) {
     for (trace::StudyPoint& point : series.points) point.failed = 0;  // they have a status

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ranges>
 #include <vector>
 
 #include "core/at.h"
@@ -51,28 +52,21 @@ ReduceOptions reduce_options(int index) {
   return options;
 }
 
-/// A manifold to reduce, and the frames that led to it, the oldest first.
-struct Case {
-  ContactPolygon polygon;
-  std::vector<ContactPolygon> before;
-};
+/// A manifold to reduce, and before it the frames that led to it, the oldest first.
+using Case = std::vector<ContactPolygon>;
 
 Case make_case(std::mt19937_64& engine, std::mt19937_64& motion, int count) {
-  Case result;
-  result.polygon = elliptical_polygon(engine, count);
-  const ContactPolygon* next = &result.polygon;
-  for (int i = 0; i < kFramesBefore; ++i) {
-    result.before.push_back(neighbouring_frame(*next, kMoveOfFrame, motion));
-    next = &result.before.back();
-  }
-  std::ranges::reverse(result.before);
-  return result;
+  Case frames = {elliptical_polygon(engine, count)};
+  for (int i = 0; i < kFramesBefore; ++i)
+    frames.push_back(neighbouring_frame(frames.back(), kMoveOfFrame, motion));
+  std::ranges::reverse(frames);
+  return frames;
 }
 
 /// What a method that remembers kept in the last of the frames before.
-std::vector<FeatureId> remembered(const Method& method, const Case& one) {
+std::vector<FeatureId> remembered(const Method& method, const Case& frames) {
   std::vector<FeatureId> ids;
-  for (const ContactPolygon& frame : one.before) {
+  for (const ContactPolygon& frame : frames | std::views::take(kFramesBefore)) {
     ReduceOptions options = reduce_options(0);
     options.previous = ids;
     const Reduction reduction = reduce<float>(method.reducer, frame.points, frame.normal, options);
@@ -90,10 +84,6 @@ ReductionQuality judge(const Reduction& reduction, const ContactPolygon& polygon
   }
   const Vec3d normal = polygon.normal.cast<double>().normalized();
   return measure_reduction(points, normal, {reduction.kept.begin(), reduction.kept.size()}, kKept);
-}
-
-double without_rounding(double error) {
-  return error < kRounding ? 0 : error;
 }
 
 }  // namespace
@@ -119,11 +109,7 @@ double without_rounding(double error) {
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
   const std::vector<Method> all = methods();
-  StudyGrid grid{{},
-                 {std::begin(kPointCounts), std::end(kPointCounts)},
-                 options.cases.value_or(kCases),
-                 options.repetitions.value_or(kRepetitions)};
-  for (const Method& method : all) grid.methods.push_back(method.name);
+  const StudyGrid grid(options, all, kPointCounts, kCases, kRepetitions);
 
   const std::string cases_spelled = std::to_string(grid.cases) +
                                     " elliptical polygons a point, seed " +
@@ -149,10 +135,11 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   std::vector<std::vector<Memory>> memory(all.size(), std::vector<Memory>(cases.size()));
   std::mt19937_64 engine(options.seed);
   std::mt19937_64 motion(~options.seed);  // its own: the polygons are the same whatever moves them
+  const auto without_rounding = [](double error) { return error < kRounding ? 0 : error; };
   const auto reduced = [&](std::size_t m, std::size_t p, std::size_t i) {
     ReduceOptions reduce_by = reduce_options(static_cast<int>(i));
     if (all[m].remembers) reduce_by.previous = memory[m][p][i];
-    const ContactPolygon& polygon = cases[p][i].polygon;
+    const ContactPolygon& polygon = cases[p][i].back();
     return reduce<float>(all[m].reducer, polygon.points, polygon.normal, reduce_by);
   };
   measure_grid(
@@ -165,7 +152,7 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
       [&](std::size_t m, std::size_t p, Measurement& measured) {
         for (std::size_t i = 0; i < cases[p].size(); ++i) {
           if (all[m].remembers) memory[m][p].push_back(remembered(all[m], cases[p][i]));
-          const ReductionQuality quality = judge(reduced(m, p, i), cases[p][i].polygon);
+          const ReductionQuality quality = judge(reduced(m, p, i), cases[p][i].back());
           measured.failed += quality.area > 0 ? 0 : 1;
           measured.errors[0].add(without_rounding(1 - quality.area_ratio));
           measured.errors[1].add(without_rounding(quality.wrench_error));

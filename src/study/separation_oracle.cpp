@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
+
 namespace contactscope {
 namespace {
 
-using Real = long double;
-using Vec = Vec3<Real>;
+using Real = OracleBody::Real;
+using Vec = OracleBody::Vec;
+using Core = OracleBody::Core;
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 // Edges nearer to parallel have no cross product in 64 bits of mantissa.
@@ -21,11 +24,8 @@ Vec normalized(const Vec& v) {
 /// By the fan of triangles about the first vertex.
 Vec face_normal(const std::vector<Vec>& face) {
   Vec sum = Vec::Zero();
-  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    const Vec first = face[i] - face[0];
-    const Vec second = face[i + 1] - face[0];
-    sum += first.cross(second);
-  }
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    sum += Vec(face[i] - face[0]).cross(Vec(face[i + 1] - face[0]));
   return normalized(sum);
 }
 
@@ -57,30 +57,17 @@ Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec
   return std::min(best, point_to_segment(Vec(one.first + s * along), other));
 }
 
-template <class S>
-std::vector<std::vector<int>> loops_of(const Hull<S>& hull) {
-  std::vector<std::vector<int>> loops;
-  for (int face = 0; face < hull.face_count(); ++face) loops.push_back(face_vertices(hull, face));
-  return loops;
-}
-
-}  // namespace
-
 /// Edges are those of the loops, each once: a loop's edge runs from a lower to a higher index in
 /// one of its two faces.
-SeparationOracle::Core SeparationOracle::make_core(std::vector<Vec> vertices,
-                                                   const std::vector<std::vector<int>>& loops) {
+Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& loops) {
   Core core;
   for (const std::vector<int>& loop : loops) {
     std::vector<Vec>& face = core.faces.emplace_back();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int from = loop[i];
       const int to = loop[(i + 1) % loop.size()];
-      face.push_back(vertices[static_cast<std::size_t>(from)]);
-      if (from < to) {
-        core.edges.emplace_back(vertices[static_cast<std::size_t>(from)],
-                                vertices[static_cast<std::size_t>(to)]);
-      }
+      face.push_back(at(vertices, from));
+      if (from < to) core.edges.emplace_back(at(vertices, from), at(vertices, to));
     }
     core.normals.push_back(face_normal(face));
   }
@@ -89,9 +76,13 @@ SeparationOracle::Core SeparationOracle::make_core(std::vector<Vec> vertices,
 }
 
 template <class S>
-SeparationOracle::Body SeparationOracle::make_body(const Shape<S>& shape, const Mat3<Real>& turn,
-                                                   const Vec& position) {
-  Body body;
+Mat3<Real> turn_of(const Pose<S>& pose) {
+  return pose.rotation.template cast<Real>().normalized().toRotationMatrix();
+}
+
+template <class S>
+OracleBody make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& position) {
+  OracleBody body;
   const auto placed = [&](const Vec3<S>& point) {
     const Vec exact = point.template cast<Real>();
     body.reach = std::max(body.reach, exact.norm());
@@ -109,7 +100,9 @@ SeparationOracle::Body SeparationOracle::make_body(const Shape<S>& shape, const 
   } else if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
     std::vector<Vec> vertices;
     for (const Vec3<S>& vertex : hull->vertices) vertices.push_back(placed(vertex));
-    body.cores = {make_core(std::move(vertices), loops_of(*hull))};
+    std::vector<std::vector<int>> loops;
+    for (int f = 0; f < hull->face_count(); ++f) loops.push_back(face_vertices(*hull, f));
+    body.cores = {make_core(std::move(vertices), loops)};
   } else if (const auto* mesh = std::get_if<Mesh<S>>(&shape)) {
     for (int t = 0; t < mesh->triangle_count(); ++t) {
       body.cores.push_back(make_core(
@@ -127,27 +120,8 @@ SeparationOracle::Body SeparationOracle::make_body(const Shape<S>& shape, const 
   return body;
 }
 
-template <class S>
-SeparationOracle::SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                                   const Pose<S>& pose_b) {
-  const auto turn_of = [](const Pose<S>& pose) {
-    Quat<Real> rotation = pose.rotation.template cast<Real>();
-    rotation.coeffs() /= rotation.coeffs().norm();
-    return Mat3<Real>(rotation.toRotationMatrix());
-  };
-  // As seen from A: the world's origin may be far away.
-  const Vec between = pose_b.position.template cast<Real>() - pose_a.position.template cast<Real>();
-  a_ = make_body(a, turn_of(pose_a), Vec(Vec::Zero()));
-  b_ = make_body(b, turn_of(pose_b), between);
-  scale_ = a_.reach + b_.reach + between.norm();
-}
-
-void SeparationOracle::try_axis(const Vec& axis, const Core& a, const Core& b, Real& best) {
-  best = std::max({best, along(axis, a, b), along(Vec(-axis), a, b)});
-}
-
 /// Of the cores; their radii are left out.
-SeparationOracle::Real SeparationOracle::along(const Vec& normal, const Core& a, const Core& b) {
+Real along(const Vec& normal, const Core& a, const Core& b) {
   Real highest = -kInfinity;
   Real lowest = kInfinity;
   for (const Vec& vertex : a.vertices) highest = std::max(highest, normal.dot(vertex));
@@ -155,7 +129,11 @@ SeparationOracle::Real SeparationOracle::along(const Vec& normal, const Core& a,
   return lowest - highest;
 }
 
-SeparationOracle::Real SeparationOracle::largest_separation(const Core& a, const Core& b) {
+void try_axis(const Vec& axis, const Core& a, const Core& b, Real& best) {
+  best = std::max({best, along(axis, a, b), along(Vec(-axis), a, b)});
+}
+
+Real largest_separation(const Core& a, const Core& b) {
   Real best = -kInfinity;
   for (const Vec& normal : a.normals) try_axis(normal, a, b, best);
   for (const Vec& normal : b.normals) try_axis(normal, a, b, best);
@@ -176,7 +154,7 @@ SeparationOracle::Real SeparationOracle::largest_separation(const Core& a, const
 }
 
 /// Vertices of A straight over or under a face of B.
-SeparationOracle::Real SeparationOracle::vertices_to_faces(const Core& a, const Core& b) {
+Real vertices_to_faces(const Core& a, const Core& b) {
   Real best = kInfinity;
   for (std::size_t f = 0; f < b.faces.size(); ++f) {
     const std::vector<Vec>& face = b.faces[f];
@@ -193,7 +171,7 @@ SeparationOracle::Real SeparationOracle::vertices_to_faces(const Core& a, const 
   return best;
 }
 
-SeparationOracle::Real SeparationOracle::distance(const Core& a, const Core& b) {
+Real distance(const Core& a, const Core& b) {
   Real best = std::min(vertices_to_faces(a, b), vertices_to_faces(b, a));
   for (const auto& edge_a : a.edges) {
     for (const auto& edge_b : b.edges) best = std::min(best, segment_to_segment(edge_a, edge_b));
@@ -201,7 +179,7 @@ SeparationOracle::Real SeparationOracle::distance(const Core& a, const Core& b) 
   return best;
 }
 
-SeparationOracle::Real SeparationOracle::separation_of(const Core& a, const Core& b) {
+Real separation_of(const Core& a, const Core& b) {
   // Two points or segments have no inside: their distance says all.
   const bool solid = !a.faces.empty() || !b.faces.empty();
   const Real overlap = solid ? largest_separation(a, b) : Real(1);
@@ -209,10 +187,100 @@ SeparationOracle::Real SeparationOracle::separation_of(const Core& a, const Core
   return (overlap >= 0 ? distance(a, b) : overlap) - a.radius - b.radius;
 }
 
+/// A pair of faces that share an edge, and that edge.
+struct HullEdge {
+  Vec from, along;       // along is unit
+  Vec normal1, normal2;  // of the faces beside it
+};
+
+std::vector<HullEdge> edges_of(const Hull<double>& hull, const Core& core) {
+  std::vector<HullEdge> edges;
+  for (std::size_t h = 0; h < hull.half_edges.size(); h += 2) {
+    const HalfEdge& one = hull.half_edges[h];
+    const HalfEdge& other = hull.half_edges[h + 1];
+    const Vec& from = at(core.vertices, one.origin);
+    const Vec along = normalized(at(core.vertices, other.origin) - from);
+    edges.push_back({from, along, at(core.normals, one.face), at(core.normals, other.face)});
+  }
+  return edges;
+}
+
+struct Axis {
+  Real separation = -kInfinity;
+  Vec normal = Vec::UnitX();
+
+  void offer(Real other_separation, const Vec& other_normal) {
+    if (!(other_separation > separation)) return;
+    separation = other_separation;
+    normal = other_normal;
+  }
+};
+
+Axis best_face(const Core& core, const Core& other) {
+  Axis best;
+  for (std::size_t f = 0; f < core.normals.size(); ++f) {
+    Real least = kInfinity;
+    for (const Vec& vertex : other.vertices) {
+      least = std::min(least, core.normals[f].dot(Vec(vertex - core.faces[f].front())));
+    }
+    best.offer(least, core.normals[f]);
+  }
+  return best;
+}
+
+bool is_minkowski_face(const HullEdge& a, const HullEdge& b) {
+  const Vec c = -b.normal1;
+  const Vec d = -b.normal2;
+  const Vec b_x_a = a.normal2.cross(a.normal1);
+  const Vec d_x_c = d.cross(c);
+  const Real cba = c.dot(b_x_a);
+  const Real dba = d.dot(b_x_a);
+  const Real adc = a.normal1.dot(d_x_c);
+  const Real bdc = a.normal2.dot(d_x_c);
+  return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
+}
+
+}  // namespace
+
+OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a) {
+  const Core core_a = make_body<double>(a, Mat3<Real>::Identity(), Vec::Zero()).cores.front();
+  const Core core_b =
+      make_body<double>(b, turn_of(b_in_a), b_in_a.position.cast<Real>()).cores.front();
+  Axis best = best_face(core_a, core_b);
+  const Axis of_b = best_face(core_b, core_a);
+  best.offer(of_b.separation, Vec(-of_b.normal));
+  Vec center = Vec::Zero();
+  for (const Vec& vertex : core_a.vertices) center += vertex;
+  center /= static_cast<Real>(core_a.vertices.size());
+  const std::vector<HullEdge> edges_b = edges_of(b, core_b);
+  for (const HullEdge& edge_a : edges_of(a, core_a)) {
+    for (const HullEdge& edge_b : edges_b) {
+      if (!is_minkowski_face(edge_a, edge_b)) continue;
+      const Vec cross = edge_a.along.cross(edge_b.along);
+      const Real sine = cross.norm();
+      if (!(sine > 0)) continue;
+      Vec normal = cross / sine;
+      if (normal.dot(Vec(edge_a.from - center)) < 0) normal = -normal;
+      best.offer(normal.dot(Vec(edge_b.from - edge_a.from)), normal);
+    }
+  }
+  return {static_cast<double>(best.separation), best.normal.cast<double>()};
+}
+
+template <class S>
+SeparationOracle::SeparationOracle(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
+                                   const Pose<S>& pose_b) {
+  // As seen from A: the world's origin may be far away.
+  const Vec between = pose_b.position.template cast<Real>() - pose_a.position.template cast<Real>();
+  a_ = make_body(a, turn_of(pose_a), Vec(Vec::Zero()));
+  b_ = make_body(b, turn_of(pose_b), between);
+  scale_ = a_.reach + b_.reach + between.norm();
+}
+
 double SeparationOracle::separation() const {
   Real least = kInfinity;
   if (a_.is_plane || b_.is_plane) {
-    const Body& plane = a_.is_plane ? a_ : b_;
+    const OracleBody& plane = a_.is_plane ? a_ : b_;
     const Core& core = (a_.is_plane ? b_ : a_).cores.front();
     for (const Vec& vertex : core.vertices) {
       least = std::min(least, plane.normal.dot(vertex) - plane.offset - core.radius);
@@ -241,9 +309,8 @@ double SeparationOracle::separation_along(const Vec3d& normal, int triangle) con
     const Vec expected = a_.is_plane ? a_.normal : Vec(-b_.normal);
     return separation() - static_cast<double>((direction - expected).norm() * scale_);
   }
-  const auto core_of = [&](const Body& body) -> const Core& {
-    return body.cores.size() == 1 ? body.cores.front()
-                                  : body.cores.at(static_cast<std::size_t>(std::max(0, triangle)));
+  const auto core_of = [&](const OracleBody& body) -> const Core& {
+    return at(body.cores, body.cores.size() == 1 ? 0 : std::max(0, triangle));
   };
   const Core& a = core_of(a_);
   const Core& b = core_of(b_);

@@ -6,11 +6,48 @@
 #include "core/pose.h"
 #include "geometry/shape.h"
 
+/// Separations of placed shapes in extended precision, taking what the pipeline is given as exact:
+/// coordinates and radii as they are, rotations made unit. They share nothing with the queries that
+/// they judge.
 namespace contactscope {
 
-/// The signed distance of two placed shapes of any kinds, in extended precision, taking what the
-/// pipeline is given as exact: coordinates and radii as they are, rotations made unit. Shares
-/// nothing with the queries that it judges.
+/// An axis and the separation along it, metres, negative in overlap.
+struct OracleAxis {
+  double separation = 0;
+  Vec3d normal = Vec3d::UnitX();  // unit, from A to B, in A's frame
+};
+
+/// The axis of largest separation of two hulls, over all faces of their Minkowski difference. Meant
+/// for hulls that overlap; of separated ones it is a lower bound of the distance.
+///
+/// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013. Steps: each
+/// face plane of either hull against every vertex of the other; each pair of edges whose arcs cross
+/// on the Gauss map by the talk's IsMinkowskiFace, its distance by the talk's Project. Face normals
+/// are made anew from the vertices.
+OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
+
+/// A placed shape as an oracle sees it.
+struct OracleBody {
+  using Real = long double;
+  using Vec = Vec3<Real>;
+
+  /// What is left of a convex shape without its radius.
+  struct Core {
+    std::vector<Vec> vertices;
+    std::vector<std::pair<Vec, Vec>> edges;  // a point is an edge without length
+    std::vector<std::vector<Vec>> faces;     // counter-clockwise from outside
+    std::vector<Vec> normals;                // of the faces
+    Real radius = 0;
+  };
+
+  std::vector<Core> cores;  // of a mesh one a triangle
+  bool is_plane = false;
+  Vec normal = Vec::Zero();  // of a plane
+  Real offset = 0;
+  Real reach = 0;
+};
+
+/// The signed distance of two placed shapes of any kinds.
 ///
 /// A sphere is a point with a radius, a capsule a segment with one; the distance is that of the
 /// cores less the radii. Cores apart: the least distance over all vertices, edges and faces.
@@ -26,9 +63,9 @@ class SeparationOracle {
   /// Metres, negative in overlap.
   double separation() const;
 
-  /// Along a unit normal from A to B, metres: never more than separation() but for rounding, and
-  /// as much along a normal of least overlap. `triangle` is the mesh's, -1 where there is none.
-  /// Against a plane only its own normal counts: any other one costs what it is off.
+  /// Along a normal from A to B, metres: never more than separation() but for rounding, and as much
+  /// along a normal of least overlap. `triangle` is the mesh's, -1 where there is none. Against a
+  /// plane only its own normal counts: any other one costs what it is off.
   double separation_along(const Vec3d& normal, int triangle) const;
 
   /// How far the direction of a normal may magnify rounding, >= 1. That between closest points is
@@ -41,38 +78,8 @@ class SeparationOracle {
   double scale() const { return static_cast<double>(scale_); }
 
  private:
-  using Real = long double;
-  using Vec = Vec3<Real>;
-
-  /// What is left of a convex shape without its radius.
-  struct Core {
-    std::vector<Vec> vertices;
-    std::vector<std::pair<Vec, Vec>> edges;  // a point is an edge without length
-    std::vector<std::vector<Vec>> faces;     // counter-clockwise from outside
-    std::vector<Vec> normals;                // of the faces
-    Real radius = 0;
-  };
-
-  struct Body {
-    std::vector<Core> cores;  // of a mesh one a triangle
-    bool is_plane = false;
-    Vec normal = Vec::Zero();  // of a plane
-    Real offset = 0;
-    Real reach = 0;
-  };
-
-  template <class S>
-  static Body make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& position);
-  static Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& loops);
-  static void try_axis(const Vec& axis, const Core& a, const Core& b, Real& best);
-  static Real largest_separation(const Core& a, const Core& b);
-  static Real vertices_to_faces(const Core& a, const Core& b);
-  static Real distance(const Core& a, const Core& b);
-  static Real separation_of(const Core& a, const Core& b);
-  static Real along(const Vec& normal, const Core& a, const Core& b);
-
-  Body a_, b_;
-  Real scale_ = 0;
+  OracleBody a_, b_;
+  OracleBody::Real scale_ = 0;
 };
 
 }  // namespace contactscope

@@ -64,12 +64,10 @@ class StandingStack {
 
   StackOutcome run(int frames) {
     StackOutcome outcome;
-    std::vector<double> times;
+    PassTimes times;
     const int rest_begins = std::max(1, frames - kRestFrames);
     for (; outcome.frames < frames; ++outcome.frames) {
-      PassTimes time;
-      time.measure(1, [&](int) { return step_once(); });
-      times.push_back(time.summary().median);
+      times.measure(1, [&](int) { return step_once(); });
       outcome.fault = fault();
       if (outcome.fault != StackFault::None) break;
       outcome.worst_penetration = std::max(outcome.worst_penetration, penetration());
@@ -86,8 +84,7 @@ class StandingStack {
       outcome.worst_penetration = std::max(outcome.worst_penetration, outcome.penetration);
       outcome.drift = drift();
     }
-    std::ranges::sort(times);
-    outcome.nanoseconds = times.empty() ? 0 : times[times.size() / 2];
+    outcome.nanoseconds = times.summary().median;
     return outcome;
   }
 

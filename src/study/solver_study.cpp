@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "study/limits_study.h"
@@ -82,182 +83,150 @@ constexpr StackMeasure kStackMeasures[] = {
     {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
      &StackOutcome::ids_changed, false},
 };
-constexpr std::size_t kMeasureCount = std::size(kStackMeasures);
 // Floats cannot tell a box's place ten metres up from the next one a millionth of a metre above.
 constexpr double kStackResolution = 1e-6;
 
 /// How many stacks came to grief how.
 struct FaultCounts {
   std::array<int, 4> counts{};
-  int of = 0;
 
-  void add(StackFault fault) {
-    ++of;
-    ++counts[static_cast<std::size_t>(fault)];
-  }
   std::string spelled() const {
     const auto count = [&](StackFault fault) {
       return std::to_string(counts[static_cast<std::size_t>(fault)]);
     };
-    return std::to_string(of) + " stacks, of which " + count(StackFault::Fallen) + " fell, " +
-           count(StackFault::Energy) + " gained energy, " + count(StackFault::NotFinite) +
-           " lost their numbers";
+    return std::to_string(std::accumulate(counts.begin(), counts.end(), 0)) + " stacks, of which " +
+           count(StackFault::Fallen) + " fell, " + count(StackFault::Energy) + " gained energy, " +
+           count(StackFault::NotFinite) + " lost their numbers";
   }
 };
 
-class SolverStudy {
- public:
-  SolverStudy(const StudyOptions& options, const StudyProgress& progress, int frames)
-      : options_(options), progress_(progress), frames_(frames) {}
-
-  std::vector<trace::Study> run() {
-    std::vector<trace::Study> result;
-    for (const CurveStack& stack : kCurveStacks) {
-      for (trace::Study& study : curves(stack)) result.push_back(std::move(study));
+/// Runs `cases` stacks, the same for every method and setting.
+Measurement judge(int boxes, double ratio, const SolverSettings& settings, int cases,
+                  std::span<const std::size_t> measures, const StudyOptions& options,
+                  FaultCounts& faults) {
+  Measurement measured(measures.size());
+  for (int i = 0; i < cases; ++i) {
+    std::mt19937_64 engine = case_engine(options.seed, i, boxes, ratio);
+    const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
+                                           options.frames.value_or(kStackFrames));
+    ++faults.counts[static_cast<std::size_t>(outcome.fault)];
+    ++measured.of;
+    measured.times.add(outcome.nanoseconds);
+    if (outcome.fault != StackFault::None) {
+      ++measured.failed;
+      continue;
     }
-    for (trace::Study& map : maps()) result.push_back(std::move(map));
-    return result;
+    for (std::size_t m = 0; m < measures.size(); ++m)
+      measured.errors[m].add(outcome.*kStackMeasures[measures[m]].value);
   }
+  return measured;
+}
 
- private:
-  static constexpr int kSteps =
-      static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *
-      static_cast<int>(std::size(kSolverMethods));
+SolverSettings settings_of(const SolverMethod& method, int iterations, int substeps) {
+  SolverSettings settings;
+  settings.position_correction = method.correction;
+  settings.warm_start = method.warm_start;
+  settings.iterations = iterations;
+  settings.substeps = substeps;
+  return settings;
+}
 
-  void step(const std::string& what) { progress_(++done_, kSteps, what); }
+trace::Study described(const StackMeasure& measure) {
+  trace::Study study;
+  study.study = "solver";
+  study.measure = measure.name;
+  study.title = measure.title;
+  study.context = study_context("float");
+  study.error = measure.error;
+  study.unit = measure.unit;
+  return study;
+}
 
-  /// The same stacks for every method and setting.
-  Measurement judge(int boxes, double ratio, const SolverSettings& settings, int cases,
-                    std::span<const std::size_t> measures, FaultCounts& faults) const {
-    Measurement measured(measures.size());
-    for (int i = 0; i < cases; ++i) {
-      std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
-      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings, frames_);
-      faults.add(outcome.fault);
-      ++measured.of;
-      measured.times.add(outcome.nanoseconds);
-      if (outcome.fault != StackFault::None) {
-        ++measured.failed;
-        continue;
-      }
-      for (std::size_t m = 0; m < measures.size(); ++m)
-        measured.errors[m].add(outcome.*kStackMeasures[measures[m]].value);
-    }
-    return measured;
+void refer(std::vector<trace::Study>& studies, const FaultCounts& faults,
+           const StudyOptions& options) {
+  for (trace::Study& study : studies)
+    study.reference = "the static solution; a call is a frame; " + faults.spelled() + "; seed " +
+                      std::to_string(options.seed);
+}
+
+std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& options,
+                                 const StudyStep& step) {
+  std::vector<trace::Study> studies;
+  std::vector<std::size_t> measures;  // of each
+  for (std::size_t m = 0; m < std::size(kStackMeasures); ++m) {
+    if (&stack != kCurveStacks && !kStackMeasures[m].of_all_stacks) continue;
+    measures.push_back(m);
+    trace::Study& study = studies.emplace_back(described(kStackMeasures[m]));
+    study.measure += stack.suffix;
+    study.title += stack.title;
+    study.parameter = "iterations or sub-steps";
+    study.resolution = kStackResolution;
   }
-
-  static SolverSettings settings_of(const SolverMethod& method, int iterations, int substeps) {
-    SolverSettings settings;
-    settings.position_correction = method.correction;
-    settings.warm_start = method.warm_start;
-    settings.iterations = iterations;
-    settings.substeps = substeps;
-    return settings;
-  }
-
-  trace::Study described(const StackMeasure& measure) const {
-    trace::Study study;
-    study.study = "solver";
-    study.measure = measure.name;
-    study.title = measure.title;
-    study.context = study_context("float");
-    study.error = measure.error;
-    study.unit = measure.unit;
-    return study;
-  }
-
-  std::vector<trace::Study> curves(const CurveStack& stack) {
-    const int cases = options_.cases.value_or(stack.cases);
-    std::vector<trace::Study> studies;
-    std::vector<std::size_t> measures;  // of each
-    for (std::size_t m = 0; m < kMeasureCount; ++m) {
-      if (&stack != kCurveStacks && !kStackMeasures[m].of_all_stacks) continue;
-      measures.push_back(m);
-      trace::Study& study = studies.emplace_back(described(kStackMeasures[m]));
-      study.measure += stack.suffix;
-      study.title += stack.title;
-      study.parameter = "iterations or sub-steps";
-      study.resolution = kStackResolution;
-    }
-    FaultCounts faults;
-    for (const CurvePanel& panel : kCurvePanels) {
-      for (const SolverMethod& method : kSolverMethods) {
-        begin_series(studies, {method.name, {}, panel.name, panel.parameter});
-        for (const int count : kCounts) {
-          const SolverSettings settings =
-              settings_of(method, panel.substeps ? 1 : count, panel.substeps ? count : 1);
-          add_point(studies, count,
-                    judge(stack.boxes, stack.ratio, settings, cases, measures, faults));
-        }
-        step(std::string(method.name) + ", " + panel.parameter);
-      }
-    }
-    for (trace::Study& study : studies) study.reference = reference(faults);
-    return studies;
-  }
-
-  std::vector<trace::Study> maps() {
-    const int cases = options_.cases.value_or(kMapCases);
-    constexpr std::size_t kMapped[] = {0, 2, 3};
-    constexpr const char* kNames[] = {"map", "drift_map", "jitter_map"};
-    constexpr const char* kErrors[] = {"deepest overlap after 3 s (mm)",
-                                       "way of the highest box after 3 s (mm)",
-                                       "speed of the fastest box, third second (mm/s)"};
-    std::vector<trace::Study> studies;
-    for (std::size_t i = 0; i < std::size(kMapped); ++i) {
-      trace::Study& study = studies.emplace_back(described(kStackMeasures[kMapped[i]]));
-      study.measure = kNames[i];
-      study.title += ", by height and mass";
-      study.error = kErrors[i];
-      study.unit = {};
-      study.parameter = "top mass / others";
-      study.row = "stack";
-      study.form = trace::StudyForm::Map;
-    }
-    FaultCounts faults;
-    for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
-      const SolverMethod& method = kSolverMethods[turn];
-      for (const int boxes : kHeights) {
-        const std::string row = std::to_string(boxes) + " boxes";
-        begin_series(studies, {row, {}, method.map_name, studies.front().parameter});
+  FaultCounts faults;
+  for (const CurvePanel& panel : kCurvePanels) {
+    for (const SolverMethod& method : kSolverMethods) {
+      begin_series(studies, {method.name, {}, panel.name, panel.parameter});
+      for (const int count : kCounts) {
         const SolverSettings settings =
-            settings_of(method, method.map_iterations, method.map_substeps);
-        for (int i = 0; i < kRatioSteps; ++i) {
-          const double ratio = std::pow(10.0, 0.5 * i);
-          add_point(studies, ratio, judge(boxes, ratio, settings, cases, kMapped, faults));
-        }
-        step(std::string(method.name) + ", " + row);
+            settings_of(method, panel.substeps ? 1 : count, panel.substeps ? count : 1);
+        add_point(studies, count,
+                  judge(stack.boxes, stack.ratio, settings, options.cases.value_or(stack.cases),
+                        measures, options, faults));
+      }
+      step(std::string(method.name) + ", " + panel.parameter);
+    }
+  }
+  refer(studies, faults, options);
+  return studies;
+}
+
+std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& step) {
+  constexpr std::size_t kMapped[] = {0, 2, 3};
+  constexpr const char* kNames[] = {"map", "drift_map", "jitter_map"};
+  constexpr const char* kErrors[] = {"deepest overlap after 3 s (mm)",
+                                     "way of the highest box after 3 s (mm)",
+                                     "speed of the fastest box, third second (mm/s)"};
+  std::vector<trace::Study> studies;
+  for (std::size_t i = 0; i < std::size(kMapped); ++i) {
+    trace::Study& study = studies.emplace_back(described(kStackMeasures[kMapped[i]]));
+    study.measure = kNames[i];
+    study.title += ", by height and mass";
+    study.error = kErrors[i];
+    study.unit = {};
+    study.parameter = "top mass / others";
+    study.row = "stack";
+    study.form = trace::StudyForm::Map;
+  }
+  FaultCounts faults;
+  for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
+    const SolverMethod& method = kSolverMethods[turn];
+    for (const int boxes : kHeights) {
+      const std::string row = std::to_string(boxes) + " boxes";
+      begin_series(studies, {row, {}, method.map_name, studies.front().parameter});
+      const SolverSettings settings =
+          settings_of(method, method.map_iterations, method.map_substeps);
+      for (int i = 0; i < kRatioSteps; ++i) {
+        const double ratio = std::pow(10.0, 0.5 * i);
+        Measurement measured = judge(boxes, ratio, settings, options.cases.value_or(kMapCases),
+                                     kMapped, options, faults);
+        add_point(studies, ratio, measured);
+      }
+      step(std::string(method.name) + ", " + row);
+    }
+  }
+  for (trace::Study& study : studies) {
+    for (trace::StudySeries& series : study.series) {
+      for (trace::StudyPoint& point : series.points) {  // metres to millimetres
+        if (point.error) point.error = 1000 * *point.error;
+        if (point.error_worst) point.error_worst = 1000 * *point.error_worst;
       }
     }
-    for (trace::Study& study : studies) {
-      study.reference = reference(faults);
-      for (trace::StudySeries& series : study.series) {
-        for (trace::StudyPoint& point : series.points) {  // metres to millimetres
-          if (point.error) point.error = 1000 * *point.error;
-          if (point.error_worst) point.error_worst = 1000 * *point.error_worst;
-        }
-      }
-    }
-    return studies;
   }
-
-  std::string reference(const FaultCounts& faults) const {
-    return "the static solution; a call is a frame; " + faults.spelled() + "; seed " +
-           std::to_string(options_.seed);
-  }
-
-  const StudyOptions& options_;
-  const StudyProgress& progress_;
-  int frames_;
-  int done_ = 0;
-};
+  refer(studies, faults, options);
+  return studies;
+}
 
 }  // namespace
-
-std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress,
-                                       int frames) {
-  return SolverStudy(options, progress, frames).run();
-}
 
 /// How stacks of boxes stand, by position method (Baumgarte, projection, soft), with and without warm
 /// starting, against the static solution: every box at its height, every contact carrying what is
@@ -273,7 +242,15 @@ std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyP
 /// "map", "drift_map", "jitter_map": stacks of 2 to 20 boxes, the highest of 1 to 10^6 times the
 /// others' mass, at sixteen sweeps a frame for every method.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
-  return study_solver(options, progress, kStackFrames);
+  constexpr int kSteps =
+      static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *
+      static_cast<int>(std::size(kSolverMethods));
+  const StudyStep step = counted(progress, kSteps);
+  std::vector<trace::Study> result;
+  for (const CurveStack& stack : kCurveStacks)
+    std::ranges::move(curves(stack, options, step), std::back_inserter(result));
+  std::ranges::move(maps(options, step), std::back_inserter(result));
+  return result;
 }
 
 }  // namespace contactscope

@@ -14,6 +14,7 @@ struct StudyOptions {
   std::uint64_t seed = 1;          // the same seed gives the same cases and so the same errors
   std::optional<int> cases;        // a point, >= 1; each study has a default of its own
   std::optional<int> repetitions;  // of the passes that are timed, >= 1; likewise
+  std::optional<int> frames;  // of what is simulated by the study of the solver, >= 1; likewise
 };
 
 /// Told of each step; may throw to stop the study.
@@ -26,10 +27,6 @@ using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
 // Each is in the file of its name, with what it measures.
 RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver;
-
-/// The study of the solver with another time, in frames (>= 1), in the place of three seconds.
-std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress,
-                                       int frames);
 
 struct StudyInfo {
   std::string name;

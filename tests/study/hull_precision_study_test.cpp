@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "study/all_edge_pairs.h"
-#include "study/depth_oracle.h"
 #include "study/study.h"
 #include "support/brute_force_sat.h"
 
@@ -27,7 +26,7 @@ TEST(DepthOracle, AgreesWithBruteForceOverAllAxes) {
     const OverlappingHulls pair = overlapping_hulls(engine, trial % 2 == 0 ? 8 : 16);
     const double brute =
         test::brute_force_sat(pair.a, Pose<double>{}, pair.b, pair.b_in_a).separation;
-    EXPECT_NEAR(pair.separation, brute, 1e-12 * pair.size) << trial;
+    EXPECT_NEAR(pair.deepest.separation, brute, 1e-12 * pair.size) << trial;
   }
 }
 
@@ -36,12 +35,12 @@ TEST(AllEdgePairs, BothWaysFindTheDepthInFloatAndDouble) {
   for (int trial = 0; trial < 40; ++trial) {
     const OverlappingHulls pair = overlapping_hulls(engine, 12);
     const HullPair<double> exact(pair.a, pair.b, pair.b_in_a);
-    EXPECT_NEAR(separation_by_all_edge_pairs(exact), pair.separation, 1e-12 * pair.size);
-    EXPECT_NEAR(separation_by_minkowski_faces(exact), pair.separation, 1e-12 * pair.size);
+    EXPECT_NEAR(separation_by_all_edge_pairs(exact), pair.deepest.separation, 1e-12 * pair.size);
+    EXPECT_NEAR(separation_by_minkowski_faces(exact), pair.deepest.separation, 1e-12 * pair.size);
     const Hull<float> a = hull_cast<float>(pair.a), b = hull_cast<float>(pair.b);
     const HullPair<float> rounded(a, b, pair.b_in_a.cast<float>());
-    EXPECT_NEAR(separation_by_all_edge_pairs(rounded), pair.separation, 1e-5 * pair.size);
-    EXPECT_NEAR(separation_by_minkowski_faces(rounded), pair.separation, 1e-5 * pair.size);
+    EXPECT_NEAR(separation_by_all_edge_pairs(rounded), pair.deepest.separation, 1e-5 * pair.size);
+    EXPECT_NEAR(separation_by_minkowski_faces(rounded), pair.deepest.separation, 1e-5 * pair.size);
   }
 }
 
@@ -49,11 +48,11 @@ TEST(DepthOracle, AlongItsOwnAxisIsTheSeparationAndAlongOthersLess) {
   std::mt19937_64 engine(6);
   for (int trial = 0; trial < 40; ++trial) {
     const OverlappingHulls pair = overlapping_hulls(engine, 12);
-    const OracleAxis axis = oracle_axis(pair.a, pair.b, pair.b_in_a);
-    EXPECT_NEAR(separation_along(pair.a, pair.b, pair.b_in_a, axis.normal), pair.separation,
+    const SeparationOracle oracle(Shape<double>(pair.a), Pose<double>(), Shape<double>(pair.b),
+                                  pair.b_in_a);
+    EXPECT_NEAR(oracle.separation_along(pair.deepest.normal, -1), pair.deepest.separation,
                 1e-12 * pair.size);
-    EXPECT_LE(separation_along(pair.a, pair.b, pair.b_in_a, pair.way),
-              pair.separation + 1e-12 * pair.size);
+    EXPECT_LE(oracle.separation_along(pair.way, -1), pair.deepest.separation + 1e-12 * pair.size);
   }
 }
 
@@ -64,8 +63,8 @@ TEST(OverlappingHulls, HaveTheirVerticesOverlapAndSize) {
     EXPECT_EQ(pair.a.vertex_count(), 16);
     EXPECT_EQ(pair.b.vertex_count(), 16);
     EXPECT_LE(pair.a.radius, 2 * pair.size);
-    EXPECT_LT(pair.separation, -0.9e-3 * pair.size);
-    EXPECT_GT(pair.separation, -0.11 * pair.size);
+    EXPECT_LT(pair.deepest.separation, -0.9e-3 * pair.size);
+    EXPECT_GT(pair.deepest.separation, -0.11 * pair.size);
   }
 }
 

@@ -98,16 +98,13 @@ const std::vector<trace::Study>& short_study() {
   static const std::vector<trace::Study> studies = [] {
     StudyOptions options;
     options.cases = 1;
+    options.frames = 4;
     int last = 0;
-    auto result = study_solver(
-        options,
-        [&](int done, int of, const std::string&) {
-          EXPECT_EQ(done, last + 1);
-          EXPECT_LE(done, of);
-          last = done;
-        },
-        4);
-    return result;
+    return study_solver(options, [&](int done, int of, const std::string&) {
+      EXPECT_EQ(done, last + 1);
+      EXPECT_LE(done, of);
+      last = done;
+    });
   }();
   return studies;
 }
