@@ -172,10 +172,6 @@ class Comparison {
     trace::each_field<T>([&]<class Value>(const trace::Field<T, Value>& field) {
       const Value& before = expected.*field.member;
       Value& after = actual.*field.member;
-      if (field.passed_over != nullptr) {
-        after = before;
-        return;
-      }
       if (field.match == trace::Match::Names) return;  // equal, or these were no pair
       using Inner = typename trace::Unwrapped<Value>::type;
       if constexpr (trace::Listed<Value>) {

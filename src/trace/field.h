@@ -106,7 +106,6 @@ struct Field {
   const char* noun = nullptr;   // what a sentence calls a struct by itself, or an entry of a list
   const char* plural = nullptr;
   const char* states[2] = {"no", "yes"};  // what a sentence calls false and true
-  const char* passed_over = nullptr;      // why `check` does not compare it
   void (*otherwise)(Owner&) = nullptr;    // fills it where a trace has no such key
 
   constexpr Field optional() const { return with(&Field::presence, Presence::Optional); }
@@ -138,7 +137,6 @@ struct Field {
     changed.states[1] = on;
     return changed;
   }
-  constexpr Field pass_over(const char* reason) const { return with(&Field::passed_over, reason); }
   constexpr Field otherwise_by(void (*fill)(Owner&)) const {
     return with(&Field::otherwise, fill).optional();
   }

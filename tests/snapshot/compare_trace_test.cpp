@@ -7,7 +7,6 @@
 #include <limits>
 #include <sstream>
 
-#include "snapshot/compare_facts.h"
 #include "snapshot/sample_trace.h"
 #include "snapshot/store.h"
 #include "trace/walk_facts.h"
@@ -335,9 +334,7 @@ TEST(CompareTraces, AnyFieldThatChangesComesOrGoesIsNamed) {
     ++changes;
     for (const bool back : {false, true}) {
       const auto sentences = back ? compare_traces(trace, before) : compare_traces(before, trace);
-      if (change.is_passed_over) {
-        EXPECT_THAT(sentences, IsEmpty()) << change.key;
-      } else if (change.is_name) {
+      if (change.is_name) {
         EXPECT_THAT(sentences, testing::Contains(testing::HasSubstr(back ? "added" : "gone")));
       } else if (change.is_shorter) {
         EXPECT_THAT(sentences,
@@ -393,28 +390,6 @@ TEST_F(CompareWithStored, WhatNoFactHoldsFailsByItsLine) {
   EXPECT_THAT(compare(), SizeIs(1));
   text_ = to_json_lines(trace_) + "\n";
   EXPECT_THAT(compare(), ElementsAre(testing::HasSubstr("line 4 of file")));
-}
-
-/// A fact with a field that `check` is to pass over.
-struct Timed {
-  double depth = 0;
-  double seconds = 0;
-
-  static constexpr auto fields() {
-    namespace field = trace::field;
-    return std::tuple(field::length("depth", &Timed::depth),
-                      field::exact("seconds", &Timed::seconds).pass_over("no run is as fast"));
-  }
-};
-
-TEST(CompareFacts, PassOverWhatIsMarked) {
-  const auto differences = [](Timed actual) {
-    std::vector<Difference> all;
-    Comparison({}).compare(Timed{1, 2}, actual, {}, "", all);
-    return all.size();
-  };
-  EXPECT_EQ(differences({1, 3}), 0u);
-  EXPECT_EQ(differences({2, 2}), 1u);
 }
 
 }  // namespace

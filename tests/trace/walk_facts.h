@@ -59,13 +59,11 @@ inline Trace filled_trace() {
   return trace;
 }
 
-/// What was changed: the words of the field that a sentence must have, and whether it is one that
-/// `check` passes over.
+/// What was changed: the words of the field that a sentence must have.
 struct Change {
   std::string key;
   std::string words;
   bool is_name = false;
-  bool is_passed_over = false;
   bool is_shorter = false;  // a list
 };
 
@@ -81,7 +79,7 @@ class Changer {
   void each(T& fact) {
     const Change around = change_;
     each_field<T>([&]<class Value>(const Field<T, Value>& field) {
-      change_ = {field.key, "", field.match == Match::Names, field.passed_over != nullptr};
+      change_ = {field.key, "", field.match == Match::Names};
       if (field.noun != nullptr) {
         change_.words = field.plural != nullptr ? field.plural : field.noun;
       } else {
