@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "snapshot/spelling.h"
-
 namespace contactscope::snapshot {
 
 using trace::Kind;
@@ -59,11 +57,8 @@ std::vector<Vec3d> points_of(const trace::Simplex& simplex) {
 
 void Changes::add(const Wording& field, const std::string& change) {
   const std::string told = field.words + change;
-  if (text_.empty()) {
-    text_ = told;
-  } else {
-    text_ = field.is_first ? told + ", " + text_ : text_ + ", " + told;
-  }
+  const std::string comma = text_.empty() ? "" : ", ";
+  text_ = field.is_first ? told + comma + text_ : text_ + comma + told;
   has_more_ = has_more_ || !field.is_last;
 }
 
@@ -83,15 +78,9 @@ void Changes::compare(const Wording& field, double expected, double& actual) {
   if (!settle(field.kind, expected, actual, tolerance_.of(field.kind, expected)))
     add(field, spell_change(expected, actual));
 }
-void Changes::compare(const Wording& field, int expected, int& actual) {
-  if (expected != actual) add(field, spell_change(expected, actual));
-}
 void Changes::compare(const Wording& field, bool expected, bool& actual) {
   if (expected != actual)
     add(field, std::string(field.states[expected]) + " -> " + field.states[actual]);
-}
-void Changes::compare(const Wording& field, const std::string& expected, std::string& actual) {
-  if (expected != actual) add(field, spell_change(expected, actual));
 }
 void Changes::compare(const Wording& field, const Vec3d& expected, Vec3d& actual) {
   if (settle(field.kind, expected, actual, tolerance_.of(field.kind, expected.norm()))) return;
@@ -121,24 +110,9 @@ void Changes::compare(const Wording& field, const std::array<Vec3d, 2>& expected
   end.words = "second point of the " + field.words;
   compare(end, expected[1], actual[1]);
 }
-void Changes::compare(const Wording& field, const std::vector<Vec3d>& expected,
-                      std::vector<Vec3d>& actual) {
-  compare_vertices(field, expected, actual);
-}
-void Changes::compare(const Wording& field, const trace::Simplex& expected,
-                      trace::Simplex& actual) {
-  compare_vertices(field, expected, actual);
-}
-void Changes::compare(const Wording& field, const std::vector<int>& expected,
-                      std::vector<int>& actual) {
-  if (expected != actual) add(field, spell_change(spell_list(expected), spell_list(actual)));
-}
-void Changes::compare(const Wording& field, const std::array<int, 2>& expected,
-                      std::array<int, 2>& actual) {
-  if (expected != actual) add(field, spell_change(spell_list(expected), spell_list(actual)));
-}
 
 template <class Face>
+requires std::same_as<typename Face::value_type, int>
 void Changes::compare(const Wording& field, const std::vector<Face>& expected,
                       std::vector<Face>& actual) {
   if (expected.size() != actual.size()) {
@@ -159,7 +133,8 @@ template void Changes::compare(const Wording&, const Edges&, Edges&);
 template void Changes::compare(const Wording&, const Triangles&, Triangles&);
 
 template <class Points>
-void Changes::compare_vertices(const Wording& field, const Points& expected, Points& actual) {
+requires std::same_as<Points, std::vector<Vec3d>> || std::same_as<Points, trace::Simplex>
+void Changes::compare(const Wording& field, const Points& expected, Points& actual) {
   if (expected.size() != actual.size()) {
     return add(field, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) +
                           " vertices");
@@ -185,5 +160,7 @@ void Changes::compare_vertices(const Wording& field, const Points& expected, Poi
       "vertex " + std::to_string(farthest) + " " + spell_move(before[farthest], after[farthest]));
   if (moved > 1) add({}, std::to_string(moved - 1) + " more moved");
 }
+template void Changes::compare(const Wording&, const std::vector<Vec3d>&, std::vector<Vec3d>&);
+template void Changes::compare(const Wording&, const trace::Simplex&, trace::Simplex&);
 
 }  // namespace contactscope::snapshot

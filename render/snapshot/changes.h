@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vec3.h"
+#include "snapshot/spelling.h"
 #include "trace/field.h"
 #include "trace/minkowski.h"
 
@@ -50,25 +52,27 @@ class Changes {
       : subject_(std::move(subject)), tolerance_(tolerance) {}
 
   void compare(const Wording& field, double expected, double& actual);
-  void compare(const Wording& field, int expected, int& actual);
   void compare(const Wording& field, bool expected, bool& actual);
-  void compare(const Wording& field, const std::string& expected, std::string& actual);
   void compare(const Wording& field, const Vec3d& expected, Vec3d& actual);
   /// q and -q are the same rotation.
   void compare(const Wording& field, const Quatd& expected, Quatd& actual);
   /// The ends of a line.
   void compare(const Wording& field, const std::array<Vec3d, 2>& expected,
                std::array<Vec3d, 2>& actual);
-  /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more moved".
-  void compare(const Wording& field, const std::vector<Vec3d>& expected,
-               std::vector<Vec3d>& actual);
-  /// The same; a vertex is two points.
-  void compare(const Wording& field, const trace::Simplex& expected, trace::Simplex& actual);
-  void compare(const Wording& field, const std::vector<int>& expected, std::vector<int>& actual);
-  void compare(const Wording& field, const std::array<int, 2>& expected,
-               std::array<int, 2>& actual);
+  /// An index, a name or a list of indices: "3 -> 4".
+  template <class T>
+  requires requires(const T& value) { spell_change(value, value); }
+  void compare(const Wording& field, const T& expected, T& actual) {
+    if (expected != actual) add(field, spell_change(expected, actual));
+  }
+  /// "5 -> 4 vertices", or "vertex 3 moved 1.3 mm along x, 2 more moved". A vertex of a simplex is two
+  /// points.
+  template <class Points>
+  requires std::same_as<Points, std::vector<Vec3d>> || std::same_as<Points, trace::Simplex>
+  void compare(const Wording& field, const Points& expected, Points& actual);
   /// "20 -> 24 faces", or "face 7 (0 1 3) -> (0 3 1)" of the first that differs.
   template <class Face>
+  requires std::same_as<typename Face::value_type, int>
   void compare(const Wording& field, const std::vector<Face>& expected, std::vector<Face>& actual);
   template <class T>
   void compare(const Wording& field, const std::optional<T>& expected, std::optional<T>& actual) {
@@ -87,8 +91,6 @@ class Changes {
 
  private:
   void add(const Wording& field, const std::string& change);
-  template <class Points>
-  void compare_vertices(const Wording& field, const Points& expected, Points& actual);
 
   std::string subject_;
   Tolerance tolerance_;

@@ -30,55 +30,46 @@ std::string describe(const PixelComparison& comparison, const Image& expected,
   return text;
 }
 
-/// What a user should know or do, beyond what differs; empty where the verdict says all.
-std::string advice(const Decision& decision, const fs::path& stored) {
-  const std::string file = stored.generic_string();
-  switch (decision.verdict) {
-    case Verdict::Missing:
-      return "nothing is stored at " + file +
-             "; run check without CI=true, look at what it writes, and commit it";
-    case Verdict::Written:
-      if (!decision.fails) return {};
-      return "nothing was stored; wrote " + file + ": look at it and commit it";
-    case Verdict::Stale:
-      return file +
-             " is stored, but the scenario does not ask for it; delete it, or run check "
-             "--update";
-    case Verdict::Same:
-    case Verdict::Different:
-    case Verdict::Updated:
-    case Verdict::Removed:
-      break;
-  }
-  return {};
-}
-
-template <class Checked>
+/// Takes the verdict, and says what a user should know or do beyond what differs, where the verdict
+/// does not say all. `subject` begins the sentence.
 void settle(Checked& checked, const Decision& decision, const std::string& subject) {
   checked.verdict = decision.verdict;
   checked.fails = decision.fails;
-  const std::string more = advice(decision, checked.stored);
-  if (!more.empty()) checked.sentences.push_back(subject + ": " + more);
+  const std::string file = checked.stored.generic_string();
+  const auto advise = [&](const std::string& advice) {
+    checked.sentences.push_back(subject + ": " + advice);
+  };
+  if (decision.verdict == Verdict::Missing)
+    advise("nothing is stored at " + file +
+           "; run check without CI=true, look at what it writes, and commit it");
+  if (decision.verdict == Verdict::Written && decision.fails)
+    advise("nothing was stored; wrote " + file + ": look at it and commit it");
+  if (decision.verdict == Verdict::Stale)
+    advise(file +
+           " is stored, but the scenario does not ask for it; delete it, or run check --update");
 }
 
-StaleFile settle_stale(const std::string& scenario, const fs::path& file, const Policy& policy) {
-  StaleFile stale{scenario, file, {}, false, {}};
+std::vector<Checked> settle_stale(const std::string& scenario, const std::vector<fs::path>& files,
+                                  const Policy& policy) {
   const Decision decision = decide(Finding::Stale, policy);
-  if (decision.action == Action::Remove) {
-    fs::remove(file);
-    // A folder that has nothing left would be called a scenario or a view by a reader.
-    std::error_code not_empty;
-    fs::remove(file.parent_path(), not_empty);
+  std::vector<Checked> all;
+  for (const fs::path& file : files) {
+    if (decision.verdict == Verdict::Removed) {
+      fs::remove(file);
+      // A folder that has nothing left would be called a scenario or a view by a reader.
+      std::error_code not_empty;
+      fs::remove(file.parent_path(), not_empty);
+    }
+    settle(all.emplace_back(Checked{scenario, file}), decision, scenario);
   }
-  settle(stale, decision, scenario);
-  return stale;
+  return all;
 }
 
 }  // namespace
 
 CheckedPicture check_picture(const fs::path& root, const PictureKey& key, const Image& actual,
                              const Policy& policy) {
-  CheckedPicture checked{key, picture_path(root, key), {}, false, {}, {}};
+  CheckedPicture checked{{key.scenario, picture_path(root, key)}, key};
   Finding finding = Finding::Missing;
   if (fs::exists(checked.stored)) {
     try {
@@ -95,7 +86,7 @@ CheckedPicture check_picture(const fs::path& root, const PictureKey& key, const 
     }
   }
   const Decision decision = decide(finding, policy);
-  if (decision.action == Action::Write) {
+  if (decision.verdict >= Verdict::Written) {
     fs::create_directories(checked.stored.parent_path());
     // Written once, read by every clone: the smallest level that stays fast.
     constexpr int kStoredLevel = 9;
@@ -105,9 +96,9 @@ CheckedPicture check_picture(const fs::path& root, const PictureKey& key, const 
   return checked;
 }
 
-CheckedTrace check_trace(const fs::path& root, const trace::Trace& actual, const Policy& policy) {
+Checked check_trace(const fs::path& root, const trace::Trace& actual, const Policy& policy) {
   const std::string& scenario = actual.header.scenario;
-  CheckedTrace checked{scenario, trace_path(root, scenario), {}, false, {}};
+  Checked checked{scenario, trace_path(root, scenario)};
   Finding finding = Finding::Different;
   try {
     if (const std::optional<std::string> stored = read_stored_trace(root, scenario)) {
@@ -120,31 +111,27 @@ CheckedTrace check_trace(const fs::path& root, const trace::Trace& actual, const
     checked.sentences.push_back(scenario + ": " + error.what());
   }
   const Decision decision = decide(finding, policy);
-  if (decision.action == Action::Write) write_text(checked.stored, to_json_lines(actual));
+  if (decision.verdict >= Verdict::Written) write_text(checked.stored, to_json_lines(actual));
   settle(checked, decision, scenario);
   return checked;
 }
 
-std::vector<StaleFile> check_stale(const fs::path& root, const std::string& scenario,
-                                   std::span<const std::string> views, std::span<const int> frames,
-                                   const Policy& policy) {
-  std::vector<StaleFile> all;
-  for (const fs::path& file : stale_files(root, scenario, views, frames)) {
-    all.push_back(settle_stale(scenario, file, policy));
-  }
-  return all;
+std::vector<Checked> check_stale(const fs::path& root, const std::string& scenario,
+                                 std::span<const std::string> views, std::span<const int> frames,
+                                 const Policy& policy) {
+  return settle_stale(scenario, stale_files(root, scenario, views, frames), policy);
 }
 
-std::vector<StaleFile> check_stale_scenarios(const fs::path& root,
-                                             std::span<const std::string> scenarios,
-                                             const Policy& policy) {
-  std::vector<StaleFile> all;
+std::vector<Checked> check_stale_scenarios(const fs::path& root,
+                                           std::span<const std::string> scenarios,
+                                           const Policy& policy) {
+  std::vector<Checked> all;
   for (const std::string& scenario : stored_scenarios(root)) {
-    if (std::find(scenarios.begin(), scenarios.end(), scenario) != scenarios.end()) continue;
+    if (std::ranges::find(scenarios, scenario) != scenarios.end()) continue;
     std::vector<fs::path> files = stale_files(root, scenario, {}, {});
     const fs::path trace = trace_path(root, scenario);
     if (fs::exists(trace)) files.push_back(trace);
-    for (const fs::path& file : files) all.push_back(settle_stale(scenario, file, policy));
+    std::ranges::move(settle_stale(scenario, files, policy), std::back_inserter(all));
   }
   return all;
 }

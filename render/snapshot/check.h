@@ -16,49 +16,38 @@
 /// removed.
 namespace contactscope::snapshot {
 
-struct CheckedPicture {
-  PictureKey key;
-  std::filesystem::path stored;  // the file
+/// What came of one stored file.
+struct Checked {
+  std::string scenario;
+  std::filesystem::path stored;
   Verdict verdict = Verdict::Same;
   bool fails = false;
-  std::vector<std::string> sentences;  // what differs, or why it failed; empty when the same
-  std::optional<Image> expected;       // as stored; set where it can be read and differs
+  std::vector<std::string> sentences{};  // what differs, or why it failed; empty when the same
+};
+
+struct CheckedPicture : Checked {
+  PictureKey key;
+  std::optional<Image> expected{};  // as stored; set where it can be read and differs
 };
 
 /// A stored picture that cannot be read differs.
 CheckedPicture check_picture(const std::filesystem::path& root, const PictureKey& key,
                              const Image& actual, const Policy& policy);
 
-struct CheckedTrace {
-  std::string scenario;
-  std::filesystem::path stored;
-  Verdict verdict = Verdict::Same;
-  bool fails = false;
-  std::vector<std::string> sentences;
-};
-
 /// `actual` holds the frames that the scenario stores, no more and no fewer. A stored trace that
 /// cannot be read differs. Throws std::domain_error where a trace with a number that is not finite
 /// would have to be written.
-CheckedTrace check_trace(const std::filesystem::path& root, const trace::Trace& actual,
-                         const Policy& policy);
-
-struct StaleFile {
-  std::string scenario;
-  std::filesystem::path stored;
-  Verdict verdict = Verdict::Stale;
-  bool fails = false;
-  std::vector<std::string> sentences;
-};
+Checked check_trace(const std::filesystem::path& root, const trace::Trace& actual,
+                    const Policy& policy);
 
 /// Pictures that the scenario does not store any more; see stale_files().
-std::vector<StaleFile> check_stale(const std::filesystem::path& root, const std::string& scenario,
-                                   std::span<const std::string> views, std::span<const int> frames,
-                                   const Policy& policy);
+std::vector<Checked> check_stale(const std::filesystem::path& root, const std::string& scenario,
+                                 std::span<const std::string> views, std::span<const int> frames,
+                                 const Policy& policy);
 
 /// The same for every file of scenarios that are stored but not in `scenarios`; for a check of all.
-std::vector<StaleFile> check_stale_scenarios(const std::filesystem::path& root,
-                                             std::span<const std::string> scenarios,
-                                             const Policy& policy);
+std::vector<Checked> check_stale_scenarios(const std::filesystem::path& root,
+                                           std::span<const std::string> scenarios,
+                                           const Policy& policy);
 
 }  // namespace contactscope::snapshot

@@ -85,11 +85,7 @@ void Report::add(const CheckedPicture& picture, const Image& actual) {
   scenarios_[key.scenario].pictures.push_back(std::move(pictures));
 }
 
-void Report::add(const CheckedTrace& trace) {
-  if (trace.fails) add(trace.scenario, trace.sentences);
-}
-
-void Report::add(const StaleFile& file) {
+void Report::add(const Checked& file) {
   if (file.fails) add(file.scenario, file.sentences);
 }
 

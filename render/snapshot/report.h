@@ -27,8 +27,7 @@ class Report {
 
   /// Each takes only what fails; pictures are written at once.
   void add(const CheckedPicture& picture, const Image& actual);
-  void add(const CheckedTrace& trace);
-  void add(const StaleFile& file);
+  void add(const Checked& file);
   /// Anything else that fails a scenario, such as an expectation that is not met.
   void add(const std::string& scenario, const std::vector<std::string>& sentences);
 

@@ -95,6 +95,10 @@ std::string spell_change(int expected, int actual) {
   return std::to_string(expected) + " -> " + std::to_string(actual);
 }
 
+std::string spell_change(std::span<const int> expected, std::span<const int> actual) {
+  return spell_change(spell_list(expected), spell_list(actual));
+}
+
 std::string spell_move(const Vec3d& expected, const Vec3d& actual) {
   const Vec3d move = actual - expected;
   const double distance = move.norm();

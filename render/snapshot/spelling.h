@@ -21,6 +21,7 @@ std::string spell_list(std::span<const int> numbers);
 std::string spell_change(double expected, double actual);
 std::string spell_change(const std::string& expected, const std::string& actual);
 std::string spell_change(int expected, int actual);
+std::string spell_change(std::span<const int> expected, std::span<const int> actual);
 
 /// "moved 1.3 mm along x", "moved 0.2 m along (0.7, 0, -0.71)"; the points differ.
 std::string spell_move(const Vec3d& expected, const Vec3d& actual);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -24,18 +23,6 @@ void require_plain(const std::string& name, const std::string& whole) {
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
     throw std::invalid_argument("'" + whole + "' cannot name a snapshot's folder");
   }
-}
-
-/// The frame of "frame_0012.png"; nothing where a file is not named as frame_stem() names it.
-std::optional<int> frame_of(const fs::path& file) {
-  constexpr std::string_view kPrefix = "frame_";
-  const std::string stem = file.stem().string();
-  if (file.extension() != kPictureExtension || !stem.starts_with(kPrefix)) return {};
-  int frame = 0;
-  const char* end = stem.data() + stem.size();
-  const auto [stopped, error] = std::from_chars(stem.data() + kPrefix.size(), end, frame);
-  if (error != std::errc{} || stopped != end || frame_stem(frame) != stem) return {};
-  return frame;
 }
 
 }  // namespace
@@ -93,19 +80,6 @@ std::vector<std::string> stored_scenarios(const fs::path& root) {
     found.insert(group + "/" + part->string());
   }
   return {found.begin(), found.end()};
-}
-
-std::vector<int> stored_frames(const fs::path& root, const std::string& scenario,
-                               const std::optional<std::string>& view) {
-  std::vector<int> frames;
-  const fs::path folder = picture_folder(root, scenario, view);
-  if (!fs::is_directory(folder)) return frames;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    if (const std::optional<int> frame = frame_of(entry.path())) frames.push_back(*frame);
-  }
-  std::sort(frames.begin(), frames.end());
-  return frames;
 }
 
 std::vector<fs::path> stale_files(const fs::path& root, const std::string& scenario,

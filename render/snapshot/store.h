@@ -41,10 +41,6 @@ std::filesystem::path trace_path(const std::filesystem::path& root, const std::s
 /// Scenarios that have a folder with a trace or a picture in it, sorted: "<group>/<idea>".
 std::vector<std::string> stored_scenarios(const std::filesystem::path& root);
 
-/// Frames that have a stored picture, ascending. Empty where there is no folder.
-std::vector<int> stored_frames(const std::filesystem::path& root, const std::string& scenario,
-                               const std::optional<std::string>& view);
-
 /// Stored pictures below the scenario's folder that it does not store any more, sorted: frames not
 /// in `frames`, views not in `views` (empty where the scenario has a single view), and pictures
 /// under a name that is no frame's.

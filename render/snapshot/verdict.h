@@ -2,8 +2,7 @@
 
 #include <string_view>
 
-/// What follows from a comparison. Pure: the environment and the command
-/// line come in as a policy.
+/// What follows from a comparison. Pure: the environment and the command line come in as a policy.
 namespace contactscope::snapshot {
 
 /// What `check --update[=all]` may rewrite.
@@ -19,7 +18,10 @@ struct Policy {
 };
 
 /// Of the environment variable CI: "true" or "1". Null where it is not set.
-bool is_ci(const char* value);
+inline bool is_ci(const char* value) {
+  const std::string_view text = value ? value : "";
+  return text == "true" || text == "1";
+}
 
 /// What a comparison found.
 enum class Finding {
@@ -29,6 +31,7 @@ enum class Finding {
   Stale,    // stored, but the scenario does not store it any more
 };
 
+/// What becomes of the stored file: from Written on it changes.
 enum class Verdict {
   Same,
   Different,
@@ -39,20 +42,27 @@ enum class Verdict {
   Removed,  // was stale
 };
 
-/// "same", "different", ..., as reports spell it.
-const char* to_string(Verdict verdict);
-
-/// What to do with the stored file.
-enum class Action { Keep, Write, Remove };
-
 struct Decision {
   Verdict verdict = Verdict::Same;
-  Action action = Action::Keep;
   bool fails = false;  // the check exits with 1
 };
 
 /// A missing snapshot is written where nobody asked for it, but fails the check: it is not agreed
 /// on until somebody has looked at it and committed it.
-Decision decide(Finding finding, const Policy& policy);
+constexpr Decision decide(Finding finding, const Policy& policy) {
+  const Update update = policy.ci ? Update::None : policy.update;
+  const bool accepted = update != Update::None;
+  switch (finding) {
+    case Finding::Same:
+      return {update == Update::All ? Verdict::Updated : Verdict::Same, false};
+    case Finding::Missing:
+      return {policy.ci ? Verdict::Missing : Verdict::Written, !accepted};
+    case Finding::Stale:
+      return {accepted ? Verdict::Removed : Verdict::Stale, !accepted};
+    case Finding::Different:
+      break;
+  }
+  return {accepted ? Verdict::Updated : Verdict::Different, !accepted};
+}
 
 }  // namespace contactscope::snapshot

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 
-#include "app/trace_file.h"
 #include "core/input_error.h"
 #include "reduce/reducer.h"
 #include "scenario/default_view.h"
@@ -47,65 +46,64 @@ std::vector<std::string> files_named(const std::string& argument, const std::str
 }
 
 void override_reducer(Scenario& scenario, const std::string& reducer) {
-  const std::vector<ReducerInfo>& known = reducers();
-  const auto found = std::find_if(known.begin(), known.end(),
-                                  [&](const ReducerInfo& info) { return info.name == reducer; });
-  if (found == known.end()) {
-    std::string names;
-    for (const ReducerInfo& info : known) names += (names.empty() ? "" : ", ") + info.name;
-    throw UsageError("--reducer '" + reducer + "' is no reducer; known are " + names);
-  }
+  if (std::ranges::find(reducers(), reducer, &ReducerInfo::name) == reducers().end())
+    throw UsageError("--reducer '" + reducer + "' is no reducer; known are " +
+                     names_of(reducers()));
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
 
-void require_view(const std::string& subject, const std::vector<View>& views,
-                  const std::string& name) {
-  std::string names;
-  for (const View& view : views) {
-    if (view.name == name) return;
-    names += (names.empty() ? "" : ", ") + view.name;
-  }
-  throw UsageError("--view '" + name + "' is no view of " + subject + "; it has " + names);
+void require_view(const std::string& name, const std::vector<View>& views,
+                  const std::string& view) {
+  if (view.empty() || std::ranges::find(views, view, &View::name) != views.end()) return;
+  throw UsageError("--view '" + view + "' is no view of " + name + "; it has " + names_of(views));
 }
 
-void refuse_same_name(const std::string& file, const std::string& name, const std::string& other) {
+/// Which file each name is of.
+using Paths = std::map<std::string, std::string>;
+
+/// Whether a file was not named before; throws where another one has its name.
+bool is_new(const std::string& name, const std::string& file, Paths& paths) {
+  const auto [known, added] = paths.emplace(name, file);
+  if (added) return true;
+  if (fs::equivalent(known->second, file)) return false;
   throw InputError(file, 0, 0,
-                   "its name " + name + " is also that of " + other +
+                   "its name " + name + " is also that of " + known->second +
                        ", and their pictures would overwrite each other; move one to another "
                        "folder, which is the first part of the name");
 }
 
-/// What an author of traces sees without having said what.
-View view_of_trace() {
+Input input_of(Scenario&& scenario, const Options& options) {
+  Input input{scenario.name, selected_views(scenario, options), scenario.views.size() > 1,
+              options.selected(scenario.frames)};
+  input.scenario = std::move(scenario);
+  return input;
+}
+
+Input input_of(trace::Trace&& trace, const Options& options) {
+  // What an author of traces sees without having said what.
   View view = scenario_file::default_view();
   view.panels = {Panel::Summary};
-  return view;
-}
-
-Subject subject_of(Scenario&& scenario, const Options& options) {
-  Subject subject{
-      scenario.name, selected_views(scenario, options), scenario.views.size() > 1, {}, std::nullopt,
-      std::nullopt};
-  const FrameRange all{0, scenario.frames - 1, 1};
-  subject.frames = options.frames.value_or(all).select(scenario.frames);
-  subject.scenario = std::move(scenario);
-  return subject;
-}
-
-Subject subject_of(trace::Trace&& trace, const Options& options) {
-  Subject subject{trace.header.scenario, {view_of_trace()}, false, {}, std::nullopt, std::nullopt};
-  if (!options.view.empty()) require_view(subject.name, subject.views, options.view);
+  Input input{trace.header.scenario, {view}, false, {}};
+  require_view(input.name, input.views, options.view);
   for (const trace::Frame& frame : trace.frames) {
-    if (!options.frames || options.frames->names(frame.frame))
-      subject.frames.push_back(frame.frame);
+    if (!options.frames || options.frames->names(frame.frame)) input.frames.push_back(frame.frame);
   }
-  if (subject.frames.empty()) {
-    throw UsageError("--frames names no frame of " + subject.name + ", which has frames " +
+  if (input.frames.empty()) {
+    throw UsageError("--frames names no frame of " + input.name + ", which has frames " +
                      std::to_string(trace.frames.front().frame) + " to " +
                      std::to_string(trace.frames.back().frame));
   }
-  subject.trace = std::move(trace);
-  return subject;
+  input.trace = std::move(trace);
+  return input;
+}
+
+/// A contact plane has layers of its own, and no panels.
+void override_views(std::vector<View>& views, const Options& options) {
+  for (View& view : views) {
+    if (view.kind == ViewKind::ContactPlane) continue;
+    view.layers = options.layers.value_or(view.layers);
+    view.panels = options.panels.value_or(view.panels);
+  }
 }
 
 }  // namespace
@@ -121,7 +119,7 @@ std::vector<std::string> scenario_files(const std::string& root) {
       files.push_back(entry.path().string());
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -131,11 +129,6 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
     if (options.view.empty() || view.name == options.view) views.push_back(view);
   }
   return views;
-}
-
-std::optional<std::string> view_folder(const Scenario& scenario, const View& view) {
-  if (scenario.views.size() < 2) return std::nullopt;
-  return view.name;
 }
 
 std::vector<Scenario> load_scenarios(const Options& options) {
@@ -152,15 +145,13 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     files.insert(files.end(), named.begin(), named.end());
   }
   std::vector<Scenario> scenarios;
-  std::map<std::string, std::string> paths;  // by the scenario's name
+  Paths paths;
   for (const std::string& file : files) {
     Scenario scenario = load_scenario(file);
-    const auto [known, is_new] = paths.emplace(scenario.name, file);
-    if (!is_new && fs::equivalent(known->second, file)) continue;  // named twice
-    if (!is_new) refuse_same_name(file, scenario.name, known->second);
+    if (!is_new(scenario.name, file, paths)) continue;
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
-    if (!options.view.empty()) require_view(scenario.name, scenario.views, options.view);
-    if (options.frames && options.frames->select(scenario.frames).empty()) {
+    require_view(scenario.name, scenario.views, options.view);
+    if (options.frames && options.selected(scenario.frames).empty()) {
       throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
                        std::to_string(scenario.frames - 1));
     }
@@ -173,33 +164,19 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   return scenarios;
 }
 
-namespace {
-
-/// A contact plane has layers of its own, and no panels.
-void override_views(std::vector<View>& views, const Options& options) {
-  for (View& view : views) {
-    if (view.kind == ViewKind::ContactPlane) continue;
-    view.layers = options.layers.value_or(view.layers);
-    view.panels = options.panels.value_or(view.panels);
-  }
-}
-
-}  // namespace
-
-std::vector<Subject> load_subjects(const Options& options) {
+std::vector<Input> load_inputs(const Options& options) {
   std::vector<std::string> traces;
   Options others = options;
   std::erase_if(others.scenarios, [&](const std::string& argument) {
-    if (!is_trace_file(argument)) return false;
-    traces.push_back(argument);
-    return true;
+    if (is_trace_file(argument)) traces.push_back(argument);
+    return is_trace_file(argument);
   });
-  std::vector<Subject> subjects;
-  std::map<std::string, std::string> paths;  // by name
+  std::vector<Input> inputs;
+  Paths paths;
   if (traces.empty() || !others.scenarios.empty()) {
     for (Scenario& scenario : load_scenarios(others)) {
       paths.emplace(scenario.name, scenario.path);
-      subjects.push_back(subject_of(std::move(scenario), options));
+      inputs.push_back(input_of(std::move(scenario), options));
     }
   }
   for (const std::string& file : traces) {
@@ -209,16 +186,14 @@ std::vector<Subject> load_subjects(const Options& options) {
                        " is a trace of what it decided; leave it out, or name a scenario");
     }
     trace::Trace trace = load_trace(file);
-    const auto [known, is_new] = paths.emplace(trace.header.scenario, file);
-    if (!is_new && fs::equivalent(known->second, file)) continue;  // named twice
-    if (!is_new) refuse_same_name(file, trace.header.scenario, known->second);
-    subjects.push_back(subject_of(std::move(trace), options));
+    if (is_new(trace.header.scenario, file, paths))
+      inputs.push_back(input_of(std::move(trace), options));
   }
-  for (Subject& subject : subjects) {
-    override_views(subject.views, options);
-    if (subject.scenario) override_views(subject.scenario->views, options);
+  for (Input& input : inputs) {
+    override_views(input.views, options);
+    if (input.scenario) override_views(input.scenario->views, options);
   }
-  return subjects;
+  return inputs;
 }
 
 }  // namespace contactscope::app

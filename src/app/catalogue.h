@@ -21,24 +21,38 @@ std::vector<std::string> scenario_files(const std::string& root);
 std::vector<Scenario> load_scenarios(const Options& options);
 
 /// What `render` draws: a scenario, which is run first, or a trace as it stands.
-struct Subject {
-  std::string name;                   // "<group>/<idea>"
-  std::vector<View> views;            // that --view leaves
-  bool several_views = false;         // of the file, so that each has a folder
-  std::vector<int> frames;            // to draw, by number
-  std::optional<Scenario> scenario;   // either this
-  std::optional<trace::Trace> trace;  // or this
+struct Input {
+  std::string name;                     // "<group>/<idea>"
+  std::vector<View> views;              // that --view leaves
+  bool several_views = false;           // of the file, so that each has a folder
+  std::vector<int> frames;              // to draw, by number
+  std::optional<Scenario> scenario{};   // either this
+  std::optional<trace::Trace> trace{};  // or this
 };
 
 /// The same of files that may be traces too, which have one view: fitted, with the default layers
 /// and the summary. Throws UsageError also where an option has no meaning for a trace.
-std::vector<Subject> load_subjects(const Options& options);
+std::vector<Input> load_inputs(const Options& options);
+
+/// Whether a file is a trace and no scenario: it is named *.jsonl, or begins with '{', as no TOML
+/// does. False where there is no such file.
+bool is_trace_file(const std::string& path);
+
+/// Reads a trace to draw it, ours or another engine's. Throws InputError, with the line and what
+/// would be right, where it cannot be read or does not fit together: a shape without vertices, a
+/// frame without a pose for each shape, a pair of shapes that are not there, a normal that is no
+/// unit vector, an index beyond a shape's faces.
+trace::Trace load_trace(const std::string& path);
 
 /// The views that --view leaves.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 
-/// The folder of a view's pictures below the scenario's: none when the file has a single view. A
-/// view chosen on the command line stays where it would be among the others.
-std::optional<std::string> view_folder(const Scenario& scenario, const View& view);
+/// The names of a list of things, for a complaint: "a, b, c".
+template <class List>
+std::string names_of(const List& list) {
+  std::string names;
+  for (const auto& one : list) names += (names.empty() ? "" : ", ") + one.name;
+  return names;
+}
 
 }  // namespace contactscope::app

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
-#include "app/interrupt.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/sequence.h"
@@ -22,7 +21,7 @@ namespace {
 struct Outcome {
   std::string scenario;
   bool fails = false;
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences{};
   int pictures = 0;
   int changed = 0;  // files written, rewritten or removed
 };
@@ -30,14 +29,13 @@ struct Outcome {
 class Checker {
  public:
   explicit Checker(const Options& options)
-      : options_(options), studio_(options.backend, ledger_), report_(options.out) {
-    policy_.ci = snapshot::is_ci(std::getenv("CI"));
-    if (options.update == Update::Failed) policy_.update = snapshot::Update::Failed;
-    if (options.update == Update::All) policy_.update = snapshot::Update::All;
-  }
+      : options_(options),
+        studio_(options.backend, ledger_),
+        report_(options.out),
+        policy_{snapshot::is_ci(std::getenv("CI")), options.update} {}
 
   Outcome check(const Scenario& scenario) {
-    Outcome outcome{scenario.name, false, {}, 0, 0};
+    Outcome outcome{scenario.name};
     const Sequence sequence = run_sequence(scenario, {}, false, ledger_);
     check_expectations(scenario, sequence, outcome);
     check_trace(scenario, sequence, outcome);
@@ -53,12 +51,10 @@ class Checker {
     std::vector<std::string> names;
     for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
     std::vector<Outcome> outcomes;
-    for (const snapshot::StaleFile& file :
+    for (const snapshot::Checked& file :
          snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_)) {
-      Outcome outcome{file.scenario, false, {}, 0, 0};
-      take(file, outcome);
-      if (file.fails) report_.add(file);
-      outcomes.push_back(std::move(outcome));
+      take(file, outcomes.emplace_back(Outcome{file.scenario}));
+      report_.add(file);
     }
     return outcomes;
   }
@@ -67,14 +63,11 @@ class Checker {
   const Ledger& ledger() const { return ledger_; }
 
  private:
-  template <class Checked>
-  static void take(const Checked& checked, Outcome& outcome) {
-    using snapshot::Verdict;
+  static void take(const snapshot::Checked& checked, Outcome& outcome) {
     outcome.fails = outcome.fails || checked.fails;
     outcome.sentences.insert(outcome.sentences.end(), checked.sentences.begin(),
                              checked.sentences.end());
-    outcome.changed += checked.verdict == Verdict::Written || checked.verdict == Verdict::Updated ||
-                       checked.verdict == Verdict::Removed;
+    outcome.changed += checked.verdict >= snapshot::Verdict::Written;
   }
 
   void check_expectations(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
@@ -90,10 +83,10 @@ class Checker {
     for (const int frame : scenario.snapshots.frames) {
       stored.frames.push_back(sequence.frames[static_cast<std::size_t>(frame)]);
     }
-    const snapshot::CheckedTrace checked =
+    const snapshot::Checked checked =
         snapshot::check_trace(options_.snapshot_root, stored, policy_);
     take(checked, outcome);
-    if (checked.fails) report_.add(checked);
+    report_.add(checked);
   }
 
   void check_pictures(const Scenario& scenario, const View& view, const Sequence& sequence,
@@ -104,8 +97,10 @@ class Checker {
                                    scenario.snapshots.frames.end());
     studio_.render(staging, sequence.frames, which, {}, [&](std::size_t frame, Image image) {
       const Timed timed(ledger_, "compare");
-      const snapshot::PictureKey key{scenario.name, view_folder(scenario, view),
-                                     static_cast<int>(frame)};
+      // A view chosen on the command line stays where it would be among the others.
+      const snapshot::PictureKey key{
+          scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
+          static_cast<int>(frame)};
       snapshot::CheckedPicture checked =
           snapshot::check_picture(options_.snapshot_root, key, image, policy_);
       if (checked.expected && !speaks_of(outcome.sentences, key.frame)) {
@@ -116,13 +111,13 @@ class Checker {
       }
       ++outcome.pictures;
       take(checked, outcome);
-      if (checked.fails) report_.add(checked, image);
+      report_.add(checked, image);
     });
   }
 
   static bool speaks_of(const std::vector<std::string>& sentences, int frame) {
     const std::string pairs = " frame " + std::to_string(frame) + ", ";
-    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
+    return std::ranges::any_of(sentences, [&](const std::string& sentence) {
       return sentence.find(pairs) != std::string::npos;
     });
   }
@@ -132,10 +127,10 @@ class Checker {
     if (scenario.views.size() > 1) {
       for (const View& view : scenario.views) views.push_back(view.name);
     }
-    for (const snapshot::StaleFile& file : snapshot::check_stale(
+    for (const snapshot::Checked& file : snapshot::check_stale(
              options_.snapshot_root, scenario.name, views, scenario.snapshots.frames, policy_)) {
       take(file, outcome);
-      if (file.fails) report_.add(file);
+      report_.add(file);
     }
   }
 
@@ -176,7 +171,7 @@ ExitCode run_check(const Options& options) {
   note_interrupts();
   const std::vector<Scenario> scenarios = load_scenarios(options);
   Checker checker(options);
-  if (options.update != Update::Never && snapshot::is_ci(std::getenv("CI")))
+  if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
     std::cerr << "CI=true: nothing is updated; unset CI to accept what changed\n";
   int failed = 0;
   {

@@ -25,14 +25,14 @@ std::string eigen_version() {
 }
 
 /// One line on what a scenario or a trace holds; what is wrong with one has thrown InputError.
-std::string looked_through(const Subject& subject) {
-  if (subject.scenario) {
-    const Scenario& scenario = *subject.scenario;
+std::string looked_through(const Input& input) {
+  if (input.scenario) {
+    const Scenario& scenario = *input.scenario;
     return scenario.path + ": scenario " + scenario.name + ", frames " +
            std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
            ", pairs " + std::to_string(scenario.pairs.size());
   }
-  const trace::Trace& trace = *subject.trace;
+  const trace::Trace& trace = *input.trace;
   std::map<std::string, int> found;
   for (const trace::Frame& frame : trace.frames) {
     found["solver"] += frame.solver.has_value();
@@ -44,9 +44,8 @@ std::string looked_through(const Subject& subject) {
       });
     }
   }
-  std::string text = "trace of " + subject.name + ", frames " +
-                     std::to_string(trace.frames.size()) + ", shapes " +
-                     std::to_string(trace.header.shapes.size());
+  std::string text = "trace of " + input.name + ", frames " + std::to_string(trace.frames.size()) +
+                     ", shapes " + std::to_string(trace.header.shapes.size());
   for (const auto& [what, count] : found) {
     if (count > 0) text += ", " + what + " " + std::to_string(count);
   }
@@ -59,11 +58,10 @@ ExitCode run_doctor(const Options& options) {
   for (const std::string& argument : options.scenarios) {
     Options one = options;  // each by itself: here two may have one name
     one.scenarios = {argument};
-    for (const Subject& subject : load_subjects(one)) files.push_back(looked_through(subject));
+    for (const Input& input : load_inputs(one)) files.push_back(looked_through(input));
   }
   const std::vector<gl::RouteReport> routes = gl::probe_routes();
-  const bool any = std::any_of(routes.begin(), routes.end(),
-                               [](const gl::RouteReport& route) { return route.works; });
+  const bool any = std::ranges::any_of(routes, &gl::RouteReport::works);
   const std::size_t font_bytes = font_data(FontWeight::Regular).size();
   if (options.json) {
     nlohmann::ordered_json json{{"version", CONTACTSCOPE_VERSION},
@@ -92,12 +90,8 @@ ExitCode run_doctor(const Options& options) {
             << "  Eigen     " << eigen_version() << "\n"
             << "  font      Roboto, embedded, " << font_bytes / 1024 << " kB\n";
   for (const gl::RouteReport& route : routes) {
-    if (route.works) {
-      std::cout << "  ok        " << route.route << ": " << route.version << ", " << route.renderer
-                << "\n";
-    } else {
-      std::cout << "  no        " << route.route << ": " << route.failure << "\n";
-    }
+    std::cout << (route.works ? "  ok        " : "  no        ") << route.route << ": "
+              << (route.works ? route.version + ", " + route.renderer : route.failure) << '\n';
   }
   std::cout
       << (any ? "Pictures can be rendered.\n"

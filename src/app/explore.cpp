@@ -1,44 +1,44 @@
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <tuple>
 
 #include "app/catalogue.h"
 #include "app/encoder_pool.h"
-#include "app/interrupt.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/table.h"
 #include "app/verbs.h"
+#include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
+#include "snapshot/store.h"
 #include "study/exploration.h"
 
 namespace contactscope::app {
 namespace {
 
 void print_table(const std::vector<trace::Exploration>& explorations, std::ostream& out) {
-  Table table({"reducer", "area %", "worst", "lost arm % of radius", "worst", "depth error mm",
-               "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least",
-               "upper quartile"});
+  Table table = {{"reducer", "area %", "worst", "lost arm % of radius", "worst", "depth error mm",
+                  "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least",
+                  "upper quartile"}};
   const auto time = [](double ns) { return ns > 0 ? spelled("%.0f", ns) : std::string("-"); };
   for (const ReducerSummary& row : summarize(explorations)) {
-    table.add({row.name, spelled("%.2f", 100 * row.mean_area_ratio),
-               spelled("%.2f", 100 * row.worst_area_ratio),
-               spelled("%.2f", 100 * row.mean_wrench_error),
-               spelled("%.2f", 100 * row.worst_wrench_error),
-               spelled("%.3g", 1000 * row.worst_depth_error),
-               spelled("%.0f", 100 * row.deepest_kept), spelled("%.0f", 100 * row.supported),
-               std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
-               time(row.median), time(row.min), time(row.quarter)});
+    table.push_back({row.name, spelled("%.2f", 100 * row.mean_area_ratio),
+                     spelled("%.2f", 100 * row.worst_area_ratio),
+                     spelled("%.2f", 100 * row.mean_wrench_error),
+                     spelled("%.2f", 100 * row.worst_wrench_error),
+                     spelled("%.3g", 1000 * row.worst_depth_error),
+                     spelled("%.0f", 100 * row.deepest_kept), spelled("%.0f", 100 * row.supported),
+                     std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
+                     time(row.median), time(row.min), time(row.quarter)});
   }
-  table.print(out);
+  print(table, out);
 }
 
-std::size_t most_points(const std::vector<trace::Exploration>& explorations) {
-  std::size_t most = 0;
-  for (const trace::Exploration& e : explorations) most = std::max(most, e.points.size());
+int most_points(const std::vector<trace::Exploration>& explorations) {
+  int most = 0;
+  for (const trace::Exploration& e : explorations) most = std::max(most, count_of(e.points));
   return most;
 }
 
@@ -49,11 +49,11 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
               << ": nothing touches in these frames, so there is nothing to reduce\n";
     return;
   }
-  const std::size_t most = most_points(explorations);
+  const int most = most_points(explorations);
   std::cerr << scenario.name << ": " << explorations.size()
             << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
             << " points";
-  if (static_cast<int>(most) <= scenario.pairs.front().pipeline.max_points)
+  if (most <= scenario.pairs.front().pipeline.max_points)
     std::cerr << ", which every reducer keeps whole";
   std::cerr << '\n';
 }
@@ -63,15 +63,15 @@ using Explorations = std::vector<trace::Exploration>;
 /// The explorations of each pair, and of each triangle of a mesh, frames in order.
 std::vector<Explorations> by_manifold(const std::vector<trace::Exploration>& explorations) {
   std::vector<Explorations> sequences;
-  for (const trace::Exploration& exploration : explorations) {
-    const auto same = [&](const Explorations& sequence) {
-      const trace::Exploration& first = sequence.front();
-      return first.a == exploration.a && first.b == exploration.b &&
-             first.label == exploration.label && first.triangle == exploration.triangle;
+  for (const trace::Exploration& one : explorations) {
+    const auto name = [](const trace::Exploration& of) {
+      return std::tie(of.a, of.b, of.label, of.triangle);
     };
-    auto found = std::ranges::find_if(sequences, same);
+    auto found = std::ranges::find_if(sequences, [&](const Explorations& sequence) {
+      return name(sequence.front()) == name(one);
+    });
     if (found == sequences.end()) found = sequences.emplace(sequences.end());
-    found->push_back(exploration);
+    found->push_back(one);
   }
   return sequences;
 }
@@ -85,23 +85,6 @@ std::filesystem::path folder_of(const Options& options, const trace::Exploration
               (first.triangle ? "-triangle_" + std::to_string(*first.triangle) : "");
   }
   return folder;
-}
-
-std::vector<std::string> order_of(const std::vector<trace::Exploration>& explorations) {
-  std::vector<std::string> names;
-  for (const ReducerSummary& row : summarize(explorations)) names.push_back(row.name);
-  return names;
-}
-
-/// Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
-/// large mesh's are kept whole by all.
-std::vector<Explorations> pictured(const std::vector<trace::Exploration>& explorations,
-                                   int max_points) {
-  std::vector<Explorations> sequences = by_manifold(explorations);
-  std::erase_if(sequences, [&](const Explorations& sequence) {
-    return sequence.front().triangle && static_cast<int>(most_points(sequence)) <= max_points;
-  });
-  return sequences;
 }
 
 void print_pictures(std::size_t pictures, std::size_t left_out,
@@ -128,9 +111,14 @@ void print_left_out(const std::vector<std::string>& left_out, const Size& size) 
 void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
                     const Options& options, Ledger& ledger) {
   const Size size = options.size.value_or(roomy_size(explorations.front().reducers.size()));
-  const std::vector<Explorations> sequences =
-      pictured(explorations, scenario.pairs.front().pipeline.max_points);
-  const bool several = by_manifold(explorations).size() > 1;
+  std::vector<Explorations> sequences = by_manifold(explorations);
+  const bool several = sequences.size() > 1;
+  // Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
+  // large mesh's are kept whole by all.
+  std::erase_if(sequences, [&](const Explorations& sequence) {
+    return sequence.front().triangle &&
+           most_points(sequence) <= scenario.pairs.front().pipeline.max_points;
+  });
   std::size_t pictures = 0;
   for (const Explorations& sequence : sequences) pictures += sequence.size();
   std::vector<std::string> left_out;
@@ -140,17 +128,16 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
     {
       Progress progress(static_cast<int>(pictures), options.quiet);
       for (const Explorations& sequence : sequences) {
+        std::vector<std::string> order;
+        for (const ReducerSummary& row : summarize(sequence)) order.push_back(row.name);
         const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
-                                       draw::explored(sequence, order_of(sequence)), 0, size.width,
-                                       size.height);
+                                       draw::explored(sequence, order), 0, size.width, size.height);
         left_out = cells.left_out();
         const std::filesystem::path folder = folder_of(options, sequence.front(), several);
         std::filesystem::create_directories(folder);
         for (const trace::Exploration& exploration : sequence) {
-          std::array<char, 32> name{};
-          std::snprintf(name.data(), name.size(), "frame_%04d.png", exploration.frame);
-          encoders.submit((folder / name.data()).string(),
-                          studio.paint(cells.frame(exploration.frame)));
+          const std::string name = snapshot::frame_stem(exploration.frame) + ".png";
+          encoders.submit((folder / name).string(), studio.paint(cells.frame(exploration.frame)));
           progress.advance(scenario.name);
         }
       }
@@ -168,8 +155,7 @@ ExitCode run_explore(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
   const Scenario& scenario = scenarios.front();
-  const FrameRange all{0, scenario.frames - 1, 1};
-  const std::vector<int> frames = options.frames.value_or(all).select(scenario.frames);
+  const std::vector<int> frames = options.selected(scenario.frames);
 
   ExploreOptions explore_options;
   if (!options.reducer.empty()) explore_options.reducers = {options.reducer};

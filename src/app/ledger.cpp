@@ -7,17 +7,14 @@
 namespace contactscope::app {
 
 void Ledger::add(const std::string& stage, std::chrono::nanoseconds time, int count) {
-  auto found = std::find_if(entries_.begin(), entries_.end(),
-                            [&](const Entry& entry) { return entry.stage == stage; });
+  auto found = std::ranges::find(entries_, stage, &Entry::stage);
   if (found == entries_.end()) found = entries_.insert(entries_.end(), Entry{stage, {}, 0});
   found->time += time;
   found->count += count;
 }
 
 void Ledger::left_out(const std::string& what) {
-  if (std::find(left_out_.begin(), left_out_.end(), what) == left_out_.end()) {
-    left_out_.push_back(what);
-  }
+  if (std::ranges::find(left_out_, what) == left_out_.end()) left_out_.push_back(what);
 }
 
 void Ledger::note(const std::string& text) {

@@ -1,6 +1,5 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
@@ -15,31 +14,25 @@ struct Item {
   std::string summary;
 };
 
-std::vector<Item> scenario_items(const Options& options) {
-  std::vector<Item> items;
-  for (const std::string& file : scenario_files(options.scenario_root)) {
-    const Scenario scenario = load_scenario(file);
-    items.push_back({scenario.name, scenario.title});
-  }
-  return items;
-}
-
-std::vector<Item> plain(std::span<const std::string_view> names) {
-  std::vector<Item> items;
-  for (const std::string_view name : names) items.push_back({std::string(name), ""});
-  return items;
-}
-
 std::vector<Item> items_of(const std::string& what, const Options& options) {
-  if (what == "scenarios") return scenario_items(options);
-  if (what == "layers") return plain(kLayerNames);
-  if (what == "panels") return plain(kPanelNames);
   std::vector<Item> items;
-  if (what == "studies") {
-    for (const StudyInfo& info : studies()) items.push_back({info.name, info.summary});
-    return items;
+  const auto add = [&](std::string_view name, const std::string& summary = "") {
+    items.push_back({std::string(name), summary});
+  };
+  if (what == "scenarios") {
+    for (const std::string& file : scenario_files(options.scenario_root)) {
+      const Scenario scenario = load_scenario(file);
+      add(scenario.name, scenario.title);
+    }
   }
-  for (const ReducerInfo& info : reducers()) items.push_back({info.name, info.summary});
+  if (what == "reducers")
+    for (const ReducerInfo& info : reducers()) add(info.name, info.summary);
+  if (what == "layers")
+    for (const std::string_view name : kLayerNames) add(name);
+  if (what == "panels")
+    for (const std::string_view name : kPanelNames) add(name);
+  if (what == "studies")
+    for (const StudyInfo& info : studies()) add(info.name, info.summary);
   return items;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/layers.h"
 #include "gl/context.h"
+#include "snapshot/verdict.h"
 
 namespace contactscope::app {
 
@@ -18,14 +19,11 @@ struct FrameRange {
   int last = 0;
   int step = 1;
 
-  /// The frames of a sequence of `frames` that the range names.
-  std::vector<int> select(int frames) const;
   /// Whether it names this one.
-  bool names(int frame) const;
+  bool names(int frame) const {
+    return frame >= first && frame <= last && (frame - first) % step == 0;
+  }
 };
-
-/// Parses a --frames argument. Throws UsageError.
-FrameRange parse_frame_range(const std::string& text);
 
 struct Size {
   int width = 1280;
@@ -34,24 +32,14 @@ struct Size {
 
 /// The default for a picture in which so many reducers or other methods are compared: tall where
 /// they are more than nine, so that they can be told apart.
-Size roomy_size(std::size_t methods);
+inline Size roomy_size(std::size_t methods) {
+  return methods > 9 ? Size{1280, 1440} : Size{};
+}
 
-/// Parses a --size argument, "WxH". Throws UsageError.
-Size parse_size(const std::string& text);
-
-/// Parse the names of a --layers and of a --panels argument: none given is nothing, "none" alone is
-/// an empty list. Throw UsageError.
-std::optional<std::vector<Layer>> parse_layers(const std::vector<std::string>& names);
-std::optional<std::vector<Panel>> parse_panels(const std::vector<std::string>& names);
-
-enum class Update { Never, Failed, All };
-
-/// Parses an --update argument. Throws UsageError.
-Update parse_update(const std::string& text);
-
-/// Parses the name of a route to OpenGL; `where` is the option or variable that gave it. Throws
-/// UsageError.
-gl::Backend parse_backend(const std::string& where, const std::string& text);
+/// The command line is wrong; what() says how and what would be right. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// The command line, parsed.
 struct Options {
@@ -67,7 +55,7 @@ struct Options {
   std::optional<std::vector<Layer>> layers;  // of every view, instead of its own
   std::optional<std::vector<Panel>> panels;
   std::string what;  // of `list`
-  Update update = Update::Never;
+  snapshot::Update update = snapshot::Update::None;
   int jobs = 0;              // 0: as many as there are processors
   std::string study;         // name of the study to run
   std::uint64_t seed = 1;    // of its cases
@@ -77,11 +65,15 @@ struct Options {
   bool verbose = false;
   bool timing = false;
   bool tables_only = false;
-};
 
-/// The command line is wrong; what() says how and what would be right. Exit code 2.
-class UsageError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+  /// Those of a sequence's frames that --frames names; all without it.
+  std::vector<int> selected(int frame_count) const {
+    std::vector<int> list;
+    for (int f = 0; f < frame_count; ++f) {
+      if (!frames || frames->names(f)) list.push_back(f);
+    }
+    return list;
+  }
 };
 
 enum class ExitCode { Same = 0, Different = 1, Trouble = 2 };

@@ -2,9 +2,28 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
+#include <stdexcept>
 
 namespace contactscope::app {
+namespace {
+
+volatile std::sig_atomic_t requested = 0;
+
+void note(int) {
+  requested = 1;
+}
+
+}  // namespace
+
+void note_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note);
+}
+
+void stop_if_interrupted() {
+  if (requested != 0) throw std::runtime_error("interrupted; what was written is whole");
+}
 
 Progress::Progress(int total, bool quiet)
     : total_(total), shown_(!quiet && total > 1 && isatty(STDERR_FILENO) == 1) {}

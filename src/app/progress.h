@@ -23,4 +23,11 @@ class Progress {
   bool shown_;
 };
 
+/// From now on a request to stop (SIGINT, SIGTERM, SIGHUP) is only noted, so that files under way
+/// are finished.
+void note_interrupts();
+
+/// Throws std::runtime_error when a request was noted.
+void stop_if_interrupted();
+
 }  // namespace contactscope::app

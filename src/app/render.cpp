@@ -5,7 +5,6 @@
 
 #include "app/catalogue.h"
 #include "app/encoder_pool.h"
-#include "app/interrupt.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/sequence.h"
@@ -18,17 +17,17 @@
 namespace contactscope::app {
 namespace {
 
-// Where in the sequence the frames are that the subject names.
-std::vector<std::size_t> selected_frames(const Subject& subject, const Sequence& sequence) {
+// Where in the sequence the frames are that the input names.
+std::vector<std::size_t> selected_frames(const Input& input, const Sequence& sequence) {
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
-    if (std::ranges::binary_search(subject.frames, sequence.frames[i].frame)) which.push_back(i);
+    if (std::ranges::binary_search(input.frames, sequence.frames[i].frame)) which.push_back(i);
   }
   return which;
 }
 
 // Which stages left facts, and which panels were drawn, for --verbose.
-void account_facts(const Subject& subject, const Sequence& sequence, Ledger& ledger) {
+void account_facts(const Input& input, const Sequence& sequence, Ledger& ledger) {
   int sat = 0, clip = 0, reduction = 0;
   for (const trace::Frame& frame : sequence.frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -37,17 +36,17 @@ void account_facts(const Subject& subject, const Sequence& sequence, Ledger& led
       reduction += pair.reduction.has_value();
     }
   }
-  ledger.note(subject.name + ": recorded sat " + std::to_string(sat) + ", clip " +
+  ledger.note(input.name + ": recorded sat " + std::to_string(sat) + ", clip " +
               std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
-  for (const View& view : subject.views) {
-    std::string what = subject.name + ": view " + view.name + " paints";
+  for (const View& view : input.views) {
+    std::string what = input.name + ": view " + view.name + " paints";
     if (view.layers.empty()) what += " no layers";
     for (const Layer layer : view.layers) what += " " + std::string(name_of(layer));
     what += view.panels.empty() ? "; no panels" : "; panels";
     for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
     ledger.note(what);
     if (view.panels.empty()) {
-      ledger.left_out(subject.name + ": Dear ImGui, for view " + view.name + " names no panel");
+      ledger.left_out(input.name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
 }
@@ -72,31 +71,31 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledge
 }
 
 // Runs the scenario, or takes the trace.
-Sequence sequence_of(Subject& subject, const Options& options, Ledger& ledger) {
+Sequence sequence_of(Input& input, const Options& options, Ledger& ledger) {
   Sequence sequence;
-  if (subject.trace) {
-    sequence = {std::move(subject.trace->header), std::move(subject.trace->frames), {}};
-    ledger.left_out(subject.name + ": the pipeline, for its trace is drawn as it stands");
+  if (input.trace) {
+    sequence = {std::move(input.trace->header), std::move(input.trace->frames), {}};
+    ledger.left_out(input.name + ": the pipeline, for its trace is drawn as it stands");
   } else {
-    const trace::Stages stages = draw::stages_shown(subject.views);
-    sequence = run_sequence(*subject.scenario, stages, options.timing, ledger);
-    account_stages(*subject.scenario, stages, ledger);
+    const trace::Stages stages = draw::stages_shown(input.views);
+    sequence = run_sequence(*input.scenario, stages, options.timing, ledger);
+    account_stages(*input.scenario, stages, ledger);
   }
-  account_facts(subject, sequence, ledger);
+  account_facts(input, sequence, ledger);
   return sequence;
 }
 
 ExitCode run_render(const Options& options) {
   note_interrupts();
   Ledger total;
-  std::vector<Subject> subjects;
+  std::vector<Input> inputs;
   {
     const Timed timed(total, "read scenarios");
-    subjects = load_subjects(options);
+    inputs = load_inputs(options);
   }
   int pictures = 0;
-  for (const Subject& subject : subjects) {
-    pictures += static_cast<int>(subject.frames.size() * subject.views.size());
+  for (const Input& input : inputs) {
+    pictures += static_cast<int>(input.frames.size() * input.views.size());
   }
 
   const auto begin = std::chrono::steady_clock::now();
@@ -105,24 +104,24 @@ ExitCode run_render(const Options& options) {
   {
     Progress progress(pictures, options.quiet);
     nlohmann::ordered_json written;
-    for (Subject& subject : subjects) {
-      const Sequence sequence = sequence_of(subject, options, total);
-      const std::vector<std::size_t> which = selected_frames(subject, sequence);
-      for (const View& view : subject.views) {
+    for (Input& input : inputs) {
+      const Sequence sequence = sequence_of(input, options, total);
+      const std::vector<std::size_t> which = selected_frames(input, sequence);
+      for (const View& view : input.views) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
         const std::optional<std::string> folder =
-            subject.several_views ? std::optional(view.name) : std::nullopt;
+            input.several_views ? std::optional(view.name) : std::nullopt;
         studio.render(
             staging, sequence.frames, which, sequence.nanoseconds,
             [&](std::size_t index, Image image) {
-              const snapshot::PictureKey key{subject.name, folder, sequence.frames[index].frame};
+              const snapshot::PictureKey key{input.name, folder, sequence.frames[index].frame};
               const std::filesystem::path path = snapshot::picture_path(options.out, key);
               std::filesystem::create_directories(path.parent_path());
-              written[subject.name].push_back(path.string());
+              written[input.name].push_back(path.string());
               encoders.submit(path.string(), std::move(image));
-              progress.advance(subject.name);
+              progress.advance(input.name);
             });
       }
     }
@@ -139,7 +138,7 @@ ExitCode run_render(const Options& options) {
   }
   if (!options.quiet) {
     std::filesystem::path where = options.out;
-    if (subjects.size() == 1) where /= subjects.front().name;
+    if (inputs.size() == 1) where /= inputs.front().name;
     std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << where.string()
               << '\n';
   }

@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
+#include "gl/rasterizer.h"
 #include "image/image.h"
 #include "trace/trace.h"
 
@@ -18,10 +19,7 @@ namespace contactscope::app {
 /// first view that has panels, so that a run without pictures opens neither.
 class Studio {
  public:
-  Studio(gl::Backend backend, Ledger& ledger);
-  ~Studio();
-  Studio(const Studio&) = delete;
-  Studio& operator=(const Studio&) = delete;
+  Studio(gl::Backend backend, Ledger& ledger) : backend_(backend), ledger_(ledger) {}
 
   /// Renders the frames of a staged sequence whose indices are given and hands each picture to
   /// `sink` with its index. `nanoseconds` holds measured pipeline times for the summary panel, one
@@ -34,8 +32,13 @@ class Studio {
   Image paint(const draw::Drawing& drawing);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  gl::Rasterizer& canvas(int width, int height);
+
+  gl::Backend backend_;
+  Ledger& ledger_;
+  std::unique_ptr<gl::Context> context_;
+  std::unique_ptr<gl::Rasterizer> rasterizer_;
+  int width_ = 0, height_ = 0;  // of the rasterizer
 };
 
 }  // namespace contactscope::app

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
-#include <utility>
 
-#include "app/interrupt.h"
+#include "app/catalogue.h"
 #include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
@@ -21,16 +21,15 @@ namespace contactscope::app {
 namespace {
 
 const StudyInfo& find_study(const std::string& name) {
-  std::string names;
+  std::vector<std::string_view> words;
   for (const StudyInfo& info : studies()) {
     if (info.name == name) return info;
-    names += (names.empty() ? "" : ", ") + info.name;
+    words.push_back(info.name);
   }
-  std::vector<std::string_view> words;
-  for (const StudyInfo& info : studies()) words.push_back(info.name);
   const std::string near = nearest(name, words);
   throw UsageError("study '" + name + "' is not known; " +
-                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "there is " + names);
+                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "there is " +
+                   names_of(studies()));
 }
 
 std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {
@@ -44,15 +43,6 @@ std::vector<trace::Study> run_study(const StudyInfo& info, const Options& option
     if (!progress) progress.emplace(total, options.quiet);
     progress->advance(what);
   });
-}
-
-struct File {
-  std::filesystem::path path;
-  std::vector<std::uint8_t> bytes;
-};
-
-std::vector<std::uint8_t> bytes_of(const std::string& text) {
-  return {text.begin(), text.end()};
 }
 
 /// Lines of many methods in one panel need room; where each panel has its own, there is.
@@ -71,24 +61,27 @@ ExitCode run_study(const Options& options) {
   const std::vector<trace::Study> results = run_study(info, options, ledger);
 
   const std::filesystem::path folder = std::filesystem::path(options.out) / "study" / info.name;
-  std::vector<File> files;
+  std::map<std::filesystem::path, std::vector<std::uint8_t>> files;
+  const auto keep = [&](const std::string& name, const auto& bytes) {
+    files[folder / name] = {bytes.begin(), bytes.end()};
+  };
   Studio studio(options.backend, ledger);
   for (const trace::Study& result : results) {
     // The main measure has the plain names.
     const std::string suffix = &result == &results.front() ? "" : "_" + result.measure;
-    files.push_back({folder / ("results" + suffix + ".json"), bytes_of(trace::to_json(result))});
-    files.push_back({folder / ("results" + suffix + ".csv"), bytes_of(trace::to_csv(result))});
+    keep("results" + suffix + ".json", trace::to_json(result));
+    keep("results" + suffix + ".csv", trace::to_csv(result));
     if (options.tables_only) continue;
     const Size size = options.size.value_or(size_of(result));
-    files.push_back({folder / ("plot" + suffix + ".png"),
-                     encode_png(studio.paint(draw::plot(result, size.width, size.height)))});
+    keep("plot" + suffix + ".png",
+         encode_png(studio.paint(draw::plot(result, size.width, size.height))));
   }
   if (options.tables_only) {
     ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");
   }
   stop_if_interrupted();
   std::filesystem::create_directories(folder);
-  for (const File& file : files) write_whole_file(file.path.string(), file.bytes);
+  for (const auto& [path, bytes] : files) write_whole_file(path.string(), bytes);
   if (options.json) {
     for (const trace::Study& result : results) std::cout << trace::to_json_line(result) << '\n';
   } else {

@@ -40,7 +40,7 @@ void print_panel(const SeriesRange& panel, std::ostream& out, bool (*is_shown)(d
     if (is_shown(point.parameter)) heads.push_back(spelled("%g", point.parameter));
   }
   if (sum != nullptr) heads.push_back("failed");
-  Table table(heads);
+  Table table = {heads};
   for (const trace::StudySeries& series : panel) {
     std::vector<std::string> cells = {series.method};
     int failed = 0, of = 0;
@@ -50,17 +50,16 @@ void print_panel(const SeriesRange& panel, std::ostream& out, bool (*is_shown)(d
       of += point.of;
     }
     if (sum != nullptr) cells.push_back(sum(failed, of));
-    table.add(cells);
+    table.push_back(cells);
   }
-  table.print(out);
+  print(table, out);
 }
 
 bool every_one(double /*parameter*/) {
   return true;
 }
 bool is_whole_decade(double value) {
-  const double exponent = std::log10(value);
-  return std::abs(exponent - std::round(exponent)) < 1e-6;
+  return std::abs(std::remainder(std::log10(value), 1)) < 1e-6;
 }
 
 std::string parameter_of(const trace::Study& result, const SeriesRange& panel) {
@@ -108,7 +107,7 @@ void print_curves(const trace::Study& result, std::ostream& out) {
 
 void print_map(const trace::Study& result, std::ostream& out) {
   out << result.title << ": " << result.error << '\n';
-  Table table({"panel", "median", "worst", "cells", "cells with failures", "failed"});
+  Table table = {{"panel", "median", "worst", "cells", "cells with failures", "failed"}};
   for (const SeriesRange& panel : by_panel(result)) {
     std::vector<double> errors;
     int cells = 0, failing = 0, failed = 0, of = 0;
@@ -122,12 +121,12 @@ void print_map(const trace::Study& result, std::ostream& out) {
       }
     }
     std::ranges::sort(errors);
-    table.add({panel.front().panel,
-               errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
-               errors.empty() ? "-" : spelled("%.2g", errors.back()), std::to_string(cells),
-               std::to_string(failing), share(failed, of)});
+    table.push_back({panel.front().panel,
+                     errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
+                     errors.empty() ? "-" : spelled("%.2g", errors.back()), std::to_string(cells),
+                     std::to_string(failing), share(failed, of)});
   }
-  table.print(out);
+  print(table, out);
   out << '\n';
 }
 

@@ -6,19 +6,15 @@
 
 namespace contactscope::app {
 
-void Table::print(std::ostream& out) const {
-  std::vector<std::size_t> widths(rows_.front().size(), 0);
-  for (const std::vector<std::string>& row : rows_) {
+void print(const Table& table, std::ostream& out) {
+  std::vector<std::size_t> widths(table.front().size(), 0);
+  for (const std::vector<std::string>& row : table) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }
-  for (const std::vector<std::string>& row : rows_) {
+  for (const std::vector<std::string>& row : table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string space(widths[i] - row[i].size(), ' ');
-      if (i == 0) {
-        out << row[i] << space;
-      } else {
-        out << "  " << space << row[i];
-      }
+      out << (i == 0 ? row[i] + space : "  " + space + row[i]);
     }
     out << '\n';
   }

@@ -6,20 +6,12 @@
 
 namespace contactscope::app {
 
-/// A table for people: columns as wide as what they hold, the first to the left, numbers to the
-/// right. A byte counts as a column: cells are ASCII.
-class Table {
- public:
-  explicit Table(std::vector<std::string> heads) : rows_{std::move(heads)} {}
+/// The heads of a table, then its rows: as many cells in each.
+using Table = std::vector<std::vector<std::string>>;
 
-  /// As many cells as there are heads.
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  void print(std::ostream& out) const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
+/// Prints a table for people: columns as wide as what they hold, the first to the left, numbers to
+/// the right. A byte counts as a column: cells are ASCII.
+void print(const Table& table, std::ostream& out);
 
 /// As printf does it.
 std::string spelled(const char* format, double value);

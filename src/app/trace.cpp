@@ -1,5 +1,4 @@
 #include <iostream>
-#include <numeric>
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
@@ -16,8 +15,7 @@ ExitCode run_trace(const Options& options) {
   const Scenario& scenario = scenarios.front();
   Runner runner(scenario);
   std::cout << trace::to_json_line(runner.header()) << '\n';
-  const FrameRange all{0, scenario.frames - 1, 1};
-  for (const int frame : options.frames.value_or(all).select(scenario.frames)) {
+  for (const int frame : options.selected(scenario.frames)) {
     std::cout << trace::to_json_line(runner.frame(frame)) << '\n';
   }
   return ExitCode::Same;

@@ -34,8 +34,7 @@ std::vector<std::string> options_of(const Verb& verb) {
 }
 
 bool has_option(const Verb& verb, const std::string& option) {
-  const std::vector<std::string> names = options_of(verb);
-  return std::ranges::find(names, option) != names.end();
+  return std::ranges::count(options_of(verb), option) > 0;
 }
 
 /// "--out" of "--out=DIR", "-h"; empty of what is no option, as "-1".

@@ -104,11 +104,11 @@ TEST_F(Check, AMissingPictureIsWrittenAndFailsOnce) {
 }
 
 TEST_F(Check, AMissingTraceIsWrittenAndFailsOnce) {
-  const CheckedTrace first = check_trace(root(), sample_trace(), kLocal);
+  const Checked first = check_trace(root(), sample_trace(), kLocal);
   EXPECT_EQ(first.verdict, Verdict::Written);
   EXPECT_TRUE(first.fails);
   EXPECT_THAT(first.sentences, SizeIs(1));
-  const CheckedTrace second = check_trace(root(), sample_trace(), kLocal);
+  const Checked second = check_trace(root(), sample_trace(), kLocal);
   EXPECT_EQ(second.verdict, Verdict::Same);
   EXPECT_FALSE(second.fails);
 }
@@ -120,7 +120,7 @@ TEST_F(Check, CiWritesNothing) {
     EXPECT_EQ(picture.verdict, Verdict::Missing);
     EXPECT_TRUE(picture.fails);
     EXPECT_THAT(picture.sentences, ElementsAre(HasSubstr("nothing is stored")));
-    const CheckedTrace trace = check_trace(root(), sample_trace(), ci);
+    const Checked trace = check_trace(root(), sample_trace(), ci);
     EXPECT_EQ(trace.verdict, Verdict::Missing);
     EXPECT_TRUE(trace.fails);
     EXPECT_TRUE(std::filesystem::is_empty(root()));
@@ -155,7 +155,7 @@ TEST_F(Check, AChangedDigitInAStoredTraceFails) {
   ASSERT_NE(place, std::string::npos);
   text[place + 4] = '1';
   write_text(file, text);
-  const CheckedTrace checked = check_trace(root(), sample_trace(), kLocal);
+  const Checked checked = check_trace(root(), sample_trace(), kLocal);
   EXPECT_EQ(checked.verdict, Verdict::Different);
   EXPECT_TRUE(checked.fails);
   EXPECT_THAT(checked.sentences,
@@ -167,7 +167,7 @@ TEST_F(Check, AStoredTraceThatCannotBeReadFails) {
   store_trace(sample_trace());
   const std::filesystem::path file = trace_path(root(), kKey.scenario);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 10);
-  const CheckedTrace checked = check_trace(root(), sample_trace(), kLocal);
+  const Checked checked = check_trace(root(), sample_trace(), kLocal);
   EXPECT_TRUE(checked.fails);
   EXPECT_THAT(checked.sentences, ElementsAre(HasSubstr("trace.jsonl:3")));
 }
@@ -177,7 +177,7 @@ TEST_F(Check, UpdateRewritesWhatDiffersAndTellsWhat) {
   store_trace(sample_trace());
   trace::Trace other = sample_trace();
   sample_manifold(other).normal *= -1;
-  const CheckedTrace trace = check_trace(root(), other, kUpdate);
+  const Checked trace = check_trace(root(), other, kUpdate);
   EXPECT_EQ(trace.verdict, Verdict::Updated);
   EXPECT_FALSE(trace.fails);
   EXPECT_THAT(trace.sentences, ElementsAre(HasSubstr("normal flipped")));
@@ -219,7 +219,7 @@ TEST_F(Check, AStalePictureFailsUntilAnUpdateRemovesIt) {
   const auto check = [&](const Policy& policy) {
     return check_stale(root(), kKey.scenario, {}, frames, policy);
   };
-  const std::vector<StaleFile> stale = check(kLocal);
+  const std::vector<Checked> stale = check(kLocal);
   ASSERT_THAT(stale, SizeIs(1));
   EXPECT_EQ(stale[0].verdict, Verdict::Stale);
   EXPECT_TRUE(stale[0].fails);

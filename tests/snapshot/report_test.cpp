@@ -87,7 +87,7 @@ TEST_F(ReportFiles, EveryKindOfFailureIsTold) {
   sample_manifold(other).normal *= -1;
   Report report(out_.path());
   report.add(check_trace(snapshots_.path(), other, kLocal));
-  for (const StaleFile& file : check_stale(snapshots_.path(), key_.scenario, {}, {}, kLocal)) {
+  for (const Checked& file : check_stale(snapshots_.path(), key_.scenario, {}, {}, kLocal)) {
     report.add(file);
   }
   report.add("hull/other", {"scenarios/hull/other.toml:31: expected 4 points, got 2"});

@@ -50,18 +50,6 @@ class StoredFiles : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(StoredFiles, FramesAreListedInOrder) {
-  put("hull/face_contact/frame_0012.png");
-  put("hull/face_contact/frame_0003.png");
-  put("hull/face_contact/frame_10000.png");
-  put("hull/face_contact/frame_7.png");
-  put("hull/face_contact/frame_0012.txt");
-  put("hull/face_contact/side/frame_0005.png");
-  EXPECT_THAT(stored_frames(folder_.path(), kScenario, {}), ElementsAre(3, 12, 10000));
-  EXPECT_THAT(stored_frames(folder_.path(), kScenario, "side"), ElementsAre(5));
-  EXPECT_THAT(stored_frames(folder_.path(), "hull/none", {}), IsEmpty());
-}
-
 TEST_F(StoredFiles, WhatIsNotStoredAnyMoreIsStale) {
   put("hull/face_contact/trace.jsonl");
   put("hull/face_contact/notes.md");
