@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <vector>
-
 #include "core/pose.h"
 #include "dynamics/mass_properties.h"
 
@@ -55,18 +51,6 @@ Body<S> static_body(const Pose<S>& pose) {
   Body<S> body;
   body.place(pose);
   return body;
-}
-
-/// Metres: the least shortest_edge() of all dynamic bodies; 0 where there is none.
-template <class S>
-double smallest_size(const std::vector<Body<S>>& bodies) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Body<S>& body : bodies) {
-    if (body.dynamic())
-      least = std::min(least, shortest_edge(static_cast<double>(body.mass),
-                                            body.inertia.template cast<double>()));
-  }
-  return least < std::numeric_limits<double>::infinity() ? least : 0;
 }
 
 /// Of a scripted body: the constant velocities that carry it from `from` to `to` in `dt` seconds,

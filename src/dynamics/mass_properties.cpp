@@ -97,13 +97,9 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   return result;
 }
 
-template <class S>
-std::optional<MassProperties> of_unit_density(const HalfSpace<S>&) {
-  return std::nullopt;
-}
-
-template <class S>
-std::optional<MassProperties> of_unit_density(const Mesh<S>&) {
+/// Of planes and meshes.
+template <class Massless>
+std::optional<MassProperties> of_unit_density(const Massless&) {
   return std::nullopt;
 }
 

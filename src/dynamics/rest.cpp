@@ -90,13 +90,12 @@ double rounding_of(std::span<const Vec3d> points, const Vec3d& center_of_mass, d
   return 64 * epsilon * largest;
 }
 
-Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d& center_of_mass,
-                double rounding) {
-  Resting result;
-  if (points.empty()) {
-    result.projection = center_of_mass;
-    return result;
-  }
+trace::Stability rest_of(std::span<const Vec3d> points, const Vec3d& normal,
+                         const Vec3d& center_of_mass, double rounding) {
+  trace::Stability result;
+  result.center_of_mass = result.projection = center_of_mass;
+  result.verdict = "no contact";
+  if (points.empty()) return result;
   const ContactPlane plane(points, normal);
   const Vec2d projection = plane.seen(center_of_mass);
   result.projection = plane.place(projection);
@@ -107,13 +106,13 @@ Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d&
 
   const std::array<Vec2d, 2> ends = ends_of(corners);
   if ((ends[1] - ends[0]).norm() <= rounding) {
-    result.rest = Rest::TurnsAboutAPoint;
+    result.verdict = "turns about a point";
     result.margin = beyond_rounding(-Vec2d(projection - corners[0]).norm(), rounding);
     return result;
   }
   const BorderPoint border = nearest_on_border(corners, projection, rounding);
   if (width_of(corners, ends) <= rounding) {
-    result.rest = Rest::TurnsAboutALine;
+    result.verdict = "turns about a line";
     result.margin = beyond_rounding(-border.distance, rounding);
     result.axis = {plane.place(ends[0]), plane.place(ends[1])};
     return result;
@@ -121,11 +120,11 @@ Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d&
   const bool inside = is_inside(corners, projection);
   result.margin = beyond_rounding(inside ? border.distance : -border.distance, rounding);
   if (result.margin > 0) {
-    result.rest = Rest::Stable;
+    result.verdict = "stable";
   } else if (border.corner && result.margin < 0) {
-    result.rest = Rest::TurnsAboutAPoint;
+    result.verdict = "turns about a point";
   } else {
-    result.rest = Rest::TurnsAboutALine;
+    result.verdict = "turns about a line";
     result.axis = {plane.place(corners[border.edge]),
                    plane.place(corners[(border.edge + 1) % corners.size()])};
   }
@@ -145,17 +144,10 @@ trace::Stability rest_of(const trace::Pair& pair, const std::string& shape,
     normal.normalize();
   else if (!pair.manifolds.empty())
     normal = pair.manifolds.front().normal;
-  const Resting found =
+  trace::Stability result =
       rest_of(points, normal, center_of_mass, rounding_of(points, center_of_mass, epsilon));
-  trace::Stability told;
-  told.shape = shape;
-  told.center_of_mass = center_of_mass;
-  told.projection = found.projection;
-  told.support = found.support;
-  told.margin = found.margin;
-  told.verdict = to_string(found.rest);
-  told.axis = found.axis;
-  return told;
+  result.shape = shape;
+  return result;
 }
 
 }  // namespace contactscope

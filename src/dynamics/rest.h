@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,37 +11,16 @@
 /// mass projects inside of it, along the normal.
 namespace contactscope {
 
-enum class Rest {
-  Stable,            // inside, by more than rounding
-  TurnsAboutALine,   // two points, points on a line, or the projection on or beyond an edge
-  TurnsAboutAPoint,  // one point, or the projection beyond a corner
-  NoContact,
-};
-
-/// "stable", "turns about a line", "turns about a point", "no contact", as traces spell it.
-constexpr const char* to_string(Rest rest) {
-  constexpr const char* kNames[] = {"stable", "turns about a line", "turns about a point",
-                                    "no contact"};
-  return kNames[static_cast<int>(rest)];
-}
-
-/// World, metres.
-struct Resting {
-  Rest rest = Rest::NoContact;
-  Vec3d projection = Vec3d::Zero();  // of the centre of mass into the contact plane
-  std::vector<Vec3d> support;        // corners of the points' hull there, against the normal
-  double margin = 0;  // from the projection to its border, negative outside; 0 within rounding
-  std::optional<std::array<Vec3d, 2>> axis;  // of a line: the edge, or both ends of the points
-};
-
-/// `points` and `normal` (unit) of a manifold, and where a body's centre of mass is. The contact
+/// Whether a body rests on a manifold's `points` with this `normal` (unit). World, metres. The contact
 /// plane is that through the middle of the points across the normal. `rounding`, metres: how far
 /// the points may be off, as rounding_of() says; no nearer to the border is inside, nor are points
-/// nearer to a line than an area.
-///
-/// Without points there is no plane: projection and margin say nothing.
-Resting rest_of(std::span<const Vec3d> points, const Vec3d& normal, const Vec3d& center_of_mass,
-                double rounding);
+/// nearer to a line than an area. The verdict:
+///   - "stable": the projection is inside, by more than rounding;
+///   - "turns about a line": two points, points on a line, or the projection on or beyond an edge;
+///   - "turns about a point": one point, or the projection beyond a corner;
+///   - "no contact": no points. There is no plane then: projection and margin say nothing.
+trace::Stability rest_of(std::span<const Vec3d> points, const Vec3d& normal,
+                         const Vec3d& center_of_mass, double rounding);
 
 /// How far the pipeline's rounding may have moved points of such coordinates. `epsilon`: of its
 /// scalar.

@@ -1,6 +1,7 @@
 #include "dynamics/solver.h"
 
 #include "dynamics/integrate.h"
+#include "dynamics/prepare.h"
 #include "dynamics/projection.h"
 #include "dynamics/solve_velocities.h"
 
@@ -53,9 +54,10 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
 
   const S h = dt / static_cast<S>(settings.substeps);
   for (int substep = 0; substep < settings.substeps; ++substep) {
-    for (SolverBody<S>& body : moving) integrate_velocity(body, gravity, h);
-    if (substep == 0) note_approach<S>(all, contacts);
-    update_separations<S>(all, contacts);
+    for (SolverBody<S>& moved : moving)
+      if (moved.body.dynamic()) moved.body.velocity += h * gravity;
+    if (substep == 0) note_approach(all, contacts);
+    update_separations(all, contacts);
     begin_substep(contacts, settings.warm_start);
     warm_start(all, contacts);
     for (int i = 0; i < settings.iterations; ++i)
@@ -63,7 +65,7 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
     for (SolverBody<S>& body : moving) integrate_position(body, h);
     if (settings.position_correction == PositionCorrection::Soft) {
       // The spring's velocity has moved the bodies; what is left of it would carry them on.
-      update_separations<S>(all, contacts);
+      update_separations(all, contacts);
       for (int i = 0; i < settings.iterations; ++i)
         solve_velocities(all, contacts, settings, false, h);
     }
@@ -71,7 +73,7 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
       for (int i = 0; i < settings.iterations; ++i) project_positions(all, contacts, settings);
     end_substep(contacts);
   }
-  update_separations<S>(all, contacts);
+  update_separations(all, contacts);
   for (int i = 0; i < settings.iterations; ++i) apply_restitution(all, contacts, gravity, h);
 
   for (PairImpulses<S>& kept : impulses) kept.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "dynamics/solver.h"
@@ -32,11 +33,35 @@ struct World {
 /// larger of the pair's margin and the speculative margin, settled(), are kept.
 template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
-                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts);
+                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
+  contacts.resize(world.pairs.size());
+  const double speculative = *settled(settings, world.bodies).speculative_margin;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    WorldPair<S>& pair = world.pairs[i];
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    CollideOptions<S> options = pair.options;
+    options.margin = std::max(options.margin, static_cast<S>(speculative));
+    options.reduction.previous = pair.kept;
+    collide(shapes[a], world.bodies[a].pose(), shapes[b], world.bodies[b].pose(), options,
+            contacts[i], pair.cached ? &pair.cache : nullptr);
+    pair.kept.clear();
+    for (const Manifold<S>& manifold : contacts[i])
+      for (const ContactPoint<S>& point : manifold.points) pair.kept.push_back(point.id);
+  }
+}
 
 /// find_contacts, then solve_step: `dt` seconds. The contacts stay to be looked at.
 template <class S>
 void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
-          S dt, std::vector<Manifolds<S>>& contacts);
+          S dt, std::vector<Manifolds<S>>& contacts) {
+  find_contacts(world, shapes, settings, contacts);
+  std::vector<PairContacts<S>> pairs;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const WorldPair<S>& pair = world.pairs[i];
+    pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution});
+  }
+  solve_step<S>(world.bodies, pairs, world.impulses, world.gravity, settings, dt);
+}
 
 }  // namespace contactscope

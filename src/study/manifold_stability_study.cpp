@@ -102,8 +102,9 @@ struct LandingWatch {
     const Vec3d center = body.center.cast<double>();
     const double rounding =
         rounding_of(points, center, static_cast<double>(std::numeric_limits<float>::epsilon()));
-    const Resting resting = rest_of(points, manifolds[0].normal.cast<double>(), center, rounding);
-    if (outcome.frames_to_stable == 0 && resting.rest == Rest::Stable)
+    const trace::Stability resting =
+        rest_of(points, manifolds[0].normal.cast<double>(), center, rounding);
+    if (outcome.frames_to_stable == 0 && resting.verdict == "stable")
       outcome.frames_to_stable = frames;
     const Vec3d in_box = body.pose().cast<double>().inverse_transform(middle);
     if (before) outcome.wander += Vec3d(in_box - *before).norm() / size;

@@ -14,39 +14,39 @@ std::vector<Vec3d> square_corners(double y = 0) {
   return {{-1, y, -1}, {1, y, -1}, {1, y, 1}, {-1, y, 1}};
 }
 
-Resting of(const std::vector<Vec3d>& points, const Vec3d& center) {
+trace::Stability of(const std::vector<Vec3d>& points, const Vec3d& center) {
   return rest_of(points, Vec3d::UnitY(), center, kRestRounding);
 }
 
 TEST(Resting, OfNoPointsIsNoContact) {
-  const Resting none = of({}, Vec3d(1, 2, 3));
-  EXPECT_EQ(none.rest, Rest::NoContact);
+  const trace::Stability none = of({}, Vec3d(1, 2, 3));
+  EXPECT_EQ(none.verdict, "no contact");
   EXPECT_TRUE(none.support.empty());
 }
 
 TEST(Resting, FourFramesOfTheTalk) {
   const std::vector<Vec3d> corners = square_corners();
   const Vec3d center(0, 1, 0);
-  const Resting one = of({corners[0]}, center);
-  EXPECT_EQ(one.rest, Rest::TurnsAboutAPoint);
+  const trace::Stability one = of({corners[0]}, center);
+  EXPECT_EQ(one.verdict, "turns about a point");
   EXPECT_NEAR(one.margin, -std::sqrt(2.0), 1e-12);
   EXPECT_FALSE(one.axis);
 
-  const Resting two = of({corners[0], corners[2]}, center);
-  EXPECT_EQ(two.rest, Rest::TurnsAboutALine);
+  const trace::Stability two = of({corners[0], corners[2]}, center);
+  EXPECT_EQ(two.verdict, "turns about a line");
   EXPECT_NEAR(two.margin, 0, 1e-12);
   ASSERT_TRUE(two.axis);
   EXPECT_NEAR((two.axis->at(1) - two.axis->at(0)).norm(), std::sqrt(8.0), 1e-12);
 
   // The centre of mass projects onto the diagonal: that is not inside.
-  const Resting three = of({corners[0], corners[2], corners[1]}, center);
-  EXPECT_EQ(three.rest, Rest::TurnsAboutALine);
+  const trace::Stability three = of({corners[0], corners[2], corners[1]}, center);
+  EXPECT_EQ(three.verdict, "turns about a line");
   EXPECT_EQ(three.support.size(), 3U);
   ASSERT_TRUE(three.axis);
   EXPECT_NEAR((three.axis->at(1) - three.axis->at(0)).norm(), std::sqrt(8.0), 1e-12);
 
-  const Resting four = of(corners, center);
-  EXPECT_EQ(four.rest, Rest::Stable);
+  const trace::Stability four = of(corners, center);
+  EXPECT_EQ(four.verdict, "stable");
   EXPECT_NEAR(four.margin, 1, 1e-12);
   EXPECT_FALSE(four.axis);
   EXPECT_NEAR((four.projection - Vec3d(0, 0, 0)).norm(), 0, 1e-12);
@@ -54,21 +54,21 @@ TEST(Resting, FourFramesOfTheTalk) {
 
 TEST(Resting, TheMarginIsTheDistanceToTheBorder) {
   EXPECT_NEAR(of(square_corners(), Vec3d(0.7, 3, 0.2)).margin, 0.3, 1e-12);
-  const Resting beyond_edge = of(square_corners(), Vec3d(1.25, 3, 0.2));
-  EXPECT_EQ(beyond_edge.rest, Rest::TurnsAboutALine);
+  const trace::Stability beyond_edge = of(square_corners(), Vec3d(1.25, 3, 0.2));
+  EXPECT_EQ(beyond_edge.verdict, "turns about a line");
   EXPECT_NEAR(beyond_edge.margin, -0.25, 1e-12);
   EXPECT_NEAR(beyond_edge.axis->at(0).x(), 1, 1e-12);
   EXPECT_NEAR(beyond_edge.axis->at(1).x(), 1, 1e-12);
-  const Resting beyond_corner = of(square_corners(), Vec3d(1.3, 3, 1.4));
-  EXPECT_EQ(beyond_corner.rest, Rest::TurnsAboutAPoint);
+  const trace::Stability beyond_corner = of(square_corners(), Vec3d(1.3, 3, 1.4));
+  EXPECT_EQ(beyond_corner.verdict, "turns about a point");
   EXPECT_NEAR(beyond_corner.margin, -0.5, 1e-12);
 }
 
 TEST(Resting, OnTheBorderWithinRoundingIsNotStable) {
-  EXPECT_EQ(of(square_corners(), Vec3d(1 - 2 * kRestRounding, 1, 0)).rest, Rest::Stable);
+  EXPECT_EQ(of(square_corners(), Vec3d(1 - 2 * kRestRounding, 1, 0)).verdict, "stable");
   for (const double x : {1 - 0.5 * kRestRounding, 1.0, 1 + 0.5 * kRestRounding}) {
-    const Resting border = of(square_corners(), Vec3d(x, 1, 0));
-    EXPECT_EQ(border.rest, Rest::TurnsAboutALine) << x;
+    const trace::Stability border = of(square_corners(), Vec3d(x, 1, 0));
+    EXPECT_EQ(border.verdict, "turns about a line") << x;
     ASSERT_TRUE(border.axis);
     EXPECT_NEAR(border.axis->at(0).x(), 1, 1e-12);
   }
@@ -76,9 +76,9 @@ TEST(Resting, OnTheBorderWithinRoundingIsNotStable) {
 
 TEST(Resting, PointsOnALineOrInOnePlaceAreNoArea) {
   const std::vector<Vec3d> line{{-1, 0, 0}, {0.2, 0, 1e-10}, {1, 0, 0}};
-  EXPECT_EQ(of(line, Vec3d(0, 1, 0)).rest, Rest::TurnsAboutALine);
+  EXPECT_EQ(of(line, Vec3d(0, 1, 0)).verdict, "turns about a line");
   const std::vector<Vec3d> place{{1, 0, 0}, {1, 0, 1e-10}, {1 + 1e-10, 0, 0}};
-  EXPECT_EQ(of(place, Vec3d(1, 1, 0)).rest, Rest::TurnsAboutAPoint);
+  EXPECT_EQ(of(place, Vec3d(1, 1, 0)).verdict, "turns about a point");
 }
 
 TEST(Resting, IsTheSameAtEveryScaleAndPose) {
@@ -90,11 +90,11 @@ TEST(Resting, IsTheSameAtEveryScaleAndPose) {
     std::vector<Vec3d> moved;
     for (const Vec3d& corner : square_corners()) moved.push_back(scale * pose.transform(corner));
     const Vec3d moved_center = scale * pose.transform(center);
-    const Resting found =
+    const trace::Stability found =
         rest_of(moved, pose.rotate(Vec3d::UnitY()), moved_center,
                 rounding_of(moved, moved_center, std::numeric_limits<double>::epsilon()));
-    const Resting expected = of(square_corners(), center);
-    EXPECT_EQ(found.rest, expected.rest) << i;
+    const trace::Stability expected = of(square_corners(), center);
+    EXPECT_EQ(found.verdict, expected.verdict) << i;
     EXPECT_NEAR(found.margin, scale * expected.margin, 1e-12 * scale) << i;
   }
 }
