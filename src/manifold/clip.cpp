@@ -19,7 +19,7 @@ template <class Placed>
 void face_polygon(const Placed& hull, Owner owner, int face,
                   ClipPolygon<typename Placed::Scalar>& polygon) {
   polygon.clear();
-  const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
+  const int start = at(hull.hull.face_edges, face);
   int edge = start;
   EdgeKey arriving{};
   do {
@@ -79,14 +79,10 @@ bool clip(const ClipPolygon<S>& polygon, const Plane<S>& side, EdgeKey side_edge
 #define CONTACTSCOPE_INSTANTIATE(S)                                                         \
   template void face_polygon(const PlacedHull<S>&, Owner, int, ClipPolygon<S>&);            \
   template void face_polygon(const PlacedFeatures<S, false>&, Owner, int, ClipPolygon<S>&); \
-  template void face_polygon(const PlacedFeatures<S, true>&, Owner, int, ClipPolygon<S>&);
+  template void face_polygon(const PlacedFeatures<S, true>&, Owner, int, ClipPolygon<S>&);  \
+  template bool clip(const ClipPolygon<S>&, const Plane<S>&, EdgeKey, S, ClipPolygon<S>&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE
-
-template bool clip(const ClipPolygon<float>&, const Plane<float>&, EdgeKey, float,
-                   ClipPolygon<float>&);
-template bool clip(const ClipPolygon<double>&, const Plane<double>&, EdgeKey, double,
-                   ClipPolygon<double>&);
 
 }  // namespace contactscope

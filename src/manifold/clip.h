@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/at.h"
 #include "core/manifold.h"
 #include "query/hull_pair.h"
 #include "query/placed_features.h"

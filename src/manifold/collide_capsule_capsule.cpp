@@ -1,8 +1,7 @@
-#include "manifold/collide_capsule_capsule.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/tolerance.h"

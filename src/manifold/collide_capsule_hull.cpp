@@ -1,9 +1,8 @@
-#include "manifold/collide_capsule_hull.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/round_hull.h"
+#include "manifold/collide_pairs.h"
+#include "manifold/round_contact.h"
 #include "query/capsule_touch.h"
 #include "query/tolerance.h"
 
@@ -49,30 +48,12 @@ struct TouchingPair {
 template <class S>
 constexpr S kOnePoint = S(0.01);
 
-FeatureRef core_feature(bool at_start, bool at_end) {
-  if (at_start) return vertex_ref(Owner::A, 0);
-  return at_end ? vertex_ref(Owner::A, 1) : edge_ref(Owner::A, 0);
-}
-
-template <class S>
-FeatureId touch_id(const CapsuleTouch<S>& touch) {
-  return FeatureId::of(core_feature(touch.parameter <= S(0), touch.parameter >= S(1)),
-                       touch.feature.ref(Owner::B));
-}
-
-/// The id of an end of the segment that a face or an edge left over: where it was cut off, what made
-/// the cut. Side planes are cut by edges; beside an edge, a vertex makes the cut.
-FeatureId clip_id(int end, int cut_by, const FeatureRef& uncut, const FeatureRef& cut) {
-  if (cut_by < 0) return FeatureId::of(vertex_ref(Owner::A, end), uncut);
-  return FeatureId::of(edge_ref(Owner::A, 0), cut);
-}
-
 template <class S>
 CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& clipped, int face,
                         int end) {
   const S parameter = clipped.parameters[end];
   const int cut_by = clipped.edges[end];
-  return {parameter, pair.hull.planes[static_cast<std::size_t>(face)].distance(pair.at(parameter)),
+  return {parameter, at(pair.hull.planes, face).distance(pair.at(parameter)),
           clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2))};
 }
 
@@ -105,11 +86,11 @@ void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit&
     visit(Hull<S>::twin(feature.index));
     return;
   }
-  const int first = hull.vertex_edges[static_cast<std::size_t>(feature.index)];
+  const int first = at(hull.vertex_edges, feature.index);
   int edge = first;
   do {
     visit(edge);
-    edge = hull.half_edges[static_cast<std::size_t>(Hull<S>::twin(edge))].next;
+    edge = at(hull.half_edges, Hull<S>::twin(edge)).next;
   } while (edge != first);
 }
 
@@ -119,15 +100,15 @@ int face_along(const Hull<S>& hull, const CapsuleTouch<S>& touch) {
   int best = -1;
   S most = S(0);
   for_each_edge(hull, touch.feature, [&](int edge) {
-    const int face = hull.half_edges[static_cast<std::size_t>(edge)].face;
-    const S along = touch.normal.dot(hull.planes[static_cast<std::size_t>(face)].normal);
+    const int face = at(hull.half_edges, edge).face;
+    const S along = touch.normal.dot(at(hull.planes, face).normal);
     if (along > most) {
       most = along;
       best = face;
     }
   });
   if (best < 0) return -1;
-  const Vec3<S> sine = touch.normal.cross(hull.planes[static_cast<std::size_t>(best)].normal);
+  const Vec3<S> sine = touch.normal.cross(at(hull.planes, best).normal);
   constexpr S kSine = kNearlyParallelSine<S>;
   return sine.squaredNorm() <= kSine * kSine ? best : -1;
 }
@@ -190,8 +171,7 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
   for (const int end : {0, 1}) {
     const S parameter = clipped.parameters[end];
     const int cut_by = clipped.edges[end];
-    const int vertex =
-        cut_by < 0 ? 0 : pair.hull.half_edges[static_cast<std::size_t>(cut_by)].origin;
+    const int vertex = cut_by < 0 ? 0 : at(pair.hull.half_edges, cut_by).origin;
     const S distance =
         std::max(touch.distance + (parameter - touch.parameter) * rise, touch.distance);
     stretch[end] = {
@@ -211,14 +191,14 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
 template <class S>
 CorePoints<S> points_on_edge_or_vertex(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch,
                                        S reach) {
-  const FeatureId id = touch_id(touch);
+  const FeatureId id =
+      FeatureId::of(axis_feature(Owner::A, touch.parameter), touch.feature.ref(Owner::B));
   CorePoints<S> result;
   result.points.push_back({touch.parameter, touch.distance, id});
   result.type = contact_type(id.first.kind, id.second.kind);
   if (!(pair.length > S(0)) || touch.feature.kind == FeatureKind::Face) return result;
-  if (!add_point_over_face(pair, touch, reach, result)) {
+  if (!add_point_over_face(pair, touch, reach, result))
     add_point_beside_edge(pair, touch, reach, result);
-  }
   return result;
 }
 
@@ -265,11 +245,8 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
     recorder->gjk(b_in_a);
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
-  if (touch.degenerate != nullptr) {
-    if (recorder) [[unlikely]]
-      recorder->degenerate(touch.degenerate, options.degenerate);
-    if (options.degenerate == Degenerate::Skip) return separation;
-  }
+  if (touch.degenerate != nullptr && skips_degenerate(touch.degenerate, options, recorder))
+    return separation;
 
   const Vec3<S> along = ends[1] - ends[0];
   const S merging = std::min(touching_distance(scale), kOnePoint<S> * a.radius);

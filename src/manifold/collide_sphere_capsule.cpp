@@ -1,8 +1,7 @@
-#include "manifold/collide_sphere_capsule.h"
-
 #include <cmath>
 #include <limits>
 
+#include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 
@@ -59,10 +58,8 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
     contact.normal = b_in_a.rotate(safe_unit(to_axis.vector));
   } else {
     const Vec3<S> along = b.points[1] - b.points[0];
-    if (recorder) [[unlikely]]
-      recorder->degenerate(along.isZero(S(0)) ? "coincident centres" : "centre on the axis",
-                           options.degenerate);
-    if (options.degenerate == Degenerate::Skip) return separation;
+    const char* geometry = along.isZero(S(0)) ? "coincident centres" : "centre on the axis";
+    if (skips_degenerate(geometry, options, recorder)) return separation;
     contact.normal = b_in_a.rotate(body_perpendicular(along));
   }
   contact.axis = AxisKind::ClosestPoints;

@@ -1,6 +1,5 @@
-#include "manifold/collide_sphere_hull.h"
-
-#include "manifold/round_hull.h"
+#include "manifold/collide_pairs.h"
+#include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/face_prism.h"
 #include "query/gjk.h"
@@ -21,7 +20,7 @@ struct Touch {
 
 template <class S>
 Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
-  return {{FeatureKind::Face, face}, distance, hull.planes[static_cast<std::size_t>(face)].normal};
+  return {{FeatureKind::Face, face}, distance, at(hull.planes, face).normal};
 }
 
 /// From a point outside to an edge, at right angles to it, by way of the nearer vertex: what is
@@ -43,16 +42,13 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
   const GjkSimplex<S> start = simplex_near(hull, edge_beside(hull, nearest_face, center), 0);
   const GjkResult<S> closest = gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run);
   const HullFeature feature = feature_of_b(hull, closest.simplex);
-  Vec3<S> outward = center - closest.on_b;
   if (feature.kind == FeatureKind::Face) {
     const int face = feature.index < 0 ? nearest_face : feature.index;
-    const Plane<S>& plane = hull.planes[static_cast<std::size_t>(face)];
-    return touch_face(hull, face, plane.distance(center));
+    return touch_face(hull, face, at(hull.planes, face).distance(center));
   }
-  if (feature.kind == FeatureKind::Edge) outward = from_edge(hull, feature.index, center);
-  if (feature.kind == FeatureKind::Vertex) {
-    outward = center - hull.vertices[static_cast<std::size_t>(feature.index)];
-  }
+  const Vec3<S> outward = feature.kind == FeatureKind::Edge
+                              ? from_edge(hull, feature.index, center)
+                              : Vec3<S>(center - at(hull.vertices, feature.index));
   const S distance = outward.norm();
   return {feature, distance, distance > S(0) ? Vec3<S>(outward / distance) : outward};
 }
@@ -98,11 +94,7 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   }
   const S separation = touch.distance - a.radius;
   if (separation > options.margin) return separation;
-  if (degenerate != nullptr) {
-    if (recorder) [[unlikely]]
-      recorder->degenerate(degenerate, options.degenerate);
-    if (options.degenerate == Degenerate::Skip) return separation;
-  }
+  if (degenerate != nullptr && skips_degenerate(degenerate, options, recorder)) return separation;
 
   contact.axis = faces.largest() > S(0) ? AxisKind::ClosestPoints : AxisKind::FaceB;
   contact.type = contact_type(FeatureKind::Vertex, touch.feature.kind);

@@ -1,5 +1,4 @@
-#include "manifold/collide_sphere_sphere.h"
-
+#include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 
 namespace contactscope {
@@ -16,9 +15,7 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
   if (distance > S(0)) {
     contact.normal = safe_unit(center_b);
   } else {
-    if (recorder) [[unlikely]]
-      recorder->degenerate("coincident centres", options.degenerate);
-    if (options.degenerate == Degenerate::Skip) return separation;
+    if (skips_degenerate("coincident centres", options, recorder)) return separation;
     contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
   }
   contact.axis = AxisKind::ClosestPoints;

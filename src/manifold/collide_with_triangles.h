@@ -39,6 +39,22 @@ S box_distance(const Aabb<S>& a, const Aabb<S>& b) {
   return gap.norm();
 }
 
+/// The corner or the edge of a triangle that is a hull, at a parameter of that edge.
+template <class S>
+FeatureRef outline_feature(int edge, S parameter) {
+  if (parameter <= S(0)) return vertex_ref(Owner::B, edge);
+  return parameter >= S(1) ? vertex_ref(Owner::B, (edge + 1) % 3) : edge_ref(Owner::B, edge);
+}
+
+/// Takes points out of a contact; what is left of the points of a face may be those of an edge.
+template <class S, class Predicate>
+void remove_points(Contact<S>& contact, const Predicate& predicate) {
+  const auto removed = std::ranges::remove_if(contact.points, predicate);
+  if (removed.empty()) return;
+  contact.points.truncate(contact.points.size() - removed.size());
+  contact.type = face_contact_type(contact.points.size());
+}
+
 /// Points that are nearer to another part of the surface by more than this factor leave through it.
 template <class S>
 constexpr S kNearerSurface = S(0.5);
@@ -49,32 +65,20 @@ constexpr S kNearerSurface = S(0.5);
 /// another part. On a flat floor all triangles are equally far, and nothing is taken out.
 template <class S>
 void drop_detours(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a, Contact<S>& contact) {
-  std::size_t kept = 0;
-  for (const ContactPoint<S>& point : contact.points) {
+  remove_points(contact, [&](const ContactPoint<S>& point) {
+    if (!(point.separation < S(0))) return false;
     const Vec3<S> on_mesh = b_in_a.inverse_transform(point.position);
     const Vec3<S> deep =
         b_in_a.inverse_transform(Vec3<S>(point.position - point.separation * contact.normal));
-    const bool detour = point.separation < S(0) &&
-                        (surface_within(b, deep, -kNearerSurface<S> * point.separation) ||
-                         hidden_from(b, triangle, deep, on_mesh));
-    if (!detour) contact.points[kept++] = point;
-  }
-  if (kept == contact.points.size()) return;
-  contact.points.truncate(kept);
-  contact.type = face_contact_type(kept);
+    return surface_within(b, deep, -kNearerSurface<S> * point.separation) ||
+           hidden_from(b, triangle, deep, on_mesh);
+  });
 }
 
 /// Whether a contact normal (mesh frame, to the shape) is that of the triangle's back.
 template <class S>
 bool is_back(const Mesh<S>& b, int triangle, const Vec3<S>& normal) {
   return normal.dot(b.normal(triangle)) < S(-0.99);
-}
-
-template <class S>
-S deepest_of(const Contact<S>& contact) {
-  S least = std::numeric_limits<S>::infinity();
-  for (const ContactPoint<S>& point : contact.points) least = std::min(least, point.separation);
-  return least;
 }
 
 /// The middle of a contact's points, moved into the triangle's plane. Mesh frame.
@@ -97,7 +101,7 @@ struct LeftOut {
   S depth = 0;  // negative if there is one
 
   void add(const Contact<S>& given, int index) {
-    const S given_depth = deepest_of(given);
+    const S given_depth = given.deepest();
     if (!(given_depth < depth)) return;
     contact = given;
     triangle = index;
@@ -111,14 +115,10 @@ struct LeftOut {
   void ease(S kept, S margin) {
     const S lifted = std::max(S(0), depth - S(3) * kept);
     const bool is_needed = lifted < -depth;
-    std::size_t count = 0;
-    for (ContactPoint<S> point : contact.points) {
-      point.separation += lifted;
-      if (is_needed && point.separation <= margin) contact.points[count++] = point;
-    }
-    if (count == contact.points.size()) return;
-    contact.points.truncate(count);
-    contact.type = face_contact_type(count);
+    for (ContactPoint<S>& point : contact.points) point.separation += lifted;
+    remove_points(contact, [&](const ContactPoint<S>& point) {
+      return !is_needed || !(point.separation <= margin);
+    });
   }
 };
 
@@ -144,7 +144,7 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
     if (turned_over && at_rim(b, triangle.index)) return;
     on_face(triangle, in_front ? 0 : 1, contact);
   }
-  if (!(deepest_of(contact) < S(0))) return;
+  if (!(contact.deepest() < S(0))) return;
   if (hidden_from(b, triangle.index, shape.center,
                   middle_on_triangle(b, triangle.index, b_in_a, contact))) {
     contact.points.clear();
@@ -167,10 +167,10 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 ///    shape has to part from that triangle, so this is never deeper than the mesh.
 ///
 /// collide(triangle, contact) returns the separation, and no points above the margin or where
-/// degenerate geometry is to be skipped: then nothing comes back in its place; on_face(triangle, face, contact) gets the face
-/// of the triangle on the side of the shape's centre. Both work in A's frame, where the triangle
-/// hull is placed by `triangle.in_a`. Returns the least separation, metres; when no triangle is
-/// near, that is a lower bound, for the record, from the boxes.
+/// degenerate geometry is to be skipped: then nothing comes back in its place; on_face(triangle,
+/// face, contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
+/// frame, where the triangle hull is placed by `triangle.in_a`. Returns the least separation, metres;
+/// when no triangle is near, that is a lower bound, for the record, from the boxes.
 template <class S, class Collide, class OnFace>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions<S>& options, ContactSink<S>& sink,
@@ -202,7 +202,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
         if (contact.points.empty()) left_out.add(given, index);
       }
     }
-    kept = std::min(kept, deepest_of(contact));
+    kept = std::min(kept, contact.deepest());
     sink.add(contact, index);
   };
   if (recorder) [[unlikely]] {

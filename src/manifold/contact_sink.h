@@ -1,13 +1,36 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "manifold/finish_contact.h"
+#include "manifold/recorder.h"
 
 namespace contactscope {
 
-/// Takes the contacts of one pair, each of them from A's frame to the world and reduced, as a
-/// manifold of its own: one for convex shapes, one a triangle for meshes.
+/// The last two stages of every pair: `contact` moves from A's frame to the world, where it stays,
+/// and what the reducer keeps of it becomes `manifold`. Gregorius 2015, "Contact Point Reduction".
+/// Without a reducer, or one that has nothing to do, the points stay as they are.
+template <class S>
+void finish_contact(const ToWorld<S>& to_world, const CollideOptions<S>& options,
+                    Contact<S>& contact, Manifold<S>& manifold, Recorder<S>* recorder) {
+  if (contact.points.empty()) return;
+  manifold.axis = contact.axis;
+  manifold.type = contact.type;
+  manifold.normal = to_world.direction(contact.normal);
+  for (ContactPoint<S>& point : contact.points) point.position = to_world.point(point.position);
+  if (options.reducer == nullptr) {
+    manifold.points = contact.points;
+    return;
+  }
+  const std::span<const ContactPoint<S>> points(contact.points.data(), contact.points.size());
+  const Reduction reduced =
+      recorder ? recorder->reduce(options, points, manifold.normal)
+               : reduce(options.reducer, points, manifold.normal, options.reduction);
+  for (const int index : reduced.kept) manifold.points.push_back(at(points, index));
+}
+
+/// Takes the contacts of one pair and finishes each as a manifold of its own: one for convex shapes,
+/// one a triangle for meshes.
 template <class S>
 class ContactSink {
  public:
@@ -29,12 +52,5 @@ class ContactSink {
   std::vector<Manifold<S>>& manifolds_;
   Recorder<S>* recorder_;
 };
-
-/// What collides a convex shape with the triangles of a mesh, in the frame of the first, and gives
-/// each contact to the sink. Returns the least separation, metres.
-template <class S, class A>
-using CollideWithMesh = S(const A& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                          const CollideOptions<S>& options, ContactSink<S>& sink,
-                          Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -33,7 +33,8 @@ void edge_contact(const HullPair<S>& pair, const SatResult<S>& axes, Contact<S>&
   contact.type = ContactType::EdgeEdge;
   contact.normal = axes.edge.normal;
   contact.points.clear();
-  contact.points.push_back(create_edge_contact(pair, axes.edge));
+  contact.points.push_back(
+      create_edge_contact(closest_points(pair.a, pair.b, axes.edge), axes.edge));
 }
 
 /// The contact of the chosen axis; leaves the type of a face contact open.

@@ -4,33 +4,11 @@
 #include <array>
 #include <type_traits>
 
-#include "manifold/collide_capsule_capsule.h"
-#include "manifold/collide_capsule_hull.h"
-#include "manifold/collide_capsule_mesh.h"
-#include "manifold/collide_capsule_plane.h"
-#include "manifold/collide_hull_hull.h"
-#include "manifold/collide_hull_mesh.h"
-#include "manifold/collide_hull_plane.h"
-#include "manifold/collide_sphere_capsule.h"
-#include "manifold/collide_sphere_hull.h"
-#include "manifold/collide_sphere_mesh.h"
-#include "manifold/collide_sphere_plane.h"
-#include "manifold/collide_sphere_sphere.h"
-#include "manifold/contact_sink.h"
+#include "manifold/collide_pairs.h"
 #include "manifold/in_double.h"
 
 namespace contactscope {
 namespace {
-
-/// Two shapes placed in the world, in the order in which they are worked on.
-template <class S>
-struct PlacedPair {
-  const Shape<S>& a;
-  const Pose<S>& pose_a;
-  const Shape<S>& b;
-  const Pose<S>& pose_b;
-  PairCache<S>* cache;  // nullptr: nothing is kept
-};
 
 template <class S>
 using Entry = void (*)(const PlacedPair<S>&, const CollideOptions<S>&, Manifolds<S>&, Recorder<S>*);
@@ -66,9 +44,7 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifold
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]
       recorder->minkowski(a, b, b_in_a);
-    return pair.cache == nullptr
-               ? collide_hull_hull(a, b, b_in_a, options, contact, recorder)
-               : collide_hull_hull(a, b, b_in_a, options, *pair.cache, contact, recorder);
+    return collide_hull_hull(a, b, b_in_a, options, pair.cache, contact, recorder);
   });
 }
 
@@ -104,8 +80,6 @@ Entry<S> entry(ShapeKind a, ShapeKind b) {
        with_mesh<S, Ca, collide_capsule_mesh<S>>},
       {nullptr, nullptr, hulls<S>, convex<S, Hu, Pl, collide_hull_plane<S>>,
        with_mesh<S, Hu, collide_hull_mesh<S>>},
-      {nullptr, nullptr, nullptr, nullptr, nullptr},
-      {nullptr, nullptr, nullptr, nullptr, nullptr},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
 }
@@ -138,7 +112,7 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float
   const Shape<double> a = in_double(pair.a);
   const Shape<double> b = in_double(pair.b);
   Manifolds<double> found;
-  collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b), nullptr},
+  collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b)},
                            in_double(options), found, record, stages);
   manifolds.clear();
   for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
@@ -148,9 +122,11 @@ void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float
 /// its rotation and position.
 template <class S>
 std::array<S, 13> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
-  const auto* capsule = std::get_if<Capsule<S>>(&shape);
-  const Vec3<S> from = capsule == nullptr ? Vec3<S>(Vec3<S>::Zero()) : capsule->points[0];
-  const Vec3<S> to = capsule == nullptr ? Vec3<S>(Vec3<S>::Zero()) : capsule->points[1];
+  Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
+  if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
+    from = capsule->points[0];
+    to = capsule->points[1];
+  }
   const Quat<S>& turn = pose.rotation;
   const Vec3<S>& at = pose.position;
   return {from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), turn.w(),
@@ -200,17 +176,14 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
              std::type_identity_t<PairCache<S>>* cache, trace::Pair* record,
              const trace::Stages& stages) {
   const bool traded = against_the_table(a, pose_a, b, pose_b, options.b_first);
-  const PlacedPair<S> pair = traded ? PlacedPair<S>{b, pose_b, a, pose_a, cache}
-                                    : PlacedPair<S>{a, pose_a, b, pose_b, cache};
-  const auto work = [&](const CollideOptions<S>& in_order) {
-    if (belongs_in_double(a, b, options.reducer)) [[unlikely]] {
-      if constexpr (std::is_same_v<S, float>)
-        collide_in_double(pair, in_order, manifolds, record, stages);
-    } else {
-      collide_in_order(pair, in_order, manifolds, record, stages);
+  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions<S>& in_order) {
+    if constexpr (std::is_same_v<S, float>) {
+      if (belongs_in_double(a, b, options.reducer)) [[unlikely]]
+        return collide_in_double(pair, in_order, manifolds, record, stages);
     }
+    collide_in_order(pair, in_order, manifolds, record, stages);
   };
-  work_in_order<S>(pair.a, pair.b, traded, options, manifolds, record, work);
+  work_in_order<S>({a, pose_a, b, pose_b, cache}, traded, options, manifolds, record, work);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                           \

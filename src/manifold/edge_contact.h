@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "query/placed_features.h"
 #include "query/sat.h"
 
@@ -12,23 +14,44 @@ struct ClosestPoints {
   Vec3<S> on_b;
 };
 
-/// Closest points of the two edges of an edge query that found a pair.
-template <class S>
-ClosestPoints<S> closest_points(const HullPair<S>& pair, const EdgeQuery<S>& query);
+/// Closest points of the two edges of an edge query that found a pair. The hulls are PlacedHull or
+/// PlacedFeatures.
+///
+/// Closest points of the two lines by Cramer's rule on the cross product of the directions, then
+/// clamped to the edges as in Ericson, "Real-Time Collision Detection", 5.1.9. With unit directions
+/// u, v and c = u x v the determinant is |c|^2; Ericson's 1 - (u . v)^2 is the same in exact
+/// arithmetic, but for edges at 1e-3 rad it keeps one digit of a float's seven.
+template <class PlacedA, class PlacedB, class S>
+ClosestPoints<S> closest_points(const PlacedA& a, const PlacedB& b, const EdgeQuery<S>& query) {
+  const int edge_a = query.edge_a, edge_b = query.edge_b;
+  const Vec3<S> u = a.direction(edge_a);
+  const Vec3<S> v = b.direction(edge_b);
+  const Vec3<S> origin_a = a.origin(edge_a);
+  const Vec3<S> origin_b = b.origin(edge_b);
+  const S length_a = u.dot(Vec3<S>(a.origin(edge_a ^ 1) - origin_a));
+  const S length_b = v.dot(Vec3<S>(b.origin(edge_b ^ 1) - origin_b));
+  const Vec3<S> between = origin_b - origin_a;
+  const Vec3<S> c = u.cross(v);
 
-/// The same of half-edges of two hulls of which nothing else is placed.
-template <class S>
-ClosestPoints<S> closest_points(const PlacedFeatures<S, false>& a, int edge_a,
-                                const PlacedFeatures<S, true>& b, int edge_b);
+  const Vec3<S> v_side = between.cross(v);
+  S along_a = std::clamp(v_side.dot(c) / c.squaredNorm(), S(0), length_a);
+  // From here on each end is the closest point of its edge to the other end.
+  const Vec3<S> from_b = origin_a + along_a * u - origin_b;
+  const S along_b = std::clamp(v.dot(from_b), S(0), length_b);
+  const Vec3<S> from_a = origin_b + along_b * v - origin_a;
+  along_a = std::clamp(u.dot(from_a), S(0), length_a);
+  return {origin_a + along_a * u, origin_b + along_b * v};
+}
 
 /// Gregorius 2015, "Hull vs Hull: Edge Contact": one point in the middle of the closest points of
 /// the two edges, separation from the separating axis test, id the two edges. Position in A's
 /// frame.
 template <class S>
-ContactPoint<S> create_edge_contact(const HullPair<S>& pair, const EdgeQuery<S>& query);
-
-/// The same from closest points that are known.
-template <class S>
-ContactPoint<S> create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query);
+ContactPoint<S> create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query) {
+  const Vec3<S> middle = S(0.5) * (closest.on_a + closest.on_b);
+  const FeatureId id =
+      FeatureId::of(edge_ref(Owner::A, query.edge_a / 2), edge_ref(Owner::B, query.edge_b / 2));
+  return {middle, query.separation, id};
+}
 
 }  // namespace contactscope

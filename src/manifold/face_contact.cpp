@@ -28,7 +28,7 @@ using Sides = StaticVector<Side<S>, kMaxFaceVertices>;
 /// divisions then overlap, where between clips each would wait for the branches of the last one.
 template <class Placed, class S>
 void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
-  const int start = hull.hull.face_edges[static_cast<std::size_t>(face)];
+  const int start = at(hull.hull.face_edges, face);
   int edge = start;
   do {
     sides.push_back({side_plane(hull, edge), edge_key(owner, edge)});
@@ -36,28 +36,10 @@ void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
   } while (edge != start);
 }
 
-/// Clips against every side plane of the reference face. Polygons go to and fro between `polygon`
-/// and `spare`; the result is the one returned.
-template <class S>
-const ClipPolygon<S>& clip_against_sides(const Sides<S>& sides, S thickness,
-                                         ClipPolygon<S>& polygon, ClipPolygon<S>& spare,
-                                         Recorder<S>* recorder) {
-  ClipPolygon<S>* current = &polygon;
-  ClipPolygon<S>* other = &spare;
-  for (const Side<S>& side : sides) {
-    if (clip(*current, side.plane, side.edge, thickness, *other)) std::swap(current, other);
-    if (recorder) [[unlikely]]
-      recorder->clip_step(side.plane, *current);
-    // A record shows every side plane, also after nothing is left.
-    if (!recorder && current->empty()) break;
-  }
-  return *current;
-}
-
 /// The two edges of a face that meet at one of its vertices.
 template <class S>
 FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex) {
-  int arriving = hull.hull.face_edges[static_cast<std::size_t>(face)];
+  int arriving = at(hull.hull.face_edges, face);
   while (hull.half_edge(Hull<S>::twin(arriving)).origin != vertex) {
     arriving = hull.half_edge(arriving).next;
   }
@@ -69,7 +51,7 @@ FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex
 
 template <class Placed, class S>
 int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal) {
-  const int start = hull.hull.vertex_edges[static_cast<std::size_t>(support)];
+  const int start = at(hull.hull.vertex_edges, support);
   int edge = start;
   int best = hull.half_edge(start).face;
   S least = std::numeric_limits<S>::infinity();
@@ -85,12 +67,10 @@ int incident_face(const Placed& hull, int support, const Vec3<S>& reference_norm
   return best;
 }
 
-namespace {
-
-template <class S, class Reference, class Other>
-S clipped_contact(const Reference& hull, const Other& other_hull, Owner reference,
-                  const FaceQuery<S>& query, int incident, S scale, S margin, PointSet<S>& points,
-                  Recorder<S>* recorder) {
+template <class Reference, class Other, class S>
+S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
+                      const FaceQuery<S>& query, int incident, S scale, S margin,
+                      PointSet<S>& points, Recorder<S>* recorder) {
   const Plane<S> plane = hull.plane(query.face);
 
   ClipPolygon<S> polygon;
@@ -101,28 +81,33 @@ S clipped_contact(const Reference& hull, const Other& other_hull, Owner referenc
     recorder->clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
                           ClipFace<S>{incident, other_hull.normal(incident), polygon});
   }
+  const S thickness = clip_thickness(scale);
   Sides<S> sides;
   side_planes(hull, reference, query.face, sides);
-  const ClipPolygon<S>& clipped =
-      clip_against_sides(sides, clip_thickness(scale), polygon, spare, recorder);
+  ClipPolygon<S>* clipped = &polygon;
+  ClipPolygon<S>* next = &spare;
+  for (const Side<S>& side : sides) {
+    if (clip(*clipped, side.plane, side.edge, thickness, *next)) std::swap(clipped, next);
+    if (recorder) [[unlikely]]
+      recorder->clip_step(side.plane, *clipped);
+    // A record shows every side plane, also after nothing is left.
+    if (!recorder && clipped->empty()) break;
+  }
 
   points.clear();
   S deepest = std::numeric_limits<S>::infinity();
-  for (const ClipVertex<S>& vertex : clipped) {
+  for (const ClipVertex<S>& vertex : *clipped) {
     const S separation = plane.distance(vertex.position);
     if (separation <= margin) {
       const Vec3<S> moved = vertex.position - separation * plane.normal;
       points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
-    } else {
-      if (recorder) [[unlikely]]
-        recorder->dropped(vertex.position, "above the reference face");
+    } else if (recorder) [[unlikely]] {
+      recorder->dropped(vertex.position, "above the reference face");
     }
   }
   return deepest;
 }
-
-}  // namespace
 
 template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
@@ -130,17 +115,8 @@ S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<
   const PlacedHull<S>& hull = hull_of(pair, reference);
   const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
   const int incident = incident_face(other_hull, query.support, hull.normal(query.face));
-  return clipped_contact(hull, other_hull, reference, query, incident, pair.scale, margin, points,
-                         recorder);
-}
-
-template <class S, bool kReferenceMoved>
-S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
-                      const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
-                      const FaceQuery<S>& query, int incident, S scale, S margin,
-                      PointSet<S>& points, Recorder<S>* recorder) {
-  return clipped_contact(reference_hull, other_hull, reference, query, incident, scale, margin,
-                         points, recorder);
+  return create_face_contact(hull, other_hull, reference, query, incident, pair.scale, margin,
+                             points, recorder);
 }
 
 template <class S>
@@ -168,14 +144,9 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
                                  Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
                                  Recorder<S>*);                                                   \
   template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
-                                           Recorder<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
-
-#define CONTACTSCOPE_INSTANTIATE(S)                                                 \
-  template int incident_face(const PlacedHull<S>&, int, const Vec3<S>&);            \
-  template int incident_face(const PlacedFeatures<S, false>&, int, const Vec3<S>&); \
+                                           Recorder<S>*);                                         \
+  template int incident_face(const PlacedHull<S>&, int, const Vec3<S>&);                          \
+  template int incident_face(const PlacedFeatures<S, false>&, int, const Vec3<S>&);               \
   template int incident_face(const PlacedFeatures<S, true>&, int, const Vec3<S>&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)

@@ -26,11 +26,10 @@ template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       PointSet<S>& points, Recorder<S>* recorder);
 
-/// The same from two hulls of which only the faces that meet are placed, and with an incident face
-/// that is known. `scale` is the pair's (see HullPair), metres.
-template <class S, bool kReferenceMoved>
-S create_face_contact(const PlacedFeatures<S, kReferenceMoved>& reference_hull,
-                      const PlacedFeatures<S, !kReferenceMoved>& other_hull, Owner reference,
+/// The same with an incident face that is known, of hulls that are PlacedHull or PlacedFeatures.
+/// `scale` is the pair's (see HullPair), metres.
+template <class Reference, class Other, class S>
+S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,
                       PointSet<S>& points, Recorder<S>* recorder);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <string>
 
 #include "query/tolerance.h"
 
@@ -23,21 +22,17 @@ Lengths lengths_of(const Shape<float>& shape) {
   return {points[0].cwiseAbs().cwiseMax(points[1].cwiseAbs()).maxCoeff() + radius, radius};
 }
 
-bool has_corners_to_copy(const Shape<float>& shape) {
-  return kind_of(shape) <= ShapeKind::Hull;
-}
-
 /// nullptr where there is none of the same name.
 Reducer<double> reducer_in_double(Reducer<float> reducer) {
   for (const ReducerInfo& info : reducers())
-    if (find_reducer<float>(info.name) == reducer) return find_reducer<double>(info.name);
+    if (info.in_float == reducer) return info.in_double;
   return nullptr;
 }
 
 }  // namespace
 
 bool belongs_in_double(const Shape<float>& a, const Shape<float>& b, Reducer<float> reducer) {
-  if (!has_corners_to_copy(a) || !has_corners_to_copy(b)) return false;
+  if (kind_of(a) > ShapeKind::Hull || kind_of(b) > ShapeKind::Hull) return false;
   const Lengths of_a = lengths_of(a);
   const Lengths of_b = lengths_of(b);
   const float rounding = tie_tolerance(std::max(of_a.reach, of_b.reach));

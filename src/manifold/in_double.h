@@ -13,15 +13,9 @@ namespace contactscope {
 
 /// Whether the pair is one of these: four roundings of the larger shape are more than what the
 /// preference for an axis grants at a kiss, 0.2% of the smaller one (tolerance.h). That is where one is
-/// some four thousand times the other. Never of planes, which have no
-/// corners, nor of meshes, which are too large to be copied; nor with a reducer that is not one of
-/// reducers().
+/// some four thousand times the other. Never of planes, which have no corners, nor of meshes, which
+/// are too large to be copied; nor with a reducer that is not one of reducers().
 bool belongs_in_double(const Shape<float>& a, const Shape<float>& b, Reducer<float> reducer);
-
-/// Nothing is wider than double.
-inline bool belongs_in_double(const Shape<double>&, const Shape<double>&, Reducer<double>) {
-  return false;
-}
 
 /// The same numbers; the rotation made unit to double's precision, so that a long lever keeps its
 /// length. Shapes that belong_in_double only.

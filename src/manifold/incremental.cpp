@@ -3,24 +3,42 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/core_hull.h"
 #include "manifold/incremental_step.h"
 #include "manifold/recorder.h"
-#include "manifold/to_world.h"
 
 namespace contactscope {
 namespace {
 
-/// Two shapes placed in the world, in the order of the table.
+/// `core_margin`: of hulls, metres. Not for meshes.
 template <class S>
-struct PersistentPair {
-  const Shape<S>& a;
-  const Pose<S>& pose_a;
-  const Shape<S>& b;
-  const Pose<S>& pose_b;
-};
+ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
+  ShapeCore<S> core;
+  core.kind = kind_of(shape);
+  core.points[0] = core.points[1] = Vec3<S>::Zero();
+  if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) {
+    core.margin = sphere->radius;
+  } else if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
+    core.margin = capsule->radius;
+    core.points[0] = capsule->points[0];
+    core.points[1] = capsule->points[1];
+  } else if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
+    // The margin that the pipeline has, so that the faces move by exactly this.
+    const auto margin = static_cast<double>(static_cast<S>(core_margin));
+    CoreHull moved = core_hull(hull_cast<double>(*hull), margin);
+    core.hull = hull_cast<S>(moved.hull);
+    core.margin = static_cast<S>(moved.margin);
+    core.vertices = std::move(moved.vertices);
+    core.edges = std::move(moved.edges);
+    core.faces = std::move(moved.faces);
+  } else if (const auto* half_space = std::get_if<HalfSpace<S>>(&shape)) {
+    core.plane = half_space->plane;
+  }
+  return core;
+}
 
 template <class S>
-void build_cores(const PersistentPair<S>& pair, const IncrementalSettings& settings,
+void build_cores(const PlacedPair<S>& pair, const IncrementalSettings& settings,
                  PersistentManifold<S>& persistent) {
   if (persistent.core_a != nullptr) return;
   const auto core = [&](const Shape<S>& shape) {
@@ -28,6 +46,21 @@ void build_cores(const PersistentPair<S>& pair, const IncrementalSettings& setti
   };
   persistent.core_a = core(pair.a);
   persistent.core_b = core(pair.b);
+}
+
+/// Replaced by a place this near, as a part of the breaking distance, a point has not moved for any
+/// eye.
+constexpr double kSamePlace = 0.01;
+
+/// Whether the place that a replaced point had can be told from the one that it has now.
+template <class S>
+bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double least) {
+  for (const StandingPoint<S>& point : step.points) {
+    if (point.kept.id != old.point.kept.id) continue;
+    const Vec3<S> way = point.position() - old.point.position();
+    return static_cast<double>(way.norm()) > least;
+  }
+  return true;
 }
 
 /// The type of a contact tells its features: of one point those that meet, of more what points
@@ -49,14 +82,13 @@ void reduce_points(const CollideOptions<S>& options, const Manifold<S>& manifold
     kept = recorder ? recorder->reduce(options, points, manifold.normal).kept
                     : reduce(options.reducer, points, manifold.normal, options.reduction).kept;
   } else {
-    const std::size_t spare =
-        points.size() - std::min<std::size_t>(points.size(), kMaxPersistentPoints);
-    for (std::size_t i = spare; i < points.size(); ++i) kept.push_back(static_cast<int>(i));
+    const std::size_t most = std::min(points.size(), kMaxPersistentPoints);
+    for (std::size_t i = points.size() - most; i < points.size(); ++i)
+      kept.push_back(static_cast<int>(i));
   }
   std::size_t place = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool stays = std::find(kept.begin(), kept.end(), static_cast<int>(i)) != kept.end();
-    if (stays)
+    if (std::ranges::find(kept, static_cast<int>(i)) != kept.end())
       step.points[place++] = step.points[i];
     else if (step.broken.size() < step.broken.capacity())
       step.broken.push_back({step.points[i], "reduced"});
@@ -83,7 +115,7 @@ void keep_points(const IncrementalStep<S>& step, PersistentManifold<S>& persiste
 
 /// One frame. Nothing where nothing can be said.
 template <class S>
-void step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& options,
+void step_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
                    const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
                    Manifolds<S>& manifolds, Recorder<S>* recorder) {
   manifolds.clear();
@@ -126,6 +158,36 @@ void step_in_order(const PersistentPair<S>& pair, const CollideOptions<S>& optio
 
 }  // namespace
 
+template <class S>
+void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
+                              const PersistentManifold<S>& persistent,
+                              const IncrementalOptions& options) {
+  trace::Incremental& told = pair_.incremental.emplace();
+  told.confirm = to_string(options.settings.confirm);
+  told.query = persistent.core_b->kind == ShapeKind::Plane ? "plane"
+               : query.overlap                             ? to_string(options.penetration)
+                                                           : "gjk";
+  told.margin_a = static_cast<double>(persistent.core_a->margin);
+  told.margin_b = static_cast<double>(persistent.core_b->margin);
+  const auto tell = [&](const StandingPoint<S>& standing, const char* state, const char* reason) {
+    trace::PersistentPoint& persists = told.points.emplace_back();
+    persists.point = {point(standing.position()), static_cast<double>(standing.separation),
+                      to_string(standing.kept.id)};
+    persists.on_a = point(standing.on_a);
+    persists.on_b = point(standing.on_b);
+    persists.state = state;
+    persists.reason = reason;
+    persists.age = standing.kept.age;
+  };
+  for (const StandingPoint<S>& standing : step.points)
+    tell(standing, standing.is_new ? "new" : "persisted", "");
+  const double least = kSamePlace * options.settings.breaking_distance;
+  for (const BrokenPoint<S>& broken : step.broken) {
+    const bool replaced = broken.reason == std::string_view("replaced");
+    if (!replaced || has_moved(broken, step, least)) tell(broken.point, "broken", broken.reason);
+  }
+}
+
 bool can_persist(ShapeKind one, ShapeKind other) {
   return one != ShapeKind::Mesh && other != ShapeKind::Mesh && can_collide(one, other);
 }
@@ -138,22 +200,22 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
                          const trace::Stages& stages) {
   // Sizes and places say nothing here: points persist in one order for as long as the pair does.
   const bool traded = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
-  const PersistentPair<S> pair =
-      traded ? PersistentPair<S>{b, pose_b, a, pose_a} : PersistentPair<S>{a, pose_a, b, pose_b};
-  const auto work = [&](const CollideOptions<S>& in_order) {
+  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions<S>& in_order) {
     std::optional<Recorder<S>> recorder;
     if (record != nullptr) [[unlikely]]
       recorder.emplace(ToWorld<S>(pair.pose_a), stages, *record);
     step_in_order(pair, in_order, incremental, persistent, manifolds,
                   recorder ? &*recorder : nullptr);
   };
-  work_in_order<S>(pair.a, pair.b, traded, options, manifolds, record, work);
+  work_in_order<S>({a, pose_a, b, pose_b}, traded, options, manifolds, record, work);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                    \
-  template void collide_incremental(const Shape<S>&, const Pose<S>&, const Shape<S>&,  \
-                                    const Pose<S>&, const CollideOptions<S>&,          \
-                                    const IncrementalOptions&, PersistentManifold<S>&, \
+#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
+  template void Recorder<S>::incremental(const CoreQuery<S>&, const IncrementalStep<S>&,           \
+                                         const PersistentManifold<S>&, const IncrementalOptions&); \
+  template void collide_incremental(const Shape<S>&, const Pose<S>&, const Shape<S>&,              \
+                                    const Pose<S>&, const CollideOptions<S>&,                      \
+                                    const IncrementalOptions&, PersistentManifold<S>&,             \
                                     Manifolds<S>&, trace::Pair*, const trace::Stages&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)

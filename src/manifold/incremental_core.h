@@ -1,8 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "core/at.h"
 #include "core/feature_id.h"
 #include "core/plane.h"
 #include "geometry/shape.h"
@@ -25,7 +27,6 @@ template <class S>
 struct ShapeCore {
   ShapeKind kind = ShapeKind::Sphere;
   S margin = 0;                            // metres
-  bool reduced = false;                    // a hull too thin for the margin that was asked for
   Vec3<S> points[2];                       // of spheres (one) and capsules
   Hull<S> hull;                            // of hulls
   std::vector<FeatureRef> vertices{};      // of the shape, for those of `hull`
@@ -34,22 +35,33 @@ struct ShapeCore {
   Plane<S> plane{Vec3<S>::UnitX(), S(0)};  // of half-spaces
 
   /// How many vertices there are; a half-space has none.
-  int count() const;
-  const Vec3<S>& vertex(int index) const;
+  int count() const {
+    if (kind == ShapeKind::Hull) return hull.vertex_count();
+    return kind == ShapeKind::Sphere ? 1 : kind == ShapeKind::Capsule ? 2 : 0;
+  }
+  const Vec3<S>& vertex(int index) const {
+    return kind == ShapeKind::Hull ? at(hull.vertices, index) : points[index];
+  }
   /// Not of half-spaces.
-  SupportSet<S> support() const;
+  SupportSet<S> support() const {
+    if (kind == ShapeKind::Hull) return support_set(hull);
+    return kind == ShapeKind::Capsule ? support_set(points) : support_set(points[0]);
+  }
   /// No coordinate of the core is larger than this, metres; of a half-space the offset.
-  S reach() const;
+  S reach() const {
+    return kind == ShapeKind::Plane ? std::abs(plane.offset) : reach_of(support());
+  }
   /// The feature of the shape that a feature of the core stands for.
-  FeatureRef ref(Owner owner, const CoreFeature& feature) const;
+  FeatureRef ref(Owner owner, const CoreFeature& feature) const {
+    if (kind != ShapeKind::Hull)
+      return {owner, feature.kind, static_cast<std::uint32_t>(feature.index)};
+    const auto& refs = feature.kind == FeatureKind::Vertex ? vertices
+                       : feature.kind == FeatureKind::Edge ? edges
+                                                           : faces;
+    FeatureRef result = at(refs, feature.index);
+    result.owner = owner;
+    return result;
+  }
 };
-
-/// `core_margin`: of hulls, metres. Not for meshes.
-template <class S>
-ShapeCore<S> core_of(const Shape<S>& shape, double core_margin);
-
-/// The edge of a hull between two of its vertices, half-edge / 2; -1 where there is none.
-template <class S>
-int edge_between(const Hull<S>& hull, int one, int other);
 
 }  // namespace contactscope

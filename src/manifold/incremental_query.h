@@ -1,13 +1,17 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/penetration_method.h"
-#include "core/static_vector.h"
 #include "manifold/collide_options.h"
 #include "manifold/incremental_core.h"
 #include "query/gjk.h"
+#include "query/hull_feature.h"
 #include "query/penetration.h"
+#include "query/tolerance.h"
 
 namespace contactscope {
 
@@ -17,11 +21,6 @@ struct CoreContact {
   Vec3<S> on_a, on_b;
   CoreFeature feature_a, feature_b;  // the smallest that the points lie on
 };
-
-/// Most corners of the patch on which two cores are closest that are looked at.
-inline constexpr std::size_t kMaxPatchPoints = 128;
-template <class S>
-using CorePatch = StaticVector<CoreContact<S>, kMaxPatchPoints>;
 
 /// What is known of two cores in one frame. In A's frame.
 template <class S>
@@ -35,6 +34,84 @@ struct CoreQuery {
   PenetrationResult<S> deep;  // of cores that meet: what `method` found
 };
 
+/// A normal this far from a face's is another one, whatever rounding may do to it.
+template <class S>
+constexpr S kLargestSnap = S(0.01);
+
+template <class S>
+S scale_of_cores(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
+  return a.reach() + b.reach() + b_in_a.position.norm();
+}
+
+/// The smallest feature of a core with all of the simplex's points on it. `of_b`: which side.
+template <class S>
+CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simplex, bool of_b) {
+  GjkSimplex<S> own = simplex;  // with the core's points where feature_of_b looks for them
+  if (!of_b)
+    for (GjkVertex<S>& vertex : own.vertices) std::swap(vertex.index_a, vertex.index_b);
+  const int distinct = own.distinct_b();
+  const int first = own.vertices[0].index_b;
+  if (core.kind != ShapeKind::Hull)
+    return distinct == 1 ? CoreFeature{FeatureKind::Vertex, first}
+                         : CoreFeature{FeatureKind::Edge, 0};
+  const HullFeature feature = feature_of_b(core.hull, own);
+  if (feature.index < 0) return {FeatureKind::Vertex, first};
+  return {feature.kind, feature.kind == FeatureKind::Edge ? feature.index / 2 : feature.index};
+}
+
+/// The face of a hull whose outward normal is within `sine` of `direction` (unit, own frame).
+template <class S>
+int core_face_along(const Hull<S>& hull, const Vec3<S>& direction, S sine) {
+  int best = -1;
+  S least = sine;
+  for (int face = 0; face < hull.face_count(); ++face) {
+    const Vec3<S>& normal = at(hull.planes, face).normal;
+    if (!(normal.dot(direction) > S(0))) continue;
+    const S off = normal.cross(direction).norm();
+    if (off < least) {
+      least = off;
+      best = face;
+    }
+  }
+  return best;
+}
+
+template <class S>
+void snap_to_face(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a,
+                  CoreQuery<S>& query) {
+  const S rounding = S(4) * tie_tolerance(query.scale);
+  const S sine = std::min(kLargestSnap<S>, rounding / std::max(std::abs(query.distance), rounding) +
+                                               S(4) * tie_tolerance(S(1)));
+  int face = -1;
+  if (a.kind == ShapeKind::Hull) face = core_face_along(a.hull, query.normal, sine);
+  if (face >= 0) {
+    query.normal = at(a.hull.planes, face).normal;
+    if (query.overlap) query.axis = AxisKind::FaceA;
+    return;
+  }
+  if (b.kind == ShapeKind::Hull)
+    face = core_face_along(b.hull, Vec3<S>(-b_in_a.inverse_rotate(query.normal)), sine);
+  if (face < 0) return;
+  query.normal = -b_in_a.rotate(at(b.hull.planes, face).normal);
+  if (query.overlap) query.axis = AxisKind::FaceB;
+}
+
+template <class S>
+CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a) {
+  CoreQuery<S> query;
+  query.scale = scale_of_cores(a, b, b_in_a);
+  query.normal = -b_in_a.rotate(b.plane.normal);
+  query.axis = AxisKind::FaceB;
+  const int lowest = support_index(a.support(), query.normal);
+  const Vec3<S>& on_a = a.vertex(lowest);
+  query.distance = b.plane.distance(b_in_a.inverse_transform(on_a));
+  query.closest = {on_a,
+                   on_a + query.distance * query.normal,
+                   {FeatureKind::Vertex, lowest},
+                   {FeatureKind::Face, 0}};
+  return query;
+}
+
 /// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; where they overlap or
 /// touch, `method`. A half-space needs neither: its distance is exact at every depth, and it never
 /// overlaps. `run` and `steps`: where to leave the run of GJK and what `method` did, or nullptr. Empty where nothing can be said, as
@@ -45,21 +122,35 @@ struct CoreQuery {
 template <class S>
 std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S>& b,
                                         const Pose<S>& b_in_a, PenetrationMethod method,
-                                        GjkRun<S>* run, PenetrationSteps<S>* steps);
+                                        GjkRun<S>* run, PenetrationSteps<S>* steps) {
+  if (!b_in_a.position.allFinite() || !b_in_a.rotation.coeffs().allFinite()) return std::nullopt;
+  if (b.kind == ShapeKind::Plane) return query_half_space(a, b, b_in_a);
+  const SupportSet<S> set_a = a.support();
+  const SupportSet<S> set_b = b.support();
+  const GjkResult<S> result = gjk<S>(set_a, set_b, b_in_a, nullptr, run);
 
-/// All places where the cores are as close as in `query`, within rounding: of parallel features the
-/// corners of the patch that they share, seen along the normal; otherwise one. Each is named by the
-/// two features whose meeting it is, so no two have the same. At least one; sorted by features.
-template <class S>
-CorePatch<S> closest_patch(const ShapeCore<S>& a, const ShapeCore<S>& b, const Pose<S>& b_in_a,
-                           const CoreQuery<S>& query);
-
-/// Where two features are nearest to each other now, in A's frame; empty where they do not face each
-/// other: their nearest points lie beyond the border of one of them, or they share more than a
-/// point. `scale` as in CoreQuery.
-template <class S>
-std::optional<CoreContact<S>> closest_on_features(const ShapeCore<S>& a, const CoreFeature& of_a,
-                                                  const ShapeCore<S>& b, const CoreFeature& of_b,
-                                                  const Pose<S>& b_in_a, S scale);
+  CoreQuery<S> query;
+  query.scale = scale_of_cores(a, b, b_in_a);
+  query.normal = result.normal;
+  query.distance = result.distance;
+  query.closest = {result.on_a, result.on_b, simplex_feature(a, result.simplex, false),
+                   simplex_feature(b, result.simplex, true)};
+  if (result.status == GjkStatus::Touching || result.status == GjkStatus::Overlap) {
+    const PenetrationResult<S> deep =
+        penetration(method, set_a, set_b, b_in_a, PenetrationOptions<S>(), &result.simplex, steps);
+    if (deep.status == PenetrationStatus::NotFinite) return std::nullopt;
+    if (has_depth(deep.status)) {
+      query.overlap = true;
+      query.deep = deep;
+      query.axis = AxisKind::EdgeEdge;  // unless it is a face's
+      query.normal = deep.normal;
+      query.distance = -deep.depth;
+      query.closest.on_a = deep.on_a;
+      query.closest.on_b = deep.on_b;
+    }
+  }
+  snap_to_face(a, b, b_in_a, query);
+  return query;
+}
 
 }  // namespace contactscope

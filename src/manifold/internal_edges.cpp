@@ -47,26 +47,22 @@ bool rises_from_edge(const Vec3<S>& normal, const Vec3<S>& from, const Vec3<S>& 
   return rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
 }
 
-/// Walks from `triangle` around its corner k, across the edges on one side (0: the edge that leaves
-/// the corner, 1: the one that arrives), and asks every triangle met. Sets `closed` when it comes
-/// back to where it began.
+/// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
+/// not lead back, across those that arrive, and asks every triangle met.
 template <class S>
-bool supports_around(const Mesh<S>& mesh, int triangle, int k, int side, const Vec3<S>& normal,
-                     bool& closed) {
+bool supports_around(const Mesh<S>& mesh, int triangle, int k, const Vec3<S>& normal) {
   const Vec3<S>& vertex = mesh.corner(triangle, k);
-  int at = triangle;
-  int corner = k;
-  for (int step = 0; step < kMostTrianglesAround; ++step) {
-    const int edge = side == 0 ? corner : (corner + 2) % 3;
-    const int next = mesh.neighbour(at, edge);
-    if (next < 0) return true;
-    closed = next == triangle;
-    if (closed) return true;
-    corner = corner_of(mesh, next, triangle, k);
-    if (corner < 0) return true;
-    at = next;
-    for (int i = 1; i < 3; ++i)
-      if (rises(normal, Vec3<S>(mesh.corner(at, (corner + i) % 3) - vertex))) return false;
+  for (const bool leaving : {true, false}) {
+    int corner = k;
+    int next = triangle;
+    for (int step = 0; step < kMostTrianglesAround; ++step) {
+      next = mesh.neighbour(next, leaving ? corner : (corner + 2) % 3);
+      if (next == triangle) return true;
+      corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
+      if (corner < 0) break;
+      for (int i = 1; i < 3; ++i)
+        if (rises(normal, Vec3<S>(mesh.corner(next, (corner + i) % 3) - vertex))) return false;
+    }
   }
   return true;
 }
@@ -164,9 +160,7 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal
     }
     return true;
   }
-  bool closed = false;
-  if (!supports_around(mesh, triangle, top, 0, normal, closed)) return false;
-  return closed || supports_around(mesh, triangle, top, 1, normal, closed);
+  return supports_around(mesh, triangle, top, normal);
 }
 
 template bool belongs_to_surface(const Mesh<float>&, int, const Vec3<float>&);

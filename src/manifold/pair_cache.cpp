@@ -45,14 +45,12 @@ struct MeasuredAxis {
   S beyond = 0;       // metres: how far an edge axis's edges are from being the support
 };
 
-template <class S>
-int support_of_a(const FeaturePair<S>& pair, const Vec3<S>& direction) {
-  return support_index(support_set(pair.a.hull), direction);
-}
-
-template <class S>
-int support_of_b(const FeaturePair<S>& pair, const Vec3<S>& direction) {
-  return support_index(support_set(pair.b.hull), Vec3<S>(pair.rotation.transpose() * direction));
+/// The vertex of a hull that is farthest along a direction.
+template <class S, bool kMoved>
+int support_of(const PlacedFeatures<S, kMoved>& placed, const Vec3<S>& direction) {
+  const SupportSet<S> set = support_set(placed.hull);
+  if constexpr (kMoved) return support_index(set, Vec3<S>(placed.rotation.transpose() * direction));
+  return support_index(set, direction);
 }
 
 /// As the face query measures it, bit for bit.
@@ -68,8 +66,7 @@ S distance(const Plane<S>& plane, const Vec3<S>& p) {
 template <class S>
 bool supports_along(const Hull<S>& hull, int edge, const Vec3<S>& direction) {
   const auto normal = [&](int half_edge) -> const Vec3<S>& {
-    const int face = hull.half_edges[static_cast<std::size_t>(half_edge)].face;
-    return hull.planes[static_cast<std::size_t>(face)].normal;
+    return at(hull.planes, at(hull.half_edges, half_edge).face).normal;
   };
   const Vec3<S>& left = normal(edge);
   const Vec3<S>& right = normal(Hull<S>::twin(edge));
@@ -94,7 +91,7 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
     axis.separation = axis.edge.separation;
     return true;
   }
-  const S most_a = axis.normal.dot(pair.a.vertex(support_of_a(pair, axis.normal)));
+  const S most_a = axis.normal.dot(pair.a.vertex(support_of(pair.a, axis.normal)));
   const S least_b = axis.normal.dot(pair.b.vertex(support_index(support_set(pair.b.hull), to_a)));
   axis.separation = least_b - most_a;
   axis.beyond = axis.edge.separation - axis.separation;
@@ -102,14 +99,14 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   return true;
 }
 
-/// `of` owns the face, `other` the support vertex; `find` looks for it.
-template <class S, class Reference, class Other, class Find>
+/// `of` owns the face, `other` the support vertex.
+template <class S, class Reference, class Other>
 void measure_face(const Reference& of, const Other& other, const PairCache<S>& cache, S moved,
-                  const Find& find, MeasuredAxis<S>& axis) {
+                  MeasuredAxis<S>& axis) {
   const Plane<S> plane = of.plane(cache.first);
   // Along the face's normal no vertex has moved by more than the pair has.
   const bool still_deepest = S(2) * moved < cache.support_clearance;
-  const int support = still_deepest ? cache.support : find(Vec3<S>(-plane.normal));
+  const int support = still_deepest ? cache.support : support_of(other, Vec3<S>(-plane.normal));
   axis.normal = plane.normal;
   axis.separation = distance(plane, other.vertex(support));
   axis.face = {cache.first, support, axis.separation};
@@ -118,17 +115,14 @@ void measure_face(const Reference& of, const Other& other, const PairCache<S>& c
 template <class S>
 bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
              MeasuredAxis<S>& axis) {
-  if (cache.axis == AxisKind::EdgeEdge) {
+  if (cache.axis == AxisKind::EdgeEdge)
     return measure_edges(pair, cache.first, cache.second, cache.normal, axis);
-  }
   if (cache.axis == AxisKind::FaceA) {
-    const auto find = [&](const Vec3<S>& direction) { return support_of_b(pair, direction); };
-    measure_face(pair.a, pair.b, cache, moved, find, axis);
-    return true;
+    measure_face(pair.a, pair.b, cache, moved, axis);
+  } else {
+    measure_face(pair.b, pair.a, cache, moved, axis);
+    axis.normal = -axis.normal;
   }
-  const auto find = [&](const Vec3<S>& direction) { return support_of_a(pair, direction); };
-  measure_face(pair.b, pair.a, cache, moved, find, axis);
-  axis.normal = -axis.normal;
   return true;
 }
 
@@ -176,15 +170,6 @@ bool preferred(S separation, S bound, S margin, S min_radius) {
 }
 
 template <class S>
-S deepest_point(const Contact<S>& contact) {
-  S deepest = std::numeric_limits<S>::infinity();
-  for (const ContactPoint<S>& point : contact.points) {
-    deepest = std::min(deepest, point.separation);
-  }
-  return deepest;
-}
-
-template <class S>
 S scale_of(const FeaturePair<S>& pair) {
   const Hull<S>& a = pair.a.hull;
   const Hull<S>& b = pair.b.hull;
@@ -225,8 +210,7 @@ Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
   contact.axis = kind;
   contact.normal = axis.normal;
   if (kind == AxisKind::EdgeEdge) {
-    const ClosestPoints<S> closest =
-        closest_points(pair.a, axis.edge.edge_a, pair.b, axis.edge.edge_b);
+    const ClosestPoints<S> closest = closest_points(pair.a, pair.b, axis.edge);
     contact.type = ContactType::EdgeEdge;
     contact.points.clear();
     contact.points.push_back(create_edge_contact(closest, axis.edge));
@@ -308,7 +292,7 @@ void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hu
 
   cache.incident = incident_face(other_hull, query.support, plane.normal);
   next = std::numeric_limits<S>::infinity();
-  const int start = other_hull.hull.vertex_edges[static_cast<std::size_t>(query.support)];
+  const int start = at(other_hull.hull.vertex_edges, query.support);
   int edge = start;
   do {
     const int face = other_hull.half_edge(edge).face;
@@ -355,7 +339,7 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   const S separation = axes.separation(cache.axis);
   const S depth = std::max(-separation, S(0));
   const S tolerance = preference_tolerance(depth, pair.min_radius);
-  const S spare = tolerance - std::max(deepest_point(contact) - separation, S(0));
+  const S spare = tolerance - std::max(contact.deepest() - separation, S(0));
   cache.near_cosine = S(1) - S(0.6) * spare / (depth + tolerance);
   if (!(spare > S(0))) return cache;
   cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
@@ -374,15 +358,10 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   return cache;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
-  template CacheAnswer<S> collide_from_cache(const Hull<S>&, const Hull<S>&, const Pose<S>&, \
-                                             const CollideOptions<S>&, const PairCache<S>&,  \
-                                             Contact<S>&, Recorder<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
-
 #define CONTACTSCOPE_INSTANTIATE(S)                                                            \
+  template CacheAnswer<S> collide_from_cache(const Hull<S>&, const Hull<S>&, const Pose<S>&,   \
+                                             const CollideOptions<S>&, const PairCache<S>&,    \
+                                             Contact<S>&, Recorder<S>*);                       \
   template PairCache<S> cache_of(const HullPair<S>&, const Pose<S>&, const CollideOptions<S>&, \
                                  const SatResult<S>&, const FaceSeparations<S>&,               \
                                  const FaceSeparations<S>&, const Contact<S>&);

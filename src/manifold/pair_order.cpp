@@ -20,16 +20,9 @@ void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record) {
 }
 
 template <class S>
-void end_record(std::span<const Manifold<S>> manifolds, bool traded, trace::Pair& record) {
-  record_manifolds(manifolds, record);
-  if (traded) trace::mirror(record);
-}
-
-template <class S>
-void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record) {
+void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record, bool traded) {
   record.state = manifolds.empty() ? "separated" : "touching";
-  if (manifolds.empty()) return;
-  record.separation = std::numeric_limits<double>::infinity();
+  if (!manifolds.empty()) record.separation = std::numeric_limits<double>::infinity();
   for (const Manifold<S>& manifold : manifolds) {
     trace::Manifold& told = record.manifolds.emplace_back();
     told.normal = manifold.normal.template cast<double>();
@@ -43,6 +36,7 @@ void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& recor
       record.separation = std::min(record.separation, told.points.back().separation);
     }
   }
+  if (traded) trace::mirror(record);
 }
 
 template <class S>
@@ -51,10 +45,9 @@ FlippedOptions<S>::FlippedOptions(const CollideOptions<S>& given) : options(give
   options.reduction.previous = previous;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                           \
-  template struct FlippedOptions<S>;                                          \
-  template void end_record(std::span<const Manifold<S>>, bool, trace::Pair&); \
-  template void record_manifolds(std::span<const Manifold<S>>, trace::Pair&);
+#define CONTACTSCOPE_INSTANTIATE(S)  \
+  template struct FlippedOptions<S>; \
+  template void record_manifolds(std::span<const Manifold<S>>, trace::Pair&, bool);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -7,7 +7,7 @@
 
 #include "core/manifold.h"
 #include "geometry/shape.h"
-#include "manifold/collide_options.h"
+#include "manifold/pair_cache.h"
 #include "trace/trace.h"
 
 /// A pair is put in order once, by collide() or collide_incremental(), and what came of it is mirrored
@@ -17,6 +17,16 @@ namespace contactscope {
 /// One manifold for convex shapes, one a triangle for meshes, none when separated.
 template <class S>
 using Manifolds = std::vector<Manifold<S>>;
+
+/// Two shapes placed in the world, in the order in which they are worked on.
+template <class S>
+struct PlacedPair {
+  const Shape<S>& a;
+  const Pose<S>& pose_a;
+  const Shape<S>& b;
+  const Pose<S>& pose_b;
+  PairCache<S>* cache = nullptr;  // nullptr: nothing is kept
+};
 
 /// "sphere-hull": what traces call a pair of such shapes.
 std::string pair_kind(ShapeKind a, ShapeKind b);
@@ -40,15 +50,13 @@ void mirror(Manifold<S>& manifold) {
 /// arguments to that in which the pair is worked on.
 void begin_record(ShapeKind a, ShapeKind b, bool traded, trace::Pair& record);
 
-/// Writes the manifolds, which are in the order in which the pair was worked on, and turns the record
-/// back to that of the arguments.
-template <class S>
-void end_record(std::span<const Manifold<S>> manifolds, bool traded, trace::Pair& record);
-
 /// What a pair came to, also of one that nobody watched: its manifolds, and with them its state and
-/// the separation of its deepest point. Without manifolds the record's separation stays.
+/// the separation of its deepest point. Without manifolds the record's separation stays. `traded`:
+/// they are in the order in which the pair was worked on, and the record is turned back to that of
+/// the arguments.
 template <class S>
-void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record);
+void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record,
+                      bool traded = false);
 
 /// Options for shapes that were traded: the ids that a reducer kept in the frame before are of the
 /// other one.
@@ -61,22 +69,24 @@ struct FlippedOptions {
   CollideOptions<S> options;
 };
 
-/// Runs work(options), which fills `manifolds` and, where there is one, `record` for the pair (a, b)
-/// in the order in which it is worked on: `traded` says that the arguments were (b, a). Leaves both
-/// in the order of the arguments.
+/// Runs work(pair, options), which fills `manifolds` and, where there is one, `record` for a pair in
+/// the order in which it is worked on: that of the arguments, `given`, or the other one where they
+/// are `traded`. Leaves both in the order of the arguments.
 template <class S, class Work>
-[[gnu::always_inline]] inline void work_in_order(const Shape<S>& a, const Shape<S>& b, bool traded,
+[[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool traded,
                                                  const CollideOptions<S>& options,
                                                  Manifolds<S>& manifolds, trace::Pair* record,
                                                  const Work& work) {
+  const auto& [a, pose_a, b, pose_b, cache] = given;
+  const PlacedPair<S> pair = traded ? PlacedPair<S>{b, pose_b, a, pose_a, cache} : given;
   if (record != nullptr) [[unlikely]]
-    begin_record(kind_of(a), kind_of(b), traded, *record);
+    begin_record(kind_of(pair.a), kind_of(pair.b), traded, *record);
   std::unique_ptr<FlippedOptions<S>> flipped;
   if (traded && !options.reduction.previous.empty()) [[unlikely]]
     flipped = std::make_unique<FlippedOptions<S>>(options);
-  work(flipped ? flipped->options : options);
+  work(pair, flipped ? flipped->options : options);
   if (record != nullptr) [[unlikely]]
-    end_record<S>(manifolds, traded, *record);
+    record_manifolds<S>(manifolds, *record, traded);
   if (!traded) return;
   for (Manifold<S>& manifold : manifolds) mirror(manifold);
 }

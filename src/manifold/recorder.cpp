@@ -3,12 +3,17 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/hull_builder.h"
 #include "manifold/edge_contact.h"
 #include "reduce/choices.h"
 #include "reduce/polygon_area.h"
 
 namespace contactscope {
 namespace {
+
+/// Most differences of two vertices of which the Minkowski difference is made: two hulls of 64
+/// vertices. It takes some milliseconds.
+constexpr int kMaxMinkowskiPoints = 4096;
 
 /// Empty for one that is not in the list.
 template <class S>
@@ -82,7 +87,7 @@ void Recorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes, Prefer
   // The query looks for what beats the faces. Where nothing does, a picture shows its best pair.
   const EdgeQuery<S>& query = axes.edge.edge_a >= 0 ? axes.edge : edge_query_.best;
   if (axes.queries_run < 3 || query.edge_a < 0) return;
-  const ClosestPoints<S> closest = closest_points(pair, query);
+  const ClosestPoints<S> closest = closest_points(pair.a, pair.b, query);
   sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
                              direction(query.normal), point(closest.on_a), point(closest.on_b)};
 }
@@ -192,6 +197,63 @@ std::vector<int> Recorder<S>::query_tree(const Mesh<S>& mesh, const Aabb<S>& box
     tree.visits.push_back({box_of(visit.box), visit.depth, visit.leaf, visit.overlaps});
   tree.candidates = found.candidates;
   return std::move(found.candidates);
+}
+
+template <class S>
+trace::Polytope Recorder<S>::polytope(const PolytopeStep<S>& step) const {
+  trace::Polytope polytope;
+  for (const GjkVertex<S>& corner : step.vertices)
+    polytope.vertices.push_back(vertex(corner.a, corner.b));
+  polytope.faces = step.faces;
+  polytope.nearest = step.nearest;
+  polytope.distance = static_cast<double>(step.distance);
+  return polytope;
+}
+
+template <class S>
+void Recorder<S>::penetration(PenetrationMethod method, const PenetrationResult<S>& result,
+                              const char* fallback) {
+  if (!stages_.penetration) return;
+  trace::Penetration& told = pair_.penetration.emplace();
+  told.method = to_string(method);
+  told.status = to_string(result.status);
+  if (fallback != nullptr) told.fallback = fallback;
+  told.iterations = result.iterations;
+  told.depth = static_cast<double>(result.depth);
+  told.normal = direction(result.normal);
+  told.point_a = point(result.on_a);
+  told.point_b = point(result.on_b);
+  for (const PolytopeStep<S>& step : penetration_steps_.polytopes)
+    told.polytopes.push_back(polytope(step));
+  for (const std::array<GjkVertex<S>, 4>& portal : penetration_steps_.portals) {
+    trace::Simplex& simplex = told.portals.emplace_back();
+    for (const GjkVertex<S>& corner : portal) simplex.push_back(vertex(corner.a, corner.b));
+  }
+  for (const DirectionStep<S>& step : penetration_steps_.directions)
+    told.directions.push_back({direction(step.normal), static_cast<double>(step.separation)});
+}
+
+/// The Minkowski difference B - A in the world's axes: the hull of the differences of all vertices.
+/// None where these are more than kMaxMinkowskiPoints, and where the builder gives no hull of them:
+/// the picture goes without it.
+template <class S>
+void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a) {
+  if (!stages_.minkowski || a.vertex_count() > kMaxMinkowskiPoints / b.vertex_count()) return;
+  std::vector<Vec3d> differences;
+  for (const Vec3<S>& vertex_b : b.vertices) {
+    const Vec3<S> placed = b_in_a.transform(vertex_b);
+    for (const Vec3<S>& vertex_a : a.vertices)
+      differences.push_back(direction(Vec3<S>(placed - vertex_a)));
+  }
+  try {
+    const Hull<double> hull = build_hull(differences, {.weld_duplicates = true});
+    trace::Minkowski& told = pair_.minkowski.emplace();
+    told.vertices = hull.vertices;
+    for (int face = 0; face < hull.face_count(); ++face)
+      told.faces.push_back(face_vertices(hull, face));
+  } catch (const HullError&) {
+    return;
+  }
 }
 
 template <class S>

@@ -9,7 +9,6 @@
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
-#include "manifold/to_world.h"
 #include "query/gjk.h"
 #include "query/penetration.h"
 #include "query/sat.h"
@@ -113,12 +112,17 @@ PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
   return recorder ? recorder->penetration_steps() : nullptr;
 }
 
+/// Tells that the geometry has no normal of its own, and says whether such a contact is left out.
+template <class S>
+bool skips_degenerate(const char* geometry, const CollideOptions<S>& options,
+                      Recorder<S>* recorder) {
+  if (recorder) [[unlikely]]
+    recorder->degenerate(geometry, options.degenerate);
+  return options.degenerate == Degenerate::Skip;
+}
+
 /// A result of the pipeline, in the world, as a fact.
 template <class S>
 trace::Point trace_point(const ContactPoint<S>& in_world);
-
-/// Most differences of two vertices of which the Minkowski difference is made: two hulls of 64
-/// vertices. It takes some milliseconds.
-inline constexpr int kMaxMinkowskiPoints = 4096;
 
 }  // namespace contactscope

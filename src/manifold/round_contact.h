@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "manifold/collide_options.h"
+#include "geometry/hull.h"
 #include "manifold/contact.h"
 
 /// What spheres and capsules share: a contact between two points that carry radii.
@@ -42,9 +42,16 @@ Vec3<S> body_perpendicular(const Vec3<S>& along) {
 /// The feature of a capsule's axis at `parameter`: one of its ends or the edge between them. An axis
 /// of length zero is its first end.
 template <class S>
-FeatureRef axis_feature(Owner owner, S parameter, bool has_length) {
+FeatureRef axis_feature(Owner owner, S parameter, bool has_length = true) {
   if (!has_length || parameter <= S(0)) return vertex_ref(owner, 0);
   return parameter >= S(1) ? vertex_ref(owner, 1) : edge_ref(owner, 0);
+}
+
+/// The id of an end of the segment that a face or an edge left over: where it was cut off, what made
+/// the cut. Side planes are cut by edges; beside an edge, a vertex makes the cut.
+inline FeatureId clip_id(int end, int cut_by, const FeatureRef& uncut, const FeatureRef& cut) {
+  if (cut_by < 0) return FeatureId::of(vertex_ref(Owner::A, end), uncut);
+  return FeatureId::of(edge_ref(Owner::A, 0), cut);
 }
 
 /// Adds the contact point between a ball of `radius_a` about `core_a` and one of `radius_b` about
@@ -57,6 +64,28 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
   const Vec3<S> on_a = core_a + radius_a * normal;
   const Vec3<S> on_b = core_b - radius_b * normal;
   contact.points.push_back({S(0.5) * (on_a + on_b), distance - (radius_a + radius_b), id});
+}
+
+// What those against hulls share. They are worked on in the hull's own frame: there the hull's lanes
+// stand ready, and its vertices are as exact as they were given.
+
+/// A core nearer to a vertex or an edge than this touches it: the difference of the closest points
+/// is an ulp of the coordinates or so in each component, and would turn the normal by a quarter.
+template <class S>
+S touching_distance(S scale) {
+  return S(16) * std::numeric_limits<S>::epsilon() * scale;
+}
+
+/// Directions whose angle has less than this sine are nearly parallel. Separations along both differ
+/// by 0.1% then, a fiftieth of what a preference between axes accepts.
+template <class S>
+constexpr S kNearlyParallelSine = S(0.05);
+
+/// No coordinate is larger than this, in either frame, nor was on the way from one to the other.
+/// `core_reach` is that of the round shape in its own frame.
+template <class S>
+S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
+  return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;
 }
 
 }  // namespace contactscope

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_pairs.h"
 #include "query/sat.h"
 #include "study/all_edge_pairs.h"
 #include "study/measurement.h"
@@ -67,8 +67,8 @@ Found contact(const Case<S>& c) {
   Contact<S> result;
   CollideOptions<S> options;
   options.preference = preference;
-  const double separation =
-      static_cast<double>(collide_hull_hull<S>(c.a, c.b, c.b_in_a, options, result, nullptr));
+  const double separation = static_cast<double>(
+      collide_hull_hull<S>(c.a, c.b, c.b_in_a, options, nullptr, result, nullptr));
   if (preference == Preference::None) return {separation};
   return {separation, result.normal.template cast<double>()};
 }
@@ -78,7 +78,7 @@ Found cached_contact(const Case<S>& c) {
   PairCache<S> cache = c.cache;
   Contact<S> result;
   const double separation = static_cast<double>(
-      collide_hull_hull<S>(c.a, c.b, c.b_in_a, CollideOptions<S>(), cache, result, nullptr));
+      collide_hull_hull<S>(c.a, c.b, c.b_in_a, CollideOptions<S>(), &cache, result, nullptr));
   return {separation, result.normal.template cast<double>()};
 }
 

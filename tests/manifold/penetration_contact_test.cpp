@@ -4,7 +4,6 @@
 #include <map>
 
 #include "core/penetration_method.h"
-#include "manifold/contact_from_normal.h"
 #include "manifold/dispatch.h"
 #include "query/tolerance.h"
 #include "support/brute_force_sat.h"

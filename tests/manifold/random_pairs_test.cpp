@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 #include "support/pair_case.h"

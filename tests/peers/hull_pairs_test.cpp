@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/workload.h"
-#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_pairs.h"
 #include "peers/disagreement.h"
 #include "peers/peer.h"
 #include "peers/rules.h"

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_pairs.h"
 #include "reduce/reducer.h"
 #include "scenario/broken.h"
 #include "scenario/expect.h"

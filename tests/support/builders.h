@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/primitives.h"
-#include "manifold/collide_hull_hull.h"
+#include "manifold/collide_pairs.h"
 #include "support/pair_case.h"
 
 /// Short ways to say a geometry in a test.

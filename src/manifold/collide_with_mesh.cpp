@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <limits>
+
+#include "manifold/collide_pairs.h"
+#include "manifold/collide_with_triangles.h"
+#include "manifold/face_contact.h"
+#include "manifold/round_contact.h"
+#include "query/closest_points.h"
+#include "query/face_prism.h"
+
+namespace contactscope {
+namespace {
+
+/// The triangle's closest point to the centre, and what it lies on. Triangle's frame.
+template <class S>
+struct Closest {
+  FeatureRef feature;
+  Vec3<S> outward;  // from it to the centre, metres
+};
+
+template <class S>
+Closest<S> closest_on_outline(const Hull<S>& triangle, const Vec3<S>& center) {
+  Closest<S> best;
+  S least = std::numeric_limits<S>::infinity();
+  for (int edge = 0; edge < 3; ++edge) {
+    const ClosestOnSegment<S> on_edge =
+        closest_on_segment(center, triangle.origin(2 * edge), triangle.target(2 * edge));
+    const Vec3<S> outward = center - on_edge.point;
+    const S squared = outward.squaredNorm();
+    if (!(squared < least)) continue;
+    least = squared;
+    best = {outline_feature(edge, on_edge.parameter), outward};
+  }
+  return best;
+}
+
+template <class S>
+void add_point(const Vec3<S>& normal, S distance, S radius, const FeatureRef& feature,
+               AxisKind axis, Contact<S>& contact) {
+  contact.axis = axis;
+  contact.type = contact_type(FeatureKind::Vertex, feature.kind);
+  contact.normal = normal;
+  // The centre is the origin of A's frame.
+  contact.points.push_back(
+      {distance * normal, distance - radius, FeatureId::of(vertex_ref(Owner::A, 0), feature)});
+}
+
+/// A segment nearer to the triangle's plane than this part of the triangle's radius lies in it: the
+/// axes of the separating axis test, which all look out of the plane, say little then.
+template <class S>
+constexpr S kInPlane = S(1e-3);
+
+/// A segment in the triangle's plane against the triangle's outline, in the triangle's frame. None
+/// of it is over or under the triangle, so the closest points are on the outline, exactly.
+template <class S>
+struct InPlane {
+  bool applies = false;  // the segment is in the plane and does not reach into the triangle
+  ClosestOfSegments<S> closest;
+  FeatureId id;
+};
+
+template <class S>
+InPlane<S> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2]) {
+  InPlane<S> result;
+  const Plane<S>& plane = triangle.planes[0];
+  const S height = std::max(std::abs(plane.distance(ends[0])), std::abs(plane.distance(ends[1])));
+  if (height > kInPlane<S> * triangle.radius) return result;
+  if (!clip_to_prism(triangle, 0, ends, S(0)).empty()) return result;
+  result.applies = true;
+  result.closest.distance = std::numeric_limits<S>::infinity();
+  for (int edge = 0; edge < 3; ++edge) {
+    const ClosestOfSegments<S> found =
+        closest_of_segments(ends[0], ends[1], triangle.origin(2 * edge), triangle.target(2 * edge));
+    if (!(found.distance < result.closest.distance)) continue;
+    result.closest = found;
+    result.id = FeatureId::of(axis_feature(Owner::A, found.parameter_a),
+                              outline_feature(edge, found.parameter_b));
+  }
+  return result;
+}
+
+/// The hull as the mesh sees it: the box of its vertices.
+template <class S>
+SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
+  const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
+  SeenFromMesh<S> seen;
+  for (const Vec3<S>& vertex : hull.vertices)
+    seen.box.include(Vec3<S>(to_mesh * (vertex - b_in_a.position)));
+  seen.center = to_mesh * (hull.centroid - b_in_a.position);
+  return seen;
+}
+
+/// A triangle lower than this part of its longest edge is a sliver: what moves a corner by a little
+/// turns its normal by much.
+template <class S>
+constexpr S kSliver = S(0.01);
+
+/// Whose face decides where both are nearly as deep. The surface: by the hull's face a small tilt on
+/// a large triangle would turn the normal. But a sliver's own normal says little of the surface.
+template <class S>
+Owner preferred_face(const Mesh<S>& mesh, int triangle) {
+  const Vec3<S> first = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
+  const Vec3<S> second = mesh.corner(triangle, 2) - mesh.corner(triangle, 1);
+  const Vec3<S> third = mesh.corner(triangle, 0) - mesh.corner(triangle, 2);
+  const S longest = std::max({first.squaredNorm(), second.squaredNorm(), third.squaredNorm()});
+  return first.cross(second).norm() < kSliver<S> * longest ? Owner::A : Owner::B;
+}
+
+/// The face query of the talk for one face that is given.
+template <class S>
+FaceQuery<S> query_face(const HullPair<S>& pair, int face) {
+  const Plane<S> plane = pair.b.plane(face);
+  FaceQuery<S> query{face, 0, std::numeric_limits<S>::infinity()};
+  for (int vertex = 0; vertex < pair.a.vertices.count(); ++vertex) {
+    const S separation = plane.distance(pair.a.vertices[vertex]);
+    if (separation < query.separation) query = {face, vertex, separation};
+  }
+  return query;
+}
+
+}  // namespace
+
+template <class S>
+S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
+                      const CollideOptions<S>& options, ContactSink<S>& sink,
+                      Recorder<S>* recorder) {
+  const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
+  const Vec3<S> reach = Vec3<S>::Constant(a.radius);
+  const SeenFromMesh<S> seen{{center - reach, center + reach}, center};
+
+  const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
+    const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, S(0)));
+    const S height = triangle.hull.planes[0].distance(in_triangle);
+    // In the plane, within rounding, both sides are as good: the front.
+    const int face = height >= -touching ? 0 : 1;
+    Closest<S> closest;
+    closest.feature = face_ref(Owner::B, face);
+    S distance = face == 0 ? height : -height;
+    const bool over_face = projects_into(triangle.hull, face, in_triangle, S(0));
+    if (!over_face) {
+      closest = closest_on_outline(triangle.hull, in_triangle);
+      distance = closest.outward.norm();
+    }
+    const S separation = distance - a.radius;
+    if (separation > options.margin) return separation;
+    const char* geometry = over_face ? "centre on a triangle" : "centre on an edge or a vertex";
+    const bool touches = !(distance > touching);
+    if (touches && skips_degenerate(geometry, options, recorder)) return separation;
+    Vec3<S> outward = at(triangle.hull.planes, face).normal;
+    if (!over_face && !touches) outward = closest.outward / distance;
+    add_point<S>(-b_in_a.rotate(outward), distance, a.radius, closest.feature,
+                 AxisKind::ClosestPoints, contact);
+    return separation;
+  };
+  const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
+    const Vec3<S> in_triangle = center - b.corner(triangle.index, 0);
+    const Plane<S>& plane = at(triangle.hull.planes, face);
+    const S distance = plane.distance(in_triangle);
+    if (distance - a.radius > options.margin) return;
+    if (!projects_into(triangle.hull, face, in_triangle, S(0))) return;
+    add_point<S>(-b_in_a.rotate(plane.normal), distance, a.radius, face_ref(Owner::B, face),
+                 AxisKind::FaceB, contact);
+  };
+  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
+}
+
+template <class S>
+S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
+                       const CollideOptions<S>& options, ContactSink<S>& sink,
+                       Recorder<S>* recorder) {
+  const Vec3<S> ends[2] = {b_in_a.inverse_transform(a.points[0]),
+                           b_in_a.inverse_transform(a.points[1])};
+  const Vec3<S> reach = Vec3<S>::Constant(a.radius);
+  const SeenFromMesh<S> seen{{ends[0].cwiseMin(ends[1]) - reach, ends[0].cwiseMax(ends[1]) + reach},
+                             S(0.5) * (ends[0] + ends[1])};
+  const S core_reach = std::max(a.points[0].norm(), a.points[1].norm());
+
+  const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    const Vec3<S>& origin = b.corner(triangle.index, 0);
+    const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
+    const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, core_reach));
+    const InPlane<S> beside = beside_in_plane(triangle.hull, in_triangle);
+    if (!beside.applies || beside.closest.distance <= touching) {
+      return collide_capsule_hull(a, triangle.hull, triangle.in_a, options, contact, recorder);
+    }
+    const S separation = beside.closest.distance - a.radius;
+    if (separation > options.margin) return separation;
+    contact.axis = AxisKind::ClosestPoints;
+    contact.type = contact_type(beside.id.first.kind, beside.id.second.kind);
+    contact.normal = b_in_a.rotate(
+        Vec3<S>((beside.closest.on_b - beside.closest.on_a) / beside.closest.distance));
+    contact.points.push_back({triangle.in_a.transform(beside.closest.on_b), separation, beside.id});
+    return separation;
+  };
+  const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
+    const Vec3<S>& origin = b.corner(triangle.index, 0);
+    const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
+    const ClippedSegment<S> clipped = clip_to_prism(triangle.hull, face, in_triangle, S(0));
+    if (clipped.empty()) return;
+    const Plane<S>& plane = at(triangle.hull.planes, face);
+    contact.axis = AxisKind::FaceB;
+    contact.normal = -b_in_a.rotate(plane.normal);
+    const int count = clipped.parameters[0] < clipped.parameters[1] ? 2 : 1;
+    for (int end = 0; end < count; ++end) {
+      const S parameter = clipped.parameters[end];
+      const Vec3<S> core = in_triangle[0] + parameter * (in_triangle[1] - in_triangle[0]);
+      const S distance = plane.distance(core);
+      if (distance - a.radius > options.margin) continue;
+      const int cut_by = clipped.edges[end];
+      const FeatureId id =
+          clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2));
+      contact.points.push_back(
+          {triangle.in_a.transform(plane.project(core)), distance - a.radius, id});
+    }
+    contact.type = face_contact_type(contact.points.size());
+  };
+  return collide_with_triangles(seen, b, b_in_a, options, sink, recorder, collide, on_face);
+}
+
+template <class S>
+S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
+                    const CollideOptions<S>& options, ContactSink<S>& sink, Recorder<S>* recorder) {
+  const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
+    PairCache<S>* const nothing_kept = nullptr;
+    return collide_hull_hull(a, triangle.hull, triangle.in_a, options, nothing_kept, contact,
+                             recorder, preferred_face(b, triangle.index));
+  };
+  const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
+    const HullPair<S> pair(a, triangle.hull, triangle.in_a);
+    contact.axis = AxisKind::FaceB;
+    contact.normal = -pair.b.normals[face];
+    create_face_contact(pair, Owner::B, query_face(pair, face), options.margin, contact.points,
+                        recorder);
+    contact.type = face_contact_type(contact.points.size());
+  };
+  return collide_with_triangles(seen_from_mesh(a, b_in_a), b, b_in_a, options, sink, recorder,
+                                collide, on_face);
+}
+
+template CollideWithMesh<float, Sphere<float>> collide_sphere_mesh;
+template CollideWithMesh<double, Sphere<double>> collide_sphere_mesh;
+template CollideWithMesh<float, Capsule<float>> collide_capsule_mesh;
+template CollideWithMesh<double, Capsule<double>> collide_capsule_mesh;
+template CollideWithMesh<float, Hull<float>> collide_hull_mesh;
+template CollideWithMesh<double, Hull<double>> collide_hull_mesh;
+
+}  // namespace contactscope
