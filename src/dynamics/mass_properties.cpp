@@ -20,8 +20,7 @@ namespace contactscope {
 namespace {
 
 Mat3<double> outer(const Vec3d& v) {
-  const Mat3<double> product = v * v.transpose();
-  return product;
+  return v * v.transpose();
 }
 
 /// Calls `visit` with the corners of every triangle of the surface, counter-clockwise from outside.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
@@ -149,16 +150,12 @@ Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Caps
   return perpendicular_to(axes, safe_unit(Vec3<S>(cross + unsure * fixed)));
 }
 
-/// Two points of the axes that face each other.
+/// The points of A's and B's axis that face each other at the end of the stretch on the side of A's
+/// end `side`: the end of B's axis if it lies beside A's, else that of A's, each with the point of the
+/// other axis that is closest to it.
 template <class S>
-struct Facing {
-  Vec3<S> on_a, on_b;
-};
-
-/// At the end of the stretch on the side of A's end `side`: the end of B's axis if it lies beside
-/// A's, else that of A's, each with the point of the other axis that is closest to it.
-template <class S>
-Facing<S> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side, int end_of_b) {
+std::pair<Vec3<S>, Vec3<S>> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side,
+                                      int end_of_b) {
   const bool b_ends = side == 0 ? stretch.from_b > S(0) : stretch.to_b < axes.a.length;
   if (b_ends) {
     const Vec3<S>& end = axes.b.points[end_of_b];
@@ -178,12 +175,11 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
   const bool same_way = axes.a.along.dot(axes.b.along) > S(0);
   for (int side = 0; side < 2; ++side) {
     const int end_of_b = same_way ? side : 1 - side;
-    const Facing<S> facing = facing_at(axes, stretch, side, end_of_b);
-    const S distance = contact.normal.dot(facing.on_b - facing.on_a);
+    const auto [on_a, on_b] = facing_at(axes, stretch, side, end_of_b);
+    const S distance = contact.normal.dot(on_b - on_a);
     if (distance - axes.radii > margin) continue;
     const FeatureId id = FeatureId::of(vertex_ref(Owner::A, side), vertex_ref(Owner::B, end_of_b));
-    add_round_point(facing.on_a, radius_a, facing.on_b, radius_b, contact.normal, distance, id,
-                    contact);
+    add_round_point(on_a, radius_a, on_b, radius_b, contact.normal, distance, id, contact);
   }
   if (contact.points.size() == 2) contact.type = ContactType::EdgeEdge;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
@@ -54,19 +55,18 @@ constexpr S kInPlane = S(1e-3);
 /// of it is over or under the triangle, so the closest points are on the outline, exactly.
 template <class S>
 struct InPlane {
-  bool applies = false;  // the segment is in the plane and does not reach into the triangle
   ClosestOfSegments<S> closest;
   FeatureId id;
 };
 
+/// Empty where the segment is not in the plane, or reaches into the triangle.
 template <class S>
-InPlane<S> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2]) {
-  InPlane<S> result;
+std::optional<InPlane<S>> beside_in_plane(const Hull<S>& triangle, const Vec3<S> (&ends)[2]) {
   const Plane<S>& plane = triangle.planes[0];
   const S height = std::max(std::abs(plane.distance(ends[0])), std::abs(plane.distance(ends[1])));
-  if (height > kInPlane<S> * triangle.radius) return result;
-  if (!clip_to_prism(triangle, 0, ends, S(0)).empty()) return result;
-  result.applies = true;
+  if (height > kInPlane<S> * triangle.radius) return std::nullopt;
+  if (!clip_to_prism(triangle, 0, ends, S(0)).empty()) return std::nullopt;
+  InPlane<S> result;
   result.closest.distance = std::numeric_limits<S>::infinity();
   for (int edge = 0; edge < 3; ++edge) {
     const ClosestOfSegments<S> found =
@@ -180,17 +180,16 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
     const Vec3<S>& origin = b.corner(triangle.index, 0);
     const Vec3<S> in_triangle[2] = {ends[0] - origin, ends[1] - origin};
     const S touching = touching_distance(length_scale(triangle.hull, triangle.in_a, core_reach));
-    const InPlane<S> beside = beside_in_plane(triangle.hull, in_triangle);
-    if (!beside.applies || beside.closest.distance <= touching) {
+    const std::optional<InPlane<S>> found = beside_in_plane(triangle.hull, in_triangle);
+    if (!found || found->closest.distance <= touching)
       return collide_capsule_hull(a, triangle.hull, triangle.in_a, options, contact, recorder);
-    }
-    const S separation = beside.closest.distance - a.radius;
+    const auto& [closest, id] = *found;
+    const S separation = closest.distance - a.radius;
     if (separation > options.margin) return separation;
     contact.axis = AxisKind::ClosestPoints;
-    contact.type = contact_type(beside.id.first.kind, beside.id.second.kind);
-    contact.normal = b_in_a.rotate(
-        Vec3<S>((beside.closest.on_b - beside.closest.on_a) / beside.closest.distance));
-    contact.points.push_back({triangle.in_a.transform(beside.closest.on_b), separation, beside.id});
+    contact.type = contact_type(id.first.kind, id.second.kind);
+    contact.normal = b_in_a.rotate(Vec3<S>((closest.on_b - closest.on_a) / closest.distance));
+    contact.points.push_back({triangle.in_a.transform(closest.on_b), separation, id});
     return separation;
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {

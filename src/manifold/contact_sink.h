@@ -32,25 +32,19 @@ void finish_contact(const ToWorld<S>& to_world, const CollideOptions<S>& options
 /// Takes the contacts of one pair and finishes each as a manifold of its own: one for convex shapes,
 /// one a triangle for meshes.
 template <class S>
-class ContactSink {
- public:
-  ContactSink(const ToWorld<S>& to_world, const CollideOptions<S>& options,
-              std::vector<Manifold<S>>& manifolds, Recorder<S>* recorder)
-      : to_world_(to_world), options_(options), manifolds_(manifolds), recorder_(recorder) {}
+struct ContactSink {
+  ToWorld<S> to_world;
+  const CollideOptions<S>& options;
+  std::vector<Manifold<S>>& manifolds;
+  Recorder<S>* recorder;  // null when nobody watches
 
   /// A contact without points is none. `triangle`: of a mesh.
   void add(Contact<S>& contact, int triangle = -1) {
     if (contact.points.empty()) return;
-    Manifold<S>& manifold = manifolds_.emplace_back();
+    Manifold<S>& manifold = manifolds.emplace_back();
     manifold.triangle = triangle;
-    finish_contact(to_world_, options_, contact, manifold, recorder_);
+    finish_contact(to_world, options, contact, manifold, recorder);
   }
-
- private:
-  ToWorld<S> to_world_;
-  const CollideOptions<S>& options_;
-  std::vector<Manifold<S>>& manifolds_;
-  Recorder<S>* recorder_;
 };
 
 }  // namespace contactscope

@@ -21,7 +21,7 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
   const S separation = collide(relative_pose(pair.pose_a, pair.pose_b), contact);
   if (recorder) [[unlikely]]
     recorder->separation(separation);
-  ContactSink<S> sink(ToWorld<S>(pair.pose_a), options, manifolds, recorder);
+  ContactSink<S> sink{ToWorld<S>(pair.pose_a), options, manifolds, recorder};
   sink.add(contact);
 }
 
@@ -56,7 +56,7 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Mani
   CollideOptions<S> of_triangle = options;
   of_triangle.reduction.previous = {};
   of_triangle.penetration = PenetrationMethod::Sat;
-  ContactSink<S> sink(ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder);
+  ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder};
   const S separation =
       kCollide(*std::get_if<A>(&pair.a), *std::get_if<Mesh<S>>(&pair.b),
                relative_pose(pair.pose_a, pair.pose_b), of_triangle, sink, recorder);

@@ -1,8 +1,71 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "geometry/mesh.h"
+#include "query/closest_points.h"
 
 namespace contactscope {
+
+/// Radians. A normal so near to the limit of what a feature can give counts as given by it: what
+/// rounds a face's normal that is turned into the frame of the other shape and back. Any more, and
+/// a ball beside an edge of a flat floor would feel that edge, leaning by as much. Normals between
+/// close points are less exact, but where one of those is refused wrongly, a face stands for it, or
+/// it comes back because nothing does.
+template <class S>
+constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
+
+/// No vertex of a surface has more triangles; ends the walk around one whose neighbours contradict
+/// each other.
+inline constexpr int kMostTrianglesAround = 1024;
+
+template <class S>
+int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
+  // Neighbours may name an equal vertex by another index, so corners are found by their place.
+  const Vec3<S>& place = mesh.corner(vertex_of, k);
+  for (int i = 0; i < 3; ++i)
+    if (mesh.corner(triangle, i) == place) return i;
+  return -1;
+}
+
+/// Whether what lies that way from a feature is farther along `normal` by more than the tolerance.
+template <class S>
+bool rises(const Vec3<S>& normal, const Vec3<S>& way) {
+  return normal.dot(way) > kNormalTolerance<S> * way.norm();
+}
+
+/// Whether a triangle's corner `apex` is farther along `normal` than its other two, `from` and `to`,
+/// which are as far. Asks at right angles to the edge between these: on a sliver the way to the apex
+/// is nearly along it.
+template <class S>
+bool rises_from_edge(const Vec3<S>& normal, const Vec3<S>& from, const Vec3<S>& to,
+                     const Vec3<S>& apex) {
+  const Vec3<S> along = to - from;
+  const Vec3<S> way = apex - from;
+  return rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
+}
+
+/// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
+/// not lead back, across those that arrive, and asks every triangle met.
+template <class S>
+bool supports_around(const Mesh<S>& mesh, int triangle, int k, const Vec3<S>& normal) {
+  const Vec3<S>& vertex = mesh.corner(triangle, k);
+  for (const bool leaving : {true, false}) {
+    int corner = k;
+    int next = triangle;
+    for (int step = 0; step < kMostTrianglesAround; ++step) {
+      next = mesh.neighbour(next, leaving ? corner : (corner + 2) % 3);
+      if (next == triangle) return true;
+      corner = next < 0 ? -1 : corner_of(mesh, next, triangle, k);
+      if (corner < 0) break;
+      for (int i = 1; i < 3; ++i)
+        if (rises(normal, Vec3<S>(mesh.corner(next, (corner + i) % 3) - vertex))) return false;
+    }
+  }
+  return true;
+}
 
 /// Whether a contact normal can come from a mesh, or only from one of its triangles alone. A
 /// triangle that is looked at by itself has edges and corners that the surface does not have: a box
@@ -16,16 +79,102 @@ namespace contactscope {
 ///
 /// We ask the vertices and not, as is usual, the angles between the faces: that serves corners as
 /// well as edges, and both sides of a triangle.
+///
+/// Steps: 1. the face itself; 2. an edge of which both ends are the farthest corners of the triangle:
+/// the triangle across must not rise from it; 3. the one farthest corner: none around it must.
 template <class S>
-bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal);
+bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal) {
+  const Vec3<S> sine = normal.cross(mesh.normal(triangle));
+  if (sine.squaredNorm() <= kNormalTolerance<S> * kNormalTolerance<S>) return true;
+  int top = 0;
+  for (int k = 1; k < 3; ++k)
+    if (normal.dot(Vec3<S>(mesh.corner(triangle, k) - mesh.corner(triangle, top))) > S(0)) top = k;
+  const auto fall = [&](int k) {
+    const Vec3<S> way = mesh.corner(triangle, top) - mesh.corner(triangle, k);
+    return normal.dot(way) / way.norm();
+  };
+  const int one = (top + 1) % 3;
+  const int other = (top + 2) % 3;
+  const int next = fall(one) <= fall(other) ? one : other;
+  if (fall(next) <= kNormalTolerance<S>) {
+    const int edge = next == one ? top : other;
+    const int across = mesh.neighbour(triangle, edge);
+    if (across < 0) return true;
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.neighbour(across, i) != triangle) continue;
+      return !rises_from_edge(normal, mesh.corner(across, i), mesh.corner(across, (i + 1) % 3),
+                              mesh.corner(across, (i + 2) % 3));
+    }
+    return true;
+  }
+  return supports_around(mesh, triangle, top, normal);
+}
+
+/// A point at or above one of the triangle's points, along its normal.
+template <class S>
+bool over_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<S>& from = mesh.corner(triangle, k);
+    const Vec3<S> along = mesh.corner(triangle, (k + 1) % 3) - from;
+    if (along.cross(mesh.normal(triangle)).dot(Vec3<S>(point - from)) > S(0)) return false;
+  }
+  return true;
+}
+
+template <class S>
+S distance_to_triangle(const Mesh<S>& mesh, int triangle, const Vec3<S>& point) {
+  if (over_triangle(mesh, triangle, point))
+    return std::abs(mesh.normal(triangle).dot(Vec3<S>(point - mesh.corner(triangle, 0))));
+  S least = std::numeric_limits<S>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const ClosestOnSegment<S> closest =
+        closest_on_segment(point, mesh.corner(triangle, k), mesh.corner(triangle, (k + 1) % 3));
+    least = std::min(least, Vec3<S>(point - closest.point).norm());
+  }
+  return least;
+}
+
+/// Whether the segment goes through the triangle from one side to the other, between its ends. What
+/// meets only the triangle's outline or plane does not.
+template <class S>
+bool crosses(const Mesh<S>& mesh, int triangle, const Vec3<S>& from, const Vec3<S>& to) {
+  const Vec3<S>& normal = mesh.normal(triangle);
+  const S before = normal.dot(Vec3<S>(from - mesh.corner(triangle, 0)));
+  const S behind = normal.dot(Vec3<S>(to - mesh.corner(triangle, 0)));
+  if (!(before * behind < S(0))) return false;
+  const Vec3<S> way = to - from;
+  int left = 0, right = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<S> corner = mesh.corner(triangle, k) - from;
+    const Vec3<S> next = mesh.corner(triangle, (k + 1) % 3) - from;
+    const S turn = way.dot(corner.cross(next));
+    left += turn > S(0) ? 1 : 0;
+    right += turn < S(0) ? 1 : 0;
+  }
+  return left == 0 || right == 0;
+}
 
 /// Whether another triangle stands between `eye` and the point `on_triangle` of a triangle, so that
 /// what has its centre at `eye` cannot have come to that side of it. Asks no winding. Mesh frame.
 template <class S>
-bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye, const Vec3<S>& on_triangle);
+bool hidden_from(const Mesh<S>& mesh, int triangle, const Vec3<S>& eye,
+                 const Vec3<S>& on_triangle) {
+  // A little inside, for the neighbours of a point on an edge end there.
+  const Vec3<S> middle =
+      (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / S(3);
+  const Vec3<S> target = on_triangle + S(0.01) * (middle - on_triangle);
+  return mesh.tree.any_of({eye.cwiseMin(target), eye.cwiseMax(target)}, [&](int other) {
+    return other != triangle && crosses(mesh, other, eye, target);
+  });
+}
 
 /// Whether any of the mesh is nearer to `point` than `distance`. Mesh frame, metres.
 template <class S>
-bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance);
+bool surface_within(const Mesh<S>& mesh, const Vec3<S>& point, S distance) {
+  const Vec3<S> reach = Vec3<S>::Constant(distance);
+  return mesh.tree.any_of({point - reach, point + reach}, [&](int triangle) {
+    return distance_to_triangle(mesh, triangle, point) < distance;
+  });
+}
 
 }  // namespace contactscope
