@@ -2,7 +2,10 @@
 
 #include <cassert>
 #include <cstddef>
+#include <functional>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace contactscope {
 
@@ -18,6 +21,23 @@ constexpr decltype(auto) at(Sequence&& sequence, int i) {
 template <class Sequence>
 constexpr int count_of(const Sequence& sequence) {
   return static_cast<int>(sequence.size());
+}
+
+/// What `make` makes of each element, in order; a pointer to a member takes that member of each.
+template <class Sequence, class Make>
+auto mapped(const Sequence& sequence, const Make& make) {
+  std::vector<std::decay_t<decltype(std::invoke(make, *sequence.begin()))>> made;
+  made.reserve(sequence.size());
+  for (const auto& element : sequence) made.push_back(std::invoke(make, element));
+  return made;
+}
+
+/// Each vector or box of a list in another scalar: cast_each<Vec3<float>>(vertices).
+template <class To, class Sequence>
+std::vector<To> cast_each(const Sequence& sequence) {
+  return mapped(sequence, [](const auto& element) -> To {
+    return element.template cast<typename To::Scalar>();
+  });
 }
 
 }  // namespace contactscope

@@ -1,42 +1,51 @@
 #include "core/convex_polygon.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "core/at.h"
 
 namespace contactscope {
 
 std::vector<Vec2d> project(std::span<const Vec3d> points, const Vec3d& normal) {
-  std::vector<Vec2d> result;
-  if (points.empty()) return result;
   const Vec3d u = any_perpendicular(normal);
   const Vec3d v = normal.cross(u);
-  result.reserve(points.size());
-  for (const Vec3d& point : points) {
+  return mapped(points, [&](const Vec3d& point) {
     const Vec3d offset = point - points[0];
-    result.emplace_back(u.dot(offset), v.dot(offset));
-  }
-  return result;
+    return Vec2d(u.dot(offset), v.dot(offset));
+  });
 }
 
 /// Andrew's monotone chain (1979).
-std::vector<Vec2d> convex_polygon(std::vector<Vec2d> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2d& a, const Vec2d& b) {
+std::vector<int> convex_outline(std::span<const Vec2d> points) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, [&](int i, int j) {
+    const Vec2d &a = at(points, i), &b = at(points, j);
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2d> hull;
-  const auto extend = [&hull](const Vec2d& point, std::size_t fixed) {
-    while (hull.size() > fixed + 1 &&
-           cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0) {
-      hull.pop_back();
+  const auto same = [&](int i, int j) { return at(points, i) == at(points, j); };
+  order.erase(std::unique(order.begin(), order.end(), same), order.end());
+  if (order.size() < 3) return order;
+  std::vector<int> outline;
+  const auto extend = [&](int next, std::size_t fixed) {
+    while (outline.size() > fixed + 1) {
+      const Vec2d& last = at(points, outline.back());
+      const Vec2d& before = at(points, outline[outline.size() - 2]);
+      if (!(cross(last - before, at(points, next) - last) <= 0)) break;
+      outline.pop_back();
     }
-    hull.push_back(point);
+    outline.push_back(next);
   };
-  for (const Vec2d& point : points) extend(point, 0);
-  const std::size_t lower = hull.size() - 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) extend(points[i], lower);
-  hull.pop_back();  // the first point again
-  return hull;
+  for (const int point : order) extend(point, 0);
+  const std::size_t lower = outline.size() - 1;
+  for (std::size_t i = order.size() - 1; i-- > 0;) extend(order[i], lower);
+  outline.pop_back();  // the first point again
+  return outline;
+}
+
+std::vector<Vec2d> convex_polygon(std::vector<Vec2d> points) {
+  return mapped(convex_outline(points), [&](int corner) { return at(points, corner); });
 }
 
 double area_of(const std::vector<Vec2d>& polygon) {

@@ -63,6 +63,12 @@ struct FeatureId {
 };
 
 /// "a:e3 b:e7", "a:v0 b:f2", as traces spell it: v vertex, e edge, f face.
-std::string to_string(const FeatureId& id);
+inline std::string to_string(const FeatureId& id) {
+  const auto spell = [](const FeatureRef& ref) {
+    const char kind = "vef"[static_cast<int>(ref.kind)];
+    return std::string(ref.owner == Owner::A ? "a:" : "b:") + kind + std::to_string(ref.index);
+  };
+  return spell(id.first) + " " + spell(id.second);
+}
 
 }  // namespace contactscope

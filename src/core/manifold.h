@@ -27,17 +27,8 @@ enum class AxisKind { FaceA, FaceB, EdgeEdge, ClosestPoints };
 
 /// "face_a", "face_b", "edge_edge", "closest_points", as traces spell it.
 constexpr const char* to_string(AxisKind kind) {
-  switch (kind) {
-    case AxisKind::FaceA:
-      return "face_a";
-    case AxisKind::FaceB:
-      return "face_b";
-    case AxisKind::EdgeEdge:
-      return "edge_edge";
-    case AxisKind::ClosestPoints:
-      return "closest_points";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"face_a", "face_b", "edge_edge", "closest_points"};
+  return kNames[static_cast<int>(kind)];
 }
 
 /// The same axis when the shapes trade places.
@@ -61,14 +52,11 @@ constexpr const char* to_string(ContactType type) {
 
 /// The type of a contact between two features.
 constexpr ContactType contact_type(FeatureKind one, FeatureKind two) {
-  const FeatureKind low = one < two ? one : two;
-  const FeatureKind high = one < two ? two : one;
-  if (low == FeatureKind::Vertex) {
-    if (high == FeatureKind::Vertex) return ContactType::PointPoint;
-    return high == FeatureKind::Edge ? ContactType::PointEdge : ContactType::PointFace;
-  }
-  if (low == FeatureKind::Face) return ContactType::FaceFace;
-  return high == FeatureKind::Edge ? ContactType::EdgeEdge : ContactType::EdgeFace;
+  using enum ContactType;
+  constexpr ContactType kTypes[3][3] = {{PointPoint, PointEdge, PointFace},
+                                        {PointEdge, EdgeEdge, EdgeFace},
+                                        {PointFace, EdgeFace, FaceFace}};
+  return kTypes[static_cast<int>(one)][static_cast<int>(two)];
 }
 
 /// The type of a contact made by clipping against a face that gave `points` points, before they are
