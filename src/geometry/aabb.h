@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "core/vec3.h"
 
@@ -11,6 +12,8 @@ namespace contactscope {
 /// that merging needs no special case.
 template <class S>
 struct Aabb {
+  using Scalar = S;
+
   Vec3<S> lower = Vec3<S>::Constant(std::numeric_limits<S>::infinity());
   Vec3<S> upper = Vec3<S>::Constant(-std::numeric_limits<S>::infinity());
 
@@ -21,14 +24,6 @@ struct Aabb {
   Vec3<S> center() const { return S(0.5) * lower + S(0.5) * upper; }
   Vec3<S> extent() const { return upper - lower; }
 
-  bool contains(const Vec3<S>& point) const {
-    return lower.x() <= point.x() && point.x() <= upper.x() && lower.y() <= point.y() &&
-           point.y() <= upper.y() && lower.z() <= point.z() && point.z() <= upper.z();
-  }
-  /// Every point of `other` is inside; an empty box is inside every box.
-  bool contains(const Aabb& other) const {
-    return other.empty() || (contains(other.lower) && contains(other.upper));
-  }
   /// Grows by a point or a box.
   void include(const Vec3<S>& point) {
     lower = lower.cwiseMin(point);
@@ -49,6 +44,13 @@ struct Aabb {
   friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 
+/// Smallest box around points.
+inline Aabb<double> box_around(std::span<const Vec3d> points) {
+  Aabb<double> box;
+  for (const Vec3d& point : points) box.include(point);
+  return box;
+}
+
 /// Boxes that touch overlap. An empty box, or one with NaN, overlaps nothing.
 template <class S>
 bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
@@ -56,13 +58,6 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
   return (a.lower.x() <= b.upper.x()) & (b.lower.x() <= a.upper.x()) &
          (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
          (a.lower.z() <= b.upper.z()) & (b.lower.z() <= a.upper.z());
-}
-
-/// Smallest box around both.
-template <class S>
-Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
-  a.include(b);
-  return a;
 }
 
 /// Square metres, all six sides; 0 for an empty box.

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numeric>
 
+#include "core/at.h"
+#include "trace/pair.h"
+
 namespace contactscope {
 namespace {
 
@@ -42,25 +45,20 @@ struct Bin {
 ///   5. the same for the left side, then for the right one.
 class Builder {
  public:
-  explicit Builder(std::span<const Box> boxes) : boxes_(boxes) {
-    centers_.reserve(boxes.size());
-    for (const Box& box : boxes) centers_.push_back(box.center());
+  explicit Builder(std::span<const Box> boxes)
+      : boxes_(boxes), centers_(mapped(boxes, &Box::center)) {
     tree_.triangles.resize(boxes.size());
     std::iota(tree_.triangles.begin(), tree_.triangles.end(), 0);
   }
 
   AabbTree<double> run() {
-    const int count = static_cast<int>(boxes_.size());
     tree_.nodes.reserve(boxes_.size());
-    if (count > 0) build(0, count, 1);
-    tree_.boxes.reserve(boxes_.size());
-    for (const int triangle : tree_.triangles) tree_.boxes.push_back(box(triangle));
+    if (!boxes_.empty()) build(0, count_of(boxes_), 1);
+    tree_.boxes = mapped(tree_.triangles, [&](int triangle) { return at(boxes_, triangle); });
     return std::move(tree_);
   }
 
  private:
-  const Box& box(int triangle) const { return boxes_[static_cast<std::size_t>(triangle)]; }
-  const Vec3d& center(int triangle) const { return centers_[static_cast<std::size_t>(triangle)]; }
   std::span<int> range(int begin, int end) {
     return std::span(tree_.triangles)
         .subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
@@ -72,8 +70,8 @@ class Builder {
     Box bounds;
     Box centers;
     for (const int triangle : range(begin, end)) {
-      bounds.include(box(triangle));
-      centers.include(center(triangle));
+      bounds.include(at(boxes_, triangle));
+      centers.include(at(centers_, triangle));
     }
     const std::size_t node = tree_.nodes.size();
     tree_.nodes.push_back({bounds, begin, 0});
@@ -83,8 +81,7 @@ class Builder {
     const int count = end - begin;
     if (count == 1 || (count <= kMaxLeaf && !(split.cost < count))) {
       tree_.nodes[node].count = count;
-      const std::span<int> triangles = range(begin, end);
-      std::sort(triangles.begin(), triangles.end());
+      std::ranges::sort(range(begin, end));
       return;
     }
     const int middle = split.axis >= 0 ? partition(begin, end, split, centers)
@@ -105,9 +102,9 @@ class Builder {
       if (!(extent[axis] > 0)) continue;
       std::array<Bin, kBins> bins;
       for (const int triangle : triangles) {
-        const int at = bin_of(center(triangle)[axis], centers.lower[axis], extent[axis]);
-        Bin& bin = bins[static_cast<std::size_t>(at)];
-        bin.box.include(box(triangle));
+        const double center = at(centers_, triangle)[axis];
+        Bin& bin = at(bins, bin_of(center, centers.lower[axis], extent[axis]));
+        bin.box.include(at(boxes_, triangle));
         ++bin.count;
       }
       sweep(bins, axis, surface_area(bounds), best);
@@ -139,11 +136,10 @@ class Builder {
   int partition(int begin, int end, const Split& split, const Box& centers) {
     const double lower = centers.lower[split.axis];
     const double extent = centers.upper[split.axis] - lower;
-    const std::span<int> triangles = range(begin, end);
-    const auto middle = std::partition(triangles.begin(), triangles.end(), [&](int triangle) {
-      return bin_of(center(triangle)[split.axis], lower, extent) < split.bin;
+    const auto right = std::ranges::partition(range(begin, end), [&](int triangle) {
+      return bin_of(at(centers_, triangle)[split.axis], lower, extent) < split.bin;
     });
-    return begin + static_cast<int>(middle - triangles.begin());
+    return end - count_of(right);
   }
 
   int partition_halves(int begin, int end, const Box& centers) {
@@ -151,12 +147,9 @@ class Builder {
     centers.extent().maxCoeff(&axis);
     const std::span<int> triangles = range(begin, end);
     const int half = (end - begin) / 2;
-    std::nth_element(triangles.begin(), triangles.begin() + half, triangles.end(),
-                     [&](int one, int other) {
-                       const double a = center(one)[axis];
-                       const double b = center(other)[axis];
-                       return a < b || (a == b && one < other);
-                     });
+    std::ranges::nth_element(triangles, triangles.begin() + half, {}, [&](int triangle) {
+      return std::pair(at(centers_, triangle)[axis], triangle);
+    });
     return begin + half;
   }
 
@@ -165,40 +158,32 @@ class Builder {
   AabbTree<double> tree_;
 };
 
-/// Calls visit(i, depth) for each node before those below it; visit says whether to go on there.
-/// The root has depth 0.
-template <class S, class Visit>
-void walk(const AabbTree<S>& tree, const Visit& visit) {
-  const int node_count = static_cast<int>(tree.nodes.size());
-  std::vector<int> ends;  // of the subtrees that node i is in
-  int i = 0;
-  while (i < node_count) {
-    while (!ends.empty() && ends.back() <= i) ends.pop_back();
-    const typename AabbTree<S>::Node& node = tree.nodes[static_cast<std::size_t>(i)];
-    const bool below = visit(node, static_cast<int>(ends.size()));
-    if (!node.leaf()) ends.push_back(node.next);
-    i = below || node.leaf() ? i + 1 : node.next;
-  }
+template <class S>
+trace::Box traced(const Aabb<S>& box) {
+  return {box.lower.template cast<double>(), box.upper.template cast<double>()};
 }
 
 }  // namespace
 
 template <class S>
-AabbTreeRecord<S> AabbTree<S>::recorded_query(const Aabb<S>& box) const {
-  AabbTreeRecord<S> record;
-  walk(*this, [&](const Node& node, int depth) {
+trace::Tree AabbTree<S>::recorded_query(const Aabb<S>& box) const {
+  trace::Tree record;
+  record.box = traced(box);
+  std::vector<int> ends;  // of the subtrees that node i is in
+  for (int i = 0; i < count_of(nodes);) {
+    while (!ends.empty() && ends.back() <= i) ends.pop_back();
+    const Node& node = at(nodes, i);
     const bool hit = overlaps(node.box, box);
-    record.visits.push_back({node.box, depth, node.leaf(), hit});
+    record.visits.push_back({traced(node.box), count_of(ends), node.leaf(), hit});
     if (hit && node.leaf()) {
-      const auto first = triangles.begin() + node.next;
-      record.tested.insert(record.tested.end(), first, first + node.count);
       any_of_leaf(node, box, [&](int triangle) {
         record.candidates.push_back(triangle);
         return false;
       });
     }
-    return hit;
-  });
+    if (!node.leaf()) ends.push_back(node.next);
+    i = hit || node.leaf() ? i + 1 : node.next;
+  }
   return record;
 }
 
@@ -206,40 +191,19 @@ template <class S>
 void AabbTree<S>::refit(std::span<const Vec3<S>> vertices,
                         std::span<const std::array<int, 3>> corners) {
   assert(corners.size() == triangles.size());
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    boxes[k] = box_of(vertices, corners[static_cast<std::size_t>(triangles[k])]);
-  }
+  boxes = mapped(triangles, [&](int triangle) { return box_of(vertices, at(corners, triangle)); });
   // Backwards: whatever is below a node stands behind it.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     Node& node = nodes[i];
     node.box = {};
     if (node.leaf()) {
-      for (int k = node.next; k < node.next + node.count; ++k) {
-        node.box.include(boxes[static_cast<std::size_t>(k)]);
-      }
+      for (int k = node.next; k < node.next + node.count; ++k) node.box.include(at(boxes, k));
     } else {
       const Node& left = nodes[i + 1];
-      node.box =
-          merged(left.box, nodes[left.leaf() ? i + 2 : static_cast<std::size_t>(left.next)].box);
+      node.box.include(left.box);
+      node.box.include(left.leaf() ? nodes[i + 2].box : at(nodes, left.next).box);
     }
   }
-}
-
-template <class S>
-int AabbTree<S>::depth() const {
-  int deepest = 0;
-  walk(*this, [&](const Node&, int depth) {
-    deepest = std::max(deepest, depth + 1);
-    return true;
-  });
-  return deepest;
-}
-
-template <class S>
-Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corners) {
-  Aabb<S> box;
-  for (const int corner : corners) box.include(vertices[static_cast<std::size_t>(corner)]);
-  return box;
 }
 
 AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes) {
@@ -248,21 +212,14 @@ AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes) {
 
 template <class T>
 AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree) {
-  AabbTree<T> cast;
-  cast.nodes.reserve(tree.nodes.size());
-  for (const AabbTree<double>::Node& node : tree.nodes) {
-    cast.nodes.push_back({node.box.cast<T>(), node.next, node.count});
-  }
-  cast.triangles = tree.triangles;
-  cast.boxes.reserve(tree.boxes.size());
-  for (const Aabb<double>& box : tree.boxes) cast.boxes.push_back(box.cast<T>());
-  return cast;
+  const auto cast = [](const AabbTree<double>::Node& node) -> typename AabbTree<T>::Node {
+    return {node.box.cast<T>(), node.next, node.count};
+  };
+  return {mapped(tree.nodes, cast), tree.triangles, cast_each<Aabb<T>>(tree.boxes)};
 }
 
 template struct AabbTree<float>;
 template struct AabbTree<double>;
-template Aabb<float> box_of(std::span<const Vec3<float>>, const std::array<int, 3>&);
-template Aabb<double> box_of(std::span<const Vec3<double>>, const std::array<int, 3>&);
 template AabbTree<float> aabb_tree_cast(const AabbTree<double>&);
 template AabbTree<double> aabb_tree_cast(const AabbTree<double>&);
 

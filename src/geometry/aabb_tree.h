@@ -1,28 +1,18 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "core/at.h"
 #include "core/vec3.h"
 #include "geometry/aabb.h"
 
 namespace contactscope {
 
-/// What a recorded query looked at, in the order in which it did.
-template <class S>
-struct AabbTreeRecord {
-  struct Visit {
-    Aabb<S> box;
-    int depth;      // 0 at the root
-    bool leaf;      // holds triangles
-    bool overlaps;  // with the box of the query; only then what is below was looked at
-  };
-  std::vector<Visit> visits;
-  std::vector<int> tested;      // triangles of the leaves reached, whose own boxes were compared
-  std::vector<int> candidates;  // those of them that the query reports
-};
+namespace trace {
+struct Tree;
+}
 
 /// Tree of boxes over triangles, in the frame and the unit of their vertices.
 ///
@@ -65,10 +55,10 @@ struct AabbTree {
   /// order; asks no more of them after the first one.
   template <class Holds>
   bool any_of(const Aabb<S>& box, Holds&& holds) const {
-    const int node_count = static_cast<int>(nodes.size());
+    const int node_count = count_of(nodes);
     int i = 0;
     while (i < node_count) {
-      const Node& node = nodes[static_cast<std::size_t>(i)];
+      const Node& node = at(nodes, i);
       const bool hit = overlaps(node.box, box);
       if (hit && node.leaf() && any_of_leaf(node, box, holds)) return true;
       i = hit || node.leaf() ? i + 1 : node.next;
@@ -76,23 +66,19 @@ struct AabbTree {
     return false;
   }
 
-  /// The same triangles in the same order, and how they were found.
-  AabbTreeRecord<S> recorded_query(const Aabb<S>& box) const;
+  /// The same triangles in the same order, as candidates, and how they were found.
+  trace::Tree recorded_query(const Aabb<S>& box) const;
 
   /// Makes all boxes anew after vertices moved; the shape of the tree stays, so that it gets slower
   /// the more the mesh is distorted. `corners` are the vertex indices of each triangle, as many as
   /// at the build.
   void refit(std::span<const Vec3<S>> vertices, std::span<const std::array<int, 3>> corners);
 
-  /// Nodes on the longest way from the root to a leaf, both counted.
-  int depth() const;
-
  private:
   template <class Holds>
   bool any_of_leaf(const Node& node, const Aabb<S>& box, Holds&& holds) const {
     for (int k = node.next; k < node.next + node.count; ++k) {
-      const std::size_t at = static_cast<std::size_t>(k);
-      if (overlaps(boxes[at], box) && holds(triangles[at])) return true;
+      if (overlaps(at(boxes, k), box) && holds(at(triangles, k))) return true;
     }
     return false;
   }
@@ -103,7 +89,11 @@ inline constexpr int kMaxAabbTreeDepth = 64;
 
 /// Box of one triangle.
 template <class S>
-Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corners);
+Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corners) {
+  Aabb<S> box;
+  for (const int corner : corners) box.include(at(vertices, corner));
+  return box;
+}
 
 /// Tree over the boxes of triangles 0, 1, 2, ...; none of them empty. O(n log n).
 /// Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies".

@@ -1,31 +1,27 @@
 #include "geometry/core_hull.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <numeric>
+#include <ranges>
 #include <utility>
 
+#include "core/at.h"
 #include "geometry/hull_builder.h"
 #include "geometry/hull_from_polygons.h"
 
 namespace contactscope {
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The faces of a hull around each of its vertices, counter-clockwise seen from outside.
 std::vector<int> faces_around(const Hull<double>& hull, int vertex) {
   std::vector<int> faces;
-  const int first = hull.vertex_edges[at(vertex)];
+  const int first = at(hull.vertex_edges, vertex);
   int edge = first;
   do {
-    faces.push_back(hull.half_edges[at(edge)].face);
-    edge = hull.half_edges[at(Hull<double>::twin(edge))].next;  // to the right
+    faces.push_back(at(hull.half_edges, edge).face);
+    edge = at(hull.half_edges, Hull<double>::twin(edge)).next;  // to the right
   } while (edge != first);
-  std::reverse(faces.begin(), faces.end());
+  std::ranges::reverse(faces);
   return faces;
 }
 
@@ -33,7 +29,8 @@ std::vector<int> faces_around(const Hull<double>& hull, int vertex) {
 struct Corner {
   std::vector<int> faces;  // of the original, ascending
   Vec3d place;
-  int original = 0;  // vertex that it stands for
+  int original;   // vertex that it stands for
+  int dual_face;  // of the hull of the polar dual
 };
 
 /// Where the planes n . x = offset meet: three of them by Cramer's rule, which is exact for boxes,
@@ -56,67 +53,48 @@ Vec3d meet(const std::vector<Plane<double>>& planes) {
   return normal_matrix.ldlt().solve(right);
 }
 
-/// Half-spaces about a point inside of them.
-struct HalfSpaces {
-  Vec3d inside;
-  std::vector<Plane<double>> planes;  // about `inside`: every offset > 0
-};
-
 /// The polar dual: the half-space n . x <= t, t > 0, becomes the point n / t. The convex hull of
 /// these points has a vertex for every half-space that bounds the intersection, and a face for every
 /// vertex of it. Stretched along the axes to about a cube, which changes no topology: a plate's dual
 /// is a needle, and the builder's tolerance is relative to the needle's length.
-std::vector<Vec3d> polar_dual(const HalfSpaces& spaces) {
-  std::vector<Vec3d> points;
+std::vector<Vec3d> polar_dual(const std::vector<Plane<double>>& planes) {
+  std::vector<Vec3d> points = mapped(
+      planes, [](const Plane<double>& plane) -> Vec3d { return plane.normal / plane.offset; });
   Vec3d extent = Vec3d::Zero();
-  for (const Plane<double>& plane : spaces.planes) {
-    points.push_back(plane.normal / plane.offset);
-    extent = extent.cwiseMax(points.back().cwiseAbs());
-  }
+  for (const Vec3d& point : points) extent = extent.cwiseMax(point.cwiseAbs());
   for (Vec3d& point : points) point = point.cwiseQuotient(extent);
   return points;
 }
 
 /// Of each vertex of `built` the place in `points`, whose order the hull builder keeps.
 std::vector<int> places_of(const Hull<double>& built, const std::vector<Vec3d>& points) {
-  std::vector<int> places;
   auto from = points.begin();
-  for (const Vec3d& vertex : built.vertices) {
+  return mapped(built.vertices, [&](const Vec3d& vertex) {
     from = std::find(from, points.end(), vertex);
-    places.push_back(static_cast<int>(from - points.begin()));
-    ++from;
-  }
-  return places;
+    return static_cast<int>(from++ - points.begin());
+  });
 }
 
 /// The original's vertex with the most of the corner's faces, the nearest among equals.
 int vertex_that_it_stands_for(const Hull<double>& hull,
                               const std::vector<std::vector<int>>& faces_of, const Corner& corner) {
-  int best = 0, most = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (int vertex = 0; vertex < hull.vertex_count(); ++vertex) {
-    const auto shared = static_cast<int>(std::ranges::count_if(corner.faces, [&](int face) {
-      return std::ranges::find(faces_of[at(vertex)], face) != faces_of[at(vertex)].end();
-    }));
-    const Vec3d way = hull.vertices[at(vertex)] - corner.place;
-    const double distance = way.squaredNorm();
-    if (shared > most || (shared == most && distance < least)) {
-      best = vertex;
-      most = shared;
-      least = distance;
-    }
-  }
-  return best;
+  return *std::ranges::min_element(std::views::iota(0, hull.vertex_count()), {}, [&](int vertex) {
+    const auto shared = std::ranges::count_if(corner.faces, [&](int face) {
+      return std::ranges::find(at(faces_of, vertex), face) != at(faces_of, vertex).end();
+    });
+    const Vec3d way = at(hull.vertices, vertex) - corner.place;
+    return std::pair(-shared, way.squaredNorm());
+  });
 }
 
 /// The original's edge between two of its faces; else the vertex that `corner` stands for.
 FeatureRef edge_that_it_stands_for(const Hull<double>& hull, int left, int right,
                                    const Corner& corner) {
-  const int first = hull.face_edges[at(left)];
+  const int first = at(hull.face_edges, left);
   int edge = first;
   do {
-    const HalfEdge& half_edge = hull.half_edges[at(edge)];
-    if (hull.half_edges[at(Hull<double>::twin(edge))].face == right)
+    const HalfEdge& half_edge = at(hull.half_edges, edge);
+    if (at(hull.half_edges, Hull<double>::twin(edge)).face == right)
       return edge_ref(Owner::A, edge / 2);
     edge = half_edge.next;
   } while (edge != first);
@@ -131,42 +109,24 @@ CoreHull itself(const Hull<double>& hull, bool reduced) {
   return core;
 }
 
-/// Corners in the order of the vertices that they stand for; `dual` is the hull of the polar dual,
-/// `face_of` the original's face of each of its vertices. `order[f]` is the corner of dual face f.
-std::vector<Corner> corners_of(const Hull<double>& hull, const HalfSpaces& spaces,
-                               const Hull<double>& dual, const std::vector<int>& face_of,
-                               std::vector<int>& order) {
+/// Corners in the order of the vertices that they stand for. `planes` are the moved ones about the
+/// centroid, `dual` is the hull of their polar dual, `face_of` the original's face of each of its
+/// vertices.
+std::vector<Corner> corners_of(const Hull<double>& hull, const std::vector<Plane<double>>& planes,
+                               const Hull<double>& dual, const std::vector<int>& face_of) {
   std::vector<std::vector<int>> faces_of;
   for (int i = 0; i < hull.vertex_count(); ++i) faces_of.push_back(faces_around(hull, i));
   std::vector<Corner> corners;
   for (int face = 0; face < dual.face_count(); ++face) {
-    Corner& corner = corners.emplace_back();
-    for (const int vertex : face_vertices(dual, face)) corner.faces.push_back(face_of[at(vertex)]);
+    const auto original = [&](int vertex) { return at(face_of, vertex); };
+    Corner corner{mapped(face_vertices(dual, face), original), {}, 0, face};
     std::ranges::sort(corner.faces);
-    std::vector<Plane<double>> planes;
-    for (const int f : corner.faces) planes.push_back(spaces.planes[at(f)]);
-    corner.place = spaces.inside + meet(planes);
+    corner.place = hull.centroid + meet(mapped(corner.faces, [&](int f) { return at(planes, f); }));
     corner.original = vertex_that_it_stands_for(hull, faces_of, corner);
+    corners.push_back(std::move(corner));
   }
-  std::vector<int> sorted(corners.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  std::ranges::stable_sort(sorted, {}, [&](int i) { return corners[at(i)].original; });
-  order.resize(corners.size());
-  std::vector<Corner> result;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    order[at(sorted[i])] = static_cast<int>(i);
-    result.push_back(corners[at(sorted[i])]);
-  }
-  return result;
-}
-
-/// Starts a face's outline where the original's face starts, so that edges are numbered alike.
-void start_as(const Hull<double>& hull, int face, const std::vector<Corner>& corners,
-              std::vector<int>& outline) {
-  const int first = hull.half_edges[at(hull.face_edges[at(face)])].origin;
-  const auto start = std::ranges::find_if(
-      outline, [&](int corner) { return corners[at(corner)].original == first; });
-  if (start != outline.end()) std::rotate(outline.begin(), start, outline.end());
+  std::ranges::stable_sort(corners, {}, &Corner::original);
+  return corners;
 }
 
 /// Source: de Berg et al., "Computational Geometry", 11.4: half-space intersection by the convex
@@ -174,41 +134,44 @@ void start_as(const Hull<double>& hull, int face, const std::vector<Corner>& cor
 /// the core's vertices, found from the planes themselves, so that the stretching and the merging
 /// cost no digits; 4. its vertices are the core's faces, with the corners around them in order.
 CoreHull intersect(const Hull<double>& hull, double margin) {
-  HalfSpaces spaces{hull.centroid, {}};
-  for (const Plane<double>& plane : hull.planes)
-    spaces.planes.push_back(
-        {plane.normal, plane.offset - plane.normal.dot(hull.centroid) - margin});
-  const std::vector<Vec3d> points = polar_dual(spaces);
+  const std::vector<Plane<double>> planes =
+      mapped(hull.planes, [&](const Plane<double>& plane) -> Plane<double> {
+        return {plane.normal, plane.offset - plane.normal.dot(hull.centroid) - margin};
+      });
+  const std::vector<Vec3d> points = polar_dual(planes);
   const Hull<double> dual = build_hull(points, {.weld_duplicates = true});
   const std::vector<int> face_of = places_of(dual, points);
 
   CoreHull core;
-  std::vector<int> order;
-  const std::vector<Corner> corners = corners_of(hull, spaces, dual, face_of, order);
-  std::vector<Vec3d> places;
-  for (const Corner& corner : corners) {
-    places.push_back(corner.place);
-    core.vertices.push_back(vertex_ref(Owner::A, corner.original));
+  const std::vector<Corner> corners = corners_of(hull, planes, dual, face_of);
+  std::vector<int> corner_of(corners.size());  // of each face of the dual
+  for (int i = 0; i < count_of(corners); ++i) {
+    at(corner_of, at(corners, i).dual_face) = i;
+    core.vertices.push_back(vertex_ref(Owner::A, at(corners, i).original));
   }
   std::vector<std::vector<int>> outlines;
   for (int vertex = 0; vertex < dual.vertex_count(); ++vertex) {
-    std::vector<int>& outline = outlines.emplace_back();
-    for (const int face : faces_around(dual, vertex)) outline.push_back(order[at(face)]);
-    start_as(hull, face_of[at(vertex)], corners, outline);
-    core.faces.push_back(face_ref(Owner::A, face_of[at(vertex)]));
+    std::vector<int>& outline = outlines.emplace_back(
+        mapped(faces_around(dual, vertex), [&](int face) { return at(corner_of, face); }));
+    // It starts where the original's face starts, so that edges are numbered alike.
+    const int first = at(hull.half_edges, at(hull.face_edges, at(face_of, vertex))).origin;
+    const auto start =
+        std::ranges::find(outline, first, [&](int corner) { return at(corners, corner).original; });
+    if (start != outline.end()) std::ranges::rotate(outline, start);
+    core.faces.push_back(face_ref(Owner::A, at(face_of, vertex)));
   }
-  core.hull = hull_from_polygons(std::move(places), outlines);
+  core.hull = hull_from_polygons(mapped(corners, &Corner::place), outlines);
   for (int face = 0; face < core.hull.face_count(); ++face) {
-    const Plane<double>& plane = hull.planes[core.faces[at(face)].index];
-    core.hull.planes[at(face)] = {plane.normal, plane.offset - margin};
+    const Plane<double>& plane = hull.planes[at(core.faces, face).index];
+    at(core.hull.planes, face) = {plane.normal, plane.offset - margin};
   }
   lay_out(core.hull);
   for (int edge = 0; edge < core.hull.edge_count(); ++edge) {
-    const HalfEdge& left = core.hull.half_edges[at(2 * edge)];
-    const HalfEdge& right = core.hull.half_edges[at(2 * edge + 1)];
+    const HalfEdge& left = at(core.hull.half_edges, 2 * edge);
+    const HalfEdge& right = at(core.hull.half_edges, 2 * edge + 1);
     core.edges.push_back(edge_that_it_stands_for(
-        hull, static_cast<int>(core.faces[at(left.face)].index),
-        static_cast<int>(core.faces[at(right.face)].index), corners[at(left.origin)]));
+        hull, static_cast<int>(at(core.faces, left.face).index),
+        static_cast<int>(at(core.faces, right.face).index), at(corners, left.origin)));
   }
   return core;
 }
@@ -226,7 +189,7 @@ CoreHull core_hull(const Hull<double>& hull, double margin) {
     core.margin = moved;
     core.reduced = moved < margin;
     return core;
-  } catch (const HullError&) {
+  } catch (const ShapeError&) {
     return itself(hull, true);
   }
 }

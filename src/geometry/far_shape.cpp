@@ -1,15 +1,7 @@
 #include "geometry/far_shape.h"
 
-#include <span>
-
 namespace contactscope {
 namespace {
-
-Aabb<double> box_around(std::span<const Vec3d> points) {
-  Aabb<double> box;
-  for (const Vec3d& point : points) box.include(point);
-  return box;
-}
 
 Vec3d middle_where_far(const Aabb<double>& box, double margin) {
   const Vec3d middle = box.center();
@@ -24,10 +16,9 @@ Vec3d middle_where_far(const Aabb<double>& box, double margin) {
   return origin;
 }
 
-Vec3d origin_for(const Sphere<double>&) {
-  return Vec3d::Zero();
-}
-Vec3d origin_for(const HalfSpace<double>&) {
+/// Spheres have their centre at the origin, and planes have no size.
+template <class Other>
+Vec3d origin_for(const Other&) {
   return Vec3d::Zero();
 }
 Vec3d origin_for(const Capsule<double>& capsule) {

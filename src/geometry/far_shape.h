@@ -14,8 +14,8 @@ namespace contactscope {
 inline constexpr double kFarthestMiddle = 4;
 
 /// Where in its own frame the origin of a shape is moved to: the middle of its box, or zero where it
-/// is to be left alone. Spheres have their centre at the origin, and planes have no size. Each
-/// coordinate is a float, so that a pose that stands still at the world's origin stays exact.
+/// is to be left alone. Each coordinate is a float, so that a pose that stands still at the world's
+/// origin stays exact.
 Vec3d moved_origin(const Shape<double>& shape);
 
 /// The same shape in a frame with the same axes whose origin is at `origin` of the shape's own

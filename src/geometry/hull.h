@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/at.h"
 #include "core/plane.h"
 #include "core/vec3.h"
 
@@ -27,7 +28,7 @@ struct HullLanes {
 
 /// Convex polyhedron with half-edges, local frame, metres. Made by the hull builder only, which
 /// keeps these promises: faces are planar within rounding, and merged when coplanar unless it was
-/// asked to leave them unmerged (triangulate_faces.h); every vertex is used, V - E + F = 2, twins run
+/// asked to leave them unmerged (triangulate_faces); every vertex is used, V - E + F = 2, twins run
 /// opposite, no face has more than kMaxFaceVertices vertices.
 ///
 /// A flat hull is a polygon with two faces back to back, on one plane with opposite normals; it has
@@ -52,8 +53,7 @@ struct Hull {
 
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
   const Vec3<S>& origin(int half_edge) const {
-    return vertices[static_cast<std::size_t>(
-        half_edges[static_cast<std::size_t>(half_edge)].origin)];
+    return at(vertices, at(half_edges, half_edge).origin);
   }
   const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
 };
@@ -66,11 +66,6 @@ void lay_out(Hull<S>& hull);
 /// input, topology is copied.
 template <class T, class S>
 Hull<T> hull_cast(const Hull<S>& hull);
-
-/// Index of a vertex farthest along `direction` (any length > 0, local frame); the lowest index
-/// among equals.
-template <class S>
-int support_vertex(const Hull<S>& hull, const Vec3<S>& direction);
 
 /// Vertex indices of a face, counter-clockwise seen from outside, starting at its face_edges entry.
 template <class S>

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "geometry/flat_outline.h"
+#include "core/at.h"
+#include "core/convex_polygon.h"
+#include "geometry/aabb.h"
 #include "geometry/hull_from_polygons.h"
 #include "geometry/quickhull.h"
-#include "geometry/triangulate_faces.h"
 
 namespace contactscope {
 namespace {
@@ -35,26 +36,9 @@ constexpr double kTolerancePerEpsilon = 3;
 // points.
 constexpr std::array<double, 5> kAttempts = {1, 1.0 / 8, 1.0 / 64, 1.0 / 4096, 1.0 / 262144};
 
-struct Bounds {
-  Vec3d center;
-  Vec3d half_extents;
-  Vec3d magnitude;  // largest absolute coordinates
-};
-
-Bounds bounds_of(std::span<const Vec3d> points) {
-  Vec3d low = points[0];
-  Vec3d high = points[0];
-  for (const Vec3d& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  // Halved before adding: the sum of two large coordinates may overflow.
-  return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low, low.cwiseAbs().cwiseMax(high.cwiseAbs())};
-}
-
-double tolerance_for(const Bounds& bounds) {
-  return kTolerancePerEpsilon *
-         (kDataEpsilon * bounds.half_extents.sum() + kArithmeticEpsilon * bounds.magnitude.sum());
+Vec3d half_extents_of(const Aabb<double>& box) {
+  // Halved before subtracting: the extent of large coordinates may overflow.
+  return 0.5 * box.upper - 0.5 * box.lower;
 }
 
 std::string spell(const Vec3d& point) {
@@ -63,63 +47,90 @@ std::string spell(const Vec3d& point) {
   return text.str();
 }
 
-bool lexicographically_less(const Vec3d& a, const Vec3d& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
 /// Indices of the points without those that repeat an earlier one, in order.
 std::vector<int> distinct_points(std::span<const Vec3d> points, bool weld) {
-  const auto at = [&](int i) -> const Vec3d& { return points[static_cast<std::size_t>(i)]; };
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) {
-    if (at(i) == at(j)) return i < j;
-    return lexicographically_less(at(i), at(j));
+  std::ranges::sort(order, {}, [&](int i) {
+    const Vec3d& point = at(points, i);
+    return std::tuple(point.x(), point.y(), point.z(), i);
   });
   std::vector<int> distinct;
   for (const int i : order) {
-    if (distinct.empty() || at(distinct.back()) != at(i)) {
+    if (distinct.empty() || at(points, distinct.back()) != at(points, i)) {
       distinct.push_back(i);
     } else if (!weld) {
-      throw HullError(HullProblem::Duplicate,
-                      "points " + std::to_string(distinct.back()) + " and " + std::to_string(i) +
-                          " (counted from 0) are both " + spell(at(i)) +
-                          "; a hull's points are all different: remove one, or correct it");
+      throw ShapeError("points " + std::to_string(distinct.back()) + " and " + std::to_string(i) +
+                       " (counted from 0) are both " + spell(at(points, i)) +
+                       "; a hull's points are all different: remove one, or correct it");
     }
   }
-  std::sort(distinct.begin(), distinct.end());
+  std::ranges::sort(distinct);
   return distinct;
 }
 
 void require_finite(std::span<const Vec3d> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].allFinite()) continue;
-    throw HullError(HullProblem::NotFinite, "point " + std::to_string(i) + " (counted from 0) is " +
-                                                spell(points[i]) +
-                                                "; every coordinate must be a finite number");
+    throw ShapeError("point " + std::to_string(i) + " (counted from 0) is " + spell(points[i]) +
+                     "; every coordinate must be a finite number");
   }
 }
 
 [[noreturn]] void refuse(quickhull::Status status, std::size_t count, double tolerance) {
-  std::ostringstream all;
-  all << "all " << count << " points lie within " << tolerance << " m of one ";
-  switch (status) {
-    case quickhull::Status::Coincident:
-      throw HullError(HullProblem::Coincident,
-                      all.str() + "place; a hull needs four points that span a volume");
-    case quickhull::Status::Collinear:
-      throw HullError(
-          HullProblem::Collinear,
-          all.str() + "line; a hull needs a point off that line and one off their plane");
-    case quickhull::Status::Coplanar:
-      throw HullError(HullProblem::Coplanar,
-                      all.str() + "plane; a hull needs a point off that plane");
-    default:
-      throw HullError(
-          HullProblem::Unresolved,
-          "no convex hull was found whose faces fit the " + std::to_string(count) +
-              " points; they are too thin or too noisy: give fewer or more exact points");
+  using quickhull::Status;
+  if (status == Status::Unresolved)
+    throw ShapeError("no convex hull was found whose faces fit the " + std::to_string(count) +
+                     " points; they are too thin or too noisy: give fewer or more exact points");
+  std::ostringstream message;
+  message << "all " << count << " points lie within " << tolerance << " m of one ";
+  if (status == Status::Coincident)
+    message << "place; a hull needs four points that span a volume";
+  else if (status == Status::Collinear)
+    message << "line; a hull needs a point off that line and one off their plane";
+  else
+    message << "plane; a hull needs a point off that plane";
+  throw ShapeError(message.str());
+}
+
+/// Whether all corners between two places of the outline lie on the line between those.
+bool straight(const std::vector<Vec2d>& outline, std::size_t from, std::size_t to,
+              double tolerance) {
+  const Vec2d& start = outline[from];
+  const Vec2d& end = outline[to % outline.size()];
+  const double room = tolerance * (end - start).norm();
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (std::abs(turn(start, end, outline[i])) > room) return false;
+  return true;
+}
+
+/// The convex polygon of points that lie within `tolerance` (metres) of one plane, and not all
+/// within it of one line: indices of its corners, counter-clockwise seen from one side. Corners that
+/// lie within the tolerance of the line between their neighbours are left out. `points` are about
+/// the origin, and all different. Steps: 1. the plane, from points that are far apart; 2. the convex
+/// polygon of the points seen along its normal, from its leftmost corner on; 3. from each corner that
+/// stays, on to the last one up to which all between are on a line.
+std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
+  const auto corner = quickhull::initial_simplex(points, tolerance).points;
+  const Vec3d& origin = at(points, corner[0]);
+  const Vec3d x = (at(points, corner[1]) - origin).normalized();
+  const Vec3d third = at(points, corner[2]) - origin;
+  const Vec3d y = (third - third.dot(x) * x).normalized();
+  const std::vector<Vec2d> flat = mapped(points, [&](const Vec3d& point) {
+    const Vec3d arm = point - origin;
+    return Vec2d(arm.dot(x), arm.dot(y));
+  });
+
+  const std::vector<int> corners = convex_outline(flat);
+  const std::vector<Vec2d> outline = mapped(corners, [&](int i) { return at(flat, i); });
+  std::vector<int> kept;
+  for (std::size_t from = 0; from < outline.size();) {
+    kept.push_back(corners[from]);
+    std::size_t to = from + 1;
+    while (to < outline.size() && straight(outline, from, to + 1, tolerance)) ++to;
+    from = to;
   }
+  return kept;
 }
 
 /// Hull from faces over all input points: the points that no face uses are left out, the others
@@ -128,67 +139,65 @@ void require_finite(std::span<const Vec3d> points) {
 Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>> faces) {
   std::vector<int> number(points.size(), -1);
   for (const std::vector<int>& face : faces) {
-    for (const int point : face) number[static_cast<std::size_t>(point)] = 0;
+    for (const int point : face) at(number, point) = 0;
   }
   std::vector<Vec3d> vertices;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (number[i] < 0) continue;
-    number[i] = static_cast<int>(vertices.size());
+    number[i] = count_of(vertices);
     vertices.push_back(points[i]);
   }
   for (std::vector<int>& face : faces) {
-    for (int& point : face) point = number[static_cast<std::size_t>(point)];
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    for (int& point : face) point = at(number, point);
+    std::ranges::rotate(face, std::ranges::min_element(face));
   }
-  std::sort(faces.begin(), faces.end());
+  std::ranges::sort(faces);
   return hull_from_polygons(std::move(vertices), faces);
 }
 
 }  // namespace
 
 double hull_tolerance(std::span<const Vec3d> points) {
-  return tolerance_for(bounds_of(points));
+  const Aabb<double> box = box_around(points);
+  const Vec3d magnitude = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs());
+  return kTolerancePerEpsilon *
+         (kDataEpsilon * half_extents_of(box).sum() + kArithmeticEpsilon * magnitude.sum());
 }
 
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options) {
   const std::size_t least = options.allow_flat ? 3 : 4;
   const std::string number = options.allow_flat ? "three" : "four";
   if (points.size() < least) {
-    throw HullError(HullProblem::TooFewPoints, "a hull needs at least " + number + " points, got " +
-                                                   std::to_string(points.size()));
+    throw ShapeError("a hull needs at least " + number + " points, got " +
+                     std::to_string(points.size()));
   }
   require_finite(points);
   const std::vector<int> distinct = distinct_points(points, options.weld_duplicates);
   if (distinct.size() < least) {
-    throw HullError(HullProblem::TooFewDistinct,
-                    "only " + std::to_string(distinct.size()) + " of the " +
-                        std::to_string(points.size()) +
-                        " points are different; a hull needs at least " + number);
+    throw ShapeError("only " + std::to_string(distinct.size()) + " of the " +
+                     std::to_string(points.size()) +
+                     " points are different; a hull needs at least " + number);
   }
-  std::vector<Vec3d> kept;
-  kept.reserve(distinct.size());
-  for (const int i : distinct) kept.push_back(points[static_cast<std::size_t>(i)]);
+  const std::vector<Vec3d> kept = mapped(distinct, [&](int i) { return at(points, i); });
 
   // Quickhull runs about the middle and at size 1; the factor is a power of two, so that it costs
   // nothing and the outcome is the same at every scale.
-  const Bounds bounds = bounds_of(kept);
-  const int exponent = std::ilogb(bounds.half_extents.maxCoeff());
-  std::vector<Vec3d> local;
-  local.reserve(kept.size());
-  for (const Vec3d& point : kept) {
-    const Vec3d offset = point - bounds.center;
-    local.emplace_back(std::ldexp(offset.x(), -exponent), std::ldexp(offset.y(), -exponent),
-                       std::ldexp(offset.z(), -exponent));
-  }
-  const double tolerance = tolerance_for(bounds);
+  const Aabb<double> box = box_around(kept);
+  const Vec3d center = box.center();
+  const int exponent = std::ilogb(half_extents_of(box).maxCoeff());
+  const std::vector<Vec3d> local = mapped(kept, [&](const Vec3d& point) -> Vec3d {
+    return (point - center).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+  });
+  const double tolerance = hull_tolerance(kept);
   for (const double factor : kAttempts) {
-    quickhull::Result result = quickhull::run(local, std::ldexp(factor * tolerance, -exponent));
+    const double scaled = std::ldexp(factor * tolerance, -exponent);
+    quickhull::Result result = quickhull::run(local, scaled);
     if (result.status == quickhull::Status::Done) {
       Hull<double> hull = compact(kept, std::move(result.faces));
       return options.merge_coplanar ? hull : triangulate_faces(hull);
     }
     if (result.status == quickhull::Status::Coplanar && options.allow_flat) {
-      const std::vector<int> front = flat_outline(local, std::ldexp(factor * tolerance, -exponent));
+      const std::vector<int> front = flat_outline(local, scaled);
       return compact(kept, {front, {front.rbegin(), front.rend()}});
     }
     if (result.status != quickhull::Status::Unresolved) {

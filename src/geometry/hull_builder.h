@@ -4,7 +4,7 @@
 
 #include "core/vec3.h"
 #include "geometry/hull.h"
-#include "geometry/hull_error.h"
+#include "geometry/shape_error.h"
 
 namespace contactscope {
 
@@ -14,7 +14,7 @@ struct HullOptions {
   /// purpose turn it on (or weld while reading, as load_obj_vertices does).
   bool weld_duplicates = false;
 
-  /// Off, every face is left in triangles (see triangulate_faces.h), as by a builder that does not
+  /// Off, every face is left in triangles (see triangulate_faces), as by a builder that does not
   /// merge. For comparison: clipping then misses parts of a manifold. Quickhull merges all the same
   /// while it grows, because the planes of slivers say nothing, and the faces are cut afterwards.
   /// The two faces of a flat hull stay whole.
@@ -32,8 +32,9 @@ struct HullOptions {
 /// sake of that, points whose noise is about the tolerance can leave coplanar neighbours unmerged.
 /// Vertices keep their coordinates and their order; the same points always give the same hull.
 ///
-/// Throws HullError: TooFewPoints, NotFinite, Duplicate or TooFewDistinct, Coincident, Collinear,
-/// Coplanar unless allowed, FaceTooLarge, and Unresolved should no tolerance give a convex hull.
+/// Throws ShapeError for too few points, as given or when welded; a coordinate that is not finite; a
+/// repeated point; points in one place, on one line, or on one plane unless allowed; a face of more
+/// than kMaxFaceVertices; and should no tolerance give a convex hull.
 ///
 /// Source: Gregorius, "Implementing Quickhull", GDC 2014.
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options = {});
@@ -41,5 +42,18 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
 /// How far a point may be off a plane and still count as on it, metres: what single precision
 /// leaves uncertain about points of this extent. hull_builder.cpp says why.
 double hull_tolerance(std::span<const Vec3d> points);
+
+/// The same solid with every face cut into triangles: what a hull is whose coplanar faces nobody
+/// merged. Vertices, centroid and radius stay; triangles follow each other in the order of the
+/// faces that they come from. Each keeps the plane of its face, so that the triangles of one face
+/// tie exactly and a sliver is not tilted by its rounding. All other promises of Hull hold, but one:
+/// an edge inside a face joins two faces with one plane.
+///
+/// A face stays whole where cutting it would join two vertices that have an edge already. That takes
+/// faces that overlap within the hull builder's tolerance, or a hull without volume.
+///
+/// Clipping then sees only a part of the incident face, and is cut by a part of the reference face:
+/// Gregorius 2015, "Hull vs Hull: Coplanar Faces".
+Hull<double> triangulate_faces(const Hull<double>& hull);
 
 }  // namespace contactscope

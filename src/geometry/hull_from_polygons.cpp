@@ -2,85 +2,74 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "core/at.h"
 #include "core/manifold.h"
 
 namespace contactscope {
 namespace {
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
+[[noreturn]] void not_closed(const std::string& what) {
+  throw ShapeError(what + "; the faces of a hull bound one solid, each edge between two of them");
 }
 
-[[noreturn]] void not_closed(const std::string& what) {
-  throw HullError(HullProblem::NotClosed,
-                  what + "; the faces of a hull bound one solid, each edge between two of them");
+void check_face(int face, const std::vector<int>& vertices, int vertex_count) {
+  const std::string name = "face " + std::to_string(face);
+  const std::size_t count = vertices.size();
+  if (count < 3) not_closed(name + " has fewer than three vertices");
+  if (count > kMaxFaceVertices) {
+    throw ShapeError("a face has " + std::to_string(count) +
+                     " vertices; a hull's face has at most " + std::to_string(kMaxFaceVertices) +
+                     "; give a coarser outline");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (vertices[i] < 0 || vertices[i] >= vertex_count)
+      not_closed(name + " names a vertex that does not exist");
+    if (vertices[i] == vertices[(i + 1) % count]) not_closed(name + " repeats a vertex");
+  }
 }
 
 /// Numbers the edges and links each half-edge to its twin (by index) and to the next of its face.
-class EdgeLinker {
- public:
-  EdgeLinker(Hull<double>& hull, std::size_t face_count) : hull_(hull) {
-    half_edge_of_.reserve(6 * face_count);
-  }
-
-  void add_face(int face, const std::vector<int>& vertices) {
-    const std::size_t count = vertices.size();
-    if (count < 3) not_closed("face " + std::to_string(face) + " has fewer than three vertices");
-    if (count > kMaxFaceVertices) {
-      throw HullError(HullProblem::FaceTooLarge, "a face has " + std::to_string(count) +
-                                                     " vertices; a hull's face has at most " +
-                                                     std::to_string(kMaxFaceVertices) +
-                                                     "; give a coarser outline");
-    }
+void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) {
+  std::unordered_map<std::uint64_t, int> half_edge_of;
+  half_edge_of.reserve(6 * faces.size());
+  const auto key = [](int origin, int target) {
+    return static_cast<std::uint64_t>(origin) << 32 | static_cast<std::uint32_t>(target);
+  };
+  for (int face = 0; face < count_of(faces); ++face) {
+    const std::vector<int>& vertices = at(faces, face);
+    check_face(face, vertices, hull.vertex_count());
     int previous = -1;
-    int first = -1;
-    for (std::size_t i = 0; i < count; ++i) {
-      const int half_edge = claim(vertices[i], vertices[(i + 1) % count], face);
-      if (i == 0) first = half_edge;
-      if (previous >= 0) hull_.half_edges[index(previous)].next = half_edge;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int origin = vertices[i], target = vertices[(i + 1) % vertices.size()];
+      const int fresh = count_of(hull.half_edges);
+      const auto [place, is_new] = half_edge_of.try_emplace(key(origin, target), fresh);
+      const int half_edge = place->second;
+      if (is_new) {
+        half_edge_of.emplace(key(target, origin), fresh + 1);
+        hull.half_edges.push_back({origin, -1, -1});
+        hull.half_edges.push_back({target, -1, -1});
+      }
+      if (at(hull.half_edges, half_edge).face >= 0) {
+        not_closed("the edge from vertex " + std::to_string(origin) + " to " +
+                   std::to_string(target) + " is in two faces in the same direction");
+      }
+      at(hull.half_edges, half_edge).face = face;
+      if (i == 0) hull.face_edges.push_back(half_edge);
+      if (i > 0) at(hull.half_edges, previous).next = half_edge;
       previous = half_edge;
     }
-    hull_.half_edges[index(previous)].next = first;
-    hull_.face_edges.push_back(first);
+    at(hull.half_edges, previous).next = hull.face_edges.back();
   }
-
- private:
-  static std::uint64_t key(int origin, int target) {
-    return static_cast<std::uint64_t>(origin) << 32 | static_cast<std::uint32_t>(target);
+  hull.vertex_edges.assign(hull.vertices.size(), -1);
+  for (int i = count_of(hull.half_edges); i-- > 0;) {
+    at(hull.vertex_edges, at(hull.half_edges, i).origin) = i;
   }
-
-  /// The half-edge from origin to target, made with its twin when neither is there yet.
-  int claim(int origin, int target, int face) {
-    if (std::min(origin, target) < 0 || std::max(origin, target) >= hull_.vertex_count()) {
-      not_closed("face " + std::to_string(face) + " names a vertex that does not exist");
-    }
-    if (origin == target) not_closed("face " + std::to_string(face) + " repeats a vertex");
-    const int fresh = static_cast<int>(hull_.half_edges.size());
-    const auto [place, is_new] = half_edge_of_.try_emplace(key(origin, target), fresh);
-    const int half_edge = place->second;
-    if (is_new) {
-      half_edge_of_.emplace(key(target, origin), fresh + 1);
-      hull_.half_edges.push_back({origin, -1, -1});
-      hull_.half_edges.push_back({target, -1, -1});
-    }
-    HalfEdge& edge = hull_.half_edges[index(half_edge)];
-    if (edge.face >= 0) {
-      not_closed("the edge from vertex " + std::to_string(origin) + " to " +
-                 std::to_string(target) + " is in two faces in the same direction");
-    }
-    edge.face = face;
-    return half_edge;
-  }
-
-  Hull<double>& hull_;
-  std::unordered_map<std::uint64_t, int> half_edge_of_;
-};
+}
 
 void check_closed(const Hull<double>& hull) {
   for (const HalfEdge& edge : hull.half_edges) {
@@ -112,23 +101,26 @@ double largest_offset(const std::vector<Vec3d>& points, const Vec3d& from) {
   return largest;
 }
 
+/// Corners of a face about a point, in units of `scale`.
+std::vector<Vec3d> corners_about(const Hull<double>& hull, int face, const Vec3d& middle,
+                                 double scale) {
+  return mapped(face_vertices(hull, face),
+                [&](int vertex) -> Vec3d { return (at(hull.vertices, vertex) - middle) / scale; });
+}
+
 /// Centre of mass at uniform density: the mean of the tetrahedra that a point inside makes with a
 /// fan of each face, weighted by volume. In units of the solid's own size, so that no product of
 /// lengths leaves the range of double.
 Vec3d centroid_by_volume(const Hull<double>& hull) {
   const Vec3d inside = mean_of(hull.vertices);
   const double scale = largest_offset(hull.vertices, inside);
-  const auto local = [&](int vertex) -> Vec3d {
-    return (hull.vertices[index(vertex)] - inside) / scale;
-  };
   double volume = 0;
   Vec3d moment = Vec3d::Zero();
   for (int face = 0; face < hull.face_count(); ++face) {
-    const std::vector<int> corners = face_vertices(hull, face);
-    const Vec3d a = local(corners[0]);
+    const std::vector<Vec3d> corners = corners_about(hull, face, inside, scale);
+    const Vec3d& a = corners[0];
     for (std::size_t i = 2; i < corners.size(); ++i) {
-      const Vec3d b = local(corners[i - 1]);
-      const Vec3d c = local(corners[i]);
+      const Vec3d &b = corners[i - 1], &c = corners[i];
       const double tetrahedron = a.dot(b.cross(c));  // six times its volume
       volume += tetrahedron;
       moment += tetrahedron * 0.25 * (a + b + c);  // its fourth corner is the origin
@@ -140,14 +132,13 @@ Vec3d centroid_by_volume(const Hull<double>& hull) {
 /// The same of a flat hull, by area.
 Vec3d centroid_by_area(const Hull<double>& hull) {
   const Vec3d& normal = hull.planes[0].normal;
-  const std::vector<int> corners = face_vertices(hull, 0);
-  const Vec3d& first = hull.vertices[index(corners[0])];
+  const Vec3d& first = hull.origin(hull.face_edges[0]);
   const double scale = largest_offset(hull.vertices, first);
+  const std::vector<Vec3d> corners = corners_about(hull, 0, first, scale);
   double area = 0;
   Vec3d moment = Vec3d::Zero();
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Vec3d b = (hull.vertices[index(corners[i - 1])] - first) / scale;
-    const Vec3d c = (hull.vertices[index(corners[i])] - first) / scale;
+    const Vec3d &b = corners[i - 1], &c = corners[i];
     const double triangle = normal.dot(b.cross(c));  // twice its area
     area += triangle;
     moment += triangle / 3 * (b + c);  // its third corner is the origin
@@ -155,8 +146,8 @@ Vec3d centroid_by_area(const Hull<double>& hull) {
   return first + scale / area * moment;
 }
 
-}  // namespace
-
+/// Unit normal of a polygon and the plane through the mean of its vertices, in order, at least three
+/// and not all on one line.
 Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
   // Newell's method sums what every edge adds to the area vector, so that no three corners, perhaps
   // nearly on a line, decide alone. Coordinates about the mean and in units of the polygon's size
@@ -174,27 +165,16 @@ Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
   return {normal, normal.dot(mean)};
 }
 
+}  // namespace
+
 Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
                                 const std::vector<std::vector<int>>& faces) {
   Hull<double> hull;
   hull.vertices = std::move(vertices);
-
-  EdgeLinker linker(hull, faces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face) {
-    linker.add_face(static_cast<int>(face), faces[face]);
-  }
-  hull.vertex_edges.assign(hull.vertices.size(), -1);
-  for (std::size_t i = hull.half_edges.size(); i-- > 0;) {
-    hull.vertex_edges[index(hull.half_edges[i].origin)] = static_cast<int>(i);
-  }
-
-  hull.planes.reserve(faces.size());
-  std::vector<Vec3d> corners;
-  for (const std::vector<int>& face : faces) {
-    corners.clear();
-    for (const int vertex : face) corners.push_back(hull.vertices[index(vertex)]);
-    hull.planes.push_back(newell_plane(corners));
-  }
+  link_edges(hull, faces);
+  hull.planes = mapped(faces, [&](const std::vector<int>& face) {
+    return newell_plane(mapped(face, [&](int vertex) { return at(hull.vertices, vertex); }));
+  });
   check_closed(hull);
   if (hull.flat()) hull.planes[1] = {-hull.planes[0].normal, -hull.planes[0].offset};
 

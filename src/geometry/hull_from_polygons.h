@@ -4,7 +4,7 @@
 
 #include "core/vec3.h"
 #include "geometry/hull.h"
-#include "geometry/hull_error.h"
+#include "geometry/shape_error.h"
 
 namespace contactscope {
 
@@ -14,14 +14,10 @@ namespace contactscope {
 /// through the mean of all vertices of the face; centroid and radius from the solid. Two faces make a
 /// flat hull, on the plane of the first.
 ///
-/// Topology is checked, convexity and planarity are the caller's promise. Throws HullError:
-/// NotClosed when the polygons do not bound one solid without handles or leave a vertex unused,
-/// FaceTooLarge.
+/// Topology is checked, convexity and planarity are the caller's promise. Throws ShapeError when the
+/// polygons do not bound one solid without handles or leave a vertex unused, and for a face with more
+/// than kMaxFaceVertices.
 Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
                                 const std::vector<std::vector<int>>& faces);
-
-/// Unit normal of a polygon by Newell's method and the plane through the mean of its vertices.
-/// `vertices` are the polygon's own corners in order, at least three and not all on one line.
-Plane<double> newell_plane(const std::vector<Vec3d>& vertices);
 
 }  // namespace contactscope

@@ -1,20 +1,20 @@
-#include "geometry/initial_simplex.h"
-
 #include <cmath>
-#include <cstddef>
+#include <tuple>
 #include <utility>
-#include <vector>
+
+#include "core/at.h"
+#include "geometry/quickhull.h"
 
 namespace contactscope::quickhull {
 namespace {
 
 /// Index and value of the point with the largest value; the first among equals.
 template <class Value>
-std::pair<int, double> farthest(std::size_t count, const Value& value) {
-  std::pair<int, double> best{0, value(0)};
-  for (std::size_t i = 1; i < count; ++i) {
-    const double candidate = value(i);
-    if (candidate > best.second) best = {static_cast<int>(i), candidate};
+std::pair<int, double> farthest(std::span<const Vec3d> points, const Value& value) {
+  std::pair<int, double> best{0, value(points[0])};
+  for (int i = 1; i < count_of(points); ++i) {
+    const double candidate = value(at(points, i));
+    if (candidate > best.second) best = {i, candidate};
   }
   return best;
 }
@@ -22,62 +22,46 @@ std::pair<int, double> farthest(std::size_t count, const Value& value) {
 }  // namespace
 
 Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
-  const auto at = [&](int i) -> const Vec3d& { return points[static_cast<std::size_t>(i)]; };
   Simplex simplex;
-  int& a = simplex.points[0];
-  int& b = simplex.points[1];
-  int& c = simplex.points[2];
-  int& d = simplex.points[3];
+  auto& [a, b, c, d] = simplex.points;
 
   std::vector<int> extremes;
   for (int axis = 0; axis < 3; ++axis) {
-    extremes.push_back(
-        farthest(points.size(), [&](std::size_t i) { return points[i][axis]; }).first);
-    extremes.push_back(
-        farthest(points.size(), [&](std::size_t i) { return -points[i][axis]; }).first);
+    for (const double sign : {1.0, -1.0}) {
+      const auto along_axis = [&](const Vec3d& point) { return sign * point[axis]; };
+      extremes.push_back(farthest(points, along_axis).first);
+    }
   }
   double longest = -1;
   for (const int one : extremes) {
     for (const int other : extremes) {
-      const Vec3d span = at(other) - at(one);
-      if (span.norm() > longest) {
-        longest = span.norm();
-        a = one;
-        b = other;
-      }
+      const double length = (at(points, other) - at(points, one)).norm();
+      if (length <= longest) continue;
+      longest = length;
+      a = one;
+      b = other;
     }
   }
-  if (longest <= tolerance) {
-    simplex.status = Status::Coincident;
-    return simplex;
-  }
+  if (longest <= tolerance) return {Status::Coincident, simplex.points, 0};
 
-  const Vec3d along = (at(b) - at(a)) / longest;
-  const auto from_line = farthest(points.size(), [&](std::size_t i) {
-    const Vec3d arm = points[i] - at(a);
+  const Vec3d& origin = at(points, a);
+  const Vec3d along = (at(points, b) - origin) / longest;
+  double distance = 0;
+  std::tie(c, distance) = farthest(points, [&](const Vec3d& point) {
+    const Vec3d arm = point - origin;
     return along.cross(arm).norm();
   });
-  c = from_line.first;
-  if (from_line.second <= tolerance) {
-    simplex.status = Status::Collinear;
-    return simplex;
-  }
+  if (distance <= tolerance) return {Status::Collinear, simplex.points, 0};
 
-  const Vec3d third = at(c) - at(a);
+  const Vec3d third = at(points, c) - origin;
   const Vec3d normal = along.cross(third).normalized();
-  const auto height = [&](std::size_t i) -> double {
-    const Vec3d arm = points[i] - at(a);
-    return normal.dot(arm);
-  };
-  const auto from_plane =
-      farthest(points.size(), [&](std::size_t i) { return std::abs(height(i)); });
-  d = from_plane.first;
-  simplex.thickness = from_plane.second;
-  if (from_plane.second <= tolerance) {
+  const auto height = [&](const Vec3d& point) -> double { return normal.dot(point - origin); };
+  std::tie(d, simplex.thickness) =
+      farthest(points, [&](const Vec3d& point) { return std::abs(height(point)); });
+  if (simplex.thickness <= tolerance)
     simplex.status = Status::Coplanar;
-    return simplex;
-  }
-  if (height(static_cast<std::size_t>(d)) > 0) std::swap(a, b);  // the fourth goes below the three
+  else if (height(at(points, d)) > 0)
+    std::swap(a, b);  // the fourth goes below the three
   return simplex;
 }
 

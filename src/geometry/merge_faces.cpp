@@ -1,4 +1,4 @@
-#include "geometry/merge_faces.h"
+#include "geometry/quickhull.h"
 
 // Face merging after Gregorius, "Implementing Quickhull", GDC 2014.
 //

@@ -1,12 +1,16 @@
 #include "geometry/mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
-#include "geometry/mesh_adjacency.h"
+#include "core/at.h"
 
 namespace contactscope {
 namespace {
@@ -16,44 +20,115 @@ namespace {
 // turns by less than 0.8 degrees; kFlatEdgeAngle is one.
 constexpr double kLeastHeight = 128 * std::numeric_limits<double>::epsilon();
 
+using Triangles = std::span<const std::array<int, 3>>;
+
 void require_finite(const std::vector<Vec3d>& vertices) {
-  Aabb<double> bounds;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!vertices[i].allFinite()) {
-      throw MeshError(MeshProblem::NotFinite,
-                      "vertex " + std::to_string(i) +
-                          " has a coordinate that is not a finite number; give three finite ones");
-    }
-    bounds.include(vertices[i]);
+    if (!vertices[i].allFinite())
+      throw ShapeError("vertex " + std::to_string(i) +
+                       " has a coordinate that is not a finite number; give three finite ones");
   }
-  if (!vertices.empty() && !bounds.extent().allFinite()) {
-    throw MeshError(MeshProblem::NotFinite,
-                    "the mesh is larger than a number can say; scale it down to metres");
-  }
+  if (!vertices.empty() && !box_around(vertices).extent().allFinite())
+    throw ShapeError("the mesh is larger than a number can say; scale it down to metres");
 }
 
-void require_vertices(const std::vector<std::array<int, 3>>& triangles, std::size_t vertex_count) {
+void require_vertices(Triangles triangles, int vertex_count) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const int vertex : triangles[i]) {
-      if (vertex >= 0 && static_cast<std::size_t>(vertex) < vertex_count) continue;
-      throw MeshError(MeshProblem::NoSuchVertex,
-                      "triangle " + std::to_string(i) + " names vertex " + std::to_string(vertex) +
-                          ", but there are " + std::to_string(vertex_count) + ", counted from 0");
+      if (vertex >= 0 && vertex < vertex_count) continue;
+      throw ShapeError("triangle " + std::to_string(i) + " names vertex " + std::to_string(vertex) +
+                       ", but there are " + std::to_string(vertex_count) + ", counted from 0");
     }
   }
 }
 
-std::vector<int> vertices_not_in(const std::vector<std::array<int, 3>>& triangles,
-                                 std::size_t vertex_count) {
-  std::vector<bool> used(vertex_count, false);
-  for (const std::array<int, 3>& triangle : triangles) {
-    for (const int vertex : triangle) used[static_cast<std::size_t>(vertex)] = true;
+/// One side of an edge: the triangle that it belongs to runs from `from` to `to`.
+struct Side {
+  int low, high;  // welded vertices
+  int triangle;
+  int edge;
+  bool upwards;  // from low to high
+
+  auto operator<=>(const Side&) const = default;
+};
+
+/// For each vertex the first one with the same coordinates (0 and -0 are).
+std::vector<int> weld(std::span<const Vec3d> vertices) {
+  std::vector<int> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](int i) {
+    const Vec3d& vertex = at(vertices, i);
+    return std::tuple(vertex.x(), vertex.y(), vertex.z(), i);
+  });
+  std::vector<int> first(vertices.size());
+  int last = -1;
+  for (const int i : order) {
+    if (last < 0 || at(vertices, i) != at(vertices, last)) last = i;
+    at(first, i) = last;
   }
-  std::vector<int> unused;
-  for (std::size_t i = 0; i < vertex_count; ++i) {
-    if (!used[i]) unused.push_back(static_cast<int>(i));
+  return first;
+}
+
+/// Sorted by edge, then by triangle.
+std::vector<Side> sides_of(Triangles triangles, const std::vector<int>& welded) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (int t = 0; t < count_of(triangles); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = at(welded, at(at(triangles, t), k));
+      const int to = at(welded, at(at(triangles, t), (k + 1) % 3));
+      sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
+    }
   }
-  return unused;
+  std::ranges::sort(sides);
+  return sides;
+}
+
+MeshReport::Edge reported(std::span<const Side> sides, Triangles triangles) {
+  const std::array<int, 3>& first = at(triangles, sides[0].triangle);
+  return {{at(first, sides[0].edge), at(first, (sides[0].edge + 1) % 3)},
+          mapped(sides, &Side::triangle)};
+}
+
+/// Mesh::neighbours of these triangles; what has none for a reason is reported. O(n log n).
+std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
+                                                Triangles triangles, MeshReport& report) {
+  std::vector<std::array<int, 3>> neighbours(triangles.size(), {-1, -1, -1});
+  const std::vector<Side> sides = sides_of(triangles, weld(vertices));
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].low == sides[begin].low &&
+           sides[end].high == sides[begin].high) {
+      ++end;
+    }
+    const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
+    if (shared.size() == 1) continue;
+    if (shared.size() > 2) {
+      report.non_manifold_edges.push_back(reported(shared, triangles));
+    } else if (shared[0].upwards == shared[1].upwards) {
+      report.flipped_edges.push_back(reported(shared, triangles));
+    } else {
+      at(at(neighbours, shared[0].triangle), shared[0].edge) = shared[1].triangle;
+      at(at(neighbours, shared[1].triangle), shared[1].edge) = shared[0].triangle;
+    }
+  }
+  return neighbours;
+}
+
+template <class S>
+EdgeClass edge_class_of(const Mesh<S>& mesh, int triangle, int edge) {
+  if (mesh.neighbour(triangle, edge) < 0) return EdgeClass::Boundary;
+  return bend_angle(mesh, triangle, edge) > kFlatEdgeAngle ? EdgeClass::Convex
+                                                           : EdgeClass::Internal;
+}
+
+/// Class of every edge, from neighbours and normals: Mesh::edges.
+template <class S>
+std::vector<std::array<EdgeClass, 3>> classify_edges(const Mesh<S>& mesh) {
+  std::vector<std::array<EdgeClass, 3>> classes(mesh.triangles.size());
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) at(at(classes, t), k) = edge_class_of(mesh, t, k);
+  }
+  return classes;
 }
 
 template <class S>
@@ -69,19 +144,36 @@ Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double largest =
       std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
   const std::array<Vec3d, 3> edges{b - a, c - b, a - c};
-  const std::array<double, 3> lengths{edges[0].stableNorm(), edges[1].stableNorm(),
-                                      edges[2].stableNorm()};
-  const std::size_t longest =
-      static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
-  if (!(lengths[longest] > 0)) return Vec3d::Zero();
+  const Vec3d lengths(edges[0].stableNorm(), edges[1].stableNorm(), edges[2].stableNorm());
+  std::size_t longest = 0;
+  const double length = lengths.maxCoeff(&longest);
+  if (!(length > 0)) return Vec3d::Zero();
   // The two others: rounding grows with the product of their lengths, and the area stays what it
   // is. One scale for both keeps squares from under- and overflowing.
-  const Vec3d before = edges[(longest + 1) % 3] / lengths[longest];
-  const Vec3d after = edges[(longest + 2) % 3] / lengths[longest];
+  const Vec3d before = edges[(longest + 1) % 3] / length;
+  const Vec3d after = edges[(longest + 2) % 3] / length;
   const Vec3d normal = before.cross(after);
   const double height = normal.norm();  // over the longest edge, in lengths of it
-  if (!(height * lengths[longest] > kLeastHeight * largest)) return Vec3d::Zero();
+  if (!(height * length > kLeastHeight * largest)) return Vec3d::Zero();
   return normal / height;
+}
+
+/// The angle from one normal to the other about the edge: its sine is the triple product of both
+/// and the edge, positive where the surface bends away from the front, its cosine their product.
+template <class S>
+double bend_angle(const Mesh<S>& mesh, int triangle, int edge) {
+  const int neighbour = mesh.neighbour(triangle, edge);
+  assert(neighbour >= 0);
+  const Vec3d here = mesh.normal(triangle).template cast<double>();
+  const Vec3d there = mesh.normal(neighbour).template cast<double>();
+  const Vec3d along = mesh.corner(triangle, (edge + 1) % 3).template cast<double>() -
+                      mesh.corner(triangle, edge).template cast<double>();
+  const double sine = here.cross(there).dot(along.stableNormalized());
+  const double cosine = here.dot(there);
+  const double angle = std::atan2(sine, cosine);
+  // A sheet folded onto itself: rounding alone may say which way. It is an edge that can be
+  // touched; a crease so sharp cannot.
+  return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
 Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
@@ -90,7 +182,7 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
   MeshReport& found = report != nullptr ? *report : ignored;
   found = {};
   require_finite(vertices);
-  require_vertices(triangles, vertices.size());
+  require_vertices(triangles, count_of(vertices));
 
   Mesh<double> mesh;
   mesh.vertices = std::move(vertices);
@@ -103,34 +195,27 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
       continue;
     }
     mesh.normals.push_back(normal);
-    mesh.triangles[kept++] = mesh.triangles[static_cast<std::size_t>(i)];
+    mesh.triangles[kept++] = at(mesh.triangles, i);
   }
-  if (kept == 0) {
-    throw MeshError(MeshProblem::NoTriangle,
-                    mesh.triangles.empty()
-                        ? "the mesh has no triangle; give at least one"
-                        : "every triangle of the mesh has zero area; give one whose corners are "
-                          "not on a line");
-  }
+  if (kept == 0)
+    throw ShapeError(mesh.triangles.empty()
+                         ? "the mesh has no triangle; give at least one"
+                         : "every triangle of the mesh has zero area; give one whose corners are "
+                           "not on a line");
   mesh.triangles.resize(kept);
-  found.unused_vertices = vertices_not_in(mesh.triangles, mesh.vertices.size());
   mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found);
   mesh.edges = classify_edges(mesh);
 
-  std::vector<Aabb<double>> boxes;
-  boxes.reserve(kept);
-  for (const std::array<int, 3>& triangle : mesh.triangles) {
-    boxes.push_back(box_of<double>(mesh.vertices, triangle));
-  }
-  mesh.tree = build_aabb_tree(boxes);
+  mesh.tree = build_aabb_tree(mapped(mesh.triangles, [&](const std::array<int, 3>& triangle) {
+    return box_of<double>(mesh.vertices, triangle);
+  }));
   return mesh;
 }
 
 template <class T>
 Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   Mesh<T> cast;
-  cast.vertices.reserve(mesh.vertices.size());
-  for (const Vec3d& vertex : mesh.vertices) cast.vertices.push_back(vertex.cast<T>());
+  cast.vertices = cast_each<Vec3<T>>(mesh.vertices);
   cast.triangles = mesh.triangles;
   cast.neighbours = mesh.neighbours;
   cast.edges = mesh.edges;
@@ -148,12 +233,14 @@ template <class S>
 void refit(Mesh<S>& mesh) {
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     const Vec3d normal = normal_of(mesh, i);
-    if (!normal.isZero(0)) mesh.normals[static_cast<std::size_t>(i)] = normal.template cast<S>();
+    if (!normal.isZero(0)) at(mesh.normals, i) = normal.template cast<S>();
   }
   mesh.edges = classify_edges(mesh);
   mesh.tree.refit(mesh.vertices, mesh.triangles);
 }
 
+template double bend_angle(const Mesh<float>&, int, int);
+template double bend_angle(const Mesh<double>&, int, int);
 template Mesh<float> mesh_cast(const Mesh<double>&);
 template Mesh<double> mesh_cast(const Mesh<double>&);
 template void refit(Mesh<float>&);

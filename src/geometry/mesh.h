@@ -1,14 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/vec3.h"
 #include "geometry/aabb_tree.h"
-#include "geometry/mesh_error.h"
+#include "geometry/shape_error.h"
 
 namespace contactscope {
 
@@ -50,17 +49,12 @@ struct Mesh {
   int triangle_count() const { return static_cast<int>(triangles.size()); }
   /// Corner k, 0 <= k < 3, of a triangle.
   const Vec3<S>& corner(int triangle, int k) const {
-    return vertices[static_cast<std::size_t>(
-        triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])];
+    return at(vertices, at(at(triangles, triangle), k));
   }
-  const Vec3<S>& normal(int triangle) const { return normals[static_cast<std::size_t>(triangle)]; }
+  const Vec3<S>& normal(int triangle) const { return at(normals, triangle); }
   /// -1 for none.
-  int neighbour(int triangle, int edge) const {
-    return neighbours[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(edge)];
-  }
-  EdgeClass edge_class(int triangle, int edge) const {
-    return edges[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(edge)];
-  }
+  int neighbour(int triangle, int edge) const { return at(at(neighbours, triangle), edge); }
+  EdgeClass edge_class(int triangle, int edge) const { return at(at(edges, triangle), edge); }
 };
 
 /// What build_mesh found on the way. None of it is an error.
@@ -77,7 +71,6 @@ struct MeshReport {
   std::vector<int> zero_area_triangles;
   std::vector<Edge> non_manifold_edges;  // more than two triangles share it
   std::vector<Edge> flipped_edges;       // two that run along it the same way: one is turned over
-  std::vector<int> unused_vertices;      // no triangle that was kept names them; ascending
 };
 
 /// A mesh from vertices (metres, local frame) and triangles (vertex indices, counter-clockwise seen
@@ -85,7 +78,8 @@ struct MeshReport {
 /// left out. Vertices with equal coordinates count as one when neighbours are sought, because many
 /// tools repeat a vertex for each of its triangles.
 ///
-/// Throws MeshError: NoSuchVertex, NotFinite, NoTriangle.
+/// Throws ShapeError for a vertex that does not exist, a coordinate that is not finite or an extent
+/// that overflows, and where no triangle has an area.
 Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
                         MeshReport* report = nullptr);
 

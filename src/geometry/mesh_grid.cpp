@@ -15,16 +15,15 @@ void require_size(const char* name, double value) {
   if (std::isfinite(value) && value > 0) return;
   std::ostringstream message;
   message << name << " is " << value << "; it must be a finite length above 0";
-  throw MeshError(MeshProblem::BadDimension, message.str());
+  throw ShapeError(message.str());
 }
 
 void require_cells(int cells_x, int cells_z) {
   // Division: a product of two ints may not fit.
   if (cells_x > 0 && cells_z > 0 && cells_x <= kMaxGridCells / cells_z) return;
-  throw MeshError(MeshProblem::BadDimension,
-                  "the grid has " + std::to_string(cells_x) + " by " + std::to_string(cells_z) +
-                      " cells; give at least 1 along each side and at most " +
-                      std::to_string(kMaxGridCells) + " together");
+  throw ShapeError("the grid has " + std::to_string(cells_x) + " by " + std::to_string(cells_z) +
+                   " cells; give at least 1 along each side and at most " +
+                   std::to_string(kMaxGridCells) + " together");
 }
 
 /// Line i of `cells` + 1, as a part of the side: -1/2 to 1/2, exact at both ends and symmetric.
@@ -38,10 +37,8 @@ Mesh<double> make_grid(double size_x, double size_z, int cells_x, int cells_z, d
   require_size("size_x", size_x);
   require_size("size_z", size_z);
   require_cells(cells_x, cells_z);
-  if (!std::isfinite(amplitude)) {
-    throw MeshError(MeshProblem::BadDimension,
-                    "the amplitude is not a finite number; give a length in metres");
-  }
+  if (!std::isfinite(amplitude))
+    throw ShapeError("the amplitude is not a finite number; give a length in metres");
   constexpr double kTurn = 2 * std::numbers::pi * kWaves;
   std::vector<Vec3d> vertices;
   for (int j = 0; j <= cells_z; ++j) {

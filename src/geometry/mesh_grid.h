@@ -15,7 +15,7 @@ inline constexpr int kMaxGridCells = 2'000'000;
 /// along +z; cell i + cells_x j is triangles 2 (i + cells_x j), at the corner of least x and z, and
 /// the next one.
 ///
-/// Throws MeshError with BadDimension unless sizes are positive and finite, the amplitude finite,
+/// Throws ShapeError unless sizes are positive and finite, the amplitude finite,
 /// and the cells at least one along each side and kMaxGridCells together.
 Mesh<double> make_grid(double size_x, double size_z, int cells_x, int cells_z, double amplitude);
 

@@ -1,4 +1,4 @@
-#include "geometry/notches.h"
+#include "geometry/quickhull.h"
 
 // Three faces that differ by about the tolerance can be such that two of them merge, while the
 // third is convex towards both and stays, in a notch of their common outline. Planes do not show
@@ -13,46 +13,49 @@
 //                         the one that leaves the shallowest notches on both sides; repeat.
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace contactscope::quickhull {
 namespace {
 
-/// Distance of `corner` to the left of the line from `before` to `after`, seen against `normal`:
-/// positive where a counter-clockwise outline turns inwards.
-double depth_of(const Vec3d& before, const Vec3d& corner, const Vec3d& after, const Vec3d& normal) {
-  const Vec3d chord = after - before;
-  const Vec3d arm = corner - before;
-  const Vec3d left = normal.cross(chord);
-  return left.dot(arm) / chord.norm();
+/// The edges around a face, from `first` on.
+std::vector<int> loop_from(const Mesh& mesh, int first) {
+  std::vector<int> edges = {first};
+  for (int e = mesh.edge(first).next; e != first; e = mesh.edge(e).next) edges.push_back(e);
+  return edges;
 }
 
-/// Deepest notch of the polygon that `edges` leave the corners of.
-double deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
+/// Deepest notch of the polygon that `edges` leave the corners of, counter-clockwise seen against
+/// `normal`.
+Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   const std::size_t count = edges.size();
   const auto corner = [&](std::size_t i) -> const Vec3d& {
     return mesh.point(mesh.edge(edges[i % count]).origin);
   };
-  double depth = -std::numeric_limits<double>::infinity();
+  Notch notch{-1, -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < count; ++i) {
-    depth = std::max(depth, depth_of(corner(i), corner(i + 1), corner(i + 2), normal));
+    const Vec3d& before = corner(i + count - 1);
+    const Vec3d chord = corner(i + 1) - before;
+    const Vec3d arm = corner(i) - before;
+    const Vec3d left = normal.cross(chord);
+    const double depth = left.dot(arm) / chord.norm();
+    if (depth > notch.depth) notch = {edges[i], depth};
   }
-  return depth;
+  return notch;
 }
 
 /// The corner to cut to from the first of `edges`, as an index into them; 0 when all cuts leave a
 /// notch that is as deep.
 std::size_t best_cut(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   std::size_t best = 0;
-  double best_depth = deepest(mesh, edges, normal);
+  double best_depth = deepest(mesh, edges, normal).depth;
   for (std::size_t i = 2; i + 1 < edges.size(); ++i) {
     const auto cut = edges.begin() + static_cast<std::ptrdiff_t>(i);
-    std::vector<int> ahead(edges.begin(), cut + 1);
+    const std::vector<int> ahead(edges.begin(), cut + 1);
     std::vector<int> behind(cut, edges.end());
     behind.push_back(edges.front());
-    const double depth = std::max(deepest(mesh, ahead, normal), deepest(mesh, behind, normal));
+    const double depth =
+        std::max(deepest(mesh, ahead, normal).depth, deepest(mesh, behind, normal).depth);
     if (depth < best_depth) {
       best = i;
       best_depth = depth;
@@ -64,16 +67,7 @@ std::size_t best_cut(const Mesh& mesh, const std::vector<int>& edges, const Vec3
 }  // namespace
 
 Notch deepest_notch(const Mesh& mesh, int face) {
-  Notch notch;
-  notch.depth = -std::numeric_limits<double>::infinity();
-  mesh.for_each_edge(face, [&](int e) {
-    const Edge& edge = mesh.edge(e);
-    const double depth =
-        depth_of(mesh.point(mesh.edge(edge.previous).origin), mesh.point(edge.origin),
-                 mesh.point(mesh.edge(edge.next).origin), mesh.face(face).plane.normal);
-    if (depth > notch.depth) notch = {e, depth};
-  });
-  return notch;
+  return deepest(mesh, loop_from(mesh, mesh.face(face).edge), mesh.face(face).plane.normal);
 }
 
 void split_notched_faces(Mesh& mesh, double tolerance) {
@@ -83,10 +77,7 @@ void split_notched_faces(Mesh& mesh, double tolerance) {
     for (;;) {
       const Notch notch = deepest_notch(mesh, face);
       if (notch.depth <= tolerance) break;
-      std::vector<int> edges = {notch.edge};
-      for (int e = mesh.edge(notch.edge).next; e != notch.edge; e = mesh.edge(e).next) {
-        edges.push_back(e);
-      }
+      const std::vector<int> edges = loop_from(mesh, notch.edge);
       const std::size_t cut = best_cut(mesh, edges, mesh.face(face).plane.normal);
       if (cut == 0) break;
       mesh.split(notch.edge, edges[cut]);

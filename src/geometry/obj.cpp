@@ -2,96 +2,212 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
-#include <cstddef>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
+#include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
 
+#include "core/at.h"
 #include "core/input_error.h"
-#include "geometry/obj_checks.h"
 #include "geometry/triangulate_polygon.h"
 
 namespace contactscope {
 namespace {
+
+/// Statements of the format's specification (Wavefront, "Object Files", version 3.0). A line that
+/// opens with anything else means that the file is not .obj at all.
+constexpr std::array<std::string_view, 46> kStatements = {
+    "v",        "vt",   "vn",         "vp",        "f",      "fo",     "l",      "p",
+    "o",        "g",    "s",          "mg",        "usemtl", "mtllib", "usemap", "maplib",
+    "cstype",   "deg",  "bmat",       "step",      "curv",   "curv2",  "surf",   "parm",
+    "trim",     "hole", "scrv",       "sp",        "end",    "con",    "bevel",  "c_interp",
+    "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
+    "bsp",      "bzp",  "cdc",        "cdp",       "res",    "vw"};
+
+/// tinyobjloader reads what it can and takes the rest as zero; this pass over the same text finds
+/// what it would pass over: a vertex without three finite numbers, a face that names a vertex that
+/// does not exist.
+class Checker {
+ public:
+  Checker(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+
+  /// Throws InputError with line and column, or returns the line of each face, from 1, in the order
+  /// of the file.
+  std::vector<int> run() {
+    while (next_line()) {
+      const std::string_view statement = next_word();
+      if (statement.empty() || statement[0] == '#') continue;
+      if (std::ranges::find(kStatements, statement) == kStatements.end()) {
+        if (continued_) continue;
+        fail(quoted(statement) +
+             " opens no statement of the .obj format; expected v, f or another keyword of it");
+      }
+      if (statement == "v") check_vertex();
+      if (statement == "f") check_face();
+    }
+    if (vertices_ == 0) {
+      throw InputError(path_, 0, 0, "the file has no vertex; a shape needs 'v x y z' lines");
+    }
+    if (largest_index_ > vertices_) {
+      throw InputError(path_, line_of_largest_, 1,
+                       "the face names vertex " + std::to_string(largest_index_) +
+                           ", but the file has " + std::to_string(vertices_));
+    }
+    return std::move(face_lines_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(path_, line_number_, column_, message);
+  }
+
+  bool next_line() {
+    if (at_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    continued_ = !line_.empty() && line_.back() == '\\';
+    line_ = text_.substr(at_, end - at_);
+    at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+    in_line_ = 0;
+    ++line_number_;
+    return true;
+  }
+
+  std::string_view next_word() {
+    const std::size_t begin = std::min(line_.find_first_not_of(" \t", in_line_), line_.size());
+    in_line_ = std::min(line_.find_first_of(" \t", begin), line_.size());
+    column_ = static_cast<int>(begin) + 1;
+    return line_.substr(begin, in_line_ - begin);
+  }
+
+  void check_vertex() {
+    for (const char* axis : {"x", "y", "z"}) {
+      std::string_view word = next_word();
+      if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+      double value = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+        fail(std::string("the vertex's ") + axis +
+             (word.empty() ? " is missing" : " is " + quoted(word)) +
+             "; a vertex is 'v' and three finite numbers");
+      }
+    }
+    ++vertices_;
+  }
+
+  void check_face() {
+    face_lines_.push_back(line_number_);
+    std::string_view word = next_word();
+    if (word.empty()) fail("the face has no vertex; a face is 'f' and at least three of them");
+    for (; !word.empty(); word = next_word()) {
+      if (word == "\\") fail("the face goes on on the next line; put it on one line");
+      long index = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+      const bool number_ends = end == word.data() + word.size() || *end == '/';
+      if (error != std::errc{} || !number_ends || index == 0 || index < -vertices_) {
+        fail(quoted(word) + " names no vertex; vertices count from 1, or from -1 backwards");
+      }
+      if (index > largest_index_) {
+        largest_index_ = index;
+        line_of_largest_ = line_number_;
+      }
+    }
+  }
+
+  /// What of a word a message can show: no control characters, no foreign bytes, not too long.
+  static std::string quoted(std::string_view word) {
+    std::string shown = "'";
+    for (const char c : word.substr(0, 24)) shown += c >= ' ' && c <= '~' ? c : '?';
+    if (word.size() > 24) shown += "...";
+    shown += "'";
+    return shown;
+  }
+
+  std::string path_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string_view line_;
+  std::size_t in_line_ = 0;
+  int line_number_ = 0;
+  int column_ = 1;
+  bool continued_ = false;
+  long vertices_ = 0;
+  long largest_index_ = 0;
+  int line_of_largest_ = 0;
+  std::vector<int> face_lines_;
+};
 
 /// What tinyobjloader reports. It can triangulate, but by a test that depends on where the origin
 /// is: it loses part of concave faces. So faces are taken whole, in the order of the file.
 struct Contents {
   std::vector<Vec3d> vertices;
   std::vector<std::vector<int>> faces;  // vertex indices, counted from 0
+  std::vector<int> lines;               // of each face, from 1
+};
 
-  void add_face(const tinyobj::index_t* indices, int count) {
+Contents read(const std::string& path) {
+  const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
+  // A folder opens like a file and fails only when read.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    refuse("this is a folder; expected a Wavefront .obj file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse("the file cannot be opened; is its name right?");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (text.empty()) refuse("the file is empty; expected a Wavefront .obj");
+
+  Contents contents;
+  contents.lines = Checker(path, text).run();
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = [](void* to, double x, double y, double z, double) {
+    static_cast<Contents*>(to)->vertices.emplace_back(x, y, z);
+  };
+  callbacks.index_cb = [](void* to, tinyobj::index_t* indices, int count) {
+    auto& [vertices, faces, lines] = *static_cast<Contents*>(to);
     std::vector<int>& face = faces.emplace_back();
     for (int i = 0; i < count; ++i) {
       const int index = indices[i].vertex_index;  // from 1, or from -1 backwards
-      face.push_back(index > 0 ? index - 1 : static_cast<int>(vertices.size()) + index);
+      face.push_back(index > 0 ? index - 1 : count_of(vertices) + index);
     }
-  }
-};
-
-Contents parse(const std::string& path, const std::string& text) {
-  tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = [](void* contents, double x, double y, double z, double) {
-    static_cast<Contents*>(contents)->vertices.emplace_back(x, y, z);
   };
-  callbacks.index_cb = [](void* contents, tinyobj::index_t* indices, int count) {
-    static_cast<Contents*>(contents)->add_face(indices, count);
-  };
-  Contents contents;
   std::istringstream stream(text);
   std::string error;
-  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &contents, nullptr, nullptr, &error)) {
-    throw InputError(path, 0, 0, "the file cannot be read as .obj: " + error);
-  }
+  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &contents, nullptr, nullptr, &error))
+    refuse("the file cannot be read as .obj: " + error);
+  assert(contents.lines.size() == contents.faces.size());
   return contents;
-}
-
-std::string read_file(const std::string& path) {
-  // A folder opens like a file and fails only when read.
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path, 0, 0, "this is a folder; expected a Wavefront .obj file");
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, 0, 0, "the file cannot be opened; is its name right?");
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (text.empty()) throw InputError(path, 0, 0, "the file is empty; expected a Wavefront .obj");
-  return text;
 }
 
 }  // namespace
 
 std::vector<Vec3d> load_obj_vertices(const std::string& path) {
-  const std::string text = read_file(path);
-  check_obj(path, text);
-  const Contents contents = parse(path, text);
+  const Contents contents = read(path);
   std::vector<bool> used(contents.vertices.size(), contents.faces.empty());
   for (const std::vector<int>& face : contents.faces) {
-    for (const int vertex : face) used[static_cast<std::size_t>(vertex)] = true;
+    for (const int vertex : face) at(used, vertex) = true;
   }
 
   std::vector<Vec3d> points;
-  std::map<std::tuple<double, double, double>, bool> seen;
+  std::set<std::tuple<double, double, double>> seen;
   for (std::size_t i = 0; i < contents.vertices.size(); ++i) {
     const Vec3d& vertex = contents.vertices[i];
-    if (used[i] && seen.try_emplace({vertex.x(), vertex.y(), vertex.z()}, true).second) {
+    if (used[i] && seen.emplace(vertex.x(), vertex.y(), vertex.z()).second)
       points.push_back(vertex);
-    }
   }
   return points;
 }
 
 ObjMesh load_obj_mesh(const std::string& path) {
-  const std::string text = read_file(path);
-  const std::vector<int> lines = check_obj(path, text);
-  Contents contents = parse(path, text);
-  assert(lines.size() == contents.faces.size());
+  Contents contents = read(path);
   if (contents.faces.empty()) {
     throw InputError(path, 0, 0,
                      "the file has no face; a mesh needs 'f' lines besides its 'v' lines");
@@ -99,22 +215,18 @@ ObjMesh load_obj_mesh(const std::string& path) {
 
   ObjMesh mesh;
   mesh.vertices = std::move(contents.vertices);
-  std::vector<Vec3d> corners;
   for (std::size_t i = 0; i < contents.faces.size(); ++i) {
     const std::vector<int>& face = contents.faces[i];
     if (face.size() < 3) {
-      throw InputError(path, lines[i], 1,
+      throw InputError(path, contents.lines[i], 1,
                        "the face has " + std::to_string(face.size()) +
                            (face.size() == 1 ? " vertex" : " vertices") +
                            "; a face of a mesh has at least three");
     }
-    corners.clear();
-    for (const int vertex : face)
-      corners.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
-    for (const std::array<int, 3>& ear : triangulate_polygon(corners)) {
-      std::array<int, 3>& triangle = mesh.triangles.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) triangle[k] = face[static_cast<std::size_t>(ear[k])];
-      mesh.lines.push_back(lines[i]);
+    const auto place = [&](int vertex) { return at(mesh.vertices, vertex); };
+    for (const std::array<int, 3>& ear : triangulate_polygon(mapped(face, place))) {
+      mesh.triangles.push_back({at(face, ear[0]), at(face, ear[1]), at(face, ear[2])});
+      mesh.lines.push_back(contents.lines[i]);
     }
   }
   return mesh;

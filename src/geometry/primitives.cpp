@@ -15,18 +15,17 @@
 namespace contactscope {
 namespace {
 
-void require_length(const char* name, double value) {
+void require_length(const std::string& name, double value) {
   if (std::isfinite(value) && value > 0) return;
   std::ostringstream message;
   message << name << " is " << value << "; it must be a finite length above 0";
-  throw HullError(HullProblem::BadDimension, message.str());
+  throw ShapeError(message.str());
 }
 
 void require_segments(int segments) {
   if (segments >= 3 && segments <= static_cast<int>(kMaxFaceVertices)) return;
-  throw HullError(HullProblem::BadDimension, "segments is " + std::to_string(segments) +
-                                                 "; it must be between 3 and " +
-                                                 std::to_string(kMaxFaceVertices));
+  throw ShapeError("segments is " + std::to_string(segments) + "; it must be between 3 and " +
+                   std::to_string(kMaxFaceVertices));
 }
 
 /// Corner `k` of the regular polygon on the circle of `radius` in the x-z plane, counter-clockwise
@@ -42,24 +41,24 @@ Vec3d corner(int k, int segments, double radius) {
   double along = diagonal ? std::numbers::sqrt2 / 2 : std::cos(angle);
   double across = diagonal ? std::numbers::sqrt2 / 2 : std::sin(angle);
   if (upper) std::swap(along, across);
-  switch (quadrant) {
-    case 0:
-      return radius * Vec3d(along, 0, -across);
-    case 1:
-      return radius * Vec3d(-across, 0, -along);
-    case 2:
-      return radius * Vec3d(-along, 0, across);
-    default:
-      return radius * Vec3d(across, 0, along);
-  }
+  for (int i = 0; i < quadrant; ++i) along = -std::exchange(across, along);
+  return radius * Vec3d(along, 0, -across);
+}
+
+/// A hull whose centroid and radius are known exactly, and not left to rounding.
+Hull<double> centred(Hull<double> hull, const Vec3d& centroid, double radius) {
+  hull.centroid = centroid;
+  hull.radius = radius;
+  lay_out(hull);
+  return hull;
 }
 
 }  // namespace
 
 Hull<double> make_box(const Vec3d& half_extents) {
-  require_length("the box's half extent along x", half_extents.x());
-  require_length("the box's half extent along y", half_extents.y());
-  require_length("the box's half extent along z", half_extents.z());
+  for (int axis = 0; axis < 3; ++axis)
+    require_length("the box's half extent along " + std::string(1, "xyz"[axis]),
+                   half_extents[axis]);
   std::vector<Vec3d> vertices;
   for (int i = 0; i < 8; ++i) {
     const Vec3d signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
@@ -75,10 +74,7 @@ Hull<double> make_box(const Vec3d& half_extents) {
     hull.planes[face] = {unit, half_extents[axis]};
     hull.planes[face + 1] = {-unit, half_extents[axis]};
   }
-  hull.centroid = Vec3d::Zero();
-  hull.radius = half_extents.stableNorm();
-  lay_out(hull);
-  return hull;
+  return centred(std::move(hull), Vec3d::Zero(), half_extents.stableNorm());
 }
 
 Hull<double> make_cylinder(double radius, double half_height, int segments) {
@@ -101,10 +97,7 @@ Hull<double> make_cylinder(double radius, double half_height, int segments) {
   Hull<double> hull = hull_from_polygons(std::move(vertices), faces);
   hull.planes[0] = {Vec3d::UnitY(), half_height};
   hull.planes[1] = {-Vec3d::UnitY(), half_height};
-  hull.centroid = Vec3d::Zero();
-  hull.radius = Vec3d(radius, half_height, 0).stableNorm();
-  lay_out(hull);
-  return hull;
+  return centred(std::move(hull), Vec3d::Zero(), Vec3d(radius, half_height, 0).stableNorm());
 }
 
 Hull<double> make_cone(double radius, double half_height, int segments) {
@@ -124,11 +117,9 @@ Hull<double> make_cone(double radius, double half_height, int segments) {
   hull.planes[0] = {-Vec3d::UnitY(), half_height};
   // A pyramid's centre of mass lies a quarter of its height above the base; an odd polygon's mean
   // is on the axis in exact arithmetic only.
-  hull.centroid = Vec3d(0, -0.5 * half_height, 0);
   const double to_rim = Vec3d(radius, 0.5 * half_height, 0).stableNorm();
-  hull.radius = std::max(to_rim, 1.5 * half_height);
-  lay_out(hull);
-  return hull;
+  return centred(std::move(hull), Vec3d(0, -0.5 * half_height, 0),
+                 std::max(to_rim, 1.5 * half_height));
 }
 
 }  // namespace contactscope

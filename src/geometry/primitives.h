@@ -2,12 +2,12 @@
 
 #include "core/vec3.h"
 #include "geometry/hull.h"
-#include "geometry/hull_error.h"
+#include "geometry/shape_error.h"
 
 /// Hulls of simple shapes in their own frame, metres, centred on the origin of it; the axis of
 /// cylinder and cone is y. Faces are planar by construction. The same arguments give the same
-/// order of vertices, edges and faces, in every build. All throw HullError with BadDimension unless
-/// lengths are positive and finite and 3 <= segments <= kMaxFaceVertices.
+/// order of vertices, edges and faces, in every build. All throw ShapeError unless lengths are
+/// positive and finite and 3 <= segments <= kMaxFaceVertices.
 namespace contactscope {
 
 /// Vertex i has the signs of the bits of i (bit 0 = x, 1 = y, 2 = z; set = positive). Faces: +x,

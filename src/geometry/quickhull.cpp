@@ -17,15 +17,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
 
-#include "geometry/horizon.h"
-#include "geometry/initial_simplex.h"
-#include "geometry/merge_faces.h"
-#include "geometry/notches.h"
-#include "geometry/quickhull_mesh.h"
+#include "core/at.h"
 
 namespace contactscope::quickhull {
 namespace {
@@ -40,10 +37,9 @@ class Builder {
     const int before = mesh_.edge(base).previous;
     std::vector<int> faces = add_cone({base, before, mesh_.edge(before).previous}, d);
     faces.push_back(mesh_.edge(base).face);
-    std::vector<int> others;
-    for (int i = 0; i < mesh_.point_count(); ++i) {
-      if (std::find(simplex.begin(), simplex.end(), i) == simplex.end()) others.push_back(i);
-    }
+    std::vector<int> others(mesh_.points().size());
+    std::iota(others.begin(), others.end(), 0);
+    for (const int corner : simplex) std::erase(others, corner);
     deal_out(others, faces);
   }
 
@@ -67,9 +63,8 @@ class Builder {
       mesh_.give_up();
       return;
     }
-    std::vector<int> rim;
-    for (const int e : horizon.edges) rim.push_back(mesh_.edge(e).twin);
-    const std::vector<int> fresh = add_cone(rim, eye);
+    const auto twin = [&](int e) { return mesh_.edge(e).twin; };
+    const std::vector<int> fresh = add_cone(mapped(horizon.edges, twin), eye);
     for (const int seen : horizon.visible) mesh_.face(seen).gone = true;
     std::vector<int> touched = horizon.visible;
     touched.insert(touched.end(), fresh.begin(), fresh.end());
@@ -92,20 +87,18 @@ class Builder {
   /// hole that lost what was across, in the order in which the triangles follow each other: each
   /// starts where the one after it ends.
   std::vector<int> add_cone(const std::vector<int>& rim, int apex) {
-    std::vector<int> faces;
-    int first = -1;
-    int last = -1;
-    for (const int outside : rim) {
+    const std::vector<int> insides = mapped(rim, [&](int outside) {
       const int from = mesh_.edge(mesh_.edge(outside).next).origin;
       const int inside = mesh_.add_triangle(from, mesh_.edge(outside).origin, apex);
       mesh_.sew(inside, outside);
-      if (last >= 0) mesh_.sew(mesh_.edge(inside).previous, mesh_.edge(last).next);
-      if (first < 0) first = inside;
+      return inside;
+    });
+    int last = insides.back();
+    for (const int inside : insides) {
+      mesh_.sew(mesh_.edge(inside).previous, mesh_.edge(last).next);
       last = inside;
-      faces.push_back(mesh_.edge(inside).face);
     }
-    mesh_.sew(mesh_.edge(first).previous, mesh_.edge(last).next);
-    return faces;
+    return mapped(insides, [&](int inside) { return mesh_.edge(inside).face; });
   }
 
   /// Gives each point to the face that it is farthest above; points above none are inside.
@@ -146,32 +139,23 @@ class Builder {
 /// same but for points that were left out by mistake.
 constexpr double kFullCheckLimit = 1e7;
 
-bool is_convex(const Mesh& mesh, std::span<const Vec3d> points, double slack) {
-  std::vector<int> kept;
-  for (int face = 0; face < mesh.face_count(); ++face) {
-    if (!mesh.face(face).gone) kept.push_back(face);
-  }
+bool is_convex(const Mesh& mesh, double slack) {
+  const std::vector<int> kept = mesh.faces();
+  const std::span<const Vec3d> points = mesh.points();
   const bool full =
       static_cast<double>(kept.size()) * static_cast<double>(points.size()) <= kFullCheckLimit;
-  for (const int face : kept) {
+  return std::ranges::all_of(kept, [&](int face) {
     const Plane<double>& plane = mesh.face(face).plane;
-    if (mesh.face(face).area <= 0) return false;
-    for (const int vertex : mesh.loop(face)) {
-      if (std::abs(plane.distance(mesh.point(vertex))) > slack) return false;
-    }
-    bool edges_are_convex = true;
+    bool fits = mesh.face(face).area > 0 && deepest_notch(mesh, face).depth <= slack;
     mesh.for_each_edge(face, [&](int e) {
+      fits = fits && std::abs(mesh.distance(face, mesh.edge(e).origin)) <= slack;
       mesh.for_each_edge(mesh.neighbour(e), [&](int around) {
-        if (mesh.distance(face, mesh.edge(around).origin) > slack) edges_are_convex = false;
+        fits = fits && mesh.distance(face, mesh.edge(around).origin) <= slack;
       });
     });
-    if (!edges_are_convex || deepest_notch(mesh, face).depth > slack) return false;
-    if (!full) continue;
-    for (const Vec3d& point : points) {
-      if (plane.distance(point) > slack) return false;
-    }
-  }
-  return true;
+    const auto above = [&](const Vec3d& point) { return plane.distance(point) > slack; };
+    return fits && !(full && std::ranges::any_of(points, above));
+  });
 }
 
 /// The part of the thickness that the tolerance may be. At the sharp rim of a thin hull a point
@@ -182,25 +166,15 @@ constexpr double kPartOfThickness = 1.0 / 100;
 }  // namespace
 
 Result run(std::span<const Vec3d> points, double tolerance) {
-  Result result;
   const Simplex simplex = initial_simplex(points, tolerance);
-  if (simplex.status != Status::Done) {
-    result.status = simplex.status;
-    return result;
-  }
+  if (simplex.status != Status::Done) return {simplex.status, {}};
   tolerance = std::min(tolerance, kPartOfThickness * simplex.thickness);
   Builder builder(points, tolerance);
   builder.start(simplex.points);
   builder.grow();
   const Mesh& mesh = builder.mesh();
-  if (mesh.broken() || !is_convex(mesh, points, kSlack * tolerance)) {
-    result.status = Status::Unresolved;
-    return result;
-  }
-  for (int face = 0; face < mesh.face_count(); ++face) {
-    if (!mesh.face(face).gone) result.faces.push_back(mesh.loop(face));
-  }
-  return result;
+  if (mesh.broken() || !is_convex(mesh, kSlack * tolerance)) return {Status::Unresolved, {}};
+  return {Status::Done, mapped(mesh.faces(), [&](int face) { return mesh.loop(face); })};
 }
 
 }  // namespace contactscope::quickhull

@@ -7,6 +7,14 @@ namespace contactscope::quickhull {
 Mesh::Mesh(std::span<const Vec3d> points)
     : points_(points), leaving_(points.size(), -1), stamps_(points.size(), 0) {}
 
+std::vector<int> Mesh::faces() const {
+  std::vector<int> kept;
+  for (int i = 0; i < face_count(); ++i) {
+    if (!face(i).gone) kept.push_back(i);
+  }
+  return kept;
+}
+
 std::vector<int> Mesh::loop(int face_index) const {
   std::vector<int> vertices;
   for_each_edge(face_index, [&](int e) { vertices.push_back(edge(e).origin); });
@@ -14,38 +22,39 @@ std::vector<int> Mesh::loop(int face_index) const {
 }
 
 int Mesh::add_triangle(int a, int b, int c) {
-  const int first = static_cast<int>(edges_.size());
+  const int first = count_of(edges_);
   const int index = face_count();
   const int corners[] = {a, b, c};
   for (int i = 0; i < 3; ++i) {
     edges_.push_back({corners[i], first + (i + 1) % 3, first + (i + 2) % 3, -1, index});
     leaving(corners[i]) = first + i;
   }
-  Face triangle;
-  triangle.edge = first;
-  triangle.vertex_count = 3;
-  faces_.push_back(std::move(triangle));
+  faces_.emplace_back().edge = first;
   measure(index);
   return first;
 }
 
 void Mesh::sew(int one, int other) {
-  at(one).twin = other;
-  at(other).twin = one;
+  edge_at(one).twin = other;
+  edge_at(other).twin = one;
 }
 
 void Mesh::follow(int first, int second) {
-  at(first).next = second;
-  at(second).previous = first;
+  edge_at(first).next = second;
+  edge_at(second).previous = first;
 }
 
 void Mesh::measure(int face_index) {
   Face& measured = face(face_index);
   // Newell's method about the mean of the vertices: every edge adds its share to the area vector,
   // so that the normal of a merged face does not hang on three of its vertices.
+  int count = 0;
   measured.centroid = Vec3d::Zero();
-  for_each_edge(face_index, [&](int e) { measured.centroid += point(edge(e).origin); });
-  measured.centroid /= measured.vertex_count;
+  for_each_edge(face_index, [&](int e) {
+    measured.centroid += point(edge(e).origin);
+    ++count;
+  });
+  measured.centroid /= count;
 
   Vec3d area = Vec3d::Zero();
   for_each_edge(face_index, [&](int e) {
@@ -62,13 +71,10 @@ void Mesh::measure(int face_index) {
 
 bool Mesh::meet_in_one_edge(int one, int other) {
   ++stamp_;
-  const auto mark = [this](int vertex) -> int& {
-    return stamps_[static_cast<std::size_t>(vertex)];
-  };
-  for_each_edge(one, [&](int e) { mark(edge(e).origin) = stamp_; });
+  for_each_edge(one, [&](int e) { at(stamps_, edge(e).origin) = stamp_; });
   int common = 0;
   for_each_edge(other, [&](int e) {
-    if (mark(edge(e).origin) == stamp_) ++common;
+    if (at(stamps_, edge(e).origin) == stamp_) ++common;
   });
   return common == 2;
 }
@@ -85,7 +91,7 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
   //      ----u----
   const int u = edge(e).origin;
   const int v = edge(t).origin;
-  for (int i = edge(t).next; i != t; i = edge(i).next) at(i).face = kept;
+  for (int i = edge(t).next; i != t; i = edge(i).next) edge_at(i).face = kept;
   const int after_e = edge(e).next;
   const int after_t = edge(t).next;
   follow(edge(e).previous, after_t);
@@ -93,7 +99,6 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
   leaving(u) = after_t;
   leaving(v) = after_e;
   face(kept).edge = after_e;
-  face(kept).vertex_count += face(swallowed).vertex_count - 2;
   face(swallowed).gone = true;
 
   std::vector<int> changed = {kept, swallowed};
@@ -105,14 +110,14 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
   return true;
 }
 
-int Mesh::split(int one, int other) {
+void Mesh::split(int one, int other) {
   //    v---one--->        v = origin of one, w = origin of other.
   //    ^ |        \       The new edge v-w closes the part of `other`, which stays; its twin w-v
   //    | |   new   v      closes the part of `one`, which is the new face.
   //     <--other--w
   const int kept = edge(one).face;
   const int added = face_count();
-  const int forth = static_cast<int>(edges_.size());
+  const int forth = count_of(edges_);
   const int back = forth + 1;
   const int before_one = edge(one).previous;
   const int before_other = edge(other).previous;
@@ -123,20 +128,11 @@ int Mesh::split(int one, int other) {
   follow(before_other, back);
   follow(back, one);
 
-  Face part;
-  part.edge = back;
-  faces_.push_back(std::move(part));
+  faces_.emplace_back().edge = back;
   face(kept).edge = forth;
-  for (const int i : {kept, added}) {
-    int count = 0;
-    for_each_edge(i, [&](int e) {
-      at(e).face = i;
-      ++count;
-    });
-    face(i).vertex_count = count;
-    measure(i);
-  }
-  return added;
+  for_each_edge(added, [&](int e) { edge_at(e).face = added; });
+  measure(kept);
+  measure(added);
 }
 
 void Mesh::restore_invariants(std::vector<int> vertices, std::vector<int>& changed) {
@@ -176,12 +172,9 @@ void Mesh::remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int
   leaving(vertex) = -1;
   face(one).edge = in;
   face(other).edge = back;
+  changed.insert(changed.end(), {one, other});
   for (const int i : {one, other}) {
-    --face(i).vertex_count;
-    changed.push_back(i);
-  }
-  for (const int i : {one, other}) {
-    if (face(i).vertex_count == 2 && !broken_) remove_two_gon(i, vertices);
+    if (loop(i).size() == 2 && !broken_) remove_two_gon(i, vertices);
   }
 }
 

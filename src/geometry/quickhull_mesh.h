@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "core/at.h"
 #include "core/plane.h"
 #include "core/vec3.h"
 
@@ -21,7 +21,6 @@ struct Edge {
 
 struct Face {
   int edge = -1;  // one of its half-edges
-  int vertex_count = 0;
   bool gone = false;
   bool suspect = false;            // the first merge pass found it concave towards a smaller face
   Plane<double> plane;             // Newell's, through the mean of all vertices
@@ -39,13 +38,15 @@ class Mesh {
  public:
   explicit Mesh(std::span<const Vec3d> points);
 
-  int point_count() const { return static_cast<int>(points_.size()); }
-  int face_count() const { return static_cast<int>(faces_.size()); }
-  const Vec3d& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
-  Face& face(int i) { return faces_[static_cast<std::size_t>(i)]; }
-  const Face& face(int i) const { return faces_[static_cast<std::size_t>(i)]; }
-  const Edge& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
-  int target(int i) const { return edge(edge(i).twin).origin; }
+  std::span<const Vec3d> points() const { return points_; }
+  const Vec3d& point(int i) const { return at(points_, i); }
+  /// With those that are gone.
+  int face_count() const { return count_of(faces_); }
+  /// Those that are not gone.
+  std::vector<int> faces() const;
+  Face& face(int i) { return at(faces_, i); }
+  const Face& face(int i) const { return at(faces_, i); }
+  const Edge& edge(int i) const { return at(edges_, i); }
   /// The face across an edge.
   int neighbour(int i) const { return edge(edge(i).twin).face; }
   /// Vertices of a face in order.
@@ -80,16 +81,16 @@ class Mesh {
 
   /// Cuts a face in two along the line between two of its vertices that are not neighbours, given
   /// by the edges of the face that leave them. The part that begins with `one` becomes a new face,
-  /// whose index is returned.
-  int split(int one, int other);
+  /// the last one.
+  void split(int one, int other);
 
   /// A fix-up, or a caller, ended in something that bounds no solid; the mesh is of no further use.
   bool broken() const { return broken_; }
   void give_up() { broken_ = true; }
 
  private:
-  Edge& at(int i) { return edges_[static_cast<std::size_t>(i)]; }
-  int& leaving(int vertex) { return leaving_[static_cast<std::size_t>(vertex)]; }
+  Edge& edge_at(int i) { return at(edges_, i); }
+  int& leaving(int vertex) { return at(leaving_, vertex); }
   bool meet_in_one_edge(int one, int other);
   void measure(int face);
   void follow(int edge, int next);

@@ -1,39 +1,18 @@
 #include "geometry/shape.h"
 
 namespace contactscope {
-namespace {
-
-template <class T>
-Sphere<T> cast(const Sphere<double>& sphere) {
-  return {static_cast<T>(sphere.radius)};
-}
-
-template <class T>
-Capsule<T> cast(const Capsule<double>& capsule) {
-  return {{capsule.points[0].template cast<T>(), capsule.points[1].template cast<T>()},
-          static_cast<T>(capsule.radius)};
-}
-
-template <class T>
-Hull<T> cast(const Hull<double>& hull) {
-  return hull_cast<T>(hull);
-}
-
-template <class T>
-HalfSpace<T> cast(const HalfSpace<double>& half_space) {
-  return {half_space.plane.template cast<T>()};
-}
-
-template <class T>
-Mesh<T> cast(const Mesh<double>& mesh) {
-  return mesh_cast<T>(mesh);
-}
-
-}  // namespace
 
 template <class T>
 Shape<T> shape_cast(const Shape<double>& shape) {
-  return std::visit([](const auto& kind) { return Shape<T>(cast<T>(kind)); }, shape);
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape))
+    return Sphere<T>{static_cast<T>(sphere->radius)};
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape))
+    return Capsule<T>{{capsule->points[0].cast<T>(), capsule->points[1].cast<T>()},
+                      static_cast<T>(capsule->radius)};
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) return hull_cast<T>(*hull);
+  if (const auto* half_space = std::get_if<HalfSpace<double>>(&shape))
+    return HalfSpace<T>{half_space->plane.cast<T>()};
+  return mesh_cast<T>(std::get<Mesh<double>>(shape));
 }
 
 template Shape<float> shape_cast(const Shape<double>&);

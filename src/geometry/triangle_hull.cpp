@@ -21,8 +21,7 @@ TriangleHull<S>::TriangleHull() {
 template <class S>
 void TriangleHull<S>::set(const Mesh<S>& mesh, int triangle) {
   origin_ = mesh.corner(triangle, 0);
-  for (int k = 1; k < 3; ++k)
-    hull_.vertices[static_cast<std::size_t>(k)] = mesh.corner(triangle, k) - origin_;
+  for (int k = 1; k < 3; ++k) at(hull_.vertices, k) = mesh.corner(triangle, k) - origin_;
   const Vec3<S>& normal = mesh.normal(triangle);
   hull_.planes[0] = {normal, S(0)};
   hull_.planes[1] = {Vec3<S>(-normal), S(0)};

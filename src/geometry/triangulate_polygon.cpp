@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 #include <limits>
+#include <numeric>
 
+#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {
@@ -24,13 +25,7 @@ std::vector<Vec2d> flattened(std::span<const Vec3d> corners) {
   int u = (axis + 1) % 3;
   int v = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(u, v);
-  std::vector<Vec2d> flat;
-  for (const Vec3d& corner : corners) flat.emplace_back(corner[u], corner[v]);
-  return flat;
-}
-
-double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  return cross(Vec2d(b - a), Vec2d(c - a));
+  return mapped(corners, [&](const Vec3d& corner) { return Vec2d(corner[u], corner[v]); });
 }
 
 /// What rounding of the coordinates makes of a turn that is 0. Corners that were written on a line
@@ -45,73 +40,53 @@ double rounding_of_turns(const std::vector<Vec2d>& corners) {
   return 8 * std::numeric_limits<double>::epsilon() * coordinate * length;
 }
 
-/// Ear clipping. An ear is a corner that turns left and whose triangle holds no other corner, its
-/// rim included. Deviation: of all ears the least flat one goes first, which makes fewer slivers
-/// than cutting in order, and leaves corners on a line until they are no longer. Steps: rate all
-/// corners; cut the best ear; rate its two neighbours anew, which are the only ones that the cut
-/// can change; go on until three are left.
-class EarClipper {
- public:
-  explicit EarClipper(std::vector<Vec2d> corners)
-      : corners_(std::move(corners)), rounding_(rounding_of_turns(corners_)) {
-    const int count = static_cast<int>(corners_.size());
-    for (int i = 0; i < count; ++i) loop_.push_back(i);
-    for (std::size_t at = 0; at < loop_.size(); ++at) flatness_.push_back(flatness(at));
+/// Length of the cut that takes corner `i` off over its distance from it; infinite where it is no
+/// ear: a corner that turns left and whose triangle holds no other corner, its rim included.
+double flatness(const std::vector<Vec2d>& corners, std::size_t i, double rounding) {
+  constexpr double kNoEar = std::numeric_limits<double>::infinity();
+  const Vec2d& a = corners[(i + corners.size() - 1) % corners.size()];
+  const Vec2d& b = corners[i];
+  const Vec2d& c = corners[(i + 1) % corners.size()];
+  const double area = turn(a, b, c);  // twice the triangle's
+  if (!(area > rounding)) return kNoEar;
+  for (const Vec2d& p : corners) {
+    // Also other corners in the same place: outlines of holes are often joined by a double edge.
+    if (p == a || p == b || p == c) continue;
+    if (std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)}) >= -rounding) return kNoEar;
   }
-
-  std::vector<std::array<int, 3>> run() {
-    std::vector<std::array<int, 3>> triangles;
-    while (loop_.size() > 3) {
-      // Where no ear is left, because the polygon crosses itself, all are equally bad.
-      const std::size_t at = static_cast<std::size_t>(
-          std::min_element(flatness_.begin(), flatness_.end()) - flatness_.begin());
-      triangles.push_back({loop_[before(at)], loop_[at], loop_[after(at)]});
-      loop_.erase(loop_.begin() + static_cast<std::ptrdiff_t>(at));
-      flatness_.erase(flatness_.begin() + static_cast<std::ptrdiff_t>(at));
-      const std::size_t next = at % loop_.size();
-      flatness_[next] = flatness(next);
-      flatness_[before(next)] = flatness(before(next));
-    }
-    triangles.push_back({loop_[0], loop_[1], loop_[2]});
-    return triangles;
-  }
-
- private:
-  std::size_t before(std::size_t at) const { return at == 0 ? loop_.size() - 1 : at - 1; }
-  std::size_t after(std::size_t at) const { return at + 1 == loop_.size() ? 0 : at + 1; }
-  const Vec2d& corner(std::size_t at) const {
-    return corners_[static_cast<std::size_t>(loop_[at])];
-  }
-
-  /// Length of the cut that takes the corner off over its distance from it; infinite where it is
-  /// no ear.
-  double flatness(std::size_t at) const {
-    constexpr double kNoEar = std::numeric_limits<double>::infinity();
-    const Vec2d& a = corner(before(at));
-    const Vec2d& b = corner(at);
-    const Vec2d& c = corner(after(at));
-    const double area = turn(a, b, c);  // twice the triangle's
-    if (!(area > rounding_)) return kNoEar;
-    for (const int i : loop_) {
-      const Vec2d& p = corners_[static_cast<std::size_t>(i)];
-      // Also other corners in the same place: outlines of holes are often joined by a double edge.
-      if (p == a || p == b || p == c) continue;
-      if (std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)}) >= -rounding_) return kNoEar;
-    }
-    return (c - a).squaredNorm() / area;
-  }
-
-  std::vector<Vec2d> corners_;
-  double rounding_;
-  std::vector<int> loop_;         // what is left, in order
-  std::vector<double> flatness_;  // of each of loop_
-};
+  return (c - a).squaredNorm() / area;
+}
 
 }  // namespace
 
+/// Ear clipping. Deviation: of all ears the least flat one goes first, which makes fewer slivers
+/// than cutting in order, and leaves corners on a line until they are no longer. Steps: rate all
+/// corners; cut the best ear; rate its two neighbours anew, which are the only ones that the cut
+/// can change; go on until three are left.
 std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corners) {
   assert(corners.size() >= 3);
-  return EarClipper(flattened(corners)).run();
+  std::vector<Vec2d> left = flattened(corners);  // what is not cut off, in order
+  std::vector<int> loop(left.size());            // the same as indices
+  std::iota(loop.begin(), loop.end(), 0);
+  const double rounding = rounding_of_turns(left);
+  std::vector<double> ratings;
+  for (std::size_t i = 0; i < left.size(); ++i) ratings.push_back(flatness(left, i, rounding));
+
+  std::vector<std::array<int, 3>> triangles;
+  while (left.size() > 3) {
+    // Where no ear is left, because the polygon crosses itself, all are equally bad.
+    const auto best = std::ranges::min_element(ratings) - ratings.begin();
+    const std::size_t ear = static_cast<std::size_t>(best), count = left.size();
+    triangles.push_back({loop[(ear + count - 1) % count], loop[ear], loop[(ear + 1) % count]});
+    left.erase(left.begin() + best);
+    loop.erase(loop.begin() + best);
+    ratings.erase(ratings.begin() + best);
+    const std::size_t next = ear % left.size();
+    for (const std::size_t i : {next, (next + left.size() - 1) % left.size()})
+      ratings[i] = flatness(left, i, rounding);
+  }
+  triangles.push_back({loop[0], loop[1], loop[2]});
+  return triangles;
 }
 
 }  // namespace contactscope

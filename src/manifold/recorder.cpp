@@ -185,18 +185,11 @@ void Recorder<S>::gjk(const Pose<S>& frame) {
 
 template <class S>
 std::vector<int> Recorder<S>::query_tree(const Mesh<S>& mesh, const Aabb<S>& box) {
-  AabbTreeRecord<S> found = mesh.tree.recorded_query(box);
-  if (!stages_.tree) return std::move(found.candidates);
-  const auto box_of = [](const Aabb<S>& of) {
-    return trace::Box{of.lower.template cast<double>(), of.upper.template cast<double>()};
-  };
-  trace::Tree& tree = pair_.tree.emplace();
+  trace::Tree tree = mesh.tree.recorded_query(box);
   tree.shape = pair_.b;
-  tree.box = box_of(box);
-  for (const auto& visit : found.visits)
-    tree.visits.push_back({box_of(visit.box), visit.depth, visit.leaf, visit.overlaps});
-  tree.candidates = found.candidates;
-  return std::move(found.candidates);
+  std::vector<int> candidates = tree.candidates;
+  if (stages_.tree) pair_.tree = std::move(tree);
+  return candidates;
 }
 
 template <class S>
@@ -251,7 +244,7 @@ void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b
     told.vertices = hull.vertices;
     for (int face = 0; face < hull.face_count(); ++face)
       told.faces.push_back(face_vertices(hull, face));
-  } catch (const HullError&) {
+  } catch (const ShapeError&) {
     return;
   }
 }

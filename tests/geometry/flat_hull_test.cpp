@@ -9,7 +9,6 @@
 #include "geometry/hull_builder.h"
 #include "geometry/hull_checks.h"
 #include "geometry/point_sets.h"
-#include "geometry/triangulate_faces.h"
 
 /// Hulls of points on one plane: a polygon with two faces back to back.
 namespace contactscope::test {
@@ -113,7 +112,7 @@ TEST(FlatHullRefuses, WhatIsNoPolygon) {
   const auto refusal = [](const Points& points) -> std::string {
     try {
       build_hull(points, {.weld_duplicates = true, .allow_flat = true});
-    } catch (const HullError& error) {
+    } catch (const ShapeError& error) {
       return error.what();
     }
     return "";

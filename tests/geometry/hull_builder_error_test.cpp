@@ -15,16 +15,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-struct Refusal {
-  HullProblem problem;
-  std::string message;
-};
-
-Refusal refusal_of(const Points& points, const HullOptions& options = {}) {
+std::string refusal_of(const Points& points, const HullOptions& options = {}) {
   try {
     build_hull(points, options);
-  } catch (const HullError& error) {
-    return {error.problem(), error.what()};
+  } catch (const ShapeError& error) {
+    return error.what();
   }
   throw std::runtime_error("the points made a hull");
 }
@@ -33,9 +28,8 @@ TEST(BuildHullRefuses, FewerThanFourPoints) {
   for (const std::size_t count : {0u, 1u, 2u, 3u}) {
     Points points = box_grid(1);
     points.resize(count);
-    const Refusal refusal = refusal_of(points);
-    EXPECT_EQ(refusal.problem, HullProblem::TooFewPoints);
-    EXPECT_THAT(refusal.message, HasSubstr("at least four points, got " + std::to_string(count)));
+    const std::string refusal = refusal_of(points);
+    EXPECT_THAT(refusal, HasSubstr("at least four points, got " + std::to_string(count)));
   }
 }
 
@@ -44,25 +38,25 @@ TEST(BuildHullRefuses, CoordinatesThatAreNoNumbers) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Points points = box_grid(1);
     points[5].z() = bad;
-    const Refusal refusal = refusal_of(points);
-    EXPECT_EQ(refusal.problem, HullProblem::NotFinite);
-    EXPECT_THAT(refusal.message, HasSubstr("point 5"));
+    const std::string refusal = refusal_of(points);
+    EXPECT_THAT(refusal, HasSubstr("must be a finite number"));
+    EXPECT_THAT(refusal, HasSubstr("point 5"));
   }
 }
 
 TEST(BuildHullRefuses, ARepeatedPointNamingBoth) {
   Points points = box_grid(1);
   points.push_back(points[3]);
-  const Refusal refusal = refusal_of(points);
-  EXPECT_EQ(refusal.problem, HullProblem::Duplicate);
-  EXPECT_THAT(refusal.message, HasSubstr("points 3 and 8"));
-  EXPECT_THAT(refusal.message, HasSubstr("(-0.5, 0.5, 0.5)"));
+  const std::string refusal = refusal_of(points);
+  EXPECT_THAT(refusal, HasSubstr("are both"));
+  EXPECT_THAT(refusal, HasSubstr("points 3 and 8"));
+  EXPECT_THAT(refusal, HasSubstr("(-0.5, 0.5, 0.5)"));
 }
 
 TEST(BuildHullRefuses, ARepeatedPointThatDiffersInTheSignOfZero) {
   const Points points = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1),
                          Vec3d(-0.0, 0, 0)};
-  EXPECT_EQ(refusal_of(points).problem, HullProblem::Duplicate);
+  EXPECT_THAT(refusal_of(points), HasSubstr("are both"));
 }
 
 TEST(BuildHull, WeldsRepeatedPointsOnRequest) {
@@ -77,16 +71,15 @@ TEST(BuildHull, WeldsRepeatedPointsOnRequest) {
 TEST(BuildHullRefuses, FewerThanFourPointsAfterWelding) {
   const Points points = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(1, 0, 0),
                          Vec3d(0, 1, 0)};
-  const Refusal refusal = refusal_of(points, {.weld_duplicates = true});
-  EXPECT_EQ(refusal.problem, HullProblem::TooFewDistinct);
-  EXPECT_THAT(refusal.message, HasSubstr("only 3 of the 5"));
+  const std::string refusal = refusal_of(points, {.weld_duplicates = true});
+  EXPECT_THAT(refusal, HasSubstr("only 3 of the 5"));
 }
 
 TEST(BuildHullRefuses, PointsInOnePlaceUpToRounding) {
   const Vec3d far(1000, 2000, 3000);
   const Points points = {far, far + Vec3d(3e-13, 0, 0), far + Vec3d(0, 4e-13, 0),
                          far + Vec3d(0, 0, 1e-12)};
-  EXPECT_EQ(refusal_of(without_repeats(points)).problem, HullProblem::Coincident);
+  EXPECT_THAT(refusal_of(without_repeats(points)), HasSubstr("of one place"));
 }
 
 TEST(BuildHullRefuses, PointsOnALine) {
@@ -98,9 +91,9 @@ TEST(BuildHullRefuses, PointsOnALine) {
       points = rounded_to_float(
           transformed(points, random_rotation(random), std::pow(10.0, i % 9 - 4), Vec3d::Zero()));
     }
-    const Refusal refusal = refusal_of(points);
-    EXPECT_EQ(refusal.problem, HullProblem::Collinear) << i;
-    EXPECT_THAT(refusal.message, HasSubstr("all 12 points"));
+    const std::string refusal = refusal_of(points);
+    EXPECT_THAT(refusal, HasSubstr("of one line")) << i;
+    EXPECT_THAT(refusal, HasSubstr("all 12 points"));
   }
 }
 
@@ -112,9 +105,8 @@ TEST(BuildHullRefuses, PointsInAPlane) {
       points = rounded_to_float(
           transformed(points, random_rotation(random), std::pow(10.0, i % 9 - 4), Vec3d::Zero()));
     }
-    const Refusal refusal = refusal_of(points);
-    EXPECT_EQ(refusal.problem, HullProblem::Coplanar) << i;
-    EXPECT_THAT(refusal.message, HasSubstr("a hull needs a point off that plane"));
+    const std::string refusal = refusal_of(points);
+    EXPECT_THAT(refusal, HasSubstr("a hull needs a point off that plane"));
   }
 }
 
@@ -126,9 +118,8 @@ TEST(BuildHull, FourPointsAreEnoughOffOnePlane) {
 }
 
 TEST(BuildHullRefuses, AFaceWithTooManyVertices) {
-  const Refusal refusal = refusal_of(prism(129));
-  EXPECT_EQ(refusal.problem, HullProblem::FaceTooLarge);
-  EXPECT_THAT(refusal.message, HasSubstr("129 vertices"));
+  const std::string refusal = refusal_of(prism(129));
+  EXPECT_THAT(refusal, HasSubstr("129 vertices"));
   EXPECT_EQ(build_hull(prism(128)).face_count(), 130);
 }
 

@@ -8,7 +8,6 @@
 #include "geometry/hull_from_polygons.h"
 #include "geometry/point_sets.h"
 #include "geometry/primitives.h"
-#include "geometry/triangulate_faces.h"
 
 // Coplanar input must come out as the faces that a person sees, rounding or not.
 namespace contactscope::test {

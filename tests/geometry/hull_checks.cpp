@@ -144,11 +144,12 @@ double support_error(const Hull<double>& hull, const std::vector<Vec3d>& points,
                      const std::vector<Vec3d>& directions) {
   double largest = 0;
   for (const Vec3d& direction : directions) {
-    double of_points = direction.dot(points[0]);
-    for (const Vec3d& point : points) of_points = std::max(of_points, direction.dot(point));
-    const int vertex = support_vertex(hull, direction);
-    const double of_hull = direction.dot(hull.vertices[static_cast<std::size_t>(vertex)]);
-    largest = std::max(largest, std::abs(of_points - of_hull));
+    const auto reach = [&](const std::vector<Vec3d>& of) {
+      double farthest = direction.dot(of[0]);
+      for (const Vec3d& point : of) farthest = std::max(farthest, direction.dot(point));
+      return farthest;
+    };
+    largest = std::max(largest, std::abs(reach(points) - reach(hull.vertices)));
   }
   return largest;
 }

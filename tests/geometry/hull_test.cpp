@@ -38,22 +38,5 @@ TEST(HullCast, FloatToDoubleAndBackIsTheSame) {
   EXPECT_EQ(back.centroid, hull.centroid);
 }
 
-TEST(SupportVertex, OfABoxIsTheCornerWithTheSignsOfTheDirection) {
-  const Hull<double> box = make_box(Vec3d(1, 2, 3));
-  Generator random(3);
-  for (const Vec3d& direction : on_sphere(random, 100)) {
-    const Vec3d corner = box.vertices[static_cast<std::size_t>(support_vertex(box, direction))];
-    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(direction[axis] > 0, corner[axis] > 0);
-  }
-}
-
-TEST(SupportVertex, AmongEqualsIsTheLowestIndex) {
-  const Hull<float> box = hull_cast<float>(make_box(Vec3d::Ones()));
-  EXPECT_EQ(support_vertex(box, Vec3f(1, 0, 0)), 1);
-  EXPECT_EQ(support_vertex(box, Vec3f(-1, 0, 0)), 0);
-  EXPECT_EQ(support_vertex(box, Vec3f(0, 1e-20f, 0)), 2);
-  EXPECT_EQ(support_vertex(box, Vec3f(0, 1, 1)), 6);
-}
-
 }  // namespace
 }  // namespace contactscope::test

@@ -115,15 +115,15 @@ TEST(Primitives, RefuseSizesThatAreNoLengths) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, infinity}) {
-    EXPECT_THROW(make_box(Vec3d(1, bad, 1)), HullError) << bad;
-    EXPECT_THROW(make_cylinder(bad, 1, 8), HullError) << bad;
-    EXPECT_THROW(make_cylinder(1, bad, 8), HullError) << bad;
-    EXPECT_THROW(make_cone(bad, 1, 8), HullError) << bad;
-    EXPECT_THROW(make_cone(1, bad, 8), HullError) << bad;
+    EXPECT_THROW(make_box(Vec3d(1, bad, 1)), ShapeError) << bad;
+    EXPECT_THROW(make_cylinder(bad, 1, 8), ShapeError) << bad;
+    EXPECT_THROW(make_cylinder(1, bad, 8), ShapeError) << bad;
+    EXPECT_THROW(make_cone(bad, 1, 8), ShapeError) << bad;
+    EXPECT_THROW(make_cone(1, bad, 8), ShapeError) << bad;
   }
   for (const int bad : {-1, 0, 2, 129}) {
-    EXPECT_THROW(make_cylinder(1, 1, bad), HullError) << bad;
-    EXPECT_THROW(make_cone(1, 1, bad), HullError) << bad;
+    EXPECT_THROW(make_cylinder(1, 1, bad), ShapeError) << bad;
+    EXPECT_THROW(make_cone(1, 1, bad), ShapeError) << bad;
   }
 }
 

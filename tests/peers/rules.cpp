@@ -45,7 +45,7 @@ bool wins_by_edge_factor(const Comparison& c) {
 
 /// The vertex farthest along a direction, both in the world.
 Vec3d extreme(const Hull<double>& hull, const Pose<double>& pose, const Vec3d& direction) {
-  const int vertex = support_vertex(hull, pose.inverse_rotate(direction));
+  const int vertex = support_index(support_set(hull), pose.inverse_rotate(direction));
   return pose.transform(hull.vertices[static_cast<std::size_t>(vertex)]);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "query/hull_pair.h"
+#include "query/support_set.h"
 #include "support/builders.h"
 #include "support/minkowski_face.h"
 
@@ -39,7 +40,8 @@ EdgePairs by_walk(const Hull<double>& a, const Hull<double>& b, const Quatd& b_i
   for (int i = 0; i < a.edge_count(); ++i) {
     const Vec3d a1 = b_in_a.conjugate() * plane_at(a, 2 * i).normal;
     const Vec3d a2 = b_in_a.conjugate() * plane_at(a, 2 * i + 1).normal;
-    walk_arc(b, a1, a2, support_vertex(b, Vec3d(-a1)), support_vertex(b, Vec3d(-a2)),
+    walk_arc(b, a1, a2, support_index(support_set(b), Vec3d(-a1)),
+             support_index(support_set(b), Vec3d(-a2)),
              [&](int edge_b) { EXPECT_TRUE(pairs.emplace(i, edge_b / 2).second); });
   }
   return pairs;
@@ -69,8 +71,8 @@ TEST(GaussMap, WalkBetweenOneRegionVisitsNothing) {
   const Hull<double> box = test::cube(0.5);
   const Vec3d a1 = Vec3d(1, 2, 3).normalized();
   const Vec3d a2 = Vec3d(3, 1, 2).normalized();
-  const int corner = support_vertex(box, Vec3d(-a1));
-  ASSERT_EQ(corner, support_vertex(box, Vec3d(-a2)));
+  const int corner = support_index(support_set(box), Vec3d(-a1));
+  ASSERT_EQ(corner, support_index(support_set(box), Vec3d(-a2)));
   int visits = 0;
   walk_arc(box, a1, a2, corner, corner, [&](int) { ++visits; });
   EXPECT_EQ(visits, 0);

@@ -35,9 +35,9 @@ TYPED_TEST(Support, LanesFindAVertexAsFarAsAnyOther) {
       ASSERT_LT(index, hull.vertex_count());
       const double found =
           static_cast<double>(direction.dot(hull.vertices[static_cast<std::size_t>(index)]));
-      const int expected = support_vertex(hull, direction);
-      const double farthest =
-          static_cast<double>(direction.dot(hull.vertices[static_cast<std::size_t>(expected)]));
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const Vec3<S>& vertex : hull.vertices)
+        farthest = std::max(farthest, static_cast<double>(direction.dot(vertex)));
       const double rounding = 200 * static_cast<double>(std::numeric_limits<S>::epsilon());
       EXPECT_NEAR(found, farthest, rounding) << vertices << " vertices";
     }
