@@ -7,7 +7,6 @@
 
 #include "core/input_error.h"
 #include "reduce/reducer.h"
-#include "scenario/default_view.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -81,7 +80,7 @@ Input input_of(Scenario&& scenario, const Options& options) {
 
 Input input_of(trace::Trace&& trace, const Options& options) {
   // What an author of traces sees without having said what.
-  View view = scenario_file::default_view();
+  View view = default_view();
   view.panels = {Panel::Summary};
   Input input{trace.header.scenario, {view}, false, {}};
   require_view(input.name, input.views, options.view);

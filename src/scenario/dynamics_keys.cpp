@@ -1,18 +1,12 @@
-#include "scenario/dynamics_keys.h"
-
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "dynamics/mass_properties.h"
-#include "scenario/placement.h"
+#include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
 namespace {
-
-using toml_reader::integer_in;
-using toml_reader::Table;
-using toml_reader::Value;
-using toml_reader::word_of;
 
 // A float holds the inverse of each, and of its moments of inertia at every length of a scenario.
 constexpr double kSmallestMass = 1e-9, kLargestMass = 1e9;  // kilograms
@@ -22,63 +16,46 @@ constexpr int kMostIterations = 10000;
 constexpr int kMostSubsteps = 1000;
 constexpr double kMostHertz = 1e6;
 
-void check_mass(double mass, const Value& at) {
-  if (mass < kSmallestMass || mass > kLargestMass)
-    at.fail("'" + at.name() +
-            "' makes the body too light or too heavy; bodies may have 1e-9 to 1e9 kg");
-}
-
-double read_mass(const Table& table, const ScenarioShape& shape) {
+double read_mass(const Value& table, const ScenarioShape& shape) {
   const auto mass = table.find("mass");
   const auto density = table.find("density");
   if (mass && density) density->fail("give 'mass' or 'density', not both");
+  const Value dynamic = *table.find("dynamic");
   if (shape.hull() != nullptr && shape.hull()->flat())
-    table.require("dynamic", "dynamic = false")
-        .fail(
-            "'" + shape.name +
-            "' is a flat hull, which has no volume and no mass; give it a point off its plane, or "
-            "leave out 'dynamic'");
+    dynamic.fail("'" + shape.name +
+                 "' is a flat hull, which has no volume and no mass; give it a point off its "
+                 "plane, or leave out 'dynamic'");
   const std::optional<MassProperties> filled = mass_properties(*shape.geometry);
   if (!filled)
-    table.require("dynamic", "dynamic = false")
-        .fail("'" + shape.name + "' is a " + shape.type +
-              ", which has no mass; the solver moves boxes, hulls, cylinders, cones, spheres and "
-              "capsules");
-  if (mass) {
-    const double kilograms = mass->positive("kilograms");
-    check_mass(kilograms, *mass);
-    return kilograms;
-  }
-  if (!density)
+    dynamic.fail("'" + shape.name + "' is a " + shape.type +
+                 ", which has no mass; the solver moves boxes, hulls, cylinders, cones, spheres "
+                 "and capsules");
+  if (!mass && !density)
     table.fail("'" + shape.name +
                "' is dynamic and has no mass; add mass = 1.0 (kilograms) or density = 1000 "
                "(kilograms a cubic metre)");
-  const double kilograms = density->positive("kilograms a cubic metre") * filled->volume;
-  check_mass(kilograms, *density);
+  const double kilograms = mass ? mass->positive("kilograms")
+                                : density->positive("kilograms a cubic metre") * filled->volume;
+  const Value& given = mass ? *mass : *density;
+  if (kilograms < kSmallestMass || kilograms > kLargestMass)
+    given.fail("'" + given.name() +
+               "' makes the body too light or too heavy; bodies may have 1e-9 to 1e9 kg");
   return kilograms;
 }
 
-double read_share(const Value& value) {
-  const double share = value.not_negative();
-  if (share > 1) value.fail("'" + value.name() + "' is a share; it may be 0 to 1");
-  return share;
-}
-
-double read_at_most(const Value& value, double most, const char* unit) {
-  const double number = value.not_negative(unit);
-  if (number > most)
-    value.fail("'" + value.name() + "' is larger than " +
-               std::to_string(static_cast<long long>(most)) + "; lower it");
-  return number;
-}
-
-/// As a reader of keys.
+/// A reader of keys: a number from zero to `most`.
 auto at_most(double most, const char* unit = nullptr) {
-  return [=](const Value& value) { return read_at_most(value, most, unit); };
+  return [=](const Value& value) {
+    const double number = value.not_negative(unit);
+    if (number > most)
+      value.fail("'" + value.name() + "' is larger than " +
+                 std::to_string(static_cast<long long>(most)) + "; lower it");
+    return number;
+  };
 }
 
 SolverSettings read_solver_keys(const Value& value) {
-  const Table table =
+  const Value& table =
       value.table({"iterations", "substeps", "position_correction", "warm_start", "baumgarte",
                    "slop", "hertz", "damping_ratio", "speculative_margin"});
   SolverSettings solver;
@@ -92,7 +69,7 @@ SolverSettings read_solver_keys(const Value& value) {
   table.read("slop", solver.slop, at_most(kLargestLength, "metres"));
   table.read("hertz", solver.hertz, [](const Value& hertz) {
     hertz.positive("hertz");
-    return read_at_most(hertz, kMostHertz, "hertz");
+    return at_most(kMostHertz, "hertz")(hertz);
   });
   table.read("damping_ratio", solver.damping_ratio, at_most(kMostHertz));
   table.read("speculative_margin", solver.speculative_margin, at_most(kLargestLength, "metres"));
@@ -103,23 +80,22 @@ SolverSettings read_solver_keys(const Value& value) {
 double smallest_size(const std::vector<ScenarioShape>& shapes) {
   double least = std::numeric_limits<double>::infinity();
   for (const ScenarioShape& shape : shapes) {
-    if (!shape.body) continue;
+    if (!shape.dynamic()) continue;
     const MassProperties filled = *mass_properties(*shape.geometry);
     least = std::min(least, shortest_edge(filled.mass, filled.inertia));
   }
-  return least < std::numeric_limits<double>::infinity() ? least : 0;
+  return std::isfinite(least) ? least : 0;
 }
 
 }  // namespace
 
 bool is_dynamic(const Value& motion) {
-  if (!motion.is_table()) return false;  // read_motion refuses it
-  const auto dynamic = motion.peek("dynamic");
+  const auto dynamic = motion.find("dynamic");  // none in what is no table: read_motion refuses it
   return dynamic && dynamic->boolean();
 }
 
 ScenarioBody read_body(const Value& motion, const ScenarioShape& shape) {
-  const Table table =
+  const Value& table =
       motion.table({"dynamic", "mass", "density", "velocity", "angular_velocity", "keyframes"});
   if (const auto keyframes = table.find("keyframes"))
     keyframes->fail("'keyframes' and 'dynamic' both move the shape; leave one of them out");
@@ -130,22 +106,18 @@ ScenarioBody read_body(const Value& motion, const ScenarioShape& shape) {
   return body;
 }
 
-WorldSettings default_world(const std::string& up) {
+WorldSettings read_world(const std::optional<Value>& value, const std::string& up) {
   WorldSettings world;
   if (up == "z") world.gravity = {0, 0, world.gravity.y()};
-  return world;
-}
-
-WorldSettings read_world(const Value& value, const std::string& up) {
-  const Table table = value.table({"gravity", "friction", "restitution"});
-  WorldSettings world = default_world(up);
+  if (!value) return world;
+  const Value& table = value->table({"gravity", "friction", "restitution"});
   if (const auto gravity = table.find("gravity")) {
     world.gravity = gravity->vector3();
     if (world.gravity.cwiseAbs().maxCoeff() > kMostGravity)
       gravity->fail("'gravity' is stronger than 1e6 m/s^2; lower it");
   }
   table.read("friction", world.friction, read_friction);
-  table.read("restitution", world.restitution, read_restitution);
+  table.read("restitution", world.restitution, read_share);
   return world;
 }
 
@@ -155,11 +127,13 @@ SolverSettings read_solver(const std::optional<Value>& value,
 }
 
 double read_friction(const Value& value) {
-  return read_at_most(value, kMostFriction, nullptr);
+  return at_most(kMostFriction)(value);
 }
 
-double read_restitution(const Value& value) {
-  return read_share(value);
+double read_share(const Value& value) {
+  const double share = value.not_negative();
+  if (share > 1) value.fail("'" + value.name() + "' is a share; it may be 0 to 1");
+  return share;
 }
 
 }  // namespace contactscope::scenario_file

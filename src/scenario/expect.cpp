@@ -39,10 +39,6 @@ struct Unmet {
   std::string got;     // "2"; empty where the first says all
 };
 
-std::string spell_points(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " point" : " points");
-}
-
 /// Axis and normal of a pair.
 struct Direction {
   std::string axis;
@@ -77,18 +73,16 @@ double load_of(const trace::Pair& pair, double dt) {
 /// What `pair` does not meet.
 std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt) {
   std::vector<Unmet> list;
-  if (expected.state) {
-    const std::string state = *expected.state == ExpectedState::Touching ? "touching" : "separated";
-    if (pair.state != state)
-      list.push_back({"expected " + state,
-                      pair.state + " with separation " + spell_got(pair.separation, 0) + " m"});
-  }
+  if (expected.state && pair.state != *expected.state)
+    list.push_back({"expected " + *expected.state,
+                    pair.state + " with separation " + spell_got(pair.separation, 0) + " m"});
   if (expected.points) {
-    std::size_t count = 0;
-    for (const trace::Manifold& manifold : pair.manifolds) count += manifold.points.size();
-    if (count != static_cast<std::size_t>(*expected.points))
-      list.push_back({"expected " + spell_points(static_cast<std::size_t>(*expected.points)),
-                      std::to_string(count)});
+    int count = 0;
+    for (const trace::Manifold& manifold : pair.manifolds) count += count_of(manifold.points);
+    const std::string wanted = std::to_string(*expected.points);
+    if (count != *expected.points)
+      list.push_back(
+          {"expected " + wanted + (wanted == "1" ? " point" : " points"), std::to_string(count)});
   }
   const std::vector<Direction> directions = directions_of(pair);
   const auto wants_axis = [&] { return "expected axis " + *expected.axis; };
@@ -127,8 +121,8 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
 std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
                          const trace::Frame& frame) {
   if (frame.frame < expected.first_frame || frame.frame > expected.last_frame) return {};
-  const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
-  const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
+  const std::string& a = scenario.shape(expected.a).name;
+  const std::string& b = scenario.shape(expected.b).name;
   const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& p) {
     return p.a == a && p.b == b && p.label == expected.label;
   });
@@ -171,8 +165,8 @@ std::vector<std::string> unmet_expectations(const Scenario& scenario,
         if (known->frames.back() != frame.frame) known->frames.push_back(frame.frame);
       }
     }
-    const std::string& a = scenario.shapes[static_cast<std::size_t>(expected.a)].name;
-    const std::string& b = scenario.shapes[static_cast<std::size_t>(expected.b)].name;
+    const std::string& a = scenario.shape(expected.a).name;
+    const std::string& b = scenario.shape(expected.b).name;
     for (const Repeated& one : list) {
       std::string sentence = scenario.path + ":" + std::to_string(expected.line) + ": " +
                              spell_frames(one.frames) + ", " + a + "-" + b +
@@ -184,10 +178,6 @@ std::vector<std::string> unmet_expectations(const Scenario& scenario,
     }
   }
   return sentences;
-}
-
-std::vector<std::string> unmet_expectations(const Scenario& scenario, const trace::Frame& frame) {
-  return unmet_expectations(scenario, std::vector<trace::Frame>{frame});
 }
 
 }  // namespace contactscope

@@ -16,7 +16,5 @@ namespace contactscope {
 /// a recorded frame has. A pair that the frame lacks is not met.
 std::vector<std::string> unmet_expectations(const Scenario& scenario,
                                             const std::vector<trace::Frame>& frames);
-/// The same of one frame.
-std::vector<std::string> unmet_expectations(const Scenario& scenario, const trace::Frame& frame);
 
 }  // namespace contactscope

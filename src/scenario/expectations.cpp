@@ -1,25 +1,19 @@
-#include "scenario/expectations.h"
-
 #include <cmath>
 
+#include "core/at.h"
 #include "manifold/dispatch.h"
-#include "scenario/pairs.h"
+#include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
 namespace {
-
-using toml_reader::Table;
-using toml_reader::Value;
-using toml_reader::word_of;
 
 constexpr int kMostPoints = 4096;  // more than any manifold holds; catches a slip of the pen
 
 /// Refuses an expectation of a pair that does not run; `at` is the key that names its shape a.
 void require_pair(const Expectation& expectation, const Scenario& scenario, const Value& at) {
-  const auto name = [&](int shape) {
-    return "'" + scenario.shapes[static_cast<std::size_t>(shape)].name + "'";
-  };
-  std::vector<std::string> labels;
+  const std::string a = "'" + scenario.shape(expectation.a).name + "'";
+  const std::string b = "'" + scenario.shape(expectation.b).name + "'";
+  Keys labels;
   bool swapped = false;
   for (const ScenarioPair& pair : scenario.pairs) {
     if (pair.a == expectation.a && pair.b == expectation.b) {
@@ -28,31 +22,27 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
     }
     swapped = swapped || (pair.a == expectation.b && pair.b == expectation.a);
   }
-  const std::string both = name(expectation.a) + " and " + name(expectation.b);
+  const std::string both = a + " and " + b;
   if (!labels.empty()) {
     const bool plain = labels.size() == 1 && labels[0].empty();
     at.fail("the pair " + both + " has no entry with " +
             (expectation.label.empty() ? "no label" : "the label '" + expectation.label + "'") +
-            "; " +
-            (plain ? "it has no label"
-                   : "labels: " + toml_reader::quoted_list(toml_reader::as_keys(labels))));
+            "; " + (plain ? "it has no label" : "labels: " + quoted_list(labels)));
   }
   if (swapped)
-    at.fail("the pair is a = " + name(expectation.b) + ", b = " + name(expectation.a) +
+    at.fail("the pair is a = " + b + ", b = " + a +
             "; swap them here, the normal points from a to b");
-  const auto geometry = [&](int shape) -> const Shape<double>& {
-    return *scenario.shapes[static_cast<std::size_t>(shape)].geometry;
-  };
-  if (!can_collide(kind_of(geometry(expectation.a)), kind_of(geometry(expectation.b))))
-    at.fail("nothing can be expected of " + both + ": " +
-            pair_kind(geometry(expectation.a), geometry(expectation.b)) +
+  const Shape<double>& shape_a = *scenario.shape(expectation.a).geometry;
+  const Shape<double>& shape_b = *scenario.shape(expectation.b).geometry;
+  if (!can_collide(kind_of(shape_a), kind_of(shape_b)))
+    at.fail("nothing can be expected of " + both + ": " + pair_kind(shape_a, shape_b) +
             " pairs are not collided; remove this entry");
   at.fail("the pair " + both + " is not run; list it in [[pairs]]");
 }
 
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
-  const Table table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "type",
-                                   "normal", "separation", "load", "tolerance"});
+  const Value& table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "type",
+                                    "normal", "separation", "load", "tolerance"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -73,12 +63,11 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   table.read("label", expectation.label, &Value::non_empty_string);
   require_pair(expectation, scenario, a);
 
-  table.read("state", expectation.state,
-             word_of<ExpectedState>({"touching", "separated"}, "state"));
+  if (const auto state = table.find("state"))
+    expectation.state = state->one_of({"touching", "separated"}, "state");
   if (const auto points = table.find("points")) {
     expectation.points = points->integer(0, kMostPoints);
-    if (expectation.state &&
-        (*expectation.state == ExpectedState::Touching) == (*expectation.points == 0))
+    if (expectation.state && (*expectation.state == "touching") == (*expectation.points == 0))
       points->fail(
           "'points' contradicts 'state'; a touching pair has points, a separated has none");
   }
@@ -99,10 +88,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
              [](const Value& separation) { return separation.number("metres"); });
   if (const auto load = table.find("load")) {
     expectation.load = load->not_negative("newtons");
-    const auto dynamic = [&](int i) {
-      return scenario.shapes[static_cast<std::size_t>(i)].body.has_value();
-    };
-    if (!dynamic(expectation.a) && !dynamic(expectation.b))
+    if (!scenario.shape(expectation.a).dynamic() && !scenario.shape(expectation.b).dynamic())
       load->fail("'load' is what the solver gives, and neither shape is dynamic");
   }
   table.read("tolerance", expectation.tolerance,
@@ -117,10 +103,8 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
 }  // namespace
 
 std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario) {
-  std::vector<Expectation> expectations;
-  for (const Value& item : value.array_of_tables())
-    expectations.push_back(read_expectation(item, scenario));
-  return expectations;
+  return mapped(value.array_of_tables(),
+                [&](const Value& item) { return read_expectation(item, scenario); });
 }
 
 }  // namespace contactscope::scenario_file

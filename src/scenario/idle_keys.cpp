@@ -1,27 +1,27 @@
-#include "scenario/idle_keys.h"
-
 #include <algorithm>
+#include <span>
+
+#include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
 namespace {
 
-using toml_reader::Table;
-using toml_reader::Value;
-
 using Sentences = std::vector<std::string>;
 
-void tell(const Value& at, const std::string& what, const std::string& why, Sentences& sentences) {
-  sentences.push_back("line " + std::to_string(at.line()) + ": " + what + " has no effect: " + why);
+/// Tells that `key` of `table` has no effect, where it is written down.
+void tell(const Value& table, const char* key, const std::string& why, Sentences& sentences) {
+  if (const auto value = table.find(key))
+    sentences.push_back(
+        "line " + std::to_string(value->line()) + ": " +
+        (value->is_table() ? "[" + value->name() + "]" : "'" + value->name() + "'") +
+        " has no effect: " + why);
 }
 
-constexpr const char* kPairKeys[] = {"penetration", "core_margin", "breaking_distance", "confirm"};
-
 /// Why `key` changes nothing of a pair; empty: it does.
-std::string idle_reason(const std::string& key, const ScenarioPair& pair,
-                        const std::vector<ScenarioShape>& shapes) {
+std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Scenario& scenario) {
   const bool incremental = pair.pipeline.manifold == ManifoldKind::Incremental;
-  const bool hull_a = shapes[static_cast<std::size_t>(pair.a)].hull() != nullptr;
-  const bool hull_b = shapes[static_cast<std::size_t>(pair.b)].hull() != nullptr;
+  const bool hull_a = scenario.shape(pair.a).hull() != nullptr;
+  const bool hull_b = scenario.shape(pair.b).hull() != nullptr;
   if (key == "penetration")
     return incremental || (hull_a && hull_b)
                ? ""
@@ -33,32 +33,25 @@ std::string idle_reason(const std::string& key, const ScenarioPair& pair,
 }
 
 /// Keys of `table` that change none of `pairs`.
-void tell_pair_keys(const Value& table, const std::vector<const ScenarioPair*>& pairs,
-                    const std::vector<ScenarioShape>& shapes, Sentences& sentences) {
-  if (pairs.empty()) return;
-  for (const char* key : kPairKeys) {
-    const auto value = table.peek(key);
-    if (!value) continue;
-    const auto idle = [&](const ScenarioPair* pair) {
-      return !idle_reason(key, *pair, shapes).empty();
-    };
-    if (std::ranges::all_of(pairs, idle))
-      tell(*value, "'" + std::string(key) + "'", idle_reason(key, *pairs[0], shapes), sentences);
+void tell_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
+                    const Scenario& scenario, Sentences& sentences) {
+  for (const char* key : {"penetration", "core_margin", "breaking_distance", "confirm"}) {
+    const auto reason = [&](const ScenarioPair& pair) { return idle_reason(key, pair, scenario); };
+    const auto idle = [&](const ScenarioPair& pair) { return !reason(pair).empty(); };
+    if (!pairs.empty() && std::ranges::all_of(pairs, idle))
+      tell(table, key, reason(pairs[0]), sentences);
   }
 }
 
-/// The pair that an entry of [[pairs]] has become; null where the entry was left out.
-const ScenarioPair* pair_of(const Value& entry, const Scenario& scenario) {
-  const auto name = [&](int shape) {
-    return scenario.shapes[static_cast<std::size_t>(shape)].name;
-  };
-  const auto label = entry.peek("label");
-  for (const ScenarioPair& pair : scenario.pairs) {
-    if (name(pair.a) == entry.peek("a")->string() && name(pair.b) == entry.peek("b")->string() &&
-        pair.label == (label ? label->string() : ""))
-      return &pair;
-  }
-  return nullptr;
+/// The pair that an entry of [[pairs]] has become; none where the entry was left out.
+std::span<const ScenarioPair> pair_of(const Value& entry, const Scenario& scenario) {
+  const auto label = entry.find("label");
+  const auto pair = std::ranges::find_if(scenario.pairs, [&](const ScenarioPair& made) {
+    return scenario.shape(made.a).name == entry.find("a")->string() &&
+           scenario.shape(made.b).name == entry.find("b")->string() &&
+           made.label == (label ? label->string() : "");
+  });
+  return {pair, pair == scenario.pairs.end() ? pair : pair + 1};
 }
 
 /// Keys of [solver] that belong to another position correction.
@@ -69,52 +62,36 @@ void tell_solver_keys(const Value& table, PositionCorrection correction, Sentenc
   } kKeys[] = {{"baumgarte", PositionCorrection::Baumgarte},
                {"hertz", PositionCorrection::Soft},
                {"damping_ratio", PositionCorrection::Soft}};
-  for (const auto& [key, of] : kKeys) {
-    const auto value = table.peek(key);
-    if (!value || correction == of) continue;
-    tell(*value, "'" + std::string(key) + "'",
-         std::string("overlaps are worked off by \"") + to_string(correction) +
-             "\"; set position_correction = \"" + to_string(of) + "\", or remove it",
-         sentences);
-  }
+  for (const auto& [key, of] : kKeys)
+    if (correction != of)
+      tell(table, key,
+           std::string("overlaps are worked off by \"") + to_string(correction) +
+               "\"; set position_correction = \"" + to_string(of) + "\", or remove it",
+           sentences);
 }
 
 }  // namespace
 
-std::vector<std::string> idle_keys(const Table& file, const Scenario& scenario) {
-  Sentences sentences;
-  if (const auto pipeline = file.find("pipeline")) {
-    std::vector<const ScenarioPair*> all;
-    for (const ScenarioPair& pair : scenario.pairs) all.push_back(&pair);
-    tell_pair_keys(*pipeline, all, scenario.shapes, sentences);
-  }
+void warn_of_idle_keys(const Value& file, Scenario& scenario) {
+  Sentences& sentences = scenario.warnings;
+  if (const auto pipeline = file.find("pipeline"))
+    tell_pair_keys(*pipeline, scenario.pairs, scenario, sentences);
   if (const auto pairs = file.find("pairs")) {
-    for (const Value& entry : pairs->array_of_tables()) {
-      if (const ScenarioPair* pair = pair_of(entry, scenario))
-        tell_pair_keys(entry, {pair}, scenario.shapes, sentences);
-    }
+    for (const Value& entry : pairs->array_of_tables())
+      tell_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
   }
-  const bool moves = std::ranges::any_of(
-      scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); });
-  for (const char* name : {"world", "solver"}) {
-    const auto table = file.find(name);
-    if (table && !moves)
-      tell(*table, "[" + std::string(name) + "]",
-           "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
-           sentences);
+  if (std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
+    if (const auto solver = file.find("solver"))
+      tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
+    return;
   }
-  if (!moves) {
-    for (const Value& shape : file.require("shapes", "").members()) {
-      for (const char* key : {"friction", "restitution"}) {
-        if (const auto value = shape.peek(key))
-          tell(*value, "'" + std::string(key) + "'",
-               "no shape is dynamic, and only the solver goes by it; remove it", sentences);
-      }
-    }
-  }
-  if (const auto solver = file.find("solver"); solver && moves)
-    tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
-  return sentences;
+  for (const char* name : {"world", "solver"})
+    tell(file, name,
+         "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
+         sentences);
+  for (const Value& shape : file.require("shapes", "").members())
+    for (const char* key : {"friction", "restitution"})
+      tell(shape, key, "no shape is dynamic, and only the solver goes by it; remove it", sentences);
 }
 
 }  // namespace contactscope::scenario_file

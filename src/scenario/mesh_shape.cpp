@@ -1,30 +1,12 @@
-#include "scenario/mesh_shape.h"
-
-#include <functional>
-
-#include "core/input_error.h"
 #include "geometry/mesh_grid.h"
 #include "geometry/obj.h"
-#include "scenario/placement.h"
+#include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
 namespace {
 
-namespace fs = std::filesystem;
-using toml_reader::Table;
-using toml_reader::Value;
-
 constexpr int kMaxCells = 4096;                   // along one side
 constexpr std::size_t kMaxTriangles = 4'000'000;  // as many as a grid may have
-
-/// Runs `build`; a mesh that cannot be made is an error of the value that describes it.
-Mesh<double> build_at(const Value& at, const std::function<Mesh<double>()>& build) {
-  try {
-    return build();
-  } catch (const MeshError& error) {
-    at.fail("'" + at.name() + "' makes no mesh: " + error.what());
-  }
-}
 
 /// "triangle 3 has", "triangles 3, 5 and 9 more have"
 std::string some_triangles(const std::vector<int>& triangles) {
@@ -38,34 +20,30 @@ std::string some_triangles(const std::vector<int>& triangles) {
 }
 
 void warn(const std::string& name, const MeshReport& report, std::vector<std::string>& warnings) {
+  const std::string mesh = "mesh '" + name + "': ";
   if (!report.zero_area_triangles.empty())
-    warnings.push_back("mesh '" + name + "': " + some_triangles(report.zero_area_triangles) +
-                       " no area and " + (report.zero_area_triangles.size() == 1 ? "was" : "were") +
+    warnings.push_back(mesh + some_triangles(report.zero_area_triangles) + " no area and " +
+                       (report.zero_area_triangles.size() == 1 ? "was" : "were") +
                        " left out; triangles count from 0, in traces among those that are kept");
   if (!report.flipped_edges.empty())
-    warnings.push_back("mesh '" + name + "': across " +
-                       std::to_string(report.flipped_edges.size()) +
+    warnings.push_back(mesh + "across " + std::to_string(report.flipped_edges.size()) +
                        " of its edges a triangle is turned over; such an edge counts as a border");
   if (!report.non_manifold_edges.empty())
-    warnings.push_back("mesh '" + name + "': " + std::to_string(report.non_manifold_edges.size()) +
+    warnings.push_back(mesh + std::to_string(report.non_manifold_edges.size()) +
                        " of its edges are shared by more than two triangles; such an edge counts "
                        "as a border");
 }
 
-void check_reach(const std::vector<Vec3d>& points, const Value& at) {
-  for (const Vec3d& point : points)
-    if (!(point.cwiseAbs().maxCoeff() <= kLargestLength))
-      at.fail("'" + at.name() + "' has a point farther than 1e9 metres from the origin; scale it");
-}
-
-/// The rule of hulls: what is within so small a ball cannot be computed with.
-Mesh<double> large_enough(Mesh<double> mesh, const Value& at) {
-  if (0.5 * mesh.tree.bounds().extent().norm() < kSmallestLength)
-    at.fail("'" + at.name() + "' is smaller than 1e-9 metres; scale it up");
+/// A mesh of vertices that `place` gives and triangles that `at` gives.
+Mesh<double> mesh_from(const std::vector<Vec3d>& points,
+                       const std::vector<std::array<int, 3>>& triangles, const Value& at,
+                       const Value& place, MeshReport& report) {
+  Mesh<double> mesh = build_at(at, "mesh", [&] { return build_mesh(points, triangles, &report); });
+  check_radius(0.5 * mesh.tree.bounds().extent().norm(), place);
   return mesh;
 }
 
-Mesh<double> read_listed(const Table& table, MeshReport& report) {
+Mesh<double> read_listed(const Value& table, MeshReport& report) {
   const Value vertices = table.require("vertices", "vertices = [[x, y, z], ..]");
   const Value triangles = table.require("triangles", "triangles = [[0, 1, 2]]");
   const std::vector<Vec3d> points = read_points(vertices);
@@ -75,28 +53,19 @@ Mesh<double> read_listed(const Table& table, MeshReport& report) {
   for (const Value& triangle : triangles.array()) {
     triangle.numbers(3);
     const std::vector<Value> indices = triangle.array();
-    std::array<int, 3>& corner = corners.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k)
-      corner[k] = indices[k].integer(0, static_cast<int>(points.size()) - 1);
+    const auto corner = [&](std::size_t k) { return indices[k].integer(0, count_of(points) - 1); };
+    corners.push_back({corner(0), corner(1), corner(2)});
   }
-  return large_enough(build_at(triangles, [&] { return build_mesh(points, corners, &report); }),
-                      vertices);
+  return mesh_from(points, corners, triangles, vertices, report);
 }
 
-Mesh<double> read_file(const Value& file, const fs::path& folder, MeshReport& report) {
-  const fs::path path = existing_obj_file(file, folder);
-  ObjMesh obj;
-  try {
-    obj = load_obj_mesh(path.string());
-  } catch (const InputError& error) {
-    file.fail(std::string("'file' cannot be used: ") + error.what());
-  }
+Mesh<double> read_file(const Value& file, const std::filesystem::path& folder, MeshReport& report) {
+  const ObjMesh obj = load_obj(file, folder, load_obj_mesh);
   if (obj.triangles.size() > kMaxTriangles)
     file.fail("'file' has " + std::to_string(obj.triangles.size()) +
               " triangles; a mesh may have up to " + std::to_string(kMaxTriangles));
   check_reach(obj.vertices, file);
-  return large_enough(
-      build_at(file, [&] { return build_mesh(obj.vertices, obj.triangles, &report); }), file);
+  return mesh_from(obj.vertices, obj.triangles, file, file, report);
 }
 
 /// One number for both directions, or one for each.
@@ -107,7 +76,7 @@ std::vector<Value> for_each_direction(const Value& value) {
 }
 
 Mesh<double> read_grid(const Value& value) {
-  const Table grid = value.table({"size", "cells", "amplitude"});
+  const Value& grid = value.table({"size", "cells", "amplitude"});
   const std::vector<Value> size =
       for_each_direction(grid.require("size", "size = 10.0 (metres, or one for each direction)"));
   const std::vector<Value> cells =
@@ -122,25 +91,26 @@ Mesh<double> read_grid(const Value& value) {
   const double size_z = read_length(size[1]);
   const int cells_x = cells[0].integer(1, kMaxCells);
   const int cells_z = cells[1].integer(1, kMaxCells);
-  return build_at(value, [&] { return make_grid(size_x, size_z, cells_x, cells_z, amplitude); });
+  return build_at(value, "mesh",
+                  [&] { return make_grid(size_x, size_z, cells_x, cells_z, amplitude); });
 }
 
 }  // namespace
 
-Shape<double> read_mesh(const Table& table, const Surroundings& surroundings) {
+Shape<double> read_mesh(const Value& table, const Surroundings& surroundings) {
   const auto vertices = table.find("vertices");
   const auto triangles = table.find("triangles");
   const auto file = table.find("file");
   const auto grid = table.find("grid");
   const bool listed = vertices || triangles;
-  if ((listed ? 1 : 0) + (file ? 1 : 0) + (grid ? 1 : 0) != 1)
+  if (listed + file.has_value() + grid.has_value() != 1)
     table.fail("a mesh needs one of 'vertices' with 'triangles', 'file', or 'grid'");
   MeshReport report;
   Mesh<double> mesh;
   if (listed) mesh = read_listed(table, report);
   if (file) mesh = read_file(*file, surroundings.folder, report);
   if (grid) mesh = read_grid(*grid);
-  warn(table.value().name(), report, surroundings.warnings);
+  warn(table.name(), report, surroundings.warnings);
   return mesh;
 }
 

@@ -41,6 +41,11 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
   return best;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? "" : "did you mean '" + near + "'? ";
+}
+
 std::string quoted_list(const std::vector<std::string_view>& words) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -10,6 +10,9 @@ namespace contactscope {
 /// two swapped ones counting as one. Empty when none is near.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
+/// "did you mean 'half_extents'? ", or nothing where none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+
 /// "'a', 'b' and 'c'".
 std::string quoted_list(const std::vector<std::string_view>& words);
 

@@ -1,30 +1,18 @@
-#include "scenario/pairs.h"
-
 #include <algorithm>
 #include <set>
 #include <tuple>
 
+#include "core/at.h"
 #include "manifold/dispatch.h"
 #include "reduce/reducer.h"
-#include "scenario/placement.h"
+#include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
 namespace {
 
-using toml_reader::integer_in;
-using toml_reader::Keys;
-using toml_reader::Table;
-using toml_reader::Value;
-using toml_reader::word_of;
-
 // More points than a solver takes from one manifold.
 constexpr int kMaxPoints = 64;
-
-std::vector<std::string> reducer_names() {
-  std::vector<std::string> names;
-  for (const ReducerInfo& info : reducers()) names.push_back(info.name);
-  return names;
-}
+constexpr std::size_t kMaxPairs = 4096;  // of one scenario, listed or by default
 
 double within_reach(const Value& value, double length) {
   if (length > kLargestLength)
@@ -44,29 +32,31 @@ Keys with_settings(Keys keys) {
   return keys;
 }
 
-/// Refuses a pair whose points cannot be kept; `at` is what made it incremental.
+/// Refuses a pair whose points cannot be kept; `where` is what made it incremental.
 void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
-                       const Value& at) {
+                       const Value& where) {
   if (pair.pipeline.manifold != ManifoldKind::Incremental) return;
   for (const int index : {pair.a, pair.b}) {
-    const ScenarioShape& shape = shapes[static_cast<std::size_t>(index)];
+    const ScenarioShape& shape = at(shapes, index);
     if (kind_of(*shape.geometry) == ShapeKind::Mesh)
-      at.fail("incremental manifolds are made of spheres, capsules, hulls and planes, and '" +
-              shape.name + "' is a mesh; give its pairs manifold = \"one-shot\" in [[pairs]]");
+      where.fail("incremental manifolds are made of spheres, capsules, hulls and planes, and '" +
+                 shape.name + "' is a mesh; give its pairs manifold = \"one-shot\" in [[pairs]]");
   }
 }
 
 /// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
 /// checked also where they have no effect.
-PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
+PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("manifold", settings.manifold,
              word_of<ManifoldKind>({"one-shot", "incremental"}, "manifold"));
   table.read("core_margin", settings.incremental.core_margin, read_least_length);
   table.read("breaking_distance", settings.incremental.breaking_distance, read_least_length);
   table.read("confirm", settings.incremental.confirm,
              word_of<Confirm>({"distance", "ids"}, "confirmation"));
-  table.read("reducer", settings.reducer,
-             [](const Value& value) { return value.one_of(reducer_names(), "reducer"); });
+  table.read("reducer", settings.reducer, [](const Value& value) {
+    const auto name = [](const ReducerInfo& info) -> std::string_view { return info.name; };
+    return value.one_of(mapped(reducers(), name), "reducer");
+  });
   table.read("max_points", settings.max_points, integer_in(1, kMaxPoints));
   table.read("margin", settings.margin,
              [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
@@ -84,7 +74,7 @@ PipelineSettings read_settings(const Table& table, PipelineSettings settings) {
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
-  const Table table = value.table(with_settings({}));
+  const Value& table = value.table(with_settings({}));
   PipelineSettings settings;
   table.read("scalar", settings.scalar, word_of<Scalar>({"float", "double"}, "scalar"));
   return read_settings(table, settings);
@@ -94,15 +84,14 @@ int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes) {
   const std::string name = value.string();
   const auto found = std::ranges::find(shapes, name, &ScenarioShape::name);
   if (found != shapes.end()) return static_cast<int>(found - shapes.begin());
-  Keys names;
-  for (const ScenarioShape& shape : shapes) names.push_back(shape.name);
-  const std::string near = toml_reader::nearest(name, names);
+  Keys names(shapes.size());
+  std::ranges::transform(shapes, names.begin(), &ScenarioShape::name);
+  const std::string near = did_you_mean(name, names);
   constexpr std::size_t kMostListed = 16;
   const bool all = names.size() <= kMostListed;
   if (!all) names.resize(kMostListed);
-  value.fail("there is no shape '" + name + "'; " +
-             (near.empty() ? "" : "did you mean '" + near + "'? ") + "the file has " +
-             toml_reader::quoted_list(names) + (all ? "" : " and more"));
+  value.fail("there is no shape '" + name + "'; " + near + "the file has " + quoted_list(names) +
+             (all ? "" : " and more"));
 }
 
 std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,
@@ -114,7 +103,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     value.fail("there are " + std::to_string(items.size()) + " pairs; at most " +
                std::to_string(kMaxPairs) + " can be run");
   for (const Value& item : items) {
-    const Table table = item.table(with_settings({"a", "b", "label"}));
+    const Value& table = item.table(with_settings({"a", "b", "label"}));
     ScenarioPair pair;
     pair.a = shape_named(table.require("a", "a = \"NAME\" of a shape"), shapes);
     const Value b = table.require("b", "b = \"NAME\" of a shape");
@@ -133,11 +122,10 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
 }
 
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
-                                     const PipelineSettings& settings, const Value& at) {
-  const auto dynamic = [&](int i) { return shapes[static_cast<std::size_t>(i)].body.has_value(); };
-  const int shape_count = static_cast<int>(shapes.size());
-  bool any_dynamic = false;
-  for (int i = 0; i < shape_count; ++i) any_dynamic = any_dynamic || dynamic(i);
+                                     const PipelineSettings& settings, const Value& where) {
+  const bool any_dynamic = std::ranges::any_of(shapes, &ScenarioShape::dynamic);
+  const auto dynamic = [&](int i) { return at(shapes, i).dynamic(); };
+  const int shape_count = count_of(shapes);
   std::vector<ScenarioPair> pairs;
   std::size_t count = 0;
   for (int a = 0; a < shape_count; ++a) {
@@ -146,30 +134,28 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
       if (any_dynamic && !dynamic(a) && !dynamic(b)) continue;
       if (++count > kMaxPairs) continue;
       pairs.push_back({a, b, "", settings});
-      check_incremental(pairs.back(), shapes, at);
+      check_incremental(pairs.back(), shapes, where);
     }
   }
   if (count > kMaxPairs)
-    at.fail(std::to_string(shapes.size()) + " shapes make " + std::to_string(count) +
-            " pairs; list those to run, at most " + std::to_string(kMaxPairs) + ", as [[pairs]]");
+    where.fail(std::to_string(shapes.size()) + " shapes make " + std::to_string(count) +
+               " pairs; list those to run, at most " + std::to_string(kMaxPairs) +
+               ", as [[pairs]]");
   return pairs;
 }
 
-std::vector<std::string> leave_out_uncollided(std::vector<ScenarioPair>& pairs,
-                                              const std::vector<ScenarioShape>& shapes) {
-  std::vector<std::string> sentences;
+void leave_out_uncollided(Scenario& scenario) {
   std::set<std::string> told;
-  std::erase_if(pairs, [&](const ScenarioPair& pair) {
-    const ScenarioShape& a = shapes[static_cast<std::size_t>(pair.a)];
-    const ScenarioShape& b = shapes[static_cast<std::size_t>(pair.b)];
+  std::erase_if(scenario.pairs, [&](const ScenarioPair& pair) {
+    const ScenarioShape& a = scenario.shape(pair.a);
+    const ScenarioShape& b = scenario.shape(pair.b);
     if (can_collide(kind_of(*a.geometry), kind_of(*b.geometry))) return false;
     const std::string kind = pair_kind(*a.geometry, *b.geometry);
     if (told.insert(kind).second)
-      sentences.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " + kind +
-                          " pairs are not collided, and left out");
+      scenario.warnings.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " +
+                                  kind + " pairs are not collided, and left out");
     return true;
   });
-  return sentences;
 }
 
 }  // namespace contactscope::scenario_file

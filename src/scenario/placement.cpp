@@ -1,14 +1,10 @@
-#include "scenario/placement.h"
-
 #include <cmath>
 #include <numbers>
 
+#include "scenario/readers.h"
+
 namespace contactscope::scenario_file {
 namespace {
-
-using toml_reader::Keys;
-using toml_reader::Table;
-using toml_reader::Value;
 
 // Quaternions are written with three to four digits at least; what is farther from length one is no
 // rotation but a slip, often another order of the components.
@@ -24,7 +20,7 @@ Quatd unit_quaternion(double w, double x, double y, double z, const Value& at) {
   return Quatd(w / length, x / length, y / length, z / length);
 }
 
-Quatd from_axis(const Table& table) {
+Quatd from_axis(const Value& table) {
   const Value axis_value = table.require("axis", "axis = [x, y, z]");
   const Vec3d axis = axis_value.vector3();
   const double largest = axis.cwiseAbs().maxCoeff();
@@ -59,11 +55,39 @@ Quatd from_matrix(const Value& value) {
   return rotation;
 }
 
+/// A table with one of axis and degrees or radians, quat_wxyz, quat_xyzw, matrix. The result is a
+/// unit quaternion.
+Quatd read_rotation(const Value& value) {
+  if (value.is_array())
+    value.fail(
+        "'rotation' is a bare list, and engines differ in the order of a quaternion; write "
+        "{ quat_wxyz = [w, x, y, z] } or { quat_xyzw = [x, y, z, w] }");
+  const Value& table =
+      value.table({"axis", "degrees", "radians", "quat_wxyz", "quat_xyzw", "matrix"});
+  const bool about_axis = table.find("axis") || table.find("degrees") || table.find("radians");
+  const auto wxyz = table.find("quat_wxyz");
+  const auto xyzw = table.find("quat_xyzw");
+  const auto matrix = table.find("matrix");
+  const int forms = about_axis + wxyz.has_value() + xyzw.has_value() + matrix.has_value();
+  if (forms != 1)
+    value.fail(std::string(forms == 0 ? "the rotation is empty" : "the rotation is given twice") +
+               "; give one of axis with degrees or radians, quat_wxyz, quat_xyzw, matrix");
+  if (wxyz) {
+    const std::vector<double> q = wxyz->numbers(4);
+    return unit_quaternion(q[0], q[1], q[2], q[3], *wxyz);
+  }
+  if (xyzw) {
+    const std::vector<double> q = xyzw->numbers(4);
+    return unit_quaternion(q[3], q[0], q[1], q[2], *xyzw);
+  }
+  return matrix ? from_matrix(*matrix) : from_axis(table);
+}
+
 std::vector<Keyframe> read_keyframes(const Value& value, const Pose<double>& start) {
   std::vector<Keyframe> keyframes;
   Pose<double> pose = start;
   for (const Value& item : value.array_of_tables()) {
-    const Table table = item.table({"time", "position", "rotation"});
+    const Value& table = item.table({"time", "position", "rotation"});
     const Value time = table.require("time", "time = 0.5 (seconds)");
     pose = read_pose(table, pose);
     Keyframe keyframe{time.number("seconds"), pose};
@@ -92,40 +116,14 @@ Vec3d read_position(const Value& value) {
   return position;
 }
 
-Quatd read_rotation(const Value& value) {
-  if (value.is_array())
-    value.fail(
-        "'rotation' is a bare list, and engines differ in the order of a quaternion; write "
-        "{ quat_wxyz = [w, x, y, z] } or { quat_xyzw = [x, y, z, w] }");
-  const Table table =
-      value.table({"axis", "degrees", "radians", "quat_wxyz", "quat_xyzw", "matrix"});
-  const bool about_axis = table.find("axis") || table.find("degrees") || table.find("radians");
-  const auto wxyz = table.find("quat_wxyz");
-  const auto xyzw = table.find("quat_xyzw");
-  const auto matrix = table.find("matrix");
-  const int forms = (about_axis ? 1 : 0) + (wxyz ? 1 : 0) + (xyzw ? 1 : 0) + (matrix ? 1 : 0);
-  if (forms != 1)
-    value.fail(std::string(forms == 0 ? "the rotation is empty" : "the rotation is given twice") +
-               "; give one of axis with degrees or radians, quat_wxyz, quat_xyzw, matrix");
-  if (wxyz) {
-    const std::vector<double> q = wxyz->numbers(4);
-    return unit_quaternion(q[0], q[1], q[2], q[3], *wxyz);
-  }
-  if (xyzw) {
-    const std::vector<double> q = xyzw->numbers(4);
-    return unit_quaternion(q[3], q[0], q[1], q[2], *xyzw);
-  }
-  return matrix ? from_matrix(*matrix) : from_axis(table);
-}
-
-Pose<double> read_pose(const Table& table, const Pose<double>& otherwise) {
+Pose<double> read_pose(const Value& table, const Pose<double>& otherwise) {
   Pose<double> pose = otherwise;
   table.read("position", pose.position, read_position);
   table.read("rotation", pose.rotation, read_rotation);
   return pose;
 }
 
-Vec3d read_velocity(const Table& table, const char* key, const char* unit) {
+Vec3d read_velocity(const Value& table, const char* key, const char* unit) {
   const auto value = table.find(key);
   if (!value) return Vec3d::Zero();
   const Vec3d velocity = value->vector3();
@@ -135,7 +133,7 @@ Vec3d read_velocity(const Table& table, const char* key, const char* unit) {
 }
 
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time) {
-  const Table table =
+  const Value& table =
       value.table({"keyframes", "velocity", "angular_velocity", "dynamic", "mass", "density"});
   Motion motion;
   const auto keyframes = table.find("keyframes");

@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "core/at.h"
 #include "core/feature_id.h"
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
-#include "scenario/traced_shape.h"
 
 namespace contactscope {
 namespace {
@@ -30,32 +30,22 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
 /// Whether a pair goes by what it kept in the frame before.
 bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
-  const auto kind = [&](int i) {
-    return kind_of(*scenario.shapes[static_cast<std::size_t>(i)].geometry);
-  };
+  const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
   const auto reducer = std::ranges::find(reducers(), settings.reducer, &ReducerInfo::name);
   return settings.manifold == ManifoldKind::Incremental ||
          (settings.cache && can_cache(kind(pair.a), kind(pair.b))) ||
          (reducer != reducers().end() && reducer->remembers);
 }
 
-bool shows_stability(const std::vector<View>& views) {
-  return std::ranges::any_of(views, [](const View& view) {
-    return view.shows(Layer::CenterOfMass) || view.shows(Layer::Support) ||
-           view.shows(Panel::Stability);
-  });
-}
-
-bool shows_plots(const std::vector<View>& views) {
-  return std::ranges::any_of(views, [](const View& view) { return view.shows(Panel::Plots); });
+/// Whether some view shows the layer or panel.
+bool shown(const std::vector<View>& views, auto what) {
+  return std::ranges::any_of(views, [&](const View& view) { return view.shows(what); });
 }
 
 /// Also what is too large to be recorded where no view of the scenario shows it.
 trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
-  for (const View& view : views) {
-    stages.gauss_map = stages.gauss_map || view.shows(Panel::GaussMap);
-    stages.minkowski = stages.minkowski || view.shows(Panel::Minkowski);
-  }
+  stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
+  stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
   return stages;
 }
 
@@ -65,18 +55,26 @@ std::vector<bool> acting_pairs(const Scenario& scenario) {
   std::set<std::pair<int, int>> seen;
   for (const ScenarioPair& pair : scenario.pairs) {
     const bool first = seen.emplace(std::minmax(pair.a, pair.b)).second;
-    const auto dynamic = [&](int i) {
-      return scenario.shapes[static_cast<std::size_t>(i)].body.has_value();
-    };
-    acting.push_back(first && (dynamic(pair.a) || dynamic(pair.b)));
+    acting.push_back(first &&
+                     (scenario.shape(pair.a).dynamic() || scenario.shape(pair.b).dynamic()));
   }
   return acting;
 }
 
+/// The body of a shape at the start.
+template <class S>
+Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
+  const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
+  if (!shape.dynamic()) return static_body<S>(pose);
+  Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
+  body.velocity = shape.body->velocity.template cast<S>();
+  body.angular_velocity = shape.body->angular_velocity.template cast<S>();
+  return body;
+}
+
 const ScenarioShape& mesh_of(const Scenario& scenario, const ScenarioPair& pair) {
-  const ScenarioShape& a = scenario.shapes[static_cast<std::size_t>(pair.a)];
-  const ScenarioShape& b = scenario.shapes[static_cast<std::size_t>(pair.b)];
-  return kind_of(*a.geometry) == ShapeKind::Mesh ? a : b;
+  const ScenarioShape& a = scenario.shape(pair.a);
+  return kind_of(*a.geometry) == ShapeKind::Mesh ? a : scenario.shape(pair.b);
 }
 
 /// From the frame in which the mesh is collided to that of its file.
@@ -94,10 +92,11 @@ void move_boxes(trace::Tree& tree, const Vec3d& by) {
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
     : scenario_(&scenario),
       stages_(with_insets(stages, scenario.views)),
-      shows_stability_(shows_stability(scenario.views)),
-      shows_plots_(shows_plots(scenario.views)),
-      dynamic_(std::ranges::any_of(
-          scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); })),
+      shows_stability_(shown(scenario.views, Layer::CenterOfMass) ||
+                       shown(scenario.views, Layer::Support) ||
+                       shown(scenario.views, Panel::Stability)),
+      shows_plots_(shown(scenario.views, Panel::Plots)),
+      dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)),
       acts_(acting_pairs(scenario)),
       state_(scenario.scalar == Scalar::Double ? decltype(state_)(at_start<double>())
                                                : decltype(state_)(at_start<float>())) {
@@ -106,14 +105,14 @@ Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
 
 template <class S>
 Runner::State<S> Runner::at_start() const {
-  std::vector<Shape<S>> shapes;
-  shapes.reserve(scenario_->shapes.size());
-  for (const ScenarioShape& shape : scenario_->shapes)
-    shapes.push_back(shape_cast<S>(*shape.collider));
+  const auto rounded = [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); };
   State<S> state;
-  state.shapes = std::make_shared<const std::vector<Shape<S>>>(std::move(shapes));
+  state.shapes = std::make_shared<const std::vector<Shape<S>>>(mapped(scenario_->shapes, rounded));
   state.memories.resize(scenario_->pairs.size());
-  if (dynamic_) place_bodies(state);
+  if (!dynamic_) return state;
+  for (std::size_t i = 0; i < scenario_->shapes.size(); ++i)
+    state.bodies.push_back(body_of(scenario_->shapes[i], (*state.shapes)[i]));
+  state.impulses.resize(scenario_->pairs.size());
   return state;
 }
 
@@ -146,7 +145,7 @@ Manifolds<S> Runner::collide_pair(State<S>& state, std::size_t index,
   CollideOptions<S> options = options_of<S>(pair.pipeline);
   options.b_first = pair.b < pair.a;
   options.reduction.previous = memory.kept;
-  if (scenario_->shapes[a].body || scenario_->shapes[b].body)
+  if (scenario_->shapes[a].dynamic() || scenario_->shapes[b].dynamic())
     options.margin =
         std::max(options.margin, static_cast<S>(scenario_->solver.speculative_margin.value_or(0)));
 
@@ -180,13 +179,12 @@ void Runner::record_stability(const ScenarioPair& pair, const trace::Frame& fram
         state_);
   };
   const auto rests = [&](int index) {  // false of what cannot fall
-    const ShapeKind kind = kind_of(*scenario_->shapes[static_cast<std::size_t>(index)].geometry);
+    const ShapeKind kind = kind_of(*scenario_->shape(index).geometry);
     return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
   };
-  const auto dynamic = [&](int index) {
-    return scenario_->shapes[static_cast<std::size_t>(index)].body.has_value();
+  const auto rank = [&](int index) {
+    return std::pair(rests(index), scenario_->shape(index).dynamic());
   };
-  const auto rank = [&](int index) { return std::pair(rests(index), dynamic(index)); };
   const bool higher_a = center(pair.a).dot(up) > center(pair.b).dot(up);
   const int body =
       rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a) ? pair.a : pair.b;
@@ -194,8 +192,7 @@ void Runner::record_stability(const ScenarioPair& pair, const trace::Frame& fram
   const double epsilon = scenario_->scalar == Scalar::Double
                              ? std::numeric_limits<double>::epsilon()
                              : static_cast<double>(std::numeric_limits<float>::epsilon());
-  record.stability = rest_of(record, scenario_->shapes[static_cast<std::size_t>(body)].name,
-                             center(body), epsilon);
+  record.stability = rest_of(record, scenario_->shape(body).name, center(body), epsilon);
 }
 
 template <class S>
@@ -259,18 +256,6 @@ trace::Frame Runner::frame(int frame) {
 
 trace::Frame Runner::frame_unrecorded(int frame) {
   return std::visit([&](auto& state) { return run(state, frame, false); }, state_);
-}
-
-trace::Header trace_header(const Scenario& scenario) {
-  return Runner(scenario).header();
-}
-
-trace::Frame run_frame(const Scenario& scenario, int frame) {
-  return Runner(scenario).frame(frame);
-}
-
-trace::Frame run_frame_unrecorded(const Scenario& scenario, int frame) {
-  return Runner(scenario).frame_unrecorded(frame);
 }
 
 }  // namespace contactscope

@@ -80,8 +80,6 @@ class Runner {
 
   // run_world.cpp: scenarios with dynamic shapes.
   template <class S>
-  void place_bodies(State<S>& state) const;
-  template <class S>
   trace::Solver solver_facts(const State<S>& state) const;
   /// The solver's step; what it gave the contacts stands in `result` where there is one.
   template <class S>
@@ -98,9 +96,8 @@ class Runner {
   std::variant<State<float>, State<double>> state_;
 };
 
-/// For one call; whoever runs a sequence keeps a Runner.
-trace::Header trace_header(const Scenario& scenario);
-trace::Frame run_frame(const Scenario& scenario, int frame);
-trace::Frame run_frame_unrecorded(const Scenario& scenario, int frame);
+/// A shape of a scenario as a trace has it, with the vertices that the pipeline sees.
+template <class S>
+trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded);
 
 }  // namespace contactscope

@@ -8,49 +8,11 @@
 namespace contactscope {
 namespace {
 
-/// Of shape `index` without its default.
-double coefficient(const std::optional<double>& own, double otherwise) {
-  return own.value_or(otherwise);
-}
-
+/// Velocity of a point of a body, by its arm from the centre.
 template <class S>
-S friction_of(const Scenario& scenario, const ScenarioPair& pair) {
-  const auto own = [&](int i) {
-    return coefficient(scenario.shapes[static_cast<std::size_t>(i)].friction,
-                       scenario.world.friction);
-  };
-  return static_cast<S>(std::sqrt(own(pair.a) * own(pair.b)));
-}
-
-template <class S>
-S restitution_of(const Scenario& scenario, const ScenarioPair& pair) {
-  const auto own = [&](int i) {
-    return coefficient(scenario.shapes[static_cast<std::size_t>(i)].restitution,
-                       scenario.world.restitution);
-  };
-  return static_cast<S>(std::max(own(pair.a), own(pair.b)));
-}
-
-/// The body of a shape at the start.
-template <class S>
-Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
-  const Pose<S> pose = collider_pose_at(shape, 0).template cast<S>();
-  if (!shape.body) return static_body<S>(pose);
-  Body<S> body = dynamic_body<S>(pose, with_mass(*mass_properties(rounded), shape.body->mass));
-  body.velocity = shape.body->velocity.template cast<S>();
-  body.angular_velocity = shape.body->angular_velocity.template cast<S>();
-  return body;
-}
-
-/// How fast `b` moves against `a` at a place of both, by the arms that it had from their centres.
-template <class S>
-Vec3d relative_velocity(const Body<S>& a, const Body<S>& b, const Vec3d& arm_a,
-                        const Vec3d& arm_b) {
-  const auto at = [](const Body<S>& body, const Vec3d& arm) -> Vec3d {
-    const Vec3d turning = body.angular_velocity.template cast<double>();
-    return body.velocity.template cast<double>() + turning.cross(arm);
-  };
-  return at(b, arm_b) - at(a, arm_a);
+Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {
+  const Vec3d turning = body.angular_velocity.template cast<double>();
+  return body.velocity.template cast<double>() + turning.cross(arm);
 }
 
 /// What became of a pair's points that got an impulse, where the step has gone from `before` to
@@ -68,8 +30,8 @@ void record_relative_velocities(const ScenarioPair& pair, const std::vector<Body
       const Vec3d arm_a = point.position - before[a].center.template cast<double>();
       const Vec3d arm_b = point.position - before[b].center.template cast<double>();
       point.relative_velocity =
-          trace::RelativeVelocity{relative_velocity(began(a), began(b), arm_a, arm_b),
-                                  relative_velocity(after[a], after[b], arm_a, arm_b)};
+          trace::RelativeVelocity{velocity_at(began(b), arm_b) - velocity_at(began(a), arm_a),
+                                  velocity_at(after[b], arm_b) - velocity_at(after[a], arm_a)};
     }
   }
 }
@@ -93,13 +55,6 @@ void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impul
 }
 
 }  // namespace
-
-template <class S>
-void Runner::place_bodies(State<S>& state) const {
-  for (std::size_t i = 0; i < scenario_->shapes.size(); ++i)
-    state.bodies.push_back(body_of(scenario_->shapes[i], (*state.shapes)[i]));
-  state.impulses.resize(scenario_->pairs.size());
-}
 
 template <class S>
 trace::Solver Runner::solver_facts(const State<S>& state) const {
@@ -133,21 +88,28 @@ void Runner::solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
   const std::vector<Body<S>> before = state.bodies;
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const ScenarioShape& shape = scenario_->shapes[i];
-    if (!shape.body)
+    if (!shape.dynamic())
       set_scripted_velocity(state.bodies[i], collider_pose_at(shape, now),
                             collider_pose_at(shape, next), scenario_->dt);
   }
   std::vector<PairContacts<S>> pairs;
   for (std::size_t i = 0; i < scenario_->pairs.size(); ++i) {
     const ScenarioPair& pair = scenario_->pairs[i];
+    const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
+      return std::pair((scenario_->shape(pair.a).*coefficient).value_or(otherwise),
+                       (scenario_->shape(pair.b).*coefficient).value_or(otherwise));
+    };
+    const auto friction = own(&ScenarioShape::friction, scenario_->world.friction);
+    const auto restitution = own(&ScenarioShape::restitution, scenario_->world.restitution);
     pairs.push_back({pair.a, pair.b, acts_[i] ? &contacts[i] : nullptr,
-                     friction_of<S>(*scenario_, pair), restitution_of<S>(*scenario_, pair)});
+                     static_cast<S>(std::sqrt(friction.first * friction.second)),
+                     static_cast<S>(std::max(restitution.first, restitution.second))});
   }
   solve_step<S>(state.bodies, pairs, state.impulses, scenario_->world.gravity.cast<S>(),
                 scenario_->solver, static_cast<S>(scenario_->dt));
   // A script knows where it is; steps would add up their rounding.
   for (std::size_t i = 0; i < state.bodies.size(); ++i)
-    if (!scenario_->shapes[i].body)
+    if (!scenario_->shapes[i].dynamic())
       state.bodies[i].place(collider_pose_at(scenario_->shapes[i], next).template cast<S>());
   for (std::size_t i = 0; result && i < contacts.size(); ++i) {
     record_impulses(contacts[i], state.impulses[i], result->pairs[i]);
@@ -156,7 +118,6 @@ void Runner::solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                   \
-  template void Runner::place_bodies(State<S>&) const;                \
   template trace::Solver Runner::solver_facts(const State<S>&) const; \
   template void Runner::solve(State<S>&, const std::vector<Manifolds<S>>&, trace::Frame*) const;
 CONTACTSCOPE_INSTANTIATE(float)

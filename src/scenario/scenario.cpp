@@ -2,21 +2,14 @@
 
 #include <filesystem>
 
-#include "scenario/dynamics_keys.h"
-#include "scenario/expectations.h"
-#include "scenario/idle_keys.h"
-#include "scenario/pairs.h"
-#include "scenario/shapes.h"
-#include "scenario/text_checks.h"
-#include "scenario/toml_reader.h"
-#include "scenario/views.h"
+#include "core/at.h"
+#include "scenario/readers.h"
 
 namespace contactscope {
 namespace {
 
 namespace fs = std::filesystem;
-using toml_reader::Table;
-using toml_reader::Value;
+using scenario_file::Value;
 
 constexpr int kMaxFrames = 100000;
 constexpr double kLongestStep = 1e6;  // seconds
@@ -32,19 +25,10 @@ std::string name_of(const std::string& path) {
   return group.empty() ? idea : group + "/" + idea;
 }
 
-void read_time(const Value& value, Scenario& scenario) {
-  const Table table = value.table({"frames", "dt"});
-  if (const auto frames = table.find("frames")) scenario.frames = frames->integer(1, kMaxFrames);
-  if (const auto dt = table.find("dt")) {
-    scenario.dt = dt->positive("seconds");
-    if (scenario.dt > kLongestStep) dt->fail("'dt' is longer than 1e6 seconds; lower it");
-  }
-}
-
-std::vector<std::string> read_tags(const Value& value) {
-  std::vector<std::string> tags;
-  for (const Value& item : value.array()) tags.push_back(item.non_empty_string());
-  return tags;
+double read_step(const Value& value) {
+  const double dt = value.positive("seconds");
+  if (dt > kLongestStep) value.fail("'dt' is longer than 1e6 seconds; lower it");
+  return dt;
 }
 
 }  // namespace
@@ -52,19 +36,24 @@ std::vector<std::string> read_tags(const Value& value) {
 Scenario parse_scenario(const std::string& text, const std::string& path) {
   using namespace scenario_file;
   check_scenario_text(text, path);
-  const toml::table document = toml_reader::parse_document(text, path);
-  const Table file(path, document, "",
-                   {"title", "source", "tags", "up", "time", "shapes", "pairs", "pipeline", "world",
-                    "solver", "views", "expect", "snapshots"});
+  const toml::table document = parse_document(text, path);
+  const Value file = Value(path, document, "")
+                         .table({"title", "source", "tags", "up", "time", "shapes", "pairs",
+                                 "pipeline", "world", "solver", "views", "expect", "snapshots"});
 
   Scenario scenario;
   scenario.name = name_of(path);
   scenario.path = path;
   scenario.title = file.require("title", "title = \"What the scene shows\"").non_empty_string();
   file.read("source", scenario.source, &Value::string);
-  file.read("tags", scenario.tags, read_tags);
+  file.read("tags", scenario.tags,
+            [](const Value& tags) { return mapped(tags.array(), &Value::non_empty_string); });
   file.read("up", scenario.up, [](const Value& up) { return up.one_of({"y", "z"}, "up axis"); });
-  if (const auto time = file.find("time")) read_time(*time, scenario);
+  if (const auto time = file.find("time")) {
+    time->table({"frames", "dt"});
+    time->read("frames", scenario.frames, integer_in(1, kMaxFrames));
+    time->read("dt", scenario.dt, read_step);
+  }
 
   const Value shapes = file.require("shapes", "a shape as [shapes.NAME]");
   scenario.shapes = read_shapes(shapes, {fs::path(path).parent_path(), scenario.warnings},
@@ -76,26 +65,20 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   else
     scenario.pairs = every_pair(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
-  for (std::string& warning : leave_out_uncollided(scenario.pairs, scenario.shapes))
-    scenario.warnings.push_back(std::move(warning));
-
-  scenario.world = default_world(scenario.up);
-  if (const auto world = file.find("world")) scenario.world = read_world(*world, scenario.up);
+  leave_out_uncollided(scenario);
+  scenario.world = read_world(file.find("world"), scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
-  for (std::string& warning : idle_keys(file, scenario))
-    scenario.warnings.push_back(std::move(warning));
+  warn_of_idle_keys(file, scenario);
   scenario.views = {default_view()};
   file.read("views", scenario.views, read_views);
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
-  scenario.snapshots = default_snapshots(scenario.frames);
-  if (const auto snapshots = file.find("snapshots"))
-    scenario.snapshots = read_snapshots(*snapshots, scenario.frames);
+  scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames);
   return scenario;
 }
 
 Scenario load_scenario(const std::string& path) {
-  return parse_scenario(read_scenario_text(path), path);
+  return parse_scenario(scenario_file::read_scenario_text(path), path);
 }
 
 }  // namespace contactscope

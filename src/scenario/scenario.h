@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/at.h"
 #include "core/penetration_method.h"
 #include "core/pose.h"
 #include "core/preference.h"
@@ -58,6 +59,8 @@ struct ScenarioShape {
   std::shared_ptr<const Shape<double>> collider{};
   Vec3d collider_origin = Vec3d::Zero();
 
+  /// The solver moves it.
+  bool dynamic() const { return body.has_value(); }
   bool is_moved() const { return !collider_origin.isZero(0); }
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
@@ -93,8 +96,6 @@ struct ScenarioPair {
   PipelineSettings pipeline;
 };
 
-enum class ExpectedState { Touching, Separated };
-
 /// One [[expect]] entry: what `check` asks of a pair over a range of frames.
 struct Expectation {
   int first_frame = 0;
@@ -102,7 +103,7 @@ struct Expectation {
   int a = 0;
   int b = 0;
   std::string label;
-  std::optional<ExpectedState> state;
+  std::optional<std::string> state;  // "touching", "separated"
   std::optional<int> points;
   std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge", "closest_points"
   std::optional<std::string> type;  // "point-face", ...
@@ -138,6 +139,8 @@ struct Scenario {
   std::vector<Expectation> expectations;
   SnapshotSettings snapshots;
   std::vector<std::string> warnings;  // what a reader should know though nothing is wrong
+
+  const ScenarioShape& shape(int index) const { return at(shapes, index); }
 };
 
 /// Reads a scenario file. Throws InputError with line, column and remedy. Relative file names in it
@@ -146,6 +149,9 @@ Scenario load_scenario(const std::string& path);
 
 /// The same from text already read; `path` serves messages and relative file names.
 Scenario parse_scenario(const std::string& text, const std::string& path);
+
+/// The view of a file that names none: fitted, with the default layers and no panels.
+View default_view();
 
 /// Pose of a shape at a time in seconds.
 Pose<double> pose_at(const ScenarioShape& shape, double time);

@@ -1,5 +1,3 @@
-#include "scenario/text_checks.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -8,11 +6,19 @@
 #include <system_error>
 
 #include "core/input_error.h"
+#include "scenario/readers.h"
 
-namespace contactscope {
+namespace contactscope::scenario_file {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Largest scenario file. A hull of 100000 vertices written with 17 digits each takes 6 MB.
+constexpr std::size_t kMaxScenarioBytes = std::size_t{16} << 20;
+
+/// Most names that one dotted key may join. The deepest key of the format joins three,
+/// [shapes.crate.motion]; a table nested a hundred thousand deep would exhaust the stack.
+constexpr int kMaxDottedNames = 16;
 
 [[noreturn]] void fail_at(const std::string& path, std::string_view text, std::size_t offset,
                           const std::string& message) {
@@ -92,30 +98,28 @@ void check_dotted_keys(const std::string& text, const std::string& path) {
 }  // namespace
 
 std::string read_scenario_text(const std::string& path) {
+  const auto refuse = [&](const std::string& message) { throw InputError(path, 0, 0, message); };
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw InputError(path, 0, 0, "there is no such file; give the path of a scenario (.toml)");
+    refuse("there is no such file; give the path of a scenario (.toml)");
   if (error)
-    throw InputError(path, 0, 0,
-                     "cannot be looked at (" + error.message() +
-                         "); give the path of a scenario (.toml) that can be read");
+    refuse("cannot be looked at (" + error.message() +
+           "); give the path of a scenario (.toml) that can be read");
   if (status.type() == fs::file_type::directory)
-    throw InputError(path, 0, 0, "this is a folder; give the path of a scenario (.toml) in it");
+    refuse("this is a folder; give the path of a scenario (.toml) in it");
   if (status.type() != fs::file_type::regular)
-    throw InputError(path, 0, 0, "this is no plain file; give the path of a scenario (.toml)");
+    refuse("this is no plain file; give the path of a scenario (.toml)");
 
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > kMaxScenarioBytes)
-    throw InputError(path, 0, 0,
-                     "the file has " + std::to_string(size) + " bytes; a scenario may have " +
-                         std::to_string(kMaxScenarioBytes) +
-                         ", and large meshes belong into an .obj file");
+    refuse("the file has " + std::to_string(size) + " bytes; a scenario may have " +
+           std::to_string(kMaxScenarioBytes) + ", and large meshes belong into an .obj file");
   std::ifstream in(path, std::ios::binary);
   std::string text(error ? 0 : static_cast<std::size_t>(size), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (error || !in || in.gcount() != static_cast<std::streamsize>(text.size()))
-    throw InputError(path, 0, 0, "the file cannot be read; check its permissions");
+    refuse("the file cannot be read; check its permissions");
   return text;
 }
 
@@ -138,4 +142,4 @@ void check_scenario_text(const std::string& text, const std::string& path) {
   check_dotted_keys(text, path);
 }
 
-}  // namespace contactscope
+}  // namespace contactscope::scenario_file

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/at.h"
 #include "core/input_error.h"
 
-namespace contactscope::toml_reader {
+namespace contactscope::scenario_file {
 namespace {
 
 /// One line of bounded length: a file may hold names of megabytes, and control characters that
@@ -34,25 +35,16 @@ std::string printable(std::string message) {
 
 /// "a string", "an array of two values", for messages.
 std::string describe(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array: {
-      const std::size_t size = node.as_array()->size();
-      if (size == 0) return "an empty array";
-      return "an array of " + std::to_string(size) + (size == 1 ? " value" : " values");
-    }
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number with a fraction";
-    case toml::node_type::boolean:
-      return "a boolean";
-    default:
-      return "a date or time";
+  if (const toml::array* array = node.as_array()) {
+    const std::size_t size = array->size();
+    if (size == 0) return "an empty array";
+    return "an array of " + std::to_string(size) + (size == 1 ? " value" : " values");
   }
+  if (node.is_table()) return "a table";
+  if (node.is_string()) return "a string";
+  if (node.is_integer()) return "an integer";
+  if (node.is_floating_point()) return "a number with a fraction";
+  return node.is_boolean() ? "a boolean" : "a date or time";
 }
 
 std::string with_unit(const char* unit) {
@@ -75,15 +67,11 @@ std::string unknown_key(std::string_view key, const Keys& keys) {
   if (key == "angle" && known("degrees"))
     return found + ", which does not say its unit; write 'degrees' or 'radians'";
   const std::string near = nearest(key, keys);
-  if (!near.empty()) return found + "; did you mean '" + near + "'?";
-  return found + "; known here: " + quoted_list(keys);
+  return found +
+         (near.empty() ? "; known here: " + quoted_list(keys) : "; did you mean '" + near + "'?");
 }
 
 }  // namespace
-
-Keys as_keys(const std::vector<std::string>& words) {
-  return {words.begin(), words.end()};
-}
 
 void Value::fail(const std::string& message) const {
   fail_at(*file_, node_->source().begin, message);
@@ -141,22 +129,18 @@ std::string Value::non_empty_string() const {
   return text;
 }
 
-std::string Value::one_of(const std::vector<std::string>& choices, const char* kind) const {
+std::string Value::one_of(const Keys& choices, const char* kind) const {
   std::string text = string();
   if (std::ranges::find(choices, text) != choices.end()) return text;
-  const std::string near = nearest(text, as_keys(choices));
-  fail("unknown " + std::string(kind) + " '" + text + "'; " +
-       (near.empty() ? "" : "did you mean '" + near + "'? ") +
-       "known: " + quoted_list(as_keys(choices)));
+  fail("unknown " + std::string(kind) + " '" + text + "'; " + did_you_mean(text, choices) +
+       "known: " + quoted_list(choices));
 }
 
 std::vector<double> Value::numbers(std::size_t count) const {
   const toml::array* items = node_->as_array();
   if (items == nullptr || items->size() != count)
     wrong_type("an array of " + std::to_string(count) + " numbers");
-  std::vector<double> values;
-  for (const Value& item : array()) values.push_back(item.number());
-  return values;
+  return mapped(array(), [](const Value& item) { return item.number(); });
 }
 
 Vec3d Value::vector3() const {
@@ -165,12 +149,10 @@ Vec3d Value::vector3() const {
 }
 
 std::vector<Value> Value::array() const {
-  const toml::array* items = node_->as_array();
-  if (items == nullptr) wrong_type("an array");
+  if (!is_array()) wrong_type("an array");
   std::vector<Value> values;
-  values.reserve(items->size());
-  for (std::size_t i = 0; i < items->size(); ++i)
-    values.emplace_back(*file_, *items->get(i), name_ + "[" + std::to_string(i) + "]");
+  for (const toml::node& item : *node_->as_array())
+    values.emplace_back(*file_, item, name_ + "[" + std::to_string(values.size()) + "]");
   return values;
 }
 
@@ -183,16 +165,28 @@ std::vector<Value> Value::array_of_tables() const {
   return values;
 }
 
-Table Value::table(const Keys& keys) const {
+const Value& Value::table(const Keys& keys) const {
   if (!is_table()) wrong_type("a table with the keys " + quoted_list(keys));
-  return Table(*file_, *node_, name_, keys);
+  const toml::key* first = nullptr;
+  for (auto&& [key, item] : *node_->as_table()) {
+    if (std::ranges::find(keys, key.str()) != keys.end()) continue;
+    if (first == nullptr || key.source().begin < first->source().begin) first = &key;
+  }
+  if (first != nullptr) fail_at(*file_, first->source().begin, unknown_key(first->str(), keys));
+  return *this;
 }
 
-std::optional<Value> Value::peek(std::string_view key) const {
+std::optional<Value> Value::find(std::string_view key) const {
   const toml::table* table = node_->as_table();
   const toml::node* node = table == nullptr ? nullptr : table->get(key);
   if (node == nullptr) return std::nullopt;
   return Value(*file_, *node, std::string(key));
+}
+
+Value Value::require(std::string_view key, const std::string& example) const {
+  if (std::optional<Value> found = find(key)) return *found;
+  const std::string where = name_.empty() ? "the file" : "'" + name_ + "'";
+  fail("missing key '" + std::string(key) + "' in " + where + "; add " + example);
 }
 
 std::vector<Value> Value::members() const {
@@ -202,32 +196,8 @@ std::vector<Value> Value::members() const {
   std::vector<std::pair<toml::source_position, Value>> found;
   for (auto&& [key, node] : *table)
     found.emplace_back(key.source().begin, Value(*file_, node, std::string(key.str())));
-  std::ranges::stable_sort(found,
-                           [](const auto& one, const auto& two) { return one.first < two.first; });
-  std::vector<Value> values;
-  for (auto& [where, value] : found) values.push_back(std::move(value));
-  return values;
-}
-
-Table::Table(const std::string& file, const toml::node& node, std::string name, const Keys& keys)
-    : value_(file, node, std::move(name)) {
-  const toml::key* first = nullptr;
-  for (auto&& [key, item] : *node.as_table()) {
-    if (std::ranges::find(keys, key.str()) != keys.end()) continue;
-    if (first == nullptr || key.source().begin < first->source().begin) first = &key;
-  }
-  if (first == nullptr) return;
-  fail_at(file, first->source().begin, unknown_key(first->str(), keys));
-}
-
-std::optional<Value> Table::find(std::string_view key) const {
-  return value_.peek(key);
-}
-
-Value Table::require(std::string_view key, const std::string& example) const {
-  if (std::optional<Value> found = find(key)) return *found;
-  const std::string where = value_.name_.empty() ? "the file" : "'" + value_.name_ + "'";
-  fail("missing key '" + std::string(key) + "' in " + where + "; add " + example);
+  std::ranges::stable_sort(found, std::less(), [](const auto& member) { return member.first; });
+  return mapped(found, [](const auto& member) { return member.second; });
 }
 
 toml::table parse_document(const std::string& text, const std::string& file) {
@@ -245,4 +215,4 @@ toml::table parse_document(const std::string& text, const std::string& file) {
   }
 }
 
-}  // namespace contactscope::toml_reader
+}  // namespace contactscope::scenario_file

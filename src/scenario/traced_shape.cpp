@@ -1,4 +1,5 @@
-#include "scenario/traced_shape.h"
+#include "core/at.h"
+#include "scenario/run.h"
 
 namespace contactscope {
 namespace {
@@ -11,8 +12,7 @@ void describe(const Sphere<S>& sphere, trace::Shape& traced) {
 
 template <class S>
 void describe(const Capsule<S>& capsule, trace::Shape& traced) {
-  for (const Vec3<S>& point : capsule.points)
-    traced.vertices.push_back(point.template cast<double>());
+  traced.vertices = cast_each<Vec3d>(capsule.points);
   traced.edges = {{0, 1}};
   traced.radius = capsule.radius;
   traced.center_of_mass = 0.5 * (traced.vertices[0] + traced.vertices[1]);
@@ -20,8 +20,7 @@ void describe(const Capsule<S>& capsule, trace::Shape& traced) {
 
 template <class S>
 void describe(const Hull<S>& hull, trace::Shape& traced) {
-  for (const Vec3<S>& vertex : hull.vertices)
-    traced.vertices.push_back(vertex.template cast<double>());
+  traced.vertices = cast_each<Vec3d>(hull.vertices);
   for (int face = 0; face < hull.face_count(); ++face)
     traced.faces.push_back(face_vertices(hull, face));
   for (std::size_t edge = 0; edge < hull.half_edges.size(); edge += 2)
@@ -37,17 +36,15 @@ void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
 
 template <class S>
 void describe(const Mesh<S>& mesh, trace::Shape& traced) {
-  for (const Vec3<S>& vertex : mesh.vertices)
-    traced.vertices.push_back(vertex.template cast<double>());
+  traced.vertices = cast_each<Vec3d>(mesh.vertices);
   for (int triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
-    const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& corners = at(mesh.triangles, triangle);
     traced.faces.emplace_back(corners.begin(), corners.end());
     for (int k = 0; k < 3; ++k) {
       // An edge that two triangles share is listed by the first.
       const int neighbour = mesh.neighbour(triangle, k);
       if (neighbour >= 0 && neighbour < triangle) continue;
-      traced.edges.push_back(
-          {corners[static_cast<std::size_t>(k)], corners[static_cast<std::size_t>((k + 1) % 3)]});
+      traced.edges.push_back({at(corners, k), at(corners, (k + 1) % 3)});
     }
   }
   const Aabb<S> bounds = mesh.tree.bounds();

@@ -1,19 +1,13 @@
-#include "scenario/views.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
-#include "scenario/placement.h"
+#include "scenario/readers.h"
 
 namespace contactscope {
-
 namespace scenario_file {
 namespace {
-
-using toml_reader::Table;
-using toml_reader::Value;
 
 constexpr int kSmallestSide = 64;   // pixels
 constexpr int kLargestSide = 8192;  // pixels
@@ -36,10 +30,9 @@ std::string read_view_name(const Value& value) {
 template <class Word, std::size_t N>
 std::vector<Word> read_words(const Value& value, const std::array<std::string_view, N>& names,
                              const char* kind) {
-  const std::vector<std::string> known(names.begin(), names.end());
   std::vector<Word> words;
   for (const Value& item : value.array()) {
-    const std::string name = item.one_of(known, kind);
+    const std::string name = item.one_of(Keys(names.begin(), names.end()), kind);
     const Word word = *word_named<Word>(names, name);
     if (std::ranges::find(words, word) != words.end())
       item.fail(std::string("the ") + kind + " '" + name + "' is listed twice; once is enough");
@@ -48,15 +41,20 @@ std::vector<Word> read_words(const Value& value, const std::array<std::string_vi
   return words;
 }
 
-Story read_story(const Value& value) {
-  const std::string name = value.one_of({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story");
-  if (name == "clip_steps") return Story::ClipSteps;
-  if (name == "gjk_steps") return Story::GjkSteps;
-  return name == "epa_steps" ? Story::EpaSteps : Story::None;
+/// Metres of an arrow for one newton second.
+double read_impulse_scale(const Value& value) {
+  const double scale = value.positive("metres for one newton second");
+  const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
+  const double leading = scale / decade;
+  if (std::ranges::none_of(std::array{1.0, 2.0, 5.0},
+                           [&](double step) { return std::abs(leading - step) < 1e-6; }))
+    value.fail(
+        "the legend states the scale by one digit; it may be 1, 2 or 5 times a power of ten");
+  return scale;
 }
 
 /// A view of kind "contact_plane" has no camera, layers or panels of its own.
-View read_contact_plane(const Table& table) {
+View read_contact_plane(const Value& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
   for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
@@ -65,13 +63,13 @@ View read_contact_plane(const Table& table) {
       value->fail(std::string("'") + key +
                   "' has no effect on a view of kind \"contact_plane\"; remove it");
   }
-  if (const auto name = table.find("name")) view.name = read_view_name(*name);
-  if (const auto choices = table.find("choices")) view.choices = choices->integer(0, 64);
+  table.read("name", view.name, read_view_name);
+  table.read("choices", view.choices, integer_in(0, 64));
   return view;
 }
 
 View read_view(const Value& value) {
-  const Table table =
+  const Value& table =
       value.table({"name", "eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
                    "layers", "panels", "kind", "choices", "impulse_scale"});
   const auto kind = table.find("kind");
@@ -81,14 +79,14 @@ View read_view(const Value& value) {
     choices->fail("'choices' is for a view of kind = \"contact_plane\"; name that kind");
   View view = default_view();
   view.focus = Focus::Contact;  // who asks for a view wants to see the contact
-  if (const auto name = table.find("name")) view.name = read_view_name(*name);
-  const auto eye = table.find("eye");
-  if (eye) view.eye = read_position(*eye);
-  if (const auto target = table.find("target")) view.target = read_position(*target);
+  table.read("name", view.name, read_view_name);
+  table.read("eye", view.eye, read_position);
+  table.read("target", view.target, read_position);
   if (view.eye && view.target) {
     const double extent = std::max(view.eye->norm(), view.target->norm());
     if ((*view.eye - *view.target).norm() <= 1e-9 * extent)  // no direction survives rounding
-      eye->fail("'eye' and 'target' are the same point; move the eye away from what it looks at");
+      table.find("eye")->fail(
+          "'eye' and 'target' are the same point; move the eye away from what it looks at");
   }
   const auto fov = table.find("fov_degrees");
   const auto height = table.find("orthographic_height");
@@ -99,35 +97,18 @@ View read_view(const Value& value) {
       fov->fail("'fov_degrees' is out of range; it may be 1 to 150");
   }
   if (height) view.orthographic_height = read_length(*height);
-  if (const auto scale = table.find("impulse_scale")) {
-    view.impulse_scale = scale->positive("metres for one newton second");
-    const double decade = std::pow(10.0, std::floor(std::log10(*view.impulse_scale) + 1e-9));
-    const double leading = *view.impulse_scale / decade;
-    if (std::ranges::none_of(std::array{1.0, 2.0, 5.0},
-                             [&](double step) { return std::abs(leading - step) < 1e-6; }))
-      scale->fail(
-          "the legend states the scale by one digit; it may be 1, 2 or 5 times a power of ten");
-  }
-  if (const auto focus = table.find("focus"))
-    view.focus =
-        focus->one_of({"contact", "shapes"}, "focus") == "shapes" ? Focus::Shapes : Focus::Contact;
-  if (const auto story = table.find("story")) view.story = read_story(*story);
-  if (const auto layers = table.find("layers"))
-    view.layers = read_words<Layer>(*layers, kLayerNames, "layer");
-  if (const auto panels = table.find("panels"))
-    view.panels = read_words<Panel>(*panels, kPanelNames, "panel");
+  table.read("impulse_scale", view.impulse_scale, read_impulse_scale);
+  table.read("focus", view.focus, word_of<Focus>({"contact", "shapes"}, "focus"));
+  table.read("story", view.story,
+             word_of<Story>({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story"));
+  table.read("layers", view.layers,
+             [](const Value& layers) { return read_words<Layer>(layers, kLayerNames, "layer"); });
+  table.read("panels", view.panels,
+             [](const Value& panels) { return read_words<Panel>(panels, kPanelNames, "panel"); });
   return view;
 }
 
 }  // namespace
-
-View default_view() {
-  View view;
-  view.focus = Focus::Shapes;  // one view that fits all shapes
-  view.layers = {Layer::Shapes,   Layer::ReferenceFace, Layer::IncidentFace, Layer::ClipPolygons,
-                 Layer::Contacts, Layer::Reduced,       Layer::Normals};
-  return view;
-}
 
 std::vector<View> read_views(const Value& value) {
   std::vector<View> views;
@@ -141,17 +122,13 @@ std::vector<View> read_views(const Value& value) {
   return views;
 }
 
-SnapshotSettings default_snapshots(int frames) {
+SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames) {
   SnapshotSettings snapshots;
   for (const int frame : {0, (frames - 1) / 2, frames - 1})
     if (snapshots.frames.empty() || frame > snapshots.frames.back())
       snapshots.frames.push_back(frame);
-  return snapshots;
-}
-
-SnapshotSettings read_snapshots(const Value& value, int frames) {
-  const Table table = value.table({"frames", "size"});
-  SnapshotSettings snapshots = default_snapshots(frames);
+  if (!value) return snapshots;
+  const Value& table = value->table({"frames", "size"});
   if (const auto list = table.find("frames")) {
     snapshots.frames.clear();
     for (const Value& item : list->array()) {
@@ -173,4 +150,13 @@ SnapshotSettings read_snapshots(const Value& value, int frames) {
 }
 
 }  // namespace scenario_file
+
+View default_view() {
+  View view;
+  view.focus = Focus::Shapes;  // one view that fits all shapes
+  view.layers = {Layer::Shapes,   Layer::ReferenceFace, Layer::IncidentFace, Layer::ClipPolygons,
+                 Layer::Contacts, Layer::Reduced,       Layer::Normals};
+  return view;
+}
+
 }  // namespace contactscope

@@ -59,7 +59,7 @@ TEST_P(EveryScenario, MeetsItsExpectationsInEveryFrame) {
   EXPECT_FALSE(scenario.expectations.empty()) << "a scenario without a proof";
   Runner runner(scenario);
   for (int number = 0; number < scenario.frames; ++number) {
-    for (const std::string& sentence : unmet_expectations(scenario, runner.frame(number))) {
+    for (const std::string& sentence : unmet_expectations(scenario, {runner.frame(number)})) {
       ADD_FAILURE() << sentence;
     }
   }

@@ -25,7 +25,7 @@ constexpr int kHeight = 720;
 
 struct Prepared {
   Scenario scenario;
-  trace::Header header = trace_header(scenario);
+  trace::Header header = Runner(scenario).header();
   std::vector<trace::Frame> frames;
   draw::Staging staging;
 

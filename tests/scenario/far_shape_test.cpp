@@ -51,8 +51,10 @@ const trace::Pair& pair_of(const trace::Frame& frame, const std::string& a, cons
 const Vec3d kFar(123456.7, -98765.4, 5e4);
 
 TEST(FarShapes, MakeTheSameContactsAsNearTheirOrigin) {
-  const trace::Frame near = run_frame(scene(Vec3d::Zero()), 0);
-  const trace::Frame far = run_frame(scene(kFar), 0);
+  const Scenario near_scene = scene(Vec3d::Zero());
+  const Scenario far_scene = scene(kFar);
+  const trace::Frame near = Runner(near_scene).frame(0);
+  const trace::Frame far = Runner(far_scene).frame(0);
   for (const auto& [a, b] : {std::pair("crate", "wedge"), std::pair("ball", "floor")}) {
     const trace::Pair& expected = pair_of(near, a, b);
     const trace::Pair& found = pair_of(far, a, b);
@@ -118,7 +120,7 @@ TEST(FarShapes, FallAndComeToRestAsNearTheirOrigin) {
         (found.solver->bodies[0].center_of_mass - expected.solver->bodies[0].center_of_mass).norm(),
         2e-4);
   }
-  EXPECT_GT(pair_of(run_frame(far_scenario, 29), "crate", "wedge")
+  EXPECT_GT(pair_of(Runner(far_scenario).frame(29), "crate", "wedge")
                 .manifolds.at(0)
                 .points.at(0)
                 .impulse->normal,

@@ -34,7 +34,7 @@ TEST(FlatHulls, TouchWithAllTheirCorners) {
        {"", "[pipeline]\npenetration = \"epa\"\n", "[pipeline]\npenetration = \"mpr\"\n",
         "[pipeline]\nscalar = \"double\"\n"}) {
     const Scenario scenario = parse_scenario(plate_on_box(settings), "g/flat.toml");
-    const trace::Frame frame = run_frame(scenario, 0);
+    const trace::Frame frame = Runner(scenario).frame(0);
     ASSERT_EQ(frame.pairs.at(0).manifolds.size(), 1u) << settings;
     EXPECT_EQ(frame.pairs[0].manifolds[0].points.size(), 4u);
     EXPECT_NEAR(frame.pairs[0].manifolds[0].normal.y(), 1, 1e-6);

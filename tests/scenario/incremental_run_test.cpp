@@ -69,7 +69,7 @@ TEST(IncrementalRun, FourPointsAndAStableManifoldTakeFourFramesBesideOne) {
 TEST(IncrementalRun, AViewThatShowsStabilityHasItOfEveryPair) {
   const Scenario scenario = parse_scenario(
       std::string(kIncrementalCrate) + "[[views]]\npanels = [\"stability\"]\n", "g/a.toml");
-  const trace::Frame facts = run_frame(scenario, 1);
+  const trace::Frame facts = Runner(scenario).frame(1);
   ASSERT_TRUE(facts.pairs.at(1).stability);
   EXPECT_EQ(facts.pairs[1].stability->verdict, "stable");
   EXPECT_NEAR(facts.pairs[1].stability->margin, 0.5, 1e-6);
@@ -92,9 +92,10 @@ TEST(IncrementalRun, ARecordChangesNothingAndTradingTheShapesMirrors) {
   text.replace(text.find("a = \"crate\"\nb = \"floor\""), 23, "a = \"floor\"\nb = \"crate\"");
   const Scenario traded = parse_scenario(text, "g/a.toml");
   for (int frame = 1; frame < 8; ++frame) {
-    const trace::Manifold recorded = run_frame(scenario, frame).pairs.at(0).manifolds.at(0);
-    const trace::Manifold bare = run_frame_unrecorded(scenario, frame).pairs.at(0).manifolds.at(0);
-    const trace::Manifold other = run_frame(traded, frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold recorded = Runner(scenario).frame(frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold bare =
+        Runner(scenario).frame_unrecorded(frame).pairs.at(0).manifolds.at(0);
+    const trace::Manifold other = Runner(traded).frame(frame).pairs.at(0).manifolds.at(0);
     EXPECT_EQ(recorded.normal, bare.normal);
     EXPECT_EQ(recorded.normal, Vec3d(-other.normal));
     ASSERT_EQ(recorded.points.size(), bare.points.size());

@@ -35,7 +35,7 @@ TEST(OtherShapes, AreReadWithTheirSizes) {
 
 TEST(OtherShapes, StandInTheTraceWithWhatTheyAreMadeOf) {
   const Scenario scenario = parse_scenario(kShapes, "hull/a.toml");
-  const trace::Header header = trace_header(scenario);
+  const trace::Header header = Runner(scenario).header();
   EXPECT_EQ(header.shapes[0].radius, 0.5);
   EXPECT_THAT(header.shapes[0].vertices, ElementsAre(Vec3d(0, 0, 0)));
   EXPECT_EQ(header.shapes[2].radius, double(0.1f));
@@ -49,7 +49,7 @@ TEST(OtherShapes, TradingAAndBMirrorsTheManifold) {
   const auto pair_of = [](const std::string& a, const std::string& b) {
     const Scenario scenario = parse_scenario(
         kShapes + "[[pairs]]\na = \"" + a + "\"\nb = \"" + b + "\"\n", "hull/a.toml");
-    return run_frame(scenario, 0).pairs.at(0);
+    return Runner(scenario).frame(0).pairs.at(0);
   };
   const trace::Pair there = pair_of("ball", "other");
   const trace::Pair back = pair_of("other", "ball");
@@ -78,7 +78,7 @@ TEST(OtherShapes, MayBeLeftUnmergedWhereTheyAreHulls) {
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
     EXPECT_EQ(scenario.shapes[i].hull()->face_count(), faces[i]) << scenario.shapes[i].name;
   }
-  const trace::Header header = trace_header(scenario);
+  const trace::Header header = Runner(scenario).header();
   EXPECT_EQ(header.shapes[0].faces.size(), 12u);
   EXPECT_EQ(header.shapes[0].edges.size(), 18u);
 }
@@ -92,7 +92,7 @@ TEST(OtherShapes, PairsThatMakeNoContactAreWarnedOfOnce) {
   const Scenario scenario = parse_scenario(planes, "hull/a.toml");
   ASSERT_EQ(scenario.warnings.size(), 1u);
   EXPECT_THAT(scenario.warnings[0], HasSubstr("'ground' and 'wall' make no contacts: plane-plane"));
-  EXPECT_THAT(run_frame(scenario, 0).pairs, IsEmpty());
+  EXPECT_THAT(Runner(scenario).frame(0).pairs, IsEmpty());
 }
 
 TEST(OtherShapes, NothingCanBeExpectedOfAPairThatIsNotCollided) {
@@ -129,7 +129,8 @@ TEST(OtherShapes, MeshesAreReadAndWhatWasLeftOutIsWarnedOf) {
 }
 
 TEST(OtherShapes, AMeshStandsInTheTraceWithEveryEdgeOnce) {
-  const trace::Header header = trace_header(parse_scenario(kMeshes, "hull/a.toml"));
+  const Scenario scenario = parse_scenario(kMeshes, "hull/a.toml");
+  const trace::Header header = Runner(scenario).header();
   EXPECT_EQ(header.shapes[0].faces.size(), 64u);
   EXPECT_EQ(header.shapes[0].edges.size(), 8u * 5 + 4u * 9 + 32u);
   EXPECT_EQ(header.shapes[1].edges.size(), 5u);
@@ -142,7 +143,7 @@ TEST(OtherShapes, ASphereOnAMeshHasAManifoldForEachTriangle) {
       "position = [0.3, 0.45, 0.2]\n"
       "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = 4, cells = 4 }\n",
       "hull/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   const trace::Pair& pair = frame.pairs.at(0);
   EXPECT_EQ(pair.kind, "sphere-mesh");
   EXPECT_NEAR(pair.separation, -0.05, 1e-7);
@@ -150,7 +151,7 @@ TEST(OtherShapes, ASphereOnAMeshHasAManifoldForEachTriangle) {
   EXPECT_TRUE(pair.manifolds[0].triangle.has_value());
   ASSERT_TRUE(pair.tree.has_value());
   EXPECT_EQ(pair.tree->shape, "floor");
-  const trace::Frame unrecorded = run_frame_unrecorded(scenario, 0);
+  const trace::Frame unrecorded = Runner(scenario).frame_unrecorded(0);
   EXPECT_EQ(unrecorded.pairs.at(0).manifolds.at(0).triangle, pair.manifolds[0].triangle);
   EXPECT_FALSE(unrecorded.pairs.at(0).tree.has_value());
 }

@@ -70,11 +70,12 @@ TEST_P(Run, ASinkingCrateMeetsWhatArithmeticSays) {
   const Scenario scenario = sinking(GetParam());
   Runner runner(scenario);
   for (int frame = 0; frame < scenario.frames; ++frame)
-    EXPECT_THAT(unmet_expectations(scenario, runner.frame(frame)), IsEmpty());
+    EXPECT_THAT(unmet_expectations(scenario, {runner.frame(frame)}), IsEmpty());
 }
 
 TEST_P(Run, TheHeaderDescribesTheScenario) {
-  const trace::Header header = trace_header(sinking(GetParam()));
+  const Scenario scenario = sinking(GetParam());
+  const trace::Header header = Runner(scenario).header();
   EXPECT_EQ(header.scenario, "hull/sinking");
   EXPECT_EQ(header.title, "Sinking crate");
   EXPECT_EQ(header.source, "by hand");
@@ -105,7 +106,7 @@ TEST_P(Run, TheHeaderDescribesTheScenario) {
 
 TEST_P(Run, FramesCarryTheirTimeAndPoses) {
   const Scenario scenario = sinking(GetParam());
-  const trace::Frame frame = run_frame(scenario, 3);
+  const trace::Frame frame = Runner(scenario).frame(3);
   EXPECT_EQ(frame.frame, 3);
   EXPECT_EQ(frame.time, 0.75);
   ASSERT_EQ(frame.poses.size(), 2u);
@@ -126,15 +127,15 @@ TEST(RunScalar, FloatPosesAndVerticesAreThoseOfFloat) {
       "rotation = { axis = [1, 2, 3], degrees = 40 }\n");
   const Scenario in_float = parse_scenario(text, "g/a.toml");
   const Scenario in_double = parse_scenario(text + "[pipeline]\nscalar = \"double\"", "g/a.toml");
-  const Pose<double> rounded = run_frame(in_float, 0).poses.at(0).second;
-  const Pose<double> exact = run_frame(in_double, 0).poses.at(0).second;
+  const Pose<double> rounded = Runner(in_float).frame(0).poses.at(0).second;
+  const Pose<double> exact = Runner(in_double).frame(0).poses.at(0).second;
   EXPECT_EQ(exact.position, Vec3d(0.1, 0.2, 0.3));
   EXPECT_EQ(rounded.position, Vec3d(double(0.1f), double(0.2f), double(0.3f)));
   EXPECT_EQ(rounded.rotation.w(), double(static_cast<float>(exact.rotation.w())));
   EXPECT_NE(rounded.rotation.w(), exact.rotation.w());
-  EXPECT_EQ(trace_header(in_float).shapes[0].vertices[7].cwiseAbs(),
+  EXPECT_EQ(Runner(in_float).header().shapes[0].vertices[7].cwiseAbs(),
             Vec3d(double(0.1f), double(0.3f), double(0.7f)));
-  EXPECT_EQ(trace_header(in_double).shapes[0].vertices[7].cwiseAbs(), Vec3d(0.1, 0.3, 0.7));
+  EXPECT_EQ(Runner(in_double).header().shapes[0].vertices[7].cwiseAbs(), Vec3d(0.1, 0.3, 0.7));
 }
 
 TEST_P(Run, WatchingChangesNothing) {
@@ -162,13 +163,14 @@ TEST_P(Run, RunnersOfOneScenarioDoNotDisturbEachOtherOnThreads) {
   const Scenario scenario = sinking(GetParam());
   std::vector<std::string> alone;
   for (int frame = 0; frame < scenario.frames; ++frame)
-    alone.push_back(trace::to_json_line(run_frame(scenario, frame)));
+    alone.push_back(trace::to_json_line(Runner(scenario).frame(frame)));
   std::vector<std::string> together(alone.size());
   {
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < together.size(); ++i)
-      threads.emplace_back(
-          [&, i] { together[i] = trace::to_json_line(run_frame(scenario, static_cast<int>(i))); });
+      threads.emplace_back([&, i] {
+        together[i] = trace::to_json_line(Runner(scenario).frame(static_cast<int>(i)));
+      });
   }
   EXPECT_EQ(together, alone);
   EXPECT_NE(alone[0], alone[2]);
@@ -194,9 +196,9 @@ TEST_P(Run, AFrameIsTheSameWhicheverWereAskedForBefore) {
   for (const int frame : {1, 3, 4, 7})
     EXPECT_EQ(trace::to_json_line(skipping.frame(frame)), lines[static_cast<std::size_t>(frame)]);
   for (int frame = 0; frame < 8; ++frame)
-    EXPECT_EQ(trace::to_json_line(run_frame(scenario, frame)),
+    EXPECT_EQ(trace::to_json_line(Runner(scenario).frame(frame)),
               lines[static_cast<std::size_t>(frame)]);
-  EXPECT_EQ(run_frame(scenario, 5).pairs.front().reduction->points.size(), 8u);
+  EXPECT_EQ(Runner(scenario).frame(5).pairs.front().reduction->points.size(), 8u);
 }
 
 TEST_P(Run, ACacheIsKeptFromFrameToFrameUnlessTheFileSaysOtherwise) {
@@ -325,7 +327,7 @@ TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
                 "label = \"three\"\nmax_points = 3\n" + crate_on_floor +
                 "label = \"turned\"\npreference = \"none\"\n"),
       "g/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   ASSERT_EQ(frame.pairs.size(), 3u);
   EXPECT_EQ(frame.pairs[0].label, "all");
   EXPECT_FALSE(frame.pairs[0].reduction);
@@ -339,8 +341,10 @@ TEST(RunPairs, EachEntryRunsWithItsOwnSettings) {
 
 TEST(RunPairs, TheMarginKeepsPointsThatAreApart) {
   const std::string apart = "position = [0, -1.01, 0]\n[pipeline]\nmargin = ";
-  const trace::Frame without = run_frame(parse_scenario(two_boxes(apart + "0"), "g/a.toml"), 0);
-  const trace::Frame with = run_frame(parse_scenario(two_boxes(apart + "0.02"), "g/a.toml"), 0);
+  const Scenario none = parse_scenario(two_boxes(apart + "0"), "g/a.toml");
+  const Scenario some = parse_scenario(two_boxes(apart + "0.02"), "g/a.toml");
+  const trace::Frame without = Runner(none).frame(0);
+  const trace::Frame with = Runner(some).frame(0);
   EXPECT_EQ(without.pairs.at(0).state, "separated");
   EXPECT_THAT(without.pairs.at(0).manifolds, IsEmpty());
   EXPECT_EQ(with.pairs.at(0).state, "touching");
@@ -351,7 +355,7 @@ TEST(RunPairs, TheMarginKeepsPointsThatAreApart) {
 TEST(RunPairs, ASceneOfOneShapeHasAPoseAndNoPairs) {
   const Scenario scenario =
       parse_scenario(one_shape("type = \"box\"\nhalf_extents = [1, 1, 1]"), "g/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   EXPECT_EQ(frame.poses.size(), 1u);
   EXPECT_THAT(frame.pairs, IsEmpty());
 }
@@ -364,7 +368,7 @@ TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
       "penetration = \"sampling\"\n[[pairs]]\na = \"crate\"\nb = \"floor\"\nlabel = \"by sat\"\n"
       "penetration = \"sat\"\n";
   Scenario scenario = parse_scenario(two_boxes(deep + pairs), "g/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   ASSERT_EQ(frame.pairs.size(), 3u);
   ASSERT_TRUE(frame.pairs[0].penetration);
   EXPECT_EQ(frame.pairs[0].penetration->method, "epa");
@@ -382,7 +386,7 @@ TEST(RunPairs, ThePenetrationMethodOfThePipelineOrThePairIsUsedAndTold) {
   }
 
   scenario.views.at(0).panels = {Panel::Minkowski, Panel::GaussMap};
-  const trace::Frame shown = run_frame(scenario, 0);
+  const trace::Frame shown = Runner(scenario).frame(0);
   EXPECT_TRUE(shown.pairs[0].minkowski);
   EXPECT_FALSE(shown.pairs[2].sat->edge_pairs.empty());
 }

@@ -237,7 +237,7 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(expectation.a, 2);
   EXPECT_EQ(expectation.b, 0);
   EXPECT_EQ(expectation.label, "on");
-  EXPECT_EQ(expectation.state, ExpectedState::Touching);
+  EXPECT_EQ(expectation.state, "touching");
   EXPECT_EQ(expectation.points, 4);
   EXPECT_EQ(expectation.axis, "edge_edge");
   EXPECT_EQ(expectation.normal, Vec3d(0, -1, 0));
@@ -246,7 +246,7 @@ TEST(Scenario, EveryKeyIsRead) {
   EXPECT_EQ(expectation.line, 84);
   EXPECT_EQ(scenario.expectations[1].first_frame, 0);
   EXPECT_EQ(scenario.expectations[1].last_frame, 23);
-  EXPECT_EQ(scenario.expectations[1].state, ExpectedState::Separated);
+  EXPECT_EQ(scenario.expectations[1].state, "separated");
   EXPECT_EQ(scenario.expectations[1].tolerance, 1e-5);
   EXPECT_FALSE(scenario.expectations[1].points || scenario.expectations[1].normal);
 

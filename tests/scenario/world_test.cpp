@@ -124,13 +124,13 @@ TEST(DynamicRun, AStackCarriesItsWeightAndTellsIt) {
                          "[[expect]]\na = \"lower\"\nb = \"upper\"\nframes = [150, 199]\n"
                          "load = 19.62\ntolerance = 1e-4\n",
                      "g/a.toml");
-  EXPECT_THAT(unmet_expectations(scenario, run_frame(scenario, 199)), IsEmpty());
+  EXPECT_THAT(unmet_expectations(scenario, {Runner(scenario).frame(199)}), IsEmpty());
   Scenario wrong = scenario;
   wrong.expectations[0].load = 60;
-  EXPECT_THAT(unmet_expectations(wrong, run_frame(wrong, 199)),
+  EXPECT_THAT(unmet_expectations(wrong, {Runner(wrong).frame(199)}),
               ElementsAre(::testing::HasSubstr("expected load 60 N, got 58.8")));
 
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   ASSERT_TRUE(frame.solver);
   EXPECT_EQ(frame.solver->position_correction, "baumgarte");
   EXPECT_EQ(frame.solver->iterations, 10);
@@ -170,8 +170,8 @@ TEST(DynamicRun, OnlyTheFirstOfSeveralEntriesMovesTheBodies) {
                              "max_points = 3\n";
   const Scenario one = parse_scenario(once, "g/a.toml");
   const Scenario three = parse_scenario(thrice, "g/a.toml");
-  const trace::Frame frame = run_frame(three, 50);
-  EXPECT_EQ(frame.poses[0].second.position, run_frame(one, 50).poses[0].second.position);
+  const trace::Frame frame = Runner(three).frame(50);
+  EXPECT_EQ(frame.poses[0].second.position, Runner(one).frame(50).poses[0].second.position);
   ASSERT_EQ(frame.pairs.size(), 3u);
   EXPECT_TRUE(frame.pairs[0].manifolds.at(0).points.at(0).impulse);
   EXPECT_FALSE(frame.pairs[1].manifolds.at(0).points.at(0).impulse);
@@ -232,7 +232,7 @@ TEST(DynamicRun, LengthsOfTheSolverAreByDefaultThoseOfTheSmallestBody) {
   EXPECT_NEAR(*solver_of("slop = 0.0\n").speculative_margin, 0.004, 1e-12);
   EXPECT_EQ(solver_of("speculative_margin = 3\n").speculative_margin, 3);
   const Scenario scenario = parse_scenario(text, "g/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   EXPECT_EQ(frame.solver->slop, scenario.solver.slop);
   EXPECT_EQ(frame.solver->speculative_margin, scenario.solver.speculative_margin);
 }
@@ -248,7 +248,7 @@ TEST(World, RelativeVelocityIsThatOfThePointBeforeAndAfterTheStepAndTotalsSumThe
       "[pipeline]\nscalar = \"double\"\n[world]\ngravity = [0, 0, 0]\nfriction = 0\n"
       "[solver]\nslop = 0.0\n",
       "g/a.toml");
-  const trace::Frame frame = run_frame(scenario, 0);
+  const trace::Frame frame = Runner(scenario).frame(0);
   ASSERT_EQ(frame.pairs[0].manifolds.size(), 1u);
   const trace::Point& point = frame.pairs[0].manifolds[0].points[0];
   ASSERT_TRUE(point.relative_velocity.has_value());
@@ -267,9 +267,10 @@ TEST(World, WithoutASolverThereAreTotalsWherePlotsAreShown) {
   const std::string text =
       "title = \"t\"\n[shapes.a]\ntype = \"sphere\"\nradius = 1\n[shapes.b]\ntype = "
       "\"sphere\"\nradius = 1\nposition = [0, 1.5, 0]\n";
-  EXPECT_FALSE(run_frame(parse_scenario(text, "g/a.toml"), 0).totals.has_value());
-  const trace::Frame frame =
-      run_frame(parse_scenario(text + "[[views]]\npanels = [\"plots\"]\n", "g/a.toml"), 0);
+  const Scenario plain = parse_scenario(text, "g/a.toml");
+  EXPECT_FALSE(Runner(plain).frame(0).totals.has_value());
+  const Scenario plotted = parse_scenario(text + "[[views]]\npanels = [\"plots\"]\n", "g/a.toml");
+  const trace::Frame frame = Runner(plotted).frame(0);
   ASSERT_TRUE(frame.totals.has_value());
   EXPECT_EQ(frame.totals->penetration, 0.5);
   EXPECT_EQ(frame.totals->points, 1);

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/input_error.h"
+#include "geometry/shape_error.h"
+#include "scenario/scenario.h"
+#include "scenario/toml_reader.h"
+
+/// What reads each table of a scenario file. All throw InputError at the value that is wrong.
+namespace contactscope::scenario_file {
+
+// text_checks.cpp
+
+/// Reads a whole scenario file. Throws InputError when it is missing, no plain file, cannot be
+/// read, or is too large, in which case nothing of it is read.
+std::string read_scenario_text(const std::string& path);
+/// What can be said of the text before it is parsed: throws InputError at the first byte that makes
+/// it no TOML document of ours (empty, a NUL byte, not UTF-8, a key of too many names).
+void check_scenario_text(const std::string& text, const std::string& path);
+
+// placement.cpp: where shapes stand and how they move, the keys position, rotation and motion
+
+/// Lengths that a file may name, metres. Products of four lengths (a squared area) of this range
+/// stay within what a float holds at full precision, so that no stage meets an infinity or a zero
+/// that the geometry does not have.
+inline constexpr double kSmallestLength = 1e-9;
+inline constexpr double kLargestLength = 1e9;
+
+/// A length greater than zero, in metres, from kSmallestLength to kLargestLength.
+double read_length(const Value& value);
+/// Three coordinates in metres, each at most kLargestLength from zero.
+Vec3d read_position(const Value& value);
+/// The keys position and rotation of a table; what is left out is taken from `otherwise`.
+Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
+/// The key `key` of a motion, at most 1e9 `unit`; zero when it is missing.
+Vec3d read_velocity(const Value& table, const char* key, const char* unit);
+/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose;
+/// `end_time` the time of the last frame in seconds, until which constant velocities must stay within
+/// kLargestLength.
+Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
+
+// shapes.cpp, mesh_shape.cpp
+
+/// What a shape is read in.
+struct Surroundings {
+  std::filesystem::path folder;        // that names of files are relative to
+  std::vector<std::string>& warnings;  // what a reader should know though nothing is wrong
+};
+
+/// The [shapes] table, in file order. `end_time` is the time of the last frame in seconds.
+std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& surroundings,
+                                       double end_time);
+/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
+/// out of it, triangles without an area, is warned of.
+Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
+/// [[x, y, z], ..], metres.
+std::vector<Vec3d> read_points(const Value& value);
+/// Refuses points that are farther than kLargestLength from zero, and shapes that are smaller than
+/// kSmallestLength: what is within so small a ball cannot be computed with.
+void check_reach(const std::vector<Vec3d>& points, const Value& at);
+void check_radius(double radius, const Value& at);
+/// The path of a Wavefront file that a `file` key names; it must be there.
+std::filesystem::path existing_obj_file(const Value& value, const std::filesystem::path& folder);
+
+/// What `load` makes of that file.
+template <class Load>
+auto load_obj(const Value& file, const std::filesystem::path& folder, const Load& load) {
+  const std::filesystem::path path = existing_obj_file(file, folder);
+  try {
+    return load(path.string());
+  } catch (const InputError& error) {
+    file.fail(std::string("'file' cannot be used: ") + error.what());
+  }
+}
+
+/// What `build` makes; a hull or mesh that cannot be made is an error of the value that describes it.
+template <class Build>
+auto build_at(const Value& at, const char* kind, const Build& build) {
+  try {
+    return build();
+  } catch (const ShapeError& error) {
+    at.fail("'" + at.name() + "' makes no " + kind + ": " + error.what());
+  }
+}
+
+// pairs.cpp
+
+PipelineSettings read_pipeline(const Value& value);
+/// [[pairs]]; each starts from `settings` and may override all of them but the scalar.
+std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,
+                                     const PipelineSettings& settings);
+/// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair of
+/// which one is. Too many throw, at `where`.
+std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
+                                     const PipelineSettings& settings, const Value& where);
+/// Takes out the pairs that make no contacts, planes and meshes with each other: where nothing was
+/// looked for, "separated" would be a lie. Warns once of each two kinds of them.
+void leave_out_uncollided(Scenario& scenario);
+/// Index of the shape that `value` names.
+int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
+
+// dynamics_keys.cpp: what the solver goes by
+
+/// Whether a [shapes.NAME.motion] table says dynamic = true.
+bool is_dynamic(const Value& motion);
+/// Such a table. `shape` has its name, type and geometry already.
+ScenarioBody read_body(const Value& motion, const ScenarioShape& shape);
+/// [world]. `up` is that of the file: what gravity points away from by default.
+WorldSettings read_world(const std::optional<Value>& value, const std::string& up);
+/// [solver]. Settled by the smallest dynamic one of `shapes`.
+SolverSettings read_solver(const std::optional<Value>& value,
+                           const std::vector<ScenarioShape>& shapes);
+/// A coefficient of Coulomb's friction, 0 to 1000.
+double read_friction(const Value& value);
+/// A number from 0 to 1, such as the share of a velocity that a bounce gives back.
+double read_share(const Value& value);
+
+// views.cpp
+
+/// [[views]], at least one.
+std::vector<View> read_views(const Value& value);
+/// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is missing.
+SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames);
+
+// expectations.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read
+
+std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario);
+/// A warning, with its line, for each key of [pipeline], [[pairs]], [world] and [solver], and each
+/// shape's friction or restitution, that is written down and changes nothing in this scene: another
+/// method goes by it, or the shapes it is of are not there.
+void warn_of_idle_keys(const Value& file, Scenario& scenario);
+
+}  // namespace contactscope::scenario_file
