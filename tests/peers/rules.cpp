@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "query/support_set.h"
+
 namespace contactscope::peers {
 namespace {
 
