@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "gl/routes.h"
 
@@ -15,23 +16,6 @@ thread_local Context* current = nullptr;
 void release_current() {
   if (current) current->release();
 }
-
-/// Tries routes in order and remembers why each failed.
-class Search {
- public:
-  std::unique_ptr<Context> try_route(const Route& route) {
-    try {
-      return route.open();
-    } catch (const ContextError& error) {
-      failures_ += "\n  " + route.name + ": " + error.what();
-      return nullptr;
-    }
-  }
-  const std::string& failures() const { return failures_; }
-
- private:
-  std::string failures_;
-};
 
 /// Clears one pixel off screen and reads it: a context can open and still draw nothing, as OSMesa
 /// does in a process that linked libGL first.
@@ -76,49 +60,66 @@ RouteReport probe(const Route& route) {
 
 }  // namespace
 
-void RouteContext::make_current() {
+void Context::make_current() {
   if (current == this) return;
   release_current();
   bind();
   current = this;
 }
 
-void RouteContext::release() {
+void Context::release() {
   if (current != this) return;
   current = nullptr;
   unbind();
 }
 
-void* open_library(const std::string& name, const std::string& remedy) {
-  // RTLD_LOCAL keeps one route's symbols from standing in for the other's.
-  void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw ContextError(std::string(dlerror()) + "; " + remedy);
-  return library;
+std::unique_ptr<Context> started(std::unique_ptr<Context> context,
+                                 const ProcAddress& get_proc_address) {
+  context->make_current();
+  const auto load = [&](auto& function, const char* name) {
+    function =
+        reinterpret_cast<std::remove_reference_t<decltype(function)>>(get_proc_address(name));
+    if (!function) throw ContextError(std::string("the driver has no ") + name);
+  };
+#define CONTACTSCOPE_LOAD(name) load(context->functions_.name, "gl" #name);
+  CONTACTSCOPE_GL_FUNCTIONS(CONTACTSCOPE_LOAD)
+#undef CONTACTSCOPE_LOAD
+  return context;
 }
 
-void* find_symbol(void* library, const std::string& library_name, const char* symbol) {
-  void* address = dlsym(library, symbol);
-  if (!address) throw ContextError(library_name + " has no " + symbol);
-  return address;
+Library::Library(const std::string& library_name, const std::string& remedy)
+    // RTLD_LOCAL keeps one route's symbols from standing in for the other's.
+    : name(library_name), handle(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (!handle) throw ContextError(std::string(dlerror()) + "; " + remedy);
+}
+
+Symbol Library::find(const char* symbol) const {
+  void* address = dlsym(handle, symbol);
+  if (!address) throw ContextError(name + " has no " + symbol);
+  return {address};
 }
 
 std::unique_ptr<Context> open_context(Backend backend, const Libraries& libraries) {
   release_current();
-  Search search;
-  std::unique_ptr<Context> context;
+  std::string failures;
+  const auto opened = [&](const Route& route) -> std::unique_ptr<Context> {
+    try {
+      return route.open();
+    } catch (const ContextError& error) {
+      failures += "\n  " + route.name + ": " + error.what();
+      return nullptr;
+    }
+  };
   if (backend != Backend::Osmesa) {
-    context = search.try_route(egl_surfaceless_route(libraries.egl));
-    if (context) return context;
+    if (auto context = opened(egl_surfaceless_route(libraries.egl))) return context;
     for (const Route& route : egl_device_routes(libraries.egl)) {
-      context = search.try_route(route);
-      if (context) return context;
+      if (auto context = opened(route)) return context;
     }
   }
   if (backend != Backend::Egl) {
-    context = search.try_route(osmesa_route(libraries.osmesa));
-    if (context) return context;
+    if (auto context = opened(osmesa_route(libraries.osmesa))) return context;
   }
-  throw ContextError("no OpenGL 3.3 context without a display; tried" + search.failures());
+  throw ContextError("no OpenGL 3.3 context without a display; tried" + failures);
 }
 
 std::vector<RouteReport> probe_routes(const Libraries& libraries) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace contactscope::gl {
+#include "gl/functions.h"
 
-struct Functions;
+namespace contactscope::gl {
 
 enum class Backend { Auto, Egl, Osmesa };
 
@@ -41,10 +41,25 @@ struct Libraries {
 class Context {
  public:
   virtual ~Context() = default;
-  virtual const Functions& functions() const = 0;
-  virtual const std::string& route() const = 0;
-  virtual void make_current() = 0;
-  virtual void release() = 0;
+
+  const Functions& functions() const { return functions_; }
+  const std::string& route() const { return route_; }
+  void make_current();
+  void release();
+
+ protected:
+  explicit Context(std::string route) : route_(std::move(route)) {}
+
+  /// The route's own calls. bind() throws ContextError.
+  virtual void bind() = 0;
+  virtual void unbind() = 0;
+
+ private:
+  friend std::unique_ptr<Context> started(std::unique_ptr<Context> context,
+                                          const ProcAddress& get_proc_address);
+
+  std::string route_;
+  Functions functions_;
 };
 
 /// Opens a context and makes it current. Auto tries EGL (surfaceless, then each device), then

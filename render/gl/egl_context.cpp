@@ -5,7 +5,6 @@
 
 #include <sstream>
 #include <string_view>
-#include <type_traits>
 
 #include "gl/routes.h"
 
@@ -15,24 +14,7 @@ namespace {
 constexpr const char* kInstall = "install libegl1, libegl-mesa0 and libgl1-mesa-dri";
 
 struct Egl {
-  explicit Egl(const std::string& name) : library(open_library(name, kInstall)) {
-    const auto find = [&](auto& function, const char* symbol) {
-      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-          find_symbol(library, name, symbol));
-    };
-    find(get_proc_address, "eglGetProcAddress");
-    find(query_string, "eglQueryString");
-    find(initialize, "eglInitialize");
-    find(bind_api, "eglBindAPI");
-    find(create_context, "eglCreateContext");
-    find(destroy_context, "eglDestroyContext");
-    find(make_current, "eglMakeCurrent");
-    find(get_error, "eglGetError");
-    get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
-        get_proc_address("eglGetPlatformDisplayEXT"));
-    query_devices =
-        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(get_proc_address("eglQueryDevicesEXT"));
-  }
+  explicit Egl(const std::string& name) : library(name, kInstall) {}
 
   bool has_extension(EGLDisplay display, std::string_view wanted) const {
     const char* list = query_string(display, EGL_EXTENSIONS);
@@ -42,18 +24,22 @@ struct Egl {
     }
     return false;
   }
+  /// Null where EGL has no such function.
+  Symbol extension(const char* name) const {
+    return {reinterpret_cast<void*>(get_proc_address(name))};
+  }
 
-  void* library;
-  PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
-  PFNEGLQUERYSTRINGPROC query_string = nullptr;
-  PFNEGLINITIALIZEPROC initialize = nullptr;
-  PFNEGLBINDAPIPROC bind_api = nullptr;
-  PFNEGLCREATECONTEXTPROC create_context = nullptr;
-  PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
-  PFNEGLMAKECURRENTPROC make_current = nullptr;
-  PFNEGLGETERRORPROC get_error = nullptr;
-  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;  // null where it is missing
-  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;               // null where it is missing
+  Library library;
+  PFNEGLGETPROCADDRESSPROC get_proc_address = library.find("eglGetProcAddress");
+  PFNEGLQUERYSTRINGPROC query_string = library.find("eglQueryString");
+  PFNEGLINITIALIZEPROC initialize = library.find("eglInitialize");
+  PFNEGLBINDAPIPROC bind_api = library.find("eglBindAPI");
+  PFNEGLCREATECONTEXTPROC create_context = library.find("eglCreateContext");
+  PFNEGLDESTROYCONTEXTPROC destroy_context = library.find("eglDestroyContext");
+  PFNEGLMAKECURRENTPROC make_current = library.find("eglMakeCurrent");
+  PFNEGLGETERRORPROC get_error = library.find("eglGetError");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = extension("eglGetPlatformDisplayEXT");
+  PFNEGLQUERYDEVICESEXTPROC query_devices = extension("eglQueryDevicesEXT");
 };
 
 [[noreturn]] void fail(const Egl& egl, const std::string& call) {
@@ -62,10 +48,10 @@ struct Egl {
   throw ContextError(text.str());
 }
 
-class EglContext final : public RouteContext {
+class EglContext final : public Context {
  public:
   EglContext(std::string route, const Egl& egl, EGLDisplay display)
-      : RouteContext(std::move(route)), egl_(egl), display_(display) {
+      : Context(std::move(route)), egl_(egl), display_(display) {
     if (!egl_.initialize(display_, nullptr, nullptr)) fail(egl_, "eglInitialize");
     for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
       if (!egl_.has_extension(display_, extension)) {
@@ -84,17 +70,12 @@ class EglContext final : public RouteContext {
                              EGL_NONE};
     context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
     if (context_ == EGL_NO_CONTEXT) fail(egl_, "eglCreateContext for OpenGL 3.3 core");
-    try {
-      make_current();
-      functions_ = load_functions([this](const char* name) {
-        return reinterpret_cast<void*>(egl_.get_proc_address(name));
-      });
-    } catch (...) {
-      destroy();
-      throw;
-    }
   }
-  ~EglContext() override { destroy(); }
+  // The display stays initialized: EGL has one a process, and other contexts may live in it.
+  ~EglContext() override {
+    release();
+    egl_.destroy_context(display_, context_);
+  }
 
  private:
   void bind() override {
@@ -104,11 +85,6 @@ class EglContext final : public RouteContext {
   }
   void unbind() override {
     egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  }
-  // The display stays initialized: EGL has one a process, and other contexts may live in it.
-  void destroy() {
-    release();
-    egl_.destroy_context(display_, context_);
   }
 
   Egl egl_;
@@ -121,7 +97,9 @@ std::unique_ptr<Context> open_display(const std::string& route, const Egl& egl, 
   if (!egl.get_platform_display) throw ContextError("EGL has no eglGetPlatformDisplayEXT");
   EGLDisplay display = egl.get_platform_display(platform, native, nullptr);
   if (display == EGL_NO_DISPLAY) fail(egl, "eglGetPlatformDisplayEXT");
-  return std::make_unique<EglContext>(route, egl, display);
+  return started(std::make_unique<EglContext>(route, egl, display), [&](const char* name) {
+    return reinterpret_cast<void*>(egl.get_proc_address(name));
+  });
 }
 
 }  // namespace

@@ -18,27 +18,20 @@ const GlyphPlace& GlyphAtlas::find(const GlyphKey& key) {
 /// Shelf packing: glyphs stand side by side on a shelf as high as its highest; a new shelf starts
 /// below when the row is full. Labels have few sizes, so that little is wasted.
 GlyphPlace GlyphAtlas::store(const GlyphBitmap& bitmap) {
-  GlyphPlace place;
-  place.width = bitmap.width;
-  place.height = bitmap.height;
-  place.left = bitmap.left;
-  place.top = bitmap.top;
+  GlyphPlace place{
+      .width = bitmap.width, .height = bitmap.height, .left = bitmap.left, .top = bitmap.top};
   if (bitmap.coverage.empty()) return place;
   if (bitmap.width > kSide || bitmap.height > kSide) {
     throw std::length_error("a glyph is larger than a page of the atlas");
   }
-  const auto fits = [&bitmap](const Page& page) {
-    return page.shelf_top + std::max(page.shelf_height, bitmap.height) <= kSide;
-  };
   if (!pages_.empty() && pages_.back().shelf_x + bitmap.width > kSide) {
-    Page& page = pages_.back();
-    page.shelf_top += page.shelf_height;
-    page.shelf_height = page.shelf_x = 0;
+    Page& full = pages_.back();
+    full.shelf_top += full.shelf_height;
+    full.shelf_height = full.shelf_x = 0;
   }
-  if (pages_.empty() || !fits(pages_.back())) {
+  if (pages_.empty() ||
+      pages_.back().shelf_top + std::max(pages_.back().shelf_height, bitmap.height) > kSide)
     pages_.emplace_back();
-    pages_.back().coverage.resize(static_cast<std::size_t>(kSide) * kSide);
-  }
   Page& page = pages_.back();
   place.page = static_cast<int>(pages_.size()) - 1;
   place.x = page.shelf_x;

@@ -35,7 +35,7 @@ class GlyphAtlas {
   static constexpr int kSide = 1024;
 
   struct Page {
-    std::vector<std::uint8_t> coverage;    // kSide * kSide, rows from the top
+    std::vector<std::uint8_t> coverage = std::vector<std::uint8_t>(kSide * kSide);  // from the top
     int changed_from = 0, changed_to = 0;  // rows that a texture has not seen yet
     int shelf_top = 0, shelf_height = 0, shelf_x = 0;
   };

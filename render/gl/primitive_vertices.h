@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "draw/scene/drawing.h"
@@ -33,26 +34,23 @@ struct PrimitiveVertices {
   std::vector<std::uint32_t> indices;
   std::vector<Batch> batches;
 
+  GlyphAtlas atlas;
+
+  /// Forgets all but the atlas.
   void clear();
   /// Appends what a primitive consists of: a fan for a fill, one quad for a stroke or a disc, and
   /// two quads a glyph for text with a halo, all halos before all letters. Glyphs stand on whole
   /// rows and quarter columns of pixels. Appends nothing for what would not be seen: no width, no
   /// length with butt caps, less than three corners. Coordinates are finite.
-  void append(const draw::Primitive& primitive, GlyphAtlas& atlas);
+  void append(const draw::Primitive& primitive);
 
  private:
-  void append_fill(const draw::Fill& fill);
-  void append_stroke(const draw::Stroke& stroke);
-  void append_disc(const draw::Disc& disc);
-  void append_text(const draw::Text& text, GlyphAtlas& atlas);
-  void append_glyph(const GlyphPlace& glyph, int pen_x, int baseline,
-                    const std::array<std::uint8_t, 4>& color);
-  void append_quad(Painter painter, int page, const Vertex& flat,
-                   const std::array<draw::Point2, 4>& corners);
-  void extend_batch(Painter painter, int page, std::uint32_t indices);
+  void add(const draw::Fill& fill);
+  void add(const draw::Stroke& stroke);
+  void add(const draw::Disc& disc);
+  void add(const draw::Text& text);
+  void add_glyph(const GlyphPlace& glyph, int pen_x, int baseline, const draw::Color& color);
+  void add_polygon(Painter painter, int page, Vertex vertex, std::span<const draw::Point2> corners);
 };
-
-/// The colour as the framebuffer stores it: nearest of 256 steps a channel.
-std::array<std::uint8_t, 4> to_bytes(const draw::Color& color);
 
 }  // namespace contactscope::gl

@@ -1,110 +1,146 @@
 #include "gl/rasterizer.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "gl/functions.h"
-#include "gl/glyph_atlas.h"
-#include "gl/primitive_vertices.h"
-#include "gl/program.h"
 #include "gl/shaders.h"
-#include "gl/vertex_array.h"
 
 namespace contactscope::gl {
+namespace {
 
-struct Rasterizer::Impl {
-  Impl(Context& owner, int w, int h);
-  ~Impl();
-
-  void make_framebuffer();
-  void make_programs();
-  void upload_glyphs();
-  void draw_batches();
-
-  Context& context;
-  const Functions& gl;
-  const int width, height;
-  GLuint framebuffer = 0, colors = 0;
-  VertexArray vertices;
-  std::array<GLuint, 3> programs{};  // by Painter
-  std::vector<GLuint> pages;         // textures of the glyph atlas
-  GlyphAtlas atlas;
-  PrimitiveVertices scratch;
-  std::vector<std::uint8_t> rgba;
+/// An input of the vertex shader, at the location that is its place in the list.
+struct Attribute {
+  const char* name;
+  GLint components;
+  GLenum type;
+  GLboolean normalized;
+  std::size_t offset;  // bytes from the start of a vertex
+};
+constexpr Attribute kAttributes[] = {
+    {"position", 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, position)},
+    {"color", 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color)},
+    {"line", 4, GL_FLOAT, GL_FALSE, offsetof(Vertex, line)},
+    {"form", 4, GL_FLOAT, GL_FALSE, offsetof(Vertex, form)},
+    {"run", 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, run)},
 };
 
-Rasterizer::Impl::Impl(Context& owner, int w, int h)
-    : context(owner), gl(owner.functions()), width(w), height(h) {
+/// What `get_log` says of a shader or program. Throws it as a std::runtime_error.
+template <class GetLog>
+[[noreturn]] void reject(const std::string& what, GLuint object, const GetLog& get_log) {
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  get_log(object, static_cast<GLsizei>(log.size()), &length, log.data());
+  throw std::runtime_error(what + log.substr(0, static_cast<std::size_t>(length)));
+}
+
+void attach(const Functions& gl, GLuint program, GLenum kind, const char* source) {
+  const GLuint shader = gl.CreateShader(kind);
+  gl.ShaderSource(shader, 1, &source, nullptr);
+  gl.CompileShader(shader);
+  GLint compiled = GL_FALSE;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (!compiled) reject("the driver rejects a shader: ", shader, gl.GetShaderInfoLog);
+  gl.AttachShader(program, shader);
+  gl.DeleteShader(shader);  // goes with the program
+}
+
+/// Compiles and links GLSL 3.30. Throws std::runtime_error with the driver's log.
+GLuint build_program(const Functions& gl, const char* fragment_source) {
+  const GLuint program = gl.CreateProgram();
+  attach(gl, program, GL_VERTEX_SHADER, kVertexShader);
+  attach(gl, program, GL_FRAGMENT_SHADER, fragment_source);
+  GLuint location = 0;
+  for (const Attribute& attribute : kAttributes)
+    gl.BindAttribLocation(program, location++, attribute.name);
+  gl.LinkProgram(program);
+  GLint linked = GL_FALSE;
+  gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (!linked) reject("the driver cannot link a program: ", program, gl.GetProgramInfoLog);
+  return program;
+}
+
+}  // namespace
+
+Rasterizer::Rasterizer(Context& context, int width, int height)
+    : context_(context), gl_(context.functions()), width_(width), height_(height) {
   if (width <= 0 || height <= 0)
     throw std::invalid_argument("a picture needs a width and a height");
   context.make_current();
   make_framebuffer();
   make_programs();
-  vertices = make_vertex_array(gl, sizeof(Vertex),
-                               {{2, GL_FLOAT, GL_FALSE, offsetof(Vertex, position)},
-                                {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color)},
-                                {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, line)},
-                                {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, form)},
-                                {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, run)}});
+  make_vertex_array();
 }
 
-Rasterizer::Impl::~Impl() {
-  context.make_current();
-  gl.DeleteFramebuffers(1, &framebuffer);
-  gl.DeleteRenderbuffers(1, &colors);
-  delete_vertex_array(gl, vertices);
-  for (const GLuint program : programs) gl.DeleteProgram(program);
-  gl.DeleteTextures(static_cast<GLsizei>(pages.size()), pages.data());
+Rasterizer::~Rasterizer() {
+  context_.make_current();
+  gl_.DeleteFramebuffers(1, &framebuffer_);
+  gl_.DeleteRenderbuffers(1, &colors_);
+  gl_.DeleteBuffers(1, &indices_);
+  gl_.DeleteBuffers(1, &vertices_);
+  gl_.DeleteVertexArrays(1, &vertex_array_);
+  for (const GLuint program : programs_) gl_.DeleteProgram(program);
+  gl_.DeleteTextures(static_cast<GLsizei>(pages_.size()), pages_.data());
 }
 
-void Rasterizer::Impl::make_framebuffer() {
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.GenRenderbuffers(1, &colors);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, colors);
-  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colors);
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("the driver has no framebuffer of " + std::to_string(width) + " x " +
-                             std::to_string(height) + " pixels");
+void Rasterizer::make_framebuffer() {
+  gl_.GenFramebuffers(1, &framebuffer_);
+  gl_.GenRenderbuffers(1, &colors_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, colors_);
+  gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colors_);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("the driver has no framebuffer of " + std::to_string(width_) + " x " +
+                             std::to_string(height_) + " pixels");
   }
 }
 
-void Rasterizer::Impl::make_programs() {
+void Rasterizer::make_programs() {
   const char* fragments[] = {kFillFragmentShader, kShapeFragmentShader, kGlyphFragmentShader};
-  for (std::size_t i = 0; i < programs.size(); ++i) {
-    programs[i] = build_program(gl, kVertexShader, fragments[i],
-                                {"position", "color", "line", "form", "run"});
-    gl.UseProgram(programs[i]);
-    gl.Uniform2f(gl.GetUniformLocation(programs[i], "pixel"), 2.0f / static_cast<float>(width),
-                 2.0f / static_cast<float>(height));
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    programs_[i] = build_program(gl_, fragments[i]);
+    gl_.UseProgram(programs_[i]);
+    gl_.Uniform2f(gl_.GetUniformLocation(programs_[i], "pixel"), 2.0f / static_cast<float>(width_),
+                  2.0f / static_cast<float>(height_));
+  }
+}
+
+void Rasterizer::make_vertex_array() {
+  gl_.GenVertexArrays(1, &vertex_array_);
+  gl_.GenBuffers(1, &vertices_);
+  gl_.GenBuffers(1, &indices_);
+  gl_.BindVertexArray(vertex_array_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  GLuint location = 0;
+  for (const Attribute& attribute : kAttributes) {
+    gl_.EnableVertexAttribArray(location);
+    gl_.VertexAttribPointer(location++, attribute.components, attribute.type, attribute.normalized,
+                            sizeof(Vertex), reinterpret_cast<const void*>(attribute.offset));
   }
 }
 
 /// Copies the rows of the atlas that changed since the last frame.
-void Rasterizer::Impl::upload_glyphs() {
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (std::size_t i = 0; i < atlas.pages().size(); ++i) {
-    GlyphAtlas::Page& page = atlas.pages()[i];
-    if (i == pages.size()) {
+void Rasterizer::upload_glyphs() {
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (std::size_t i = 0; i < triangles_.atlas.pages().size(); ++i) {
+    GlyphAtlas::Page& page = triangles_.atlas.pages()[i];
+    if (i == pages_.size()) {
       GLuint texture = 0;
-      gl.GenTextures(1, &texture);
-      gl.BindTexture(GL_TEXTURE_2D, texture);
-      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::kSide, GlyphAtlas::kSide, 0, GL_RED,
-                    GL_UNSIGNED_BYTE, nullptr);
-      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-      pages.push_back(texture);
+      gl_.GenTextures(1, &texture);
+      gl_.BindTexture(GL_TEXTURE_2D, texture);
+      gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::kSide, GlyphAtlas::kSide, 0, GL_RED,
+                     GL_UNSIGNED_BYTE, nullptr);
+      gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      pages_.push_back(texture);
     }
     if (page.changed_from == page.changed_to) continue;
-    gl.BindTexture(GL_TEXTURE_2D, pages[i]);
-    gl.TexSubImage2D(
+    gl_.BindTexture(GL_TEXTURE_2D, pages_[i]);
+    gl_.TexSubImage2D(
         GL_TEXTURE_2D, 0, 0, page.changed_from, GlyphAtlas::kSide,
         page.changed_to - page.changed_from, GL_RED, GL_UNSIGNED_BYTE,
         &page.coverage[static_cast<std::size_t>(page.changed_from) * GlyphAtlas::kSide]);
@@ -112,76 +148,52 @@ void Rasterizer::Impl::upload_glyphs() {
   }
 }
 
-void Rasterizer::Impl::draw_batches() {
-  gl.BindVertexArray(vertices.array);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertices.vertices);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(scratch.vertices.size() * sizeof(Vertex)),
-                scratch.vertices.data(), GL_STREAM_DRAW);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
-                static_cast<GLsizeiptr>(scratch.indices.size() * sizeof(std::uint32_t)),
-                scratch.indices.data(), GL_STREAM_DRAW);
-  for (const Batch& batch : scratch.batches) {
-    gl.UseProgram(programs[static_cast<std::size_t>(batch.painter)]);
-    if (batch.painter == Painter::Glyph) {
-      gl.BindTexture(GL_TEXTURE_2D, pages[static_cast<std::size_t>(batch.page)]);
-    }
-    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
-                    reinterpret_cast<const void*>(batch.first * sizeof(std::uint32_t)));
-  }
-}
-
-Rasterizer::Rasterizer(Context& context, int width, int height)
-    : impl_(std::make_unique<Impl>(context, width, height)) {}
-Rasterizer::~Rasterizer() = default;
-
-unsigned Rasterizer::framebuffer() const {
-  return impl_->framebuffer;
-}
-
-void Rasterizer::begin(const draw::Color& background) {
-  impl_->context.make_current();
-  const Functions& gl = impl_->gl;
-  gl.BindFramebuffer(GL_FRAMEBUFFER, impl_->framebuffer);
-  gl.Viewport(0, 0, impl_->width, impl_->height);
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.ClearColor(background.r, background.g, background.b, background.a);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
-}
-
 void Rasterizer::paint(const draw::Drawing& drawing) {
-  impl_->context.make_current();
-  impl_->scratch.clear();
-  for (const draw::Primitive& primitive : drawing.primitives) {
-    impl_->scratch.append(primitive, impl_->atlas);
-  }
-  const Functions& gl = impl_->gl;
-  gl.BindFramebuffer(GL_FRAMEBUFFER, impl_->framebuffer);
-  gl.Viewport(0, 0, impl_->width, impl_->height);
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_CULL_FACE);
+  context_.make_current();
+  triangles_.clear();
+  for (const draw::Primitive& primitive : drawing.primitives) triangles_.append(primitive);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.Viewport(0, 0, width_, height_);
+  gl_.Disable(GL_SCISSOR_TEST);
+  const draw::Color& background = drawing.background;
+  gl_.ClearColor(background.r, background.g, background.b, background.a);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
   // Mixed as the bytes stand, without linearizing: a half transparent #0072B2 on white is what
   // every other tool makes of it.
-  gl.Enable(GL_BLEND);
-  gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  impl_->upload_glyphs();
-  impl_->draw_batches();
+  gl_.Enable(GL_BLEND);
+  gl_.BlendEquation(GL_FUNC_ADD);
+  gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  upload_glyphs();
+  gl_.BindVertexArray(vertex_array_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  const auto fill = [&](GLenum target, const auto& data) {
+    gl_.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])), data.data(),
+                   GL_STREAM_DRAW);
+  };
+  fill(GL_ARRAY_BUFFER, triangles_.vertices);
+  fill(GL_ELEMENT_ARRAY_BUFFER, triangles_.indices);
+  for (const Batch& batch : triangles_.batches) {
+    gl_.UseProgram(programs_[static_cast<std::size_t>(batch.painter)]);
+    if (batch.painter == Painter::Glyph)
+      gl_.BindTexture(GL_TEXTURE_2D, pages_[static_cast<std::size_t>(batch.page)]);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(batch.first * sizeof(std::uint32_t)));
+  }
 }
 
 Image Rasterizer::read() {
-  impl_->context.make_current();
-  const Functions& gl = impl_->gl;
-  const std::size_t pixels =
-      static_cast<std::size_t>(impl_->width) * static_cast<std::size_t>(impl_->height);
-  impl_->rgba.resize(4 * pixels);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, impl_->framebuffer);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  context_.make_current();
+  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  rgba_.resize(4 * pixels);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
   // As stored, and packed below: drivers convert to GL_RGB pixel by pixel.
-  gl.ReadPixels(0, 0, impl_->width, impl_->height, GL_RGBA, GL_UNSIGNED_BYTE, impl_->rgba.data());
-  if (gl.GetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL failed to paint a picture");
-  Image image(impl_->width, impl_->height);
-  const std::uint8_t* from = impl_->rgba.data();
+  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+  if (gl_.GetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL failed to paint a picture");
+  Image image(width_, height_);
+  const std::uint8_t* from = rgba_.data();
   std::uint8_t* to = image.rgb.data();
   // Four bytes at once are one move each; the next pixel overwrites the fourth.
   for (std::size_t i = 1; i < pixels; ++i, from += 4, to += 3) std::memcpy(to, from, 4);

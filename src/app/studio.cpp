@@ -59,7 +59,6 @@ Image Studio::paint(const draw::Drawing& drawing) {
   gl::Rasterizer& rasterizer = canvas(drawing.width, drawing.height);
   {
     const Timed timed(ledger_, "paint");
-    rasterizer.begin(drawing.background);
     rasterizer.paint(drawing);
   }
   const Timed timed(ledger_, "read back");

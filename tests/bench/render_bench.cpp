@@ -86,7 +86,6 @@ void paint_and_read_back(benchmark::State& state) {
   gl::Rasterizer canvas(*context, kWidth, kHeight);
   const draw::Drawing drawing = draw::illustrate(prepared().staging, prepared().frames.back());
   for (auto _ : state) {
-    canvas.begin(drawing.background);
     canvas.paint(drawing);
     benchmark::DoNotOptimize(canvas.read());
   }
@@ -100,7 +99,6 @@ void panels(benchmark::State& state) {
   for (auto _ : state) {
     draw::Drawing drawing;
     column.add({prepared().frames.size() - 1, {}}, drawing);
-    canvas.begin({1, 1, 1, 1});
     canvas.paint(drawing);
   }
 }

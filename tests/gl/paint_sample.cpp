@@ -16,9 +16,7 @@ int main(int count, char** arguments) try {
   const auto context = gl::open_context(osmesa ? gl::Backend::Osmesa : gl::Backend::Egl);
   const int width = std::atoi(arguments[2]), height = std::atoi(arguments[3]);
   gl::Rasterizer rasterizer(*context, width, height);
-  const contactscope::draw::Drawing drawing = contactscope::testing::sample_drawing(width, height);
-  rasterizer.begin(drawing.background);
-  rasterizer.paint(drawing);
+  rasterizer.paint(contactscope::testing::sample_drawing(width, height));
   const contactscope::Image image = rasterizer.read();
   std::fwrite(image.rgb.data(), 1, image.rgb.size(), stdout);
   std::fputs(reinterpret_cast<const char*>(context->functions().GetString(GL_RENDERER)), stdout);

@@ -17,7 +17,6 @@ inline Pixel pixel(const Image& image, int x, int y) {
 }
 
 inline Image paint(gl::Rasterizer& rasterizer, const draw::Drawing& drawing) {
-  rasterizer.begin(drawing.background);
   rasterizer.paint(drawing);
   return rasterizer.read();
 }

@@ -154,7 +154,7 @@ TEST_F(RasterizerTest, PaintsTwoSizesInTurnsAndCutsAtTheBorder) {
   EXPECT_EQ(paint(small, drawing), first);
 }
 
-TEST_F(RasterizerTest, BeginForgetsTheLastFrame) {
+TEST_F(RasterizerTest, APictureForgetsTheLastFrame) {
   Rasterizer rasterizer(*context_, 64, 64);
   const Image before = paint(rasterizer, draw::Drawing{});
   paint(rasterizer, testing::sample_drawing(64, 64));
@@ -162,9 +162,10 @@ TEST_F(RasterizerTest, BeginForgetsTheLastFrame) {
 }
 
 TEST_F(RasterizerTest, FramebufferIsOneOfItsOwn) {
-  Rasterizer first(*context_, 8, 8), second(*context_, 8, 8);
-  EXPECT_NE(first.framebuffer(), 0u);
-  EXPECT_NE(first.framebuffer(), second.framebuffer());
+  Rasterizer first(*context_, 64, 64), second(*context_, 64, 64);
+  const Image expected = paint(first, testing::sample_drawing(64, 64));
+  EXPECT_NE(paint(second, draw::Drawing{}), expected);
+  EXPECT_EQ(first.read(), expected);
 }
 
 TEST_F(RasterizerTest, RefusesSizesThatNoPictureHas) {

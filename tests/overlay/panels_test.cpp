@@ -68,7 +68,7 @@ class PanelColumnTest : public ::testing::Test {
     PanelColumn panels(staging, frames);
     draw::Drawing drawing;
     panels.add({current, {}}, drawing);
-    rasterizer.begin(ground);
+    drawing.background = ground;
     rasterizer.paint(drawing);
     return rasterizer.read();
   }
