@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 #include "core/convex_polygon.h"
 #include "draw/scene/solid.h"
@@ -43,21 +44,18 @@ std::vector<Vec2d> silhouette(const Camera& camera, const PlacedShape& shape) {
 }
 
 // By a separating axis: both are convex, and the box's edges are level and upright.
-bool overlap(const std::vector<Vec2d>& polygon, const Vec2d& low, const Vec2d& high) {
+bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) {
   if (polygon.size() < 3) return false;
-  Vec2d from = polygon.front(), to = from;
-  for (const Vec2d& p : polygon) {
-    from = from.cwiseMin(p);
-    to = to.cwiseMax(p);
-  }
-  if ((from.array() > high.array()).any() || (to.array() < low.array()).any()) return false;
-  const std::array<Vec2d, 4> corners{low, Vec2d(high.x(), low.y()), high, Vec2d(low.x(), high.y())};
+  Eigen::AlignedBox2d around;
+  for (const Vec2d& p : polygon) around.extend(p);
+  if (!around.intersects(box)) return false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2d& p = polygon[i];
     const Vec2d edge = polygon[(i + 1) % polygon.size()] - p;
-    if (std::ranges::all_of(corners, [&](const Vec2d& c) { return cross(edge, c - p) < 0; })) {
-      return false;
-    }
+    const auto is_outside = [&](int corner) {
+      return cross(edge, box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner)) - p) < 0;
+    };
+    if (std::ranges::all_of(std::views::iota(0, 4), is_outside)) return false;
   }
   return true;
 }
@@ -92,40 +90,37 @@ void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const float size = static_cast<float>(pixel) * kPairLabelSize;
   const Vec2d half(0.5 * text_width(pair.label, size, FontWeight::Bold) + 2, 0.5 * size);
   const Vec2d origin(at->x, at->y);
-  // Where the label begins, at the border of the silhouette, and the way out.
-  const auto border = [&](const std::vector<Vec2d>& points, const Vec2d& out) -> Vec2d {
+  const Rect& view = camera.viewport();
+  const Vec2d low(view.x, view.y), high(view.right(), view.bottom());
+  // Where the label begins, at the border of a silhouette, and the way out.
+  struct Place {
+    Vec2d begin, out;
+  };
+  const auto border = [&](const std::vector<Vec2d>& points, const Vec2d& out) -> Place {
     double reach = -1e300;
     for (const Vec2d& p : points) reach = std::max(reach, out.dot(p - origin));
-    return origin + reach * out;
+    return {origin + reach * out, out};
   };
-  const Rect& view = camera.viewport();
-  const Vec2d low(view.x, view.y), high(view.x + view.width, view.y + view.height);
-  const auto is_free = [&](const Vec2d& begin, const Vec2d& out) {
-    const Vec2d center = begin + kPairLabelGap * pixel * out + out.cwiseProduct(half);
+  const auto is_free = [&](const Place& place) {
+    const Vec2d center =
+        place.begin + kPairLabelGap * pixel * place.out + place.out.cwiseProduct(half);
+    const Eigen::AlignedBox2d box(center - half, center + half);
     if ((center - half - low).minCoeff() < 0 || (high - center - half).minCoeff() < 0) return false;
-    return std::ranges::none_of(all, [&](const std::vector<Vec2d>& polygon) {
-      return overlap(polygon, center - half, center + half);
-    });
+    return std::ranges::none_of(all, [&](const auto& polygon) { return overlap(polygon, box); });
   };
   const Vec2d up(0, -1), down(0, 1), right(1, 0), left(-1, 0);
-  Vec2d begin = border(own, up), out = up;
-  for (const auto& [place, way] :
-       {std::pair{border(own, up), up}, std::pair{border(both, up), up},
-        std::pair{border(own, down), down}, std::pair{border(own, right), right},
-        std::pair{border(own, left), left}}) {
-    if (!is_free(place, way)) continue;
-    begin = place;
-    out = way;
-    break;
-  }
+  const std::array<Place, 5> places{border(own, up), border(both, up), border(own, down),
+                                    border(own, right), border(own, left)};
+  const auto found = std::ranges::find_if(places, is_free);
+  const Place& place = found == places.end() ? places.front() : *found;
   const Vec2d inside = Vec2d::Constant(pixel);
-  begin = begin.cwiseMax(low + inside).cwiseMin(high - inside);
+  const Vec2d begin = place.begin.cwiseMax(low + inside).cwiseMin(high - inside);
   const double metres = 1 / camera.pixels_per_metre(middle);
   const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
     return metres * (pixels.x() * camera.right() - pixels.y() * camera.up());
   };
   sketch.label(middle + in_world(begin - origin), pair.label, kText, kPairLabelSize, kPairLabelGap,
-               Vec3d(in_world(out).normalized()));
+               Vec3d(in_world(place.out).normalized()));
 }
 
 }  // namespace

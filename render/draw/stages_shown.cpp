@@ -5,56 +5,41 @@
 namespace contactscope::draw {
 namespace {
 
-using Stage = bool trace::Stages::*;
+using trace::Stages;
+using Needs = std::array<bool Stages::*, 3>;
 
-std::vector<Stage> needs_of(Panel panel) {
-  using trace::Stages;
-  switch (panel) {
-    case Panel::Summary:
-      return {&Stages::sat, &Stages::reduction};
-    case Panel::ContactPlane:
-      return {&Stages::clip, &Stages::reduction};
-    case Panel::AxisHistory:
-      return {&Stages::sat};
-    case Panel::Stability:
-      return {&Stages::stability};
-    case Panel::Plots:
-      return {};
-    case Panel::Minkowski:
-      return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
-    case Panel::GaussMap:
-      return {&Stages::gauss_map, &Stages::sat};
-  }
-  return {};
-}
+// One row for each Panel, in their order.
+constexpr std::array<Needs, kPanelNames.size()> kOfPanels{{
+    {&Stages::sat, &Stages::reduction},                        // Summary
+    {&Stages::clip, &Stages::reduction},                       // ContactPlane
+    {&Stages::sat},                                            // AxisHistory
+    {&Stages::stability},                                      // Stability
+    {},                                                        // Plots
+    {&Stages::minkowski, &Stages::gjk, &Stages::penetration},  // Minkowski
+    {&Stages::gauss_map, &Stages::sat},                        // GaussMap
+}};
 
-std::vector<Stage> needs_of(Story story) {
-  using trace::Stages;
-  switch (story) {
-    case Story::None:
-      return {};
-    case Story::ClipSteps:
-      return {&Stages::clip};
-    case Story::GjkSteps:
-    case Story::EpaSteps:
-      return {&Stages::gjk, &Stages::penetration};
-  }
-  return {};
-}
+// And for each Story.
+constexpr std::array<Needs, 4> kOfStories{{
+    {},                                    // None
+    {&Stages::clip},                       // ClipSteps
+    {&Stages::gjk, &Stages::penetration},  // GjkSteps
+    {&Stages::gjk, &Stages::penetration},  // EpaSteps
+}};
 
 }  // namespace
 
 trace::Stages stages_shown(const std::vector<View>& views) {
   trace::Stages stages = trace::Stages::none();
-  const auto add = [&](const auto& needs) {
-    for (const Stage stage : needs) {
+  const auto add = [&](const Needs& needs) {
+    for (const auto stage : needs) {
       if (stage != nullptr) stages.*stage = true;
     }
   };
   for (const View& view : views) {
     for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
-    for (const Panel panel : view.panels) add(needs_of(panel));
-    add(needs_of(view.story));
+    for (const Panel panel : view.panels) add(kOfPanels[static_cast<std::size_t>(panel)]);
+    add(kOfStories[static_cast<std::size_t>(view.story)]);
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
   }
   return stages;

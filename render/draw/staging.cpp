@@ -5,10 +5,11 @@
 #include <map>
 #include <numbers>
 
-#include "draw/picture_legend.h"
+#include "core/at.h"
+#include "draw/illustrate.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/plane_patch.h"
-#include "draw/scene/view_fit.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -36,18 +37,15 @@ Vec3d default_direction(const trace::Header& header) {
 
 /// Points of a sequence that a picture must hold. One that has not moved since the frame before
 /// stands there already.
-class Cloud {
- public:
+struct Cloud {
+  std::vector<Vec3d> points, last;
+
   void add(std::vector<Vec3d> frame) {
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (i >= last_.size() || frame[i] != last_[i]) points_.push_back(frame[i]);
+      if (i >= last.size() || frame[i] != last[i]) points.push_back(frame[i]);
     }
-    last_ = std::move(frame);
+    last = std::move(frame);
   }
-  std::vector<Vec3d> take() { return std::move(points_); }
-
- private:
-  std::vector<Vec3d> points_, last_;
 };
 
 /// What a sequence asks of a camera, gathered in one pass over its frames.
@@ -76,23 +74,14 @@ void add_contact(const trace::Pair& pair, std::vector<Vec3d>& points) {
   if (pair.reduction) {
     for (const trace::Point& point : pair.reduction->points) points.push_back(point.position);
   }
-  if (pair.clip) {
-    const trace::Polygon& incident = pair.clip->incident.polygon;
-    points.insert(points.end(), incident.begin(), incident.end());
-  }
+  if (pair.clip) append(points, pair.clip->incident.polygon);
 }
 
-/// Of those shapes that are chosen, each whole.
-template <class Chosen>
-std::vector<Vec3d> points_of(const std::vector<PlacedShape>& placed, const Chosen& chosen) {
-  std::vector<Vec3d> points;
-  for (const PlacedShape& shape : placed) {
-    if (!chosen(*shape.mesh)) continue;
-    const std::vector<Vec3d> own = extent_points(shape);
-    points.insert(points.end(), own.begin(), own.end());
-  }
-  return points;
-}
+/// A plane of a sequence, and where it stands in each frame.
+struct SequencePlane {
+  PatchFit fit;
+  std::vector<Pose<double>> poses;
+};
 
 // Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known by
 // their outline alone, and the ground with all that is on it.
@@ -101,55 +90,48 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
   const Vec3d usual = default_direction(header);
   const double smallest = meshes.smallest_radius();
   const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
-  const auto is_body = [&](const ShapeMesh& mesh) { return mesh.radius <= kLargeShape * smallest; };
   const bool any_round = std::ranges::any_of(meshes, is_round);
-  std::map<std::size_t, PatchFit> patches;  // of planes
-  std::map<std::size_t, std::vector<Pose<double>>> poses;
+  std::map<std::size_t, SequencePlane> planes;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (meshes[i].shape->half_space)
-      patches.try_emplace(i, *meshes[i].shape->half_space, up_axis(header));
+    if (const auto& plane = meshes[i].shape->half_space)
+      planes.try_emplace(i, SequencePlane{{*plane, up_axis(header)}, {}});
   }
   Extent extent;
   Cloud shapes, round, bodies;
   for (const trace::Frame& frame : frames) {
     const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
-    std::vector<Vec3d> points = extent_points(placed);
-    for (auto& [i, patch] : patches) {
-      patch.add(placed[i].pose, points);
-      poses[i].push_back(placed[i].pose);
+    std::vector<Vec3d> points = extent_points(placed), chosen;
+    for (auto& [i, plane] : planes) {
+      plane.fit.add(placed[i].pose, points);
+      plane.poses.push_back(placed[i].pose);
     }
     shapes.add(std::move(points));
-    if (any_round)
-      round.add(points_of(placed, is_round));
-    else
-      bodies.add(points_of(placed, is_body));
+    for (const PlacedShape& shape : placed) {
+      if (any_round ? is_round(*shape.mesh) : shape.mesh->radius <= kLargeShape * smallest)
+        append(chosen, extent_points(shape));
+    }
+    (any_round ? round : bodies).add(std::move(chosen));
     for (const trace::Pair& pair : frame.pairs) {
       if (extent.normal.isZero() && !pair.manifolds.empty())
         extent.normal = seen_side(meshes, placed, pair, pair.manifolds.front().normal, usual);
       add_contact(pair, extent.contact);
     }
   }
-  extent.shapes = shapes.take();
-  for (const auto& [i, patch] : patches) {
-    meshes[i].patch = patch.patch();
-    PlacedShape plane{&meshes[i], {}, {}};
+  extent.shapes = std::move(shapes.points);
+  for (const auto& [i, plane] : planes) {
+    meshes[i].patch = plane.fit.patch();
     Cloud corners;
-    for (const Pose<double>& pose : poses[i]) {
-      plane.pose = pose;
-      corners.add(patch_corners(plane));
-    }
-    const std::vector<Vec3d> all = corners.take();
-    extent.shapes.insert(extent.shapes.end(), all.begin(), all.end());
+    for (const Pose<double>& pose : plane.poses) corners.add(patch_corners(*meshes[i].patch, pose));
+    append(extent.shapes, corners.points);
   }
-  extent.uncropped = patches.empty() ? round.take() : extent.shapes;
-  extent.bodies = bodies.take();
+  extent.uncropped = planes.empty() ? round.points : extent.shapes;
+  extent.bodies = std::move(bodies.points);
   if (extent.contact.empty()) return extent;
   // A point contact has no size: what lies around it counts instead.
   const Vec3d center = center_of(extent.contact);
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d reach = kLeastContext * smallest * Vec3d::Unit(axis);
-    extent.contact.push_back(center + reach);
-    extent.contact.push_back(center - reach);
+    append(extent.contact, std::array<Vec3d, 2>{center + reach, center - reach});
   }
   return extent;
 }
@@ -161,11 +143,6 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
   Vec3d along = usual - usual.dot(normal) * normal;
   along = along.norm() > 1e-3 ? Vec3d(along.normalized()) : any_perpendicular(normal);
   return std::cos(radians(kElevation)) * along + std::sin(radians(kElevation)) * normal;
-}
-
-std::vector<Vec3d> joined(std::vector<Vec3d> points, const std::vector<Vec3d>& more) {
-  points.insert(points.end(), more.begin(), more.end());
-  return points;
 }
 
 Camera fit_camera(const trace::Header& header, const Extent& extent, const View& view,
@@ -180,17 +157,19 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
     direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
   }
   const ViewAxes axes(direction, up_axis(header));
-  const auto fit = [&](const std::vector<Vec3d>& points, double share) {
+  const auto fit = [&](std::vector<Vec3d> points, double share,
+                       const std::vector<Vec3d>& more = {}) {
+    append(points, more);
     return fit_view(points, axes, view.target, half_height, aspect, share);
   };
   ViewFit best = fit(extent.shapes, kShapesShare);
   if (view.focus == Focus::Contact && !extent.contact.empty()) {
     ViewFit close = fit(extent.contact, kPatchShare);
     if (!extent.uncropped.empty()) {
-      const ViewFit around = fit(joined(extent.uncropped, extent.contact), kShapesShare);
+      const ViewFit around = fit(extent.uncropped, kShapesShare, extent.contact);
       close = {around.target, std::max(around.distance, close.distance)};
     } else {  // whole bodies, as long as the patch stays a third of the view
-      const ViewFit seen = fit(joined(extent.bodies, extent.contact), kShapesShare);
+      const ViewFit seen = fit(extent.bodies, kShapesShare, extent.contact);
       if (seen.distance <= fit(extent.contact, kLeastPatch).distance)
         close = {seen.target, std::max(seen.distance, close.distance)};
     }
@@ -216,10 +195,10 @@ double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& vie
   for (const trace::Frame& frame : frames) {
     for (const trace::Pair& pair : frame.pairs) {
       if (by_age && pair.incremental) continue;
-      for (const PairPoint& any : all_points(pair)) {
-        const trace::Point& point = *any.point;
-        if (!camera.sees(point.position)) continue;
-        deepest = std::max(deepest, -point.separation * camera.pixels_per_metre(point.position));
+      for (const auto& [manifold, point] : all_points(pair)) {
+        const Vec3d& at = point->position;
+        if (camera.sees(at))
+          deepest = std::max(deepest, -point->separation * camera.pixels_per_metre(at));
       }
     }
   }
@@ -254,7 +233,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   ShapeMeshes meshes(header.shapes);
   const Extent extent = gather(header, frames, meshes);
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
-    return make_layout(width, height, !view.panels.empty(), widths, insets.size());
+    return make_layout(width, height, !view.panels.empty(), widths, count_of(insets));
   };
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
   // what each frame shows: explain all frames with a camera that only has to exist.

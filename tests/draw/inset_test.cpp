@@ -6,7 +6,6 @@
 #include <random>
 
 #include "draw/illustrate.h"
-#include "draw/picture_legend.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/simplex_steps.h"
 #include "draw/stages_shown.h"

@@ -114,7 +114,7 @@ TEST(PlanePatch, LiesInThePlaneOnASlope) {
   const BallOn scene(ground(normal, 0.7), {1.19 * normal}, normal);
   const Staging staging = scene.staged();
   const std::vector<PlacedShape> placed = place_shapes(staging.meshes, scene.frames[0]);
-  for (const Vec3d& corner : patch_corners(placed[0])) {
+  for (const Vec3d& corner : patch_corners(*placed[0].mesh->patch, placed[0].pose)) {
     EXPECT_NEAR(normal.dot(corner), 0.7, 1e-12);
   }
   EXPECT_NEAR(staging.meshes[0].patch->u.y(), 0, 1e-12);  // its edges are level

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
-#include "draw/picture_legend.h"
+#include "draw/illustrate.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 #include "draw/stages_shown.h"

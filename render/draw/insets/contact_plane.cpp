@@ -10,7 +10,6 @@
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sequence_scales.h"
-#include "draw/scene/support.h"
 #include "draw/scene/swatches.h"
 
 namespace contactscope::draw {

@@ -7,7 +7,6 @@
 #include "draw/scene/compose.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
-#include "draw/scene/view_fit.h"
 
 namespace contactscope::draw {
 namespace {

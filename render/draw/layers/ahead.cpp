@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/measure.h"
+#include "draw/scene/arrows.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/swatches.h"
 
@@ -15,8 +15,7 @@ constexpr double kAside = 44;    // pixels of the gap from the point, whose impu
 
 constexpr LineStyle kGhost{2.0f, kDropped, true};
 
-constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4,
-                              [](const SwatchPen& pen) { pen.dashes(2, kDropped); }};
+constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
 
 // The silhouette alone.
 void draw_ghost(const Camera& camera, const PlacedShape& shape, Sketch& sketch) {
@@ -43,34 +42,19 @@ const PlacedShape* fast_shape(const Scene& scene, const trace::Body& body) {
   return scene.find(body.name);
 }
 
-struct Gap {
-  Vec3d from, to;
-  double metres;
-};
-
-std::vector<Gap> gaps_of(const Scene& scene, const trace::Pair& pair) {
-  std::vector<Gap> gaps;
-  const PlacedShape* a = scene.find(pair.a);
-  const bool on_a = a == nullptr || a->mesh->shape->radius == 0;
-  for (const auto& [manifold, point] : all_points(pair)) {
-    if (!stands_off(*point, scene.scales)) continue;
-    const Vec3d other = point->position + (on_a ? 1 : -1) * point->separation * manifold->normal;
-    gaps.push_back({point->position, other, point->separation});
-  }
-  return gaps;
-}
-
-Vec3d aside_of(const Scene& scene, const Gap& gap) {
-  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(gap.from);
-  return kAside * pixel * scene.camera.up();
-}
-
-bool has_next_frame(const Scene& scene) {
-  return scene.frame.solver && scene.scales.step > 0;
+/// The gap of a point that does not touch yet.
+void draw_gap_at(const Scene& scene, bool on_a, const PairPoint& at, Sketch& sketch) {
+  const auto& [manifold, point] = at;
+  const Vec3d& from = point->position;
+  const Vec3d to = from + (on_a ? 1 : -1) * point->separation * manifold->normal;
+  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(from);
+  const Vec3d aside = kAside * pixel * scene.camera.up();
+  for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
+  draw_gap(scene, from + aside, to + aside, point->separation, 12, scene.camera.up(), sketch);
 }
 
 void draw_ahead(const Scene& scene, Sketch& sketch) {
-  if (!has_next_frame(scene)) return;
+  if (!scene.frame.solver || scene.scales.step <= 0) return;
   for (const trace::Body& body : scene.bodies()) {
     const PlacedShape* shape = fast_shape(scene, body);
     if (shape == nullptr) continue;
@@ -88,33 +72,19 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
     for (Vec3d& v : ghost.vertices) v += way;
     draw_ghost(scene.camera, ghost, sketch);
     sketch.line(body.center_of_mass, body.center_of_mass + way, {1.2f, kDropped, true});
+    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it");
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
-    for (const Gap& gap : gaps_of(scene, pair)) {
-      const Vec3d aside = aside_of(scene, gap);
-      for (const Vec3d& end : {gap.from, gap.to})
-        sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
-      draw_gap(scene, gap.from + aside, gap.to + aside, gap.metres, 12, scene.camera.up(), sketch);
-    }
-  }
-}
-
-void explain_ahead(const Scene& scene, Legend& legend) {
-  if (!has_next_frame(scene)) return;
-  if (std::ranges::any_of(scene.bodies(), [&](const trace::Body& body) {
-        return fast_shape(scene, body) != nullptr;
-      }))
-    legend.explain(kAheadSwatch, "a frame later, if nothing stopped it");
-  for (const trace::Pair& pair : scene.frame.pairs) {
-    for (const Gap& gap : gaps_of(scene, pair)) {
-      const Vec3d aside = aside_of(scene, gap);
-      explain_gap(scene, gap.from + aside, gap.to + aside, legend);
+    const PlacedShape* a = scene.find(pair.a);
+    const bool on_a = a == nullptr || a->mesh->shape->radius == 0;
+    for (const PairPoint& any : all_points(pair)) {
+      if (stands_off(*any.point, scene.scales)) draw_gap_at(scene, on_a, any, sketch);
     }
   }
 }
 
 }  // namespace
 
-const LayerDrawing kAheadLayer{.above = draw_ahead, .explain_frame = explain_ahead};
+const LayerDrawing kAheadLayer{.above = draw_ahead};
 
 }  // namespace contactscope::draw

@@ -12,7 +12,7 @@ namespace {
 // Height of a drawn side plane, as a fraction of the reference face's size.
 constexpr double kPlaneHeight = 0.22;
 
-constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](const SwatchPen& pen) {
+constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](auto& pen) {
                                     pen.box(with_alpha(kSidePlane, 0.2f), kSidePlane, 1.2);
                                   }};
 
@@ -35,7 +35,6 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Ske
   sketch.arrows.push_back({.from = 0.5 * (from + to),
                            .direction = clip.steps[step].normal,
                            .pixels = 30,
-                           .to = std::nullopt,
                            .width = 1.5f,
                            .head = 8,
                            .color = border,
@@ -47,6 +46,7 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const bool story = scene.view.story == Story::ClipSteps;
   for (std::size_t k = 0; k < shown; ++k)
     draw_side_plane(*pair.clip, k, !story || k + 1 == shown, sketch);
+  if (shown > 0) sketch.explain(kSidePlaneSwatch, "side plane, outward normal");
 }
 
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -55,54 +55,28 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     const trace::Polygon& polygon = pair.clip->steps[k].polygon;
     const bool last = k + 1 == shown;
     if (polygon.empty()) continue;
-    if (last) sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
     sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
+    if (!last) continue;
+    sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
+    sketch.explain(kClipPolygonSwatch, "clip polygon");
   }
 }
 
 /// Points that the clipping took away for good, once all of its steps are shown.
-std::vector<trace::DroppedPoint> dropped_points(const Scene& scene, const trace::Pair& pair) {
-  if (!pair.clip || steps_to_show(scene, pair) < pair.clip->steps.size()) return {};
-  std::vector<trace::DroppedPoint> dropped = pair.clip->dropped;
-  std::erase_if(dropped, [&](const trace::DroppedPoint& point) { return is_kept(pair, point); });
-  return dropped;
+void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.clip || steps_to_show(scene, pair) < pair.clip->steps.size()) return;
+  for (const trace::DroppedPoint& point : pair.clip->dropped) {
+    if (is_kept(pair, point)) continue;
+    sketch.mark(MarkKind::Cross, point.position, kDropped);
+    sketch.explain(kDroppedSwatch, point.reason);
+  }
 }
 
 }  // namespace
 
-const LayerDrawing kSidePlanesLayer{
-    .needs = {&trace::Stages::clip},
-    .search = draw_side_planes,
-    .explain =
-        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
-          if (steps_to_show(scene, pair) > 0)
-            legend.explain(kSidePlaneSwatch, "side plane, outward normal");
-        },
-};
-
-const LayerDrawing kClipPolygonsLayer{
-    .needs = {&trace::Stages::clip},
-    .search = draw_clip_polygons,
-    .explain =
-        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
-          const std::size_t shown = steps_to_show(scene, pair);
-          if (shown > 0 && !pair.clip->steps[shown - 1].polygon.empty())
-            legend.explain(kClipPolygonSwatch, "clip polygon");
-        },
-};
-
-const LayerDrawing kDroppedLayer{
-    .needs = {&trace::Stages::clip},
-    .search =
-        [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-          for (const trace::DroppedPoint& point : dropped_points(scene, pair))
-            sketch.mark(MarkKind::Cross, point.position, kDropped);
-        },
-    .explain =
-        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
-          for (const trace::DroppedPoint& point : dropped_points(scene, pair))
-            legend.explain(kDroppedSwatch, point.reason);
-        },
-};
+const LayerDrawing kSidePlanesLayer{.needs = {&trace::Stages::clip}, .search = draw_side_planes};
+const LayerDrawing kClipPolygonsLayer{.needs = {&trace::Stages::clip},
+                                      .search = draw_clip_polygons};
+const LayerDrawing kDroppedLayer{.needs = {&trace::Stages::clip}, .search = draw_dropped};
 
 }  // namespace contactscope::draw

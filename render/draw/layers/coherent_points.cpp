@@ -5,12 +5,14 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Swatch kBeforeMoveSwatch{LegendGroup::Points, 2,
-                                   [](const SwatchPen& pen) { pen.dot(2.6, 4.8, kContact); }};
+                                   [](auto& pen) { pen.dot(2.6, 4.8, kContact); }};
 
 // Gregorius 2015, "Hull vs Hull: Coherent Points": where clipping left a point, and where it went
 // on the reference face. Kept points were moved along the reference normal by their separation.
 void draw_coherent_points(const Scene&, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip || pair.manifolds.empty()) return;
+  sketch.explain(kBeforeMoveSwatch, "as clipped, on the incident face");
+  sketch.explain(kContactSwatch, "moved onto the reference face");
   const Vec3d& normal = pair.clip->reference.normal;
   for (const trace::Point& point :
        pair.reduction ? pair.reduction->points : pair.manifolds.front().points) {
@@ -21,16 +23,9 @@ void draw_coherent_points(const Scene&, const trace::Pair& pair, Sketch& sketch)
   }
 }
 
-void explain_coherent_points(const Scene&, const trace::Pair& pair, Legend& legend) {
-  if (!pair.clip || pair.manifolds.empty()) return;
-  legend.explain(kBeforeMoveSwatch, "as clipped, on the incident face");
-  legend.explain(kContactSwatch, "moved onto the reference face");
-}
-
 }  // namespace
 
 const LayerDrawing kCoherentLayer{.needs = {&trace::Stages::clip, &trace::Stages::reduction},
-                                  .result = draw_coherent_points,
-                                  .explain = explain_coherent_points};
+                                  .result = draw_coherent_points};
 
 }  // namespace contactscope::draw

@@ -2,29 +2,29 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/measure.h"
+#include "draw/scene/arrows.h"
 #include "draw/scene/mesh_surface.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/swatches.h"
-#include "draw/scene/whisker.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
 /// where.
 namespace contactscope::draw {
 namespace {
 
-constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](const SwatchPen& pen) {
+constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
                                   draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
                                 }};
-constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](const SwatchPen& pen) {
+constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](auto& pen) {
                                 pen.whisker(1.5, kContact);
                                 pen.dot(0, 4.8, kWhite);
                                 pen.dot(0, 4.8, with_alpha(kContact, 0.3f));
                                 pen.dot(3.7, 4.8, kContact);
                               }};
 constexpr Swatch kLineOfCentersSwatch{LegendGroup::Axes, 4,
-                                      [](const SwatchPen& pen) { pen.dashes(1.2, kShapeEdge); }};
+                                      [](auto& pen) { pen.dashes(1.2, kShapeEdge); }};
 
 struct Ends {
   Vec3d a, b;  // world, on the surfaces of A and of B
@@ -49,14 +49,9 @@ std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction) 
 // measured to.
 std::optional<Ends> along(const PlacedShape& a, const PlacedShape& b, const Vec3d& normal,
                           bool from_b, double gap) {
-  if (from_b) {
-    const std::optional<Vec3d> on_a = farthest(a, normal);
-    if (!on_a) return std::nullopt;
-    return Ends{*on_a, *on_a + gap * normal};
-  }
-  const std::optional<Vec3d> on_b = farthest(b, -normal);
-  if (!on_b) return std::nullopt;
-  return Ends{*on_b - gap * normal, *on_b};
+  const std::optional<Vec3d> found = from_b ? farthest(a, normal) : farthest(b, Vec3d(-normal));
+  if (!found) return std::nullopt;
+  return from_b ? Ends{*found, *found + gap * normal} : Ends{*found - gap * normal, *found};
 }
 
 bool is_sphere(const PlacedShape& shape) {
@@ -106,11 +101,6 @@ MarkKind mark_of(const Scene& scene, const trace::Point& point) {
   return scene.shows(Layer::Persistent) ? MarkKind::Square : MarkKind::Dot;
 }
 
-std::vector<PairPoint> points_of(const Scene& scene, const trace::Pair& pair) {
-  if (pair.incremental && scene.shows(Layer::Persistent)) return {};
-  return kept_points(pair);
-}
-
 // Between the two surfaces where the gap is known and no other layer measures it.
 std::optional<Ends> measured_gap(const Scene& scene, const trace::Pair& pair) {
   if (pair.state != "separated" || !(pair.separation > 0)) return std::nullopt;
@@ -128,42 +118,32 @@ std::optional<Ends> line_of_centers(const Scene& scene, const trace::Pair& pair)
   return Ends{a->vertices[0], b->vertices[0]};
 }
 
-bool is_measured(const Scene& scene) {
-  return scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) ||
-         scene.shows(Layer::Simplex);
-}
-
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  for (const auto& [manifold, point] : points_of(scene, pair)) {
+  const bool by_age = pair.incremental && scene.shows(Layer::Persistent);
+  const std::string factor = spell_factor(scene.depth_factor);
+  for (const auto& [manifold, point] : by_age ? std::vector<PairPoint>() : kept_points(pair)) {
     const MarkKind kind = mark_of(scene, *point);
     // From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
     const auto [from, to] = whisker_at(scene, pair, *manifold, *point);
     const float width = kind == MarkKind::Apart ? 1.5f : 2.5f;
     sketch.bordered_line(from, to, {width, kContact}, 2 * width);
     sketch.mark(kind, point->position, kContact);
+    if (kind == MarkKind::Apart)
+      sketch.explain(kApartSwatch, "point within the margin, not touching: line = gap" + factor);
+    else if (kind == MarkKind::Square)
+      sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
+    else
+      sketch.explain(kContactSwatch, "contact point, whisker = overlap" + factor);
   }
-  if (is_measured(scene)) return;
-  if (const auto centers = line_of_centers(scene, pair))
+  const bool measured_elsewhere =
+      scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
+  if (measured_elsewhere) return;
+  if (const auto centers = line_of_centers(scene, pair)) {
     sketch.line(centers->a, centers->b, {1.2f, with_alpha(kShapeEdge, 0.8f), true});
+    sketch.explain(kLineOfCentersSwatch, "line between the centres");
+  }
   if (const auto gap = measured_gap(scene, pair))
     draw_gap(scene, gap->a, gap->b, pair.separation, 16, scene.camera.right(), sketch);
-}
-
-void explain_contacts(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  for (const auto& [manifold, point] : points_of(scene, pair)) {
-    const MarkKind kind = mark_of(scene, *point);
-    const std::string factor = spell_factor(scene.depth_factor);
-    if (kind == MarkKind::Apart)
-      legend.explain(kApartSwatch, "point within the margin, not touching: line = gap" + factor);
-    else if (kind == MarkKind::Square)
-      legend.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
-    else
-      legend.explain(kContactSwatch, "contact point, whisker = overlap" + factor);
-  }
-  if (is_measured(scene)) return;
-  if (line_of_centers(scene, pair))
-    legend.explain(kLineOfCentersSwatch, "line between the centres");
-  if (const auto gap = measured_gap(scene, pair)) explain_gap(scene, gap->a, gap->b, legend);
 }
 
 }  // namespace
@@ -175,8 +155,6 @@ const LayerDrawing kContactsLayer{
           if (!scene.shows(Layer::ReferenceFace)) draw_touched_triangles(scene, sketch);
         },
     .result = draw_contacts,
-    .explain = explain_contacts,
-    .explain_frame = explain_touched_triangles,
 };
 
 }  // namespace contactscope::draw

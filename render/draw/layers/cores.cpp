@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <tuple>
 
+#include "core/at.h"
+#include "core/plane.h"
 #include "draw/layers/layer.h"
-#include "draw/scene/core_outline.h"
+#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/swatches.h"
 
@@ -20,28 +24,126 @@ constexpr LineStyle kCoreBack{1.0f, with_alpha(kReferenceFace, 0.35f), true,
                               LineStyle::Hidden::Same};
 constexpr LineStyle kRoundedSurface{2.0f, kReferenceFace};
 constexpr LineStyle kExtension{1.0f, with_alpha(kQuietText, 0.8f)};
-constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0, [](const SwatchPen& pen) {
+constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0, [](auto& pen) {
                                pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 1.8, true);
                              }};
-constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](const SwatchPen& pen) {
+constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) {
                                   pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 2);
                                 }};
 // A length between two ticks.
-constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](const SwatchPen& pen) {
+constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](auto& pen) {
                                   pen.level_line(2, 20, 1.8, kReferenceFace);
                                   for (const double at : {2.0, 20.0})
                                     pen.line(pen.at(at, -4), pen.at(at, 4), 1.8, kReferenceFace);
                                 }};
 
+constexpr int kRoundedSteps = 180;
+constexpr int kBisections = 40;
 constexpr double kColumn = 30;  // pixels between the lines of one sum
 constexpr double kBeyondColumn = 7;
 constexpr double kLeastOfSum = 6;
 
+/// What is left of a hull when a margin is taken off its faces; world, metres.
+struct CoreSolid {
+  struct Edge {
+    Vec3d from, to;
+    int left, right;  // faces of the hull whose core faces meet in it
+  };
+  std::vector<Edge> edges;  // each once
+  std::vector<Vec3d> corners;
+};
+
+struct CoreCorner {
+  Vec3d at;
+  int side;  // the face beyond the edge that begins here
+};
+using CoreFace = std::vector<CoreCorner>;
+
+// Half-space clipping of a convex polygon (Sutherland and Hodgman 1974).
+CoreFace clipped_by(const CoreFace& polygon, const Plane<double>& plane, int side) {
+  CoreFace inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const CoreCorner& from = polygon[i];
+    const Vec3d& to = polygon[(i + 1) % polygon.size()].at;
+    const double d0 = plane.distance(from.at), d1 = plane.distance(to);
+    if (d0 <= 0) inside.push_back({from.at, d1 > 0 && d0 == 0 ? side : from.side});
+    if ((d0 < 0 && d1 > 0) || (d0 > 0 && d1 <= 0))
+      inside.push_back({from.at + d0 / (d0 - d1) * (to - from.at), d0 < 0 ? side : from.side});
+  }
+  return inside;
+}
+
+const Vec3d& farthest_corner(const std::vector<Vec3d>& corners, const Vec3d& direction) {
+  return *std::ranges::max_element(corners, {}, [&](const Vec3d& p) { return direction.dot(p); });
+}
+
+// A core's face is the face moved inwards, within all other planes moved inwards. Empty where nothing
+// is left.
+CoreSolid core_solid(const PlacedShape& shape, double margin) {
+  const int faces = count_of(shape.mesh->shape->faces);
+  std::vector<Plane<double>> planes;
+  for (int f = 0; f < faces; ++f) {
+    const Vec3d normal = shape.normal(f);
+    planes.push_back({normal, normal.dot(shape.polygon(f)[0]) - margin});
+  }
+  CoreSolid core;
+  for (int f = 0; f < faces; ++f) {
+    CoreFace face;
+    for (const Vec3d& corner : shape.polygon(f))
+      face.push_back({corner - margin * at(planes, f).normal, f});
+    for (int other = 0; other < faces && !face.empty(); ++other) {
+      if (other != f) face = clipped_by(face, at(planes, other), other);
+    }
+    for (std::size_t i = 0; face.size() > 2 && i < face.size(); ++i) {
+      core.corners.push_back(face[i].at);
+      if (face[i].side < f) continue;  // told with the other face
+      core.edges.push_back({face[i].at, face[(i + 1) % face.size()].at, f, face[i].side});
+    }
+  }
+  return core;
+}
+
+// Where view rays touch all that is within `radius` of the hull of `corners`: a closed curve, round
+// about the corners. Empty without corners, and for an eye inside.
+//
+// A surface point is p + radius n, p being the corner that is farthest along the normal n. A view
+// ray touches it where n is at right angles to the ray: for an eye e, where the support function
+// h(n) + radius equals n . e. In every half-plane about the line of sight there is one such normal,
+// found by bisection; all rays of an orthographic camera are parallel, and n is across them.
+std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double radius,
+                                   const Camera& camera) {
+  if (corners.empty()) return {};
+  const Vec3d middle = center_of(corners);
+  const Vec3d sight = camera.to_eye(middle);
+  const auto beyond_eye = [&](const Vec3d& normal) {
+    return normal.dot(farthest_corner(corners, normal) - camera.eye()) + radius;
+  };
+  if (camera.is_perspective() && beyond_eye(sight) >= 0) return {};
+  const Vec3d u = any_perpendicular(sight);
+  const Vec3d v = sight.cross(u);
+  std::vector<Vec3d> outline;
+  for (int i = 0; i < kRoundedSteps; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kRoundedSteps;
+    const Vec3d across = std::cos(turn) * u + std::sin(turn) * v;
+    double low = -0.5 * std::numbers::pi, high = 0.5 * std::numbers::pi;
+    const auto normal_at = [&](double tilt) -> Vec3d {
+      return std::cos(tilt) * across + std::sin(tilt) * sight;
+    };
+    double tilt = 0;
+    for (int k = 0; camera.is_perspective() && k < kBisections; ++k) {
+      tilt = 0.5 * (low + high);
+      (beyond_eye(normal_at(tilt)) > 0 ? low : high) = tilt;
+    }
+    const Vec3d normal = normal_at(tilt);
+    outline.push_back(farthest_corner(corners, normal) + radius * normal);
+  }
+  return outline;
+}
+
 void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin, Sketch& sketch) {
   const CoreSolid core = core_solid(shape, margin);
-  const auto front = [&](std::size_t face) {
-    const int index = static_cast<int>(face);
-    return scene.camera.faces(shape.polygon(index)[0], shape.normal(index));
+  const auto front = [&](int face) {
+    return scene.camera.faces(shape.polygon(face)[0], shape.normal(face));
   };
   for (const CoreSolid::Edge& edge : core.edges) {
     const bool seen = front(edge.left) || front(edge.right);
@@ -85,83 +187,65 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
                   deepest->point.separation + margins};
 }
 
-/// The lines of the sum stand side by side, each as long as what it tells.
-class SumOfMargins {
- public:
-  SumOfMargins(const Scene& scene, const CorePair& cores, Sketch& sketch)
-      : cores_(cores), sketch_(sketch) {
-    side_ = scene.camera.right() - scene.camera.right().dot(cores.normal) * cores.normal;
-    side_ = side_.norm() > 1e-3 ? Vec3d(side_.normalized()) : any_perpendicular(cores.normal);
-    pixel_ = 1 / scene.camera.pixels_per_metre(cores.on_a);
-  }
-
-  /// `from` and `to` along the normal from A's core, metres.
-  void arrow(int column, double from, double to, const Color& color, float width) {
-    if (std::abs(to - from) < kLeastOfSum * pixel_) return;
-    sketch_.arrows.push_back({.from = place(column, from),
-                              .to = place(column, to),
-                              .double_headed = true,
-                              .width = width,
-                              .color = color});
-  }
-  void line(int column, double from, double to, const Color& color) {
-    sketch_.bordered_line(place(column, from), place(column, to), {2.2f, color}, 5.0f);
-    const Vec3d tick = 4 * pixel_ * side_;
-    for (const double end : {from, to})
-      sketch_.line(place(column, end) - tick, place(column, end) + tick, {2.2f, color});
-  }
-  void label(int column, double at, const std::string& text, const Color& color,
-             const Vec3d& away) {
-    sketch_.label(place(column, at), text, color, 16, 8, away);
-  }
-  /// A thin line from one column to another at a height.
-  void extend(int from, int to, double at) {
-    const Vec3d beyond = kBeyondColumn * pixel_ * side_;
-    sketch_.line(place(from, at), place(to, at) + beyond, kExtension);
-  }
-  const Vec3d& side() const { return side_; }
-
- private:
-  Vec3d place(int column, double along) const {
-    return cores_.on_a + along * cores_.normal + column * kColumn * pixel_ * side_;
-  }
-
-  const CorePair& cores_;
-  Sketch& sketch_;
-  Vec3d side_;
-  double pixel_;
-};
-
+// The lines of the sum stand side by side in columns, each as long as what it tells: from 0 at A's
+// core along the normal, metres.
 void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<CorePair> cores = core_pair(pair);
   if (!cores) return;
+  const Vec3d& normal = cores->normal;
+  const Vec3d right = scene.camera.right() - scene.camera.right().dot(normal) * normal;
+  const Vec3d side = right.norm() > 1e-3 ? Vec3d(right.normalized()) : any_perpendicular(normal);
+  const double pixel = 1 / scene.camera.pixels_per_metre(cores->on_a);
+  const auto place = [&](int column, double along) -> Vec3d {
+    return cores->on_a + along * normal + column * kColumn * pixel * side;
+  };
+  const auto arrow = [&](int column, double from, double to, const Color& color) {
+    if (std::abs(to - from) < kLeastOfSum * pixel) return;
+    sketch.arrows.push_back({.from = place(column, from),
+                             .to = place(column, to),
+                             .double_headed = true,
+                             .width = 3,
+                             .color = color});
+  };
+  const auto line = [&](int column, double from, double to) {
+    const LineStyle style{2.2f, kReferenceFace};
+    sketch.bordered_line(place(column, from), place(column, to), style, 5.0f);
+    const Vec3d tick = 4 * pixel * side;
+    for (const double end : {from, to})
+      sketch.line(place(column, end) - tick, place(column, end) + tick, style);
+  };
+  const auto label = [&](int column, double along, const std::string& text, const Color& color,
+                         const Vec3d& away) {
+    sketch.label(place(column, along), text, color, 16, 8, away);
+  };
   const double distance = cores->distance;
-  SumOfMargins sum(scene, *cores, sketch);
-  sum.arrow(0, 0, distance, kAxis, 3);
+  arrow(0, 0, distance, kAxis);
   if (distance < 0) {
-    sum.label(0, 0.5 * distance,
-              "cores overlap " + spell_length(-distance) + ", by " + pair.incremental->query,
-              kAxisText, -sum.side());
+    label(0, 0.5 * distance,
+          "cores overlap " + spell_length(-distance) + ", by " + pair.incremental->query, kAxisText,
+          -side);
+    sketch.explain(kAxisSwatch, "overlap of the cores");
     return;
   }
-  const double a = pair.incremental->margin_a, b = distance - pair.incremental->margin_b;
-  sum.extend(0, 1, 0);
-  sum.extend(0, 2, distance);
-  sum.extend(1, 3, a);
-  sum.extend(2, 3, b);
-  sum.line(1, 0, a, kReferenceFace);
-  sum.line(2, b, distance, kReferenceFace);
-  sum.label(1, 0.3 * a, "A's margin " + spell_length(pair.incremental->margin_a), kReferenceFace,
-            sum.side() - 2 * cores->normal);
-  sum.label(2, distance - 0.3 * pair.incremental->margin_b,
-            "B's margin " + spell_length(pair.incremental->margin_b), kReferenceFace,
-            sum.side() + 2 * cores->normal);
+  const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
+  const double a = margin_a, b = distance - margin_b;
+  // Thin lines from one column to another, and a bit beyond.
+  for (const auto& [from, to, along] :
+       {std::tuple(0, 1, 0.0), {0, 2, distance}, {1, 3, a}, {2, 3, b}})
+    sketch.line(place(from, along), place(to, along) + kBeyondColumn * pixel * side, kExtension);
+  line(1, 0, a);
+  line(2, b, distance);
+  label(1, 0.3 * a, "A's margin " + spell_length(margin_a), kReferenceFace, side - 2 * normal);
+  label(2, distance - 0.3 * margin_b, "B's margin " + spell_length(margin_b), kReferenceFace,
+        side + 2 * normal);
   const bool apart = b >= a;
-  sum.arrow(3, a, b, apart ? kAxis : kContact, 3);
-  sum.label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_length(std::abs(b - a)),
-            apart ? kAxisText : kContact, sum.side());
-  sum.label(0, 0.5 * distance, "cores " + spell_length(distance) + " apart", kAxisText,
-            -sum.side());
+  sketch.explain(kMarginsSwatch, "margins");
+  sketch.explain(kAxisSwatch, apart ? "distance of the cores, and the gap that the margins leave"
+                                    : "distance of the cores");
+  arrow(3, a, b, apart ? kAxis : kContact);
+  label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_length(std::abs(b - a)),
+        apart ? kAxisText : kContact, side);
+  label(0, 0.5 * distance, "cores " + spell_length(distance) + " apart", kAxisText, -side);
 }
 
 /// A shape of the pair, and the margin around its core.
@@ -187,31 +271,16 @@ std::vector<Inflated> inflated_hulls(const Scene& scene, const trace::Pair& pair
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::vector<Inflated> hulls = inflated_hulls(scene, pair);
   for (const auto& [shape, margin] : hulls) draw_hull_core(scene, *shape, margin, sketch);
-  if (!hulls.empty()) draw_sum(scene, pair, sketch);
-}
-
-void explain_cores(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  if (inflated_hulls(scene, pair).empty()) return;
-  const trace::Incremental& incremental = *pair.incremental;
-  const double widest = std::max(incremental.margin_a, incremental.margin_b);
-  legend.explain(kCoreSwatch, "core, " + spell_length(widest) + " within the faces");
-  legend.explain(kRoundedSwatch, "core and margin: the surface that touches");
-  const std::optional<CorePair> cores = core_pair(pair);
-  if (!cores) return;
-  if (cores->distance < 0) {
-    legend.explain(kAxisSwatch, "overlap of the cores");
-    return;
-  }
-  legend.explain(kMarginsSwatch, "margins");
-  const bool apart = cores->distance - incremental.margin_b >= incremental.margin_a;
-  legend.explain(kAxisSwatch, apart ? "distance of the cores, and the gap that the margins leave"
-                                    : "distance of the cores");
+  if (hulls.empty()) return;
+  const double widest = std::max(pair.incremental->margin_a, pair.incremental->margin_b);
+  sketch.explain(kCoreSwatch, "core, " + spell_length(widest) + " within the faces");
+  sketch.explain(kRoundedSwatch, "core and margin: the surface that touches");
+  draw_sum(scene, pair, sketch);
 }
 
 }  // namespace
 
 const LayerDrawing kCoreLayer{.needs = {&trace::Stages::gjk, &trace::Stages::penetration},
-                              .search = draw_cores,
-                              .explain = explain_cores};
+                              .search = draw_cores};
 
 }  // namespace contactscope::draw

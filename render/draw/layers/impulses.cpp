@@ -18,15 +18,15 @@ constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these w
 constexpr Color kFrictionText = rgb(0x8A5F00);
 
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
-                                      [](const SwatchPen& pen) { pen.arrow(3, 10, kContact); }};
-constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2, [](const SwatchPen& pen) {
+                                      [](auto& pen) { pen.arrow(3, 10, kContact); }};
+constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2, [](auto& pen) {
                                     pen.level_line(0, 22, 9, kContact);
                                     pen.level_line(1.5, 20.5, 6, kWhite);
                                   }};
 constexpr Swatch kFrictionSwatch{LegendGroup::Forces, 3,
-                                 [](const SwatchPen& pen) { pen.open_arrow(2.5, kIncidentFace); }};
+                                 [](auto& pen) { pen.open_arrow(2.5, kIncidentFace); }};
 // Two strokes across a line that goes on.
-constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](const SwatchPen& pen) {
+constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](auto& pen) {
                                 pen.level_line(0, 8.5, 3, kContact);
                                 pen.level_line(14, 22, 3, kContact);
                                 for (const double at : {9.0, 13.0}) {
@@ -80,9 +80,8 @@ Drawn drawn_at(const Scene& scene, const trace::Point& point, double side) {
       own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
   const Vec3d way = side * share * scales.friction * point.impulse->friction;
   // As it is seen: towards the eye it would be a blot too.
-  const std::optional<Point2> from = scene.camera.project(point.position);
-  const std::optional<Point2> to = scene.camera.project(point.position + way);
-  if (from && to && std::hypot(to->x - from->x, to->y - from->y) >= kLeastFriction * scales.pixel) {
+  const auto seen = seen_distance(scene.camera, point.position, point.position + way);
+  if (seen && *seen >= kLeastFriction * scales.pixel) {
     drawn.friction = way;
     drawn.friction_cut = share < 1;
   }
@@ -157,6 +156,22 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
                kFrictionText, 17, 10, Vec3d(friction.normalized()));
 }
 
+void explain_impulse(const Scene& scene, const Drawn& drawn, bool loads, Legend& legend) {
+  const SequenceScales& scales = scene.scales;
+  const auto scale = [&](double metres) {
+    return loads ? spell_impulse_scale(metres * scales.step, "N") : spell_impulse_scale(metres);
+  };
+  if (drawn.warm > 0) legend.explain(kWarmStartSwatch, "kept of the step before");
+  if (drawn.warm_cut || drawn.normal_cut) legend.explain(kBreakSwatch, "longer than drawn");
+  if (drawn.normal > 0)
+    legend.explain(kNormalImpulseSwatch,
+                   (loads ? "normal force, " : "normal impulse, ") + scale(scales.impulse));
+  if (!drawn.friction.isZero(0))
+    legend.explain(kFrictionSwatch, scales.friction == scales.impulse
+                                        ? "friction, same scale"
+                                        : "friction, " + scale(scales.friction));
+}
+
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.impulse == 0) return;
   const Moved moved = moved_of(scene, pair);
@@ -172,6 +187,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     draw_normal_impulse(scene, drawn, at, out, sketch);
     if (moved.a && moved.b && points == 1) draw_normal_impulse(scene, drawn, at, -out, sketch);
     draw_friction(scene, drawn, at, sketch);
+    explain_impulse(scene, drawn, loads, sketch.legend);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
     if (loads || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
@@ -180,30 +196,9 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   }
 }
 
-void explain_impulses(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  const SequenceScales& scales = scene.scales;
-  const bool loads = shows_loads(scene);
-  const auto scale = [&](double metres) {
-    return loads ? spell_impulse_scale(metres * scales.step, "N") : spell_impulse_scale(metres);
-  };
-  const double side = moved_of(scene, pair).side();
-  for (const PairPoint& pushed : pushed_points(scene, pair)) {
-    const Drawn drawn = drawn_at(scene, *pushed.point, side);
-    if (drawn.warm > 0) legend.explain(kWarmStartSwatch, "kept of the step before");
-    if (drawn.warm_cut || drawn.normal_cut) legend.explain(kBreakSwatch, "longer than drawn");
-    if (drawn.normal > 0)
-      legend.explain(kNormalImpulseSwatch,
-                     (loads ? "normal force, " : "normal impulse, ") + scale(scales.impulse));
-    if (!drawn.friction.isZero(0))
-      legend.explain(kFrictionSwatch, scales.friction == scales.impulse
-                                          ? "friction, same scale"
-                                          : "friction, " + scale(scales.friction));
-  }
-}
-
 }  // namespace
 
-const LayerDrawing kImpulsesLayer{.result = draw_impulses, .explain = explain_impulses};
+const LayerDrawing kImpulsesLayer{.result = draw_impulses};
 const LayerDrawing kLoadsLayer{};
 const LayerDrawing kFrictionLayer{};
 

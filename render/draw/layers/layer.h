@@ -7,8 +7,8 @@
 
 namespace contactscope::draw {
 
-/// All of a layer but its name: what it needs recorded, what it draws, and what the legend says of
-/// that. It stands in the file of the layer.
+/// All of a layer but its name: what it needs recorded and what it draws, which it explains to the
+/// sketch's legend. It stands in the file of the layer.
 struct LayerDrawing {
   using OfFrame = void (*)(const Scene&, Sketch&);
   using OfPair = void (*)(const Scene&, const trace::Pair&, Sketch&);
@@ -19,10 +19,10 @@ struct LayerDrawing {
   OfPair result = nullptr;    // pair by pair: its contact, which a story of steps tells last
   OfFrame above = nullptr;    // once a frame, last
 
-  /// What of all this is in the picture, for the legend. Asked of every frame of a sequence, to make
-  /// room for the longest legend, where drawing is asked only of the frames that are shown.
-  void (*explain)(const Scene&, const trace::Pair&, Legend&) = nullptr;
-  void (*explain_frame)(const Scene&, Legend&) = nullptr;
+  /// Of a layer that costs much to draw: what the legend says of it, which drawing then leaves out.
+  /// The legends of a whole sequence are made to find room for the longest, where only the frames
+  /// that are shown are drawn.
+  void (*explain)(const Scene&, Legend&) = nullptr;
 };
 
 /// One for each Layer, in their order.

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/whisker.h"
+#include "draw/scene/pair_points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -12,7 +12,7 @@ constexpr double kLeastArrow = 8;
 constexpr std::size_t kMany = 2;  // manifolds: a mesh's arrows, as long as usual, would be a wood
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
-                               [](const SwatchPen& pen) { pen.arrow(3, 10, kNormal); }};
+                               [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 
 // Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one that
 // points at the eye has not.
@@ -22,7 +22,7 @@ bool has_room(const Camera& camera, const Arrow& arrow) {
       arrow.from + arrow.pixels / camera.pixels_per_metre(arrow.from) * arrow.direction);
   if (!a || !b || !camera.viewport().contains(*a)) return false;
   const std::optional<Segment2> seen = clip_segment(camera.viewport(), *a, *b);
-  return seen && std::hypot(seen->to.x - a->x, seen->to.y - a->y) >= kLeastArrow;
+  return seen && distance(*a, seen->to) >= kLeastArrow;
 }
 
 // The middle of the points. Of a single one, the arrow begins where a whisker that runs the same
@@ -55,20 +55,14 @@ std::optional<Arrow> normal_of(const Scene& scene, const trace::Pair& pair,
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::Manifold& manifold : pair.manifolds) {
     const std::optional<Arrow> arrow = normal_of(scene, pair, manifold);
-    if (arrow) sketch.arrows.push_back(*arrow);
+    if (!arrow) continue;
+    sketch.arrows.push_back(*arrow);
+    sketch.explain(kNormalSwatch, "normal, from A to B");
   }
-}
-
-void explain_normals(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  const auto is_drawn = [&](const trace::Manifold& manifold) {
-    return normal_of(scene, pair, manifold).has_value();
-  };
-  if (std::ranges::any_of(pair.manifolds, is_drawn))
-    legend.explain(kNormalSwatch, "normal, from A to B");
 }
 
 }  // namespace
 
-const LayerDrawing kNormalsLayer{.result = draw_normals, .explain = explain_normals};
+const LayerDrawing kNormalsLayer{.result = draw_normals};
 
 }  // namespace contactscope::draw

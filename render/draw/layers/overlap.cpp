@@ -1,7 +1,7 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/measure.h"
+#include "draw/scene/arrows.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/whisker.h"
 
 namespace contactscope::draw {
 namespace {
@@ -10,13 +10,8 @@ constexpr double kBeside = 20;     // pixels from the point, clear of its arrows
 constexpr double kLeastDepth = 2;  // pixels: less looks like a touch
 constexpr double kEqually = 1e-2;  // of the overlap
 
-struct Overlap {
-  Vec3d from, to;     // where it is drawn
-  double metres = 0;  // positive
-};
-
 /// How deep the pair is, beside its deepest point: of equally deep ones the outermost.
-std::optional<Overlap> overlap_of(const Scene& scene, const trace::Pair& pair) {
+void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d left = -scene.camera.right();
   std::optional<PairPoint> deepest;
   for (const PairPoint& candidate : all_points(pair)) {
@@ -27,34 +22,19 @@ std::optional<Overlap> overlap_of(const Scene& scene, const trace::Pair& pair) {
     if (more < -equal || (more <= equal && !outer)) continue;
     deepest = candidate;
   }
-  if (!deepest || deepest->point->separation >= 0) return std::nullopt;
+  if (!deepest || deepest->point->separation >= 0) return;
   const trace::Point& point = *deepest->point;
   const double pixels = scene.camera.pixels_per_metre(point.position);
-  if (-scene.depth_factor * point.separation * pixels < kLeastDepth * scene.scales.pixel)
-    return std::nullopt;
+  if (-scene.depth_factor * point.separation * pixels < kLeastDepth * scene.scales.pixel) return;
   const Whisker whisker = whisker_at(scene, pair, *deepest->manifold, point);
   const Vec3d aside = kBeside * scene.scales.pixel / pixels * left;
-  return Overlap{whisker.on_a + aside, whisker.on_b + aside, -point.separation};
+  const Vec3d from = whisker.on_a + aside, to = whisker.on_b + aside;
+  draw_measure(scene, from, to, 2.5f, "overlap" + spell_factor(scene.depth_factor), sketch);
+  sketch.label(0.5 * (from + to), spell_length(-point.separation), kAxisText, 17, 12, left);
 }
 
 }  // namespace
 
-const LayerDrawing kOverlapLayer{
-    .result =
-        [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-          const std::optional<Overlap> overlap = overlap_of(scene, pair);
-          if (!overlap) return;
-          draw_measure(scene, overlap->from, overlap->to, 2.5f, sketch);
-          sketch.label(0.5 * (overlap->from + overlap->to), spell_length(overlap->metres),
-                       kAxisText, 17, 12, Vec3d(-scene.camera.right()));
-        },
-    .explain =
-        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
-          const std::optional<Overlap> overlap = overlap_of(scene, pair);
-          if (!overlap) return;
-          explain_measure(scene, overlap->from, overlap->to,
-                          "overlap" + spell_factor(scene.depth_factor), legend);
-        },
-};
+const LayerDrawing kOverlapLayer{.result = draw_overlap};
 
 }  // namespace contactscope::draw

@@ -15,10 +15,9 @@ constexpr double kCovered = 8;        // pixels
 
 template <PointState kState>
 constexpr Swatch kStateSwatch{
-    LegendGroup::Points, 5 + static_cast<int>(kState), [](const SwatchPen& pen) {
-      draw_state_dot(kState, pen.middle(), pen.px(4.8), kContact, pen.drawing());
-    }};
-constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](const SwatchPen& pen) {
+    LegendGroup::Points, 5 + static_cast<int>(kState),
+    [](auto& pen) { draw_state_dot(kState, pen.middle(), pen.px(4.8), kContact, pen.drawing()); }};
+constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](auto& pen) {
                                   pen.level_line(2, 20, 1.5, kContact);
                                   for (const double at : {2.0, 20.0})
                                     pen.disc(pen.at(at), 2.4, kContact);
@@ -40,13 +39,10 @@ std::optional<Anchors> anchors_of(const Scene& scene, const trace::PersistentPoi
 
 // Whether a point that holds is drawn over this one.
 bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
-  const std::optional<Point2> here = scene.camera.project(at);
-  return here && std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
-           const std::optional<Point2> there = scene.camera.project(other.point.position);
-           return other.state != "broken" && there &&
-                  std::hypot(there->x - here->x, there->y - here->y) <
-                      kCovered * scene.scales.pixel;
-         });
+  return std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
+    const auto pixels = seen_distance(scene.camera, at, other.point.position);
+    return other.state != "broken" && pixels && *pixels < kCovered * scene.scales.pixel;
+  });
 }
 
 void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
@@ -56,13 +52,22 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
     sketch.bordered_line(anchors->from, anchors->to, {1.5f, kContact}, 3.5f);
     sketch.mark(MarkKind::Core, anchors->from, kContact);
     sketch.mark(MarkKind::Core, anchors->to, kContact);
+    const double factor = scene.scales.drift;
+    sketch.explain(kAnchorsSwatch,
+                   factor == 1 ? "places that met, and how far they are apart now"
+                               : "places that met, now apart (× " + spell_number(factor) + ")");
   }
   if (state == PointState::Broken) {
+    sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why");
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
     sketch.label(at, point.reason, kDropped, 16, 12).bold = false;
     return;
   }
   const bool is_new = state == PointState::New;
+  if (is_new)
+    sketch.explain(kStateSwatch<PointState::New>, "new point");
+  else
+    sketch.explain(kStateSwatch<PointState::Persisted>, "kept point, its age in frames");
   sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
   if (scene.shows(Layer::Ids)) return;  // its id stands there
   sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 18, 12);
@@ -81,32 +86,8 @@ void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch&
   }
 }
 
-void explain_persistent_points(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  if (!pair.incremental) return;
-  for (const trace::PersistentPoint& point : pair.incremental->points) {
-    const double factor = scene.scales.drift;
-    if (anchors_of(scene, point)) {
-      legend.explain(kAnchorsSwatch,
-                     factor == 1 ? "places that met, and how far they are apart now"
-                                 : "places that met, now apart (× " + spell_number(factor) + ")");
-    }
-    switch (point_state(point.state)) {
-      case PointState::New:
-        legend.explain(kStateSwatch<PointState::New>, "new point");
-        break;
-      case PointState::Persisted:
-        legend.explain(kStateSwatch<PointState::Persisted>, "kept point, its age in frames");
-        break;
-      case PointState::Broken:
-        legend.explain(kStateSwatch<PointState::Broken>, "taken out, and why");
-        break;
-    }
-  }
-}
-
 }  // namespace
 
-const LayerDrawing kPersistentLayer{.result = draw_persistent_points,
-                                    .explain = explain_persistent_points};
+const LayerDrawing kPersistentLayer{.result = draw_persistent_points};
 
 }  // namespace contactscope::draw

@@ -13,12 +13,8 @@ const LayerDrawing kReferenceFaceLayer{
           if (!pair.clip) return;
           sketch.face(pair.clip->reference.polygon, with_alpha(kReferenceFace, 0.35f),
                       {3.0f, kReferenceFace});
+          sketch.explain(kReferenceFaceSwatch, "reference face");
         },
-    .explain =
-        [](const Scene&, const trace::Pair& pair, Legend& legend) {
-          if (pair.clip) legend.explain(kReferenceFaceSwatch, "reference face");
-        },
-    .explain_frame = explain_touched_triangles,
 };
 
 const LayerDrawing kIncidentFaceLayer{
@@ -28,10 +24,7 @@ const LayerDrawing kIncidentFaceLayer{
           if (!pair.clip) return;
           sketch.face(pair.clip->incident.polygon, with_alpha(kIncidentFace, 0.35f),
                       {3.0f, kIncidentFace, true});
-        },
-    .explain =
-        [](const Scene&, const trace::Pair& pair, Legend& legend) {
-          if (pair.clip) legend.explain(kIncidentFaceSwatch, "incident face");
+          sketch.explain(kIncidentFaceSwatch, "incident face");
         },
 };
 

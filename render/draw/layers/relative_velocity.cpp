@@ -12,9 +12,9 @@ namespace {
 constexpr double kLeastClosing = 4;  // pixels
 
 constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
-                              [](const SwatchPen& pen) { pen.open_arrow(2, kClipPolygon); }};
+                              [](auto& pen) { pen.open_arrow(2, kClipPolygon); }};
 constexpr Swatch kPartSwatch{LegendGroup::Motion, 2,
-                             [](const SwatchPen& pen) { pen.arrow(4, 11, kClipPolygon); }};
+                             [](auto& pen) { pen.arrow(4, 11, kClipPolygon); }};
 
 // With the decimals that the fastest of the sequence has in three digits: what is left of it when
 // the contact has stopped it is then seen to be nothing.
@@ -46,7 +46,9 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kClipPolygon));
       sketch.arrows.back().open = true;
       sketch.line(at + whole, at + part, {1.2f, kClipPolygon, true});
+      sketch.explain(kWholeSwatch, "relative velocity at the contact");
     }
+    sketch.explain(kPartSwatch, "its part along the normal");
     const bool visible = is_seen(scene, *point, part);
     if (visible) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kClipPolygon));
     sketch.label(at + (visible ? part : Vec3d::Zero()), spell_closing(speed, scales.closing),
@@ -54,18 +56,8 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
   }
 }
 
-void explain_relative_velocity(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  for (const auto& [manifold, point] : all_points(pair)) {
-    if (!point->relative_velocity) continue;
-    if (is_seen(scene, *point, scene.scales.velocity * point->relative_velocity->before))
-      legend.explain(kWholeSwatch, "relative velocity at the contact");
-    legend.explain(kPartSwatch, "its part along the normal");
-  }
-}
-
 }  // namespace
 
-const LayerDrawing kRelativeVelocityLayer{.result = draw_relative_velocity,
-                                          .explain = explain_relative_velocity};
+const LayerDrawing kRelativeVelocityLayer{.result = draw_relative_velocity};
 
 }  // namespace contactscope::draw

@@ -1,7 +1,7 @@
 #include <cstdlib>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/measure.h"
+#include "draw/scene/arrows.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/swatches.h"
 
@@ -13,100 +13,36 @@ namespace {
 constexpr double kBesideWhisker = 44;  // pixels
 
 constexpr Swatch kClosestPointsSwatch{LegendGroup::Axes, 3,
-                                      [](const SwatchPen& pen) { pen.dot(0, 4.0, kAxisText); }};
+                                      [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
-/// From the support point towards the plane it is measured from, as long as the separation.
-struct Separation {
-  Vec3d from, to;
-  Vec3d aside = Vec3d::Zero();  // to where it is drawn
-  double metres = 0;
-  const char* name = "";
+/// What a query of the test found: the best axis of the faces of one shape, or of the edges. The
+/// separation runs along the normal from a plane to the support point; the normal of a face of B
+/// opposes its axis.
+struct Query {
+  const char* name;
+  Vec3d support, normal;
+  double separation = 0;
   bool chosen = false;
+  const trace::FaceAxis* face = nullptr;  // none of edges
+  bool of_a = false;                      // the face
 };
 
-/// The best axis of a query on faces, whose separation is measured along the face's outward normal:
-/// that of B opposes the axis.
-struct FaceQuery {
-  const trace::FaceAxis& axis;
-  bool of_a;
-  bool chosen;
-};
-
-std::vector<FaceQuery> face_queries(const trace::Sat& sat, bool all) {
-  std::vector<FaceQuery> queries;
+std::vector<Query> queries_of(const Scene& scene, const trace::Pair& pair, bool all) {
+  std::vector<Query> queries;
+  if (!pair.sat) return queries;
+  const trace::Sat& sat = *pair.sat;
   for (const bool of_a : {true, false}) {
     const auto& axis = of_a ? sat.face_a : sat.face_b;
     const bool chosen = sat.chosen == (of_a ? "face_a" : "face_b");
-    if (axis && (all || chosen)) queries.push_back({*axis, of_a, chosen});
+    if (!axis || !(all || chosen) || scene.find(of_a ? pair.a : pair.b) == nullptr) continue;
+    queries.push_back({of_a ? "face of A" : "face of B", axis->support,
+                       of_a ? axis->normal : Vec3d(-axis->normal), axis->separation, chosen, &*axis,
+                       of_a});
   }
-  return queries;
-}
-
-bool shows_edges(const trace::Sat& sat, bool all) {
-  return sat.edge && (all || sat.chosen == "edge_edge");
-}
-
-// Beside its line where the contact's own whisker and normal are on it, as drawings put measures.
-Separation separation_of(const Scene& scene, const Vec3d& support, const Vec3d& normal,
-                         double metres, const char* name, bool all, bool chosen) {
-  const double factor = metres > 0 ? 1.0 : scene.depth_factor;
-  Separation separation{support, support - factor * metres * normal, Vec3d::Zero(), metres, name,
-                        chosen};
-  if (chosen && metres < 0 && !all && scene.shows(Layer::Contacts)) {
-    Vec3d aside = scene.camera.to_eye(support).cross(normal);
-    if (aside.dot(scene.camera.right()) < 0) aside = -aside;
-    if (!aside.isZero()) aside.normalize();
-    separation.aside =
-        aside * (kBesideWhisker * scene.scales.pixel / scene.camera.pixels_per_metre(support));
-  }
-  return separation;
-}
-
-Separation separation_of(const Scene& scene, const FaceQuery& query, bool all) {
-  const trace::FaceAxis& axis = query.axis;
-  return separation_of(scene, axis.support, query.of_a ? axis.normal : Vec3d(-axis.normal),
-                       axis.separation, query.of_a ? "face of A" : "face of B", all, query.chosen);
-}
-
-Separation separation_of(const Scene& scene, const trace::Sat& sat, bool all) {
-  return separation_of(scene, sat.edge->point_b, sat.edge->normal, sat.edge->separation, "edges",
-                       all, sat.chosen == "edge_edge");
-}
-
-void draw_separation(const Scene& scene, const Separation& separation, Sketch& sketch) {
-  const auto& [from, to, aside, metres, name, chosen] = separation;
-  if (!aside.isZero()) {
-    for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
-  }
-  const Vec3d begin = from + aside, end = to + aside;
-  draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, sketch);
-  const std::string note = !chosen ? "" : metres > 0 ? ", the gap" : ", chosen";
-  const std::string text = std::string(name) + ": " + spell_length(metres) + note;
-  sketch.label(0.5 * (begin + end), text, kAxisText, chosen ? 18.0f : 15.0f, 17).bold = chosen;
-}
-
-void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sketch) {
-  if (!pair.sat) return;
-  const trace::Sat& sat = *pair.sat;
-  for (const FaceQuery& query : face_queries(sat, all)) {
-    const PlacedShape* shape = scene.find(query.of_a ? pair.a : pair.b);
-    if (shape == nullptr) continue;
-    sketch.face(shape->polygon(query.axis.face), with_alpha(kAxis, query.chosen ? 0.30f : 0.14f),
-                {query.chosen ? 2.5f : 1.5f, kAxis});
-    draw_separation(scene, separation_of(scene, query, all), sketch);
-  }
-  if (!shows_edges(sat, all)) return;
   const bool chosen = sat.chosen == "edge_edge";
-  for (const auto& [name, edge] : {std::pair{&pair.a, sat.edge->a}, {&pair.b, sat.edge->b}}) {
-    const PlacedShape* shape = scene.find(*name);
-    const auto ends = shape == nullptr ? std::nullopt : shape->edge(edge);
-    if (ends) sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
-  }
-  if (chosen) {
-    sketch.mark(MarkKind::Node, sat.edge->point_a, kAxisText);
-    sketch.mark(MarkKind::Node, sat.edge->point_b, kAxisText);
-  }
-  draw_separation(scene, separation_of(scene, sat, all), sketch);
+  if (sat.edge && (all || chosen))
+    queries.push_back({"edges", sat.edge->point_b, sat.edge->normal, sat.edge->separation, chosen});
+  return queries;
 }
 
 std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
@@ -118,21 +54,51 @@ std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
          spell_factor(scene.depth_factor);
 }
 
-void explain_axes(const Scene& scene, const trace::Pair& pair, bool all, Legend& legend) {
-  if (!pair.sat) return;
-  const trace::Sat& sat = *pair.sat;
-  const auto explain = [&](const Separation& separation) {
-    explain_measure(scene, separation.from + separation.aside, separation.to + separation.aside,
-                    words(scene, pair, all), legend);
-  };
-  for (const FaceQuery& query : face_queries(sat, all)) {
-    if (scene.find(query.of_a ? pair.a : pair.b) != nullptr)
-      explain(separation_of(scene, query, all));
+// From the support point towards the plane it is measured from, as long as the separation. Beside
+// that line where the contact's own whisker and normal are on it, as drawings put measures.
+void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& query, bool all,
+                     Sketch& sketch) {
+  const auto& [name, from, normal, metres, chosen, face, of_a] = query;
+  const Vec3d to = from - (metres > 0 ? 1.0 : scene.depth_factor) * metres * normal;
+  Vec3d aside = Vec3d::Zero();
+  if (chosen && metres < 0 && !all && scene.shows(Layer::Contacts)) {
+    aside = scene.camera.to_eye(from).cross(normal);
+    if (aside.dot(scene.camera.right()) < 0) aside = -aside;
+    if (!aside.isZero()) aside.normalize();
+    aside *= kBesideWhisker * scene.scales.pixel / scene.camera.pixels_per_metre(from);
   }
-  if (!shows_edges(sat, all)) return;
-  if (sat.chosen == "edge_edge")
-    legend.explain(kClosestPointsSwatch, "closest points of the edges");
-  explain(separation_of(scene, sat, all));
+  if (!aside.isZero()) {
+    for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
+  }
+  const Vec3d begin = from + aside, end = to + aside;
+  draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
+  const std::string note = !chosen ? "" : metres > 0 ? ", the gap" : ", chosen";
+  sketch
+      .label(0.5 * (begin + end), std::string(name) + ": " + spell_length(metres) + note, kAxisText,
+             chosen ? 18.0f : 15.0f, 17)
+      .bold = chosen;
+}
+
+void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sketch) {
+  for (const Query& query : queries_of(scene, pair, all)) {
+    if (query.face != nullptr) {
+      const PlacedShape& shape = *scene.find(query.of_a ? pair.a : pair.b);
+      sketch.face(shape.polygon(query.face->face), with_alpha(kAxis, query.chosen ? 0.30f : 0.14f),
+                  {query.chosen ? 2.5f : 1.5f, kAxis});
+    } else {
+      const trace::EdgeAxis& edge = *pair.sat->edge;
+      for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}}) {
+        if (const auto ends = scene.edge(*name, index))
+          sketch.line((*ends)[0], (*ends)[1], {query.chosen ? 5.0f : 3.5f, kAxis});
+      }
+      if (query.chosen) {
+        sketch.mark(MarkKind::Node, edge.point_a, kAxisText);
+        sketch.mark(MarkKind::Node, edge.point_b, kAxisText);
+        sketch.explain(kClosestPointsSwatch, "closest points of the edges");
+      }
+    }
+    draw_separation(scene, pair, query, all, sketch);
+  }
 }
 
 /// The edge that "a:e3 b:e7" names of a shape; `owner` is "a:e" or "b:e".
@@ -170,9 +136,9 @@ std::optional<DecidingEdges> deciding_edges(const trace::Pair& pair) {
 void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::optional<DecidingEdges> edges = deciding_edges(pair);
   if (!edges) return;
+  sketch.explain(kDecidingEdgesSwatch, "edges that make the axis");
   for (const auto& [name, edge] : {std::pair{&pair.a, edges->a}, {&pair.b, edges->b}}) {
-    const PlacedShape* shape = scene.find(*name);
-    const auto ends = shape == nullptr ? std::nullopt : shape->edge(edge);
+    const auto ends = scene.edge(*name, edge);
     if (!ends) continue;
     const auto& [from, to] = *ends;
     if (!edges->drawn) sketch.line(from, to, {5.0f, kAxis});
@@ -190,8 +156,6 @@ const LayerDrawing kSatAxesLayer{
     .needs = {&trace::Stages::sat},
     .search = [](const Scene& scene, const trace::Pair& pair,
                  Sketch& sketch) { draw_axes(scene, pair, true, sketch); },
-    .explain = [](const Scene& scene, const trace::Pair& pair,
-                  Legend& legend) { explain_axes(scene, pair, true, legend); },
 };
 
 const LayerDrawing kContactAxisLayer{
@@ -200,12 +164,6 @@ const LayerDrawing kContactAxisLayer{
         [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
           draw_axes(scene, pair, false, sketch);
           draw_deciding_edges(scene, pair, sketch);
-        },
-    .explain =
-        [](const Scene& scene, const trace::Pair& pair, Legend& legend) {
-          explain_axes(scene, pair, false, legend);
-          if (deciding_edges(pair))
-            legend.explain(kDecidingEdgesSwatch, "edges that make the axis");
         },
 };
 

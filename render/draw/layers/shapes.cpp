@@ -9,9 +9,9 @@ namespace {
 constexpr std::size_t kMostNames = 5;  // of one role in the legend
 
 constexpr Swatch kShapeASwatch{LegendGroup::Shapes, 0,
-                               [](const SwatchPen& pen) { pen.box(kShapeA, kShapeEdge, 1.5); }};
+                               [](auto& pen) { pen.box(kShapeA, kShapeEdge, 1.5); }};
 constexpr Swatch kShapeBSwatch{LegendGroup::Shapes, 1,
-                               [](const SwatchPen& pen) { pen.box(kShapeB, kShapeEdge, 1.5); }};
+                               [](auto& pen) { pen.box(kShapeB, kShapeEdge, 1.5); }};
 
 void draw_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {
@@ -44,6 +44,6 @@ void explain_shapes(const Scene& scene, Legend& legend) {
 
 }  // namespace
 
-const LayerDrawing kShapesLayer{.beneath = draw_shapes, .explain_frame = explain_shapes};
+const LayerDrawing kShapesLayer{.beneath = draw_shapes, .explain = explain_shapes};
 
 }  // namespace contactscope::draw

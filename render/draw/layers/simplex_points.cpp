@@ -10,9 +10,9 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Swatch kSimplexPointsSwatch{LegendGroup::Differences, 3,
-                                      [](const SwatchPen& pen) { pen.dot(0, 4.8, kClipPolygon); }};
+                                      [](auto& pen) { pen.dot(0, 4.8, kClipPolygon); }};
 constexpr Swatch kFacePointsSwatch{LegendGroup::Differences, 4,
-                                   [](const SwatchPen& pen) { pen.dot(0, 4.8, kReferenceFace); }};
+                                   [](auto& pen) { pen.dot(0, 4.8, kReferenceFace); }};
 
 /// A point of a shape, which may be in several vertices.
 struct SupportPoint {
@@ -63,6 +63,9 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
   if (!support) return;
   const bool epa = support->of_polytope;
   const Color color = epa ? kReferenceFace : kClipPolygon;
+  if (!support->vertices.empty())
+    sketch.explain(epa ? kFacePointsSwatch : kSimplexPointsSwatch,
+                   epa ? "support points of the nearest face" : "support points of the simplex");
   for (const bool of_a : {true, false}) {
     const std::vector<SupportPoint> points = points_of(support->vertices, support->numbers, of_a);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -88,19 +91,9 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
       kAxisText, 17, 14);
 }
 
-void explain_simplex_points(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  const std::optional<Support> support = support_of(scene, pair);
-  if (!support || support->vertices.empty()) return;
-  if (support->of_polytope)
-    legend.explain(kFacePointsSwatch, "support points of the nearest face");
-  else
-    legend.explain(kSimplexPointsSwatch, "support points of the simplex");
-}
-
 }  // namespace
 
 const LayerDrawing kSimplexLayer{.needs = {&trace::Stages::gjk, &trace::Stages::penetration},
-                                 .search = draw_simplex_points,
-                                 .explain = explain_simplex_points};
+                                 .search = draw_simplex_points};
 
 }  // namespace contactscope::draw

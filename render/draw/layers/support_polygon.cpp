@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/curved_arrow.h"
+#include "draw/scene/arrows.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/support.h"
+#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {
@@ -69,6 +69,7 @@ std::string verdict_of(const trace::Stability& stability) {
 void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.stability) return;
   const trace::Stability& stability = *pair.stability;
+  explain_support(stability, turns(pair), sketch.legend);
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
   if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
@@ -80,13 +81,6 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kSupportLayer{
-    .needs = {&trace::Stages::stability},
-    .search = draw_support,
-    .explain =
-        [](const Scene&, const trace::Pair& pair, Legend& legend) {
-          if (pair.stability) explain_support(*pair.stability, turns(pair), legend);
-        },
-};
+const LayerDrawing kSupportLayer{.needs = {&trace::Stages::stability}, .search = draw_support};
 
 }  // namespace contactscope::draw

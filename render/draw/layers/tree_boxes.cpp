@@ -7,13 +7,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](const SwatchPen& pen) {
-                                pen.box(with_alpha(kNormal, 0), kNormal, 2);
-                              }};
-constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](const SwatchPen& pen) {
-                              pen.box(with_alpha(kSidePlane, 0), kSidePlane, 2.5);
-                            }};
-constexpr Swatch kMissSwatch{LegendGroup::Trees, 2, [](const SwatchPen& pen) {
+constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0,
+                              [](auto& pen) { pen.box(with_alpha(kNormal, 0), kNormal, 2); }};
+constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1,
+                            [](auto& pen) { pen.box(with_alpha(kSidePlane, 0), kSidePlane, 2.5); }};
+constexpr Swatch kMissSwatch{LegendGroup::Trees, 2, [](auto& pen) {
                                pen.box(with_alpha(kDropped, 0), kDropped, 1.5, true);
                              }};
 
@@ -27,36 +25,24 @@ Vec3d corner(const trace::Box& box, int bits) {
 /// The twelve edges; of a flat box each but once.
 void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& style,
              Sketch& sketch) {
+  int flat = 0;  // bits of the axes along which the box has no extent
+  for (int k = 0; k < 3; ++k) flat |= box.lower[k] == box.upper[k] ? 1 << k : 0;
   for (int bits = 0; bits < 8; ++bits) {
     for (const int axis : {1, 2, 4}) {
-      if ((bits & axis) != 0) continue;
-      const Vec3d from = corner(box, bits);
-      const Vec3d to = corner(box, bits | axis);
-      if (from == to) continue;
-      bool twice = false;
-      for (const int other : {1, 2, 4}) {
-        const bool flat = corner(box, other) == corner(box, 0);
-        twice = twice || (flat && (bits & other) != 0);
-      }
-      if (!twice) sketch.line(pose.transform(from), pose.transform(to), style);
+      if ((bits & axis) != 0 || ((bits | axis) & flat) != 0) continue;
+      sketch.line(pose.transform(corner(box, bits)), pose.transform(corner(box, bits | axis)),
+                  style);
     }
   }
 }
 
-const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
-  return pair.tree ? scene.find(pair.tree->shape) : nullptr;
-}
-
-bool has_triangle(const PlacedShape& mesh, int triangle) {
-  return triangle >= 0 && triangle < static_cast<int>(mesh.mesh->shape->faces.size());
-}
-
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const PlacedShape* mesh = mesh_of(scene, pair);
+  const PlacedShape* mesh = pair.tree ? scene.find(pair.tree->shape) : nullptr;
   if (mesh == nullptr) return;
   for (const int candidate : pair.tree->candidates) {
-    if (!has_triangle(*mesh, candidate)) continue;
+    if (candidate < 0 || candidate >= count_of(mesh->mesh->shape->faces)) continue;
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
+    sketch.explain(kClipPolygonSwatch, "candidate triangle");
   }
   // What was left out beneath what was entered, and the deepest last: it is what the query found.
   std::vector<trace::TreeVisit> visits = pair.tree->visits;
@@ -69,27 +55,15 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
         visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kSidePlane, inner ? 0.8f : 1)}
                        : LineStyle{1.5f, kDropped, true};
     outline(visit.box, mesh->pose, style, sketch);
-  }
-  outline(pair.tree->box, mesh->pose, {2.0f, kNormal}, sketch);
-}
-
-void explain_tree(const Scene& scene, const trace::Pair& pair, Legend& legend) {
-  const PlacedShape* mesh = mesh_of(scene, pair);
-  if (mesh == nullptr) return;
-  const trace::Tree& tree = *pair.tree;
-  const auto is_triangle = [&](int triangle) { return has_triangle(*mesh, triangle); };
-  if (std::ranges::any_of(tree.candidates, is_triangle))
-    legend.explain(kClipPolygonSwatch, "candidate triangle");
-  for (const trace::TreeVisit& visit : tree.visits) {
-    legend.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
+    sketch.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
                    visit.overlaps ? "box of the tree, entered" : "box left out, with all below");
   }
-  legend.explain(kQuerySwatch, "box of " + (tree.shape == pair.a ? pair.b : pair.a));
+  outline(pair.tree->box, mesh->pose, {2.0f, kNormal}, sketch);
+  sketch.explain(kQuerySwatch, "box of " + (pair.tree->shape == pair.a ? pair.b : pair.a));
 }
 
 }  // namespace
 
-const LayerDrawing kTreeLayer{
-    .needs = {&trace::Stages::tree}, .search = draw_tree, .explain = explain_tree};
+const LayerDrawing kTreeLayer{.needs = {&trace::Stages::tree}, .search = draw_tree};
 
 }  // namespace contactscope::draw

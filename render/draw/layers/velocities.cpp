@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/curved_arrow.h"
+#include "draw/scene/arrows.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -16,10 +16,10 @@ constexpr double kSpinRadius = 0.42;        // of the body's radius
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
 
 constexpr Swatch kVelocitySwatch{LegendGroup::Motion, 0,
-                                 [](const SwatchPen& pen) { pen.arrow(3.5, 11, kReferenceFace); }};
+                                 [](auto& pen) { pen.arrow(3.5, 11, kReferenceFace); }};
 // Three quarters of a turn.
 constexpr Swatch kSpinSwatch{
-    LegendGroup::Motion, 3, [](const SwatchPen& pen) {
+    LegendGroup::Motion, 3, [](auto& pen) {
       constexpr int kSteps = 18;
       const Point2 m = pen.middle();
       const float r = pen.px(7);
@@ -47,22 +47,16 @@ bool has_numbers(const Scene& scene) {
   return scene.bodies().size() <= kLabelledBodies;
 }
 
-// A velocity that is too short for an arrow still has its number, beside those of other bodies.
-bool is_told(const Scene& scene, const trace::Body& body) {
-  return way_in_pixels(scene, body) >= (has_numbers(scene) ? kLeastNamed : kLeastVelocity);
-}
-
-bool spins(const Scene& scene, const trace::Body& body) {
-  return body.angular_velocity.norm() * scene.scales.spin >= kLeastSpin;
-}
-
 void label_motion(const Vec3d& at, const std::string& text, const Vec3d& direction,
                   Sketch& sketch) {
   sketch.label(at, text, kReferenceFace, 16, 9, direction);
 }
 
+// A velocity that is too short for an arrow still has its number, beside those of other bodies.
 void draw_velocity(const Scene& scene, const trace::Body& body, Sketch& sketch) {
-  if (!is_told(scene, body)) return;
+  if (way_in_pixels(scene, body) < (has_numbers(scene) ? kLeastNamed : kLeastVelocity)) return;
+  sketch.explain(kVelocitySwatch,
+                 "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
   const Vec3d way = scene.scales.velocity * body.velocity;
   const bool drawn = way_in_pixels(scene, body) >= kLeastVelocity;
   if (drawn)
@@ -73,8 +67,9 @@ void draw_velocity(const Scene& scene, const trace::Body& body, Sketch& sketch) 
 }
 
 void draw_spin(const Scene& scene, const trace::Body& body, Sketch& sketch) {
-  if (!spins(scene, body)) return;
   const double spin = body.angular_velocity.norm();
+  if (!(spin * scene.scales.spin >= kLeastSpin)) return;
+  sketch.explain(kSpinSwatch, "spin, turn in " + spell_quantity(scene.scales.spin, "s", 1));
   const PlacedShape* shape = scene.find(body.name);
   const double radius = kSpinRadius * (shape == nullptr ? 1 : shape->mesh->radius);
   const Vec3d axis = body.angular_velocity / spin;
@@ -94,15 +89,6 @@ void draw_velocities(const Scene& scene, Sketch& sketch) {
   }
 }
 
-void explain_velocities(const Scene& scene, Legend& legend) {
-  const auto in = [](double seconds) { return spell_quantity(seconds, "s", 1); };
-  for (const trace::Body& body : scene.bodies()) {
-    if (is_told(scene, body))
-      legend.explain(kVelocitySwatch, "velocity, way in " + in(scene.scales.velocity));
-    if (spins(scene, body)) legend.explain(kSpinSwatch, "spin, turn in " + in(scene.scales.spin));
-  }
-}
-
 // Beside the centre of mass.
 void draw_masses(const Scene& scene, Sketch& sketch) {
   for (const trace::Body& body : scene.bodies())
@@ -111,7 +97,7 @@ void draw_masses(const Scene& scene, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kVelocitiesLayer{.above = draw_velocities, .explain_frame = explain_velocities};
+const LayerDrawing kVelocitiesLayer{.above = draw_velocities};
 const LayerDrawing kMassesLayer{.above = draw_masses};
 
 }  // namespace contactscope::draw

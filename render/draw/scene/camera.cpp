@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "draw/scene/points.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -103,6 +105,45 @@ bool Camera::sees(const Vec3d& point) const {
 
 double Camera::pixels_per_metre(const Vec3d& point) const {
   return perspective_ ? scale_ / std::max(to_camera(point).z(), near_) : scale_;
+}
+
+std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b) {
+  const std::optional<Point2> from = camera.project(a), to = camera.project(b);
+  return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
+}
+
+ViewAxes::ViewAxes(const Vec3d& direction, const Vec3d& world_up) : towards_eye(direction) {
+  right = world_up.cross(direction);
+  right = right.norm() > 1e-6 ? Vec3d(right.normalized()) : any_perpendicular(direction);
+  up = direction.cross(right);
+}
+
+// A point at (x, y, z) in the camera's axes is seen at x / (distance - z), so each asks for
+// distance >= z + |x| / (share * tangent of the half angle).
+ViewFit fit_view(const std::vector<Vec3d>& points, const ViewAxes& axes,
+                 const std::optional<Vec3d>& target, double half_height, double aspect,
+                 double share) {
+  ViewFit result{target.value_or(center_of(points)), 0};
+  for (int round = 0; round < 4; ++round) {
+    double distance = 0;
+    for (const Vec3d& p : points) {
+      const Vec3d q = p - result.target;
+      const double side = std::max(std::abs(q.dot(axes.up)) / half_height,
+                                   std::abs(q.dot(axes.right)) / (half_height * aspect));
+      distance = std::max(distance, q.dot(axes.towards_eye) + side / share);
+    }
+    result.distance = distance;
+    if (target || distance <= 0) return result;
+    Eigen::AlignedBox2d seen;
+    for (const Vec3d& p : points) {
+      const Vec3d q = p - result.target;
+      const double depth = std::max(distance - q.dot(axes.towards_eye), 1e-6 * distance);
+      seen.extend(Eigen::Vector2d(q.dot(axes.right) / depth, q.dot(axes.up) / depth));
+    }
+    const Eigen::Vector2d both = seen.min() + seen.max();
+    result.target += 0.5 * distance * (both.x() * axes.right + both.y() * axes.up);
+  }
+  return result;
 }
 
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon) {

@@ -52,6 +52,28 @@ class Camera {
   double near_ = 0;
 };
 
+/// Pixels between two points as they are seen; nothing where one is behind the near plane.
+std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b);
+
+/// Axes of a camera that looks against `direction`.
+struct ViewAxes {
+  Vec3d right, up, towards_eye;
+
+  ViewAxes(const Vec3d& direction, const Vec3d& world_up);
+};
+
+struct ViewFit {
+  Vec3d target;
+  double distance;  // of the eye from the target, metres
+};
+
+/// The nearest eye from which the points fill at most `share` of the view both ways, with the points
+/// in the middle unless the target is given. `half_height`: tangent of half the field of view;
+/// `aspect`: width by height.
+ViewFit fit_view(const std::vector<Vec3d>& points, const ViewAxes& axes,
+                 const std::optional<Vec3d>& target, double half_height, double aspect,
+                 double share);
+
 /// Part of a convex polygon in front of the near plane, as pixels, clipped to the viewport. Empty
 /// when nothing is left.
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon);

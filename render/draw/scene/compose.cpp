@@ -14,20 +14,6 @@ namespace {
 constexpr float kJoin = 0.25f;    // pixels
 constexpr float kAvoided = 1.5f;  // pixels: labels keep off lines of this width
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
-constexpr double kDotRadius = 5.5;
-constexpr double kDotHalo = 1.8;
-constexpr double kDotBorder = 2.2;
-constexpr double kApartBorder = 1.2;
-constexpr float kApartFill = 0.3f;
-constexpr double kCenterRadius = 9.5;
-constexpr double kFootRadius = 6.5;
-constexpr double kCoreRadius = 2.4;
-constexpr double kOriginRadius = 7.0;
-constexpr double kNodeRadius = 4.0;
-constexpr double kSquare = 5.0;
-constexpr double kRingInner = 9.0;
-constexpr double kRingOuter = 11.2;
-constexpr double kCrossReach = 4.5;
 
 class Composer {
  public:
@@ -46,19 +32,9 @@ class Composer {
     }
     for (const Curve& curve : sketch_.curves) draw_curve(curve);
     for (const Line& line : sketch_.lines) draw_line(line);
-    // What is inside of a shape stays under what is said about it.
-    // So does an origin under the arrow that begins there, which may be no longer than it.
-    const auto is_core = [](const Mark& mark) {
-      return mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
-             mark.kind == MarkKind::HeldOrigin;
-    };
-    for (const Mark& mark : sketch_.marks) {
-      if (is_core(mark)) draw_mark(mark);
-    }
+    draw_marks(true);
     for (const Arrow& arrow : sketch_.arrows) draw_arrow(arrow);
-    for (const Mark& mark : sketch_.marks) {
-      if (!is_core(mark)) draw_mark(mark);
-    }
+    draw_marks(false);
     for (const Label& label : sketch_.labels) draw_label(label);
   }
 
@@ -72,14 +48,13 @@ class Composer {
     Stroke result{seen->from, seen->to, px(width), color, Cap::Round};
     // Translucent strokes end flat, for round ends would add up where they meet.
     if (gap > 0 || color.a < 1) result.cap = Cap::Butt;
-    const float length = distance(seen->from, seen->to);
-    if (joined && result.cap == Cap::Round && length > 0) {
+    const float run = distance(seen->from, seen->to);
+    if (joined && result.cap == Cap::Round && run > 0) {
       // So do pieces of a curve: round ends would bead it. They overlap by what two flat ends lack.
       result.cap = Cap::Butt;
-      const float dx = kJoin / length * (seen->to.x - seen->from.x);
-      const float dy = kJoin / length * (seen->to.y - seen->from.y);
-      result.from = {result.from.x - dx, result.from.y - dy};
-      result.to = {result.to.x + dx, result.to.y + dy};
+      const Point2 lap = kJoin / run * (seen->to - seen->from);
+      result.from = seen->from - lap;
+      result.to = seen->to + lap;
     }
     result.dash = px(dash);
     result.gap = px(gap);
@@ -161,29 +136,23 @@ class Composer {
 
   // Of an arrow that comes from there.
   void head(const Point2& tip, const Point2& from, double size, const Color& color) {
-    const float length = distance(from, tip);
-    if (length <= 0) return;
-    const float ux = (tip.x - from.x) / length;
-    const float uy = (tip.y - from.y) / length;
-    const float s = px(size);
-    const float half = 0.42f * s;
-    const Point2 base{tip.x - s * ux, tip.y - s * uy};
-    const std::vector<Point2> corners = {
-        tip, {base.x - half * uy, base.y + half * ux}, {base.x + half * uy, base.y - half * ux}};
+    const float run = distance(from, tip);
+    if (run <= 0) return;
+    const Point2 along = (tip - from) / run;
+    const Point2 base = tip - px(size) * along;
+    const Point2 aside = 0.42f * px(size) * perpendicular(along);
+    const std::vector<Point2> corners = {tip, base + aside, base - aside};
     pen_.fill(corners, color);
     pen_.outline(corners, 1, color);
   }
 
   void open_head(const Point2& tip, const Point2& from, double size, float width,
                  const Color& color) {
-    const float length = distance(from, tip);
-    if (length <= 0) return;
-    const float s = px(size) / length;
-    const Point2 back{s * (from.x - tip.x), s * (from.y - tip.y)};
-    for (const float side : {-0.5f, 0.5f}) {
-      const Point2 end{tip.x + back.x - side * back.y, tip.y + back.y + side * back.x};
-      pen_.path({tip, end}, width, color);
-    }
+    const float run = distance(from, tip);
+    if (run <= 0) return;
+    const Point2 back = px(size) / run * (from - tip);
+    for (const float side : {-0.5f, 0.5f})
+      pen_.path({tip, tip + back + side * perpendicular(back)}, width, color);
   }
 
   void draw_arrow(const Arrow& arrow) {
@@ -207,14 +176,10 @@ class Composer {
     if (length < px(1)) return;
     // Short arrows keep their shape: the heads shrink before the shaft is lost.
     const double size = std::min<double>(arrow.head, arrow.head_share * length / layout_.scale);
-    const float ux = (b->x - a->x) / length;
-    const float uy = (b->y - a->y) / length;
-    const float inset = arrow.open ? 0 : px(0.9 * size);
-    const Point2 shaft_end{b->x - inset * ux, b->y - inset * uy};
-    const Point2 shaft_begin =
-        arrow.double_headed ? Point2{a->x + inset * ux, a->y + inset * uy} : *a;
+    const Point2 inset = (arrow.open ? 0 : px(0.9 * size)) * ((*b - *a) / length);
+    const Point2 shaft_begin = arrow.double_headed ? *a + inset : *a;
     if (arrow.halo) pen_.path({*a, *b}, arrow.width + 4, with_alpha(kWhite, 0.85f));
-    pen_.line(shaft_begin, shaft_end, arrow.width, arrow.color);
+    pen_.line(shaft_begin, *b - inset, arrow.width, arrow.color);
     if (arrow.open) {
       open_head(*b, *a, size, arrow.width, arrow.color);
     } else {
@@ -224,101 +189,28 @@ class Composer {
     placer_.block(*a, *b, px(arrow.width + 6));
   }
 
-  void draw_mark(const Mark& mark) {
-    const std::optional<Point2> at = camera_.project(mark.at);
-    if (!at || !layout_.view.contains(*at)) return;
-    const auto keep_clear = [&](double radius) { placer_.block(*at, px(radius)); };
-    const auto ring_on_white = [&](double inner, double outer) {
-      pen_.disc(*at, outer + kDotHalo, kWhite);
-      pen_.ring(*at, inner, outer, mark.color);
-      keep_clear(outer + kDotHalo);
-    };
-    const auto ring_around = [&](double outer) {
-      pen_.ring(*at, kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f));
-      pen_.ring(*at, kRingInner, outer, mark.color);
-      keep_clear(kRingOuter);
-    };
-    const auto quartered = [&](double radius) {
-      draw_quartered_disc(*at, px(radius), px(1.6), pen_.drawing());
-      placer_.block(*at, px(radius) + px(2));
-    };
-    const auto cross = [&](double reach, double width) {
-      pen_.cross(*at, reach, 5.0 * width, with_alpha(kWhite, 0.9f), Cap::Round);
-      pen_.cross(*at, reach, 2.2 * width, mark.color, Cap::Round);
-      placer_.block(*at, px(reach) + px(2));
-    };
-    switch (mark.kind) {
-      case MarkKind::Dot:
-        ring_on_white(0, kDotRadius);
-        break;
-      case MarkKind::Hollow:
-        ring_on_white(kDotRadius - kDotBorder, kDotRadius);
-        break;
-      case MarkKind::Half:
-        pen_.disc(*at, kDotRadius + kDotHalo, kWhite);
-        draw_half_dot(*at, px(kDotRadius), px(kDotBorder), mark.color, pen_.drawing());
-        keep_clear(kDotRadius + kDotHalo);
-        break;
-      case MarkKind::Apart:
-        pen_.disc(*at, kDotRadius + kDotHalo, kWhite);
-        pen_.disc(*at, kDotRadius, with_alpha(mark.color, kApartFill));
-        pen_.ring(*at, kDotRadius - kApartBorder, kDotRadius, mark.color);
-        keep_clear(kDotRadius + kDotHalo);
-        break;
-      case MarkKind::Core:
-        pen_.disc(*at, kCoreRadius, mark.color);
-        break;
-      case MarkKind::Node:
-        pen_.disc(*at, kNodeRadius + 0.5 * kDotHalo, kWhite);
-        pen_.disc(*at, kNodeRadius, mark.color);
-        break;
-      case MarkKind::Quartered:
-        quartered(kCenterRadius);
-        break;
-      case MarkKind::SmallQuartered:
-        quartered(kFootRadius);
-        break;
-      case MarkKind::Origin:
-        ring_on_white(kOriginRadius - kDotHalo, kOriginRadius);
-        break;
-      case MarkKind::HeldOrigin:
-        pen_.disc(*at, 0.7 * kOriginRadius + kDotHalo, kWhite);
-        pen_.disc(*at, 0.7 * kOriginRadius, mark.color);
-        keep_clear(kOriginRadius + kDotHalo);
-        break;
-      case MarkKind::Square:
-        draw_square(*at, px(kSquare), mark.color, pen_.drawing());
-        keep_clear(kSquare + kDotHalo);
-        break;
-      case MarkKind::WideRing:
-        ring_around(kRingInner + 0.7 * kDotBorder);
-        break;
-      case MarkKind::Ring:
-        ring_around(kRingOuter);
-        break;
-      case MarkKind::Cross:
-        cross(kCrossReach, 1);
-        break;
-      case MarkKind::SmallCross:
-        cross(0.5 * kCrossReach, 0.6f);
-        break;
+  // What is inside of a shape stays under what is said about it. So does an origin under the arrow
+  // that begins there, which may be no longer than it.
+  void draw_marks(bool inside) {
+    for (const Mark& mark : sketch_.marks) {
+      const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
+                             mark.kind == MarkKind::HeldOrigin;
+      const std::optional<Point2> at = camera_.project(mark.at);
+      if (is_inside != inside || !at || !layout_.view.contains(*at)) continue;
+      const float reach = draw_mark(mark.kind, *at, mark.color, pen_);
+      if (reach > 0) placer_.block(*at, reach);
     }
   }
 
   Point2 wanted_direction(const Label& label, const Point2& at) const {
-    std::optional<Point2> other;
-    Point2 direction{0, -1};
-    if (label.direction) {
-      const double step = 20 / camera_.pixels_per_metre(label.at);
-      other = camera_.project(label.at + step * *label.direction);
-      if (other) direction = {other->x - at.x, other->y - at.y};
-    } else {
-      other = camera_.project(sketch_.center);
-      if (other) direction = {at.x - other->x, at.y - other->y};
-    }
-    const float length = std::hypot(direction.x, direction.y);
-    if (length < 1) return {0, -1};
-    return {direction.x / length, direction.y / length};
+    Vec3d towards = sketch_.center;
+    if (label.direction)
+      towards = label.at + 20 / camera_.pixels_per_metre(label.at) * *label.direction;
+    const std::optional<Point2> other = camera_.project(towards);
+    if (!other) return {0, -1};
+    const Point2 way = label.direction ? *other - at : at - *other;
+    const float reach = length(way);
+    return reach < 1 ? Point2{0, -1} : way / reach;
   }
 
   void draw_label(const Label& label) {

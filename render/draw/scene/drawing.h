@@ -113,7 +113,7 @@ using Primitive = std::variant<Fill, Stroke, Disc, Text>;
 struct Drawing {
   int width = 0, height = 0;  // pixels
   Color background{1, 1, 1, 1};
-  std::vector<Primitive> primitives;  // painted in this order
+  std::vector<Primitive> primitives{};  // painted in this order
 };
 
 }  // namespace contactscope::draw

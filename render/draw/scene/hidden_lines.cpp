@@ -1,7 +1,10 @@
 #include "draw/scene/hidden_lines.h"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
+
+#include "core/at.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -21,31 +24,17 @@ constexpr int kColumns = 48, kRows = 32;
 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows)
-    : camera_(camera), shadows_(shadows), cells_(kColumns * kRows) {
-  for (std::size_t i = 0; i < shadows.size(); ++i) everywhere_.push_back(static_cast<int>(i));
-  Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
-  Vec3d high = -low;
-  for (const std::vector<Vec3d>& polygon : occluders) {
-    for (const Vec3d& p : polygon) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
+    : camera_(camera), shadows_(shadows), everywhere_(shadows.size()), cells_(kColumns * kRows) {
+  std::iota(everywhere_.begin(), everywhere_.end(), 0);
   const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
     if (polygon.size() < 3) continue;
-    Vec3d middle = Vec3d::Zero();
-    Vec3d normal = Vec3d::Zero();
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      middle += polygon[i];
-      normal += (polygon[i] - polygon[0]).cross(polygon[(i + 1) % polygon.size()] - polygon[0]);
-    }
-    middle /= static_cast<double>(polygon.size());
+    const Vec3d middle = mean_of(polygon);
     double size = 0;
     for (const Vec3d& p : polygon) size = std::max(size, (p - middle).norm());
     const double border = kBorder * size;
     border_ = std::max(border_, border);
-    normal.normalize();
+    Vec3d normal = newell_normal(polygon).normalized();
     if (normal.dot(camera.to_eye(middle)) < 0) normal = -normal;
 
     ConvexShadow shadow;
@@ -61,33 +50,30 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (side.dot(middle - p) > 0) side = -side;
       shadow.push_back({side, side.dot(p) - border});
     }
-    const int index = static_cast<int>(shadows_.size());
+    const int index = count_of(shadows_);
     shadows_.push_back(std::move(shadow));
     if (few) {
       everywhere_.push_back(index);
-      continue;
-    }
-    const Cells cells = cells_of(project_polygon(camera, polygon));
-    for (int row = cells.first[1]; row <= cells.last[1]; ++row) {
-      for (int column = cells.first[0]; column <= cells.last[0]; ++column) {
-        cells_[static_cast<std::size_t>(row * kColumns + column)].push_back(index);
-      }
+    } else {
+      for (const int cell : cells_of(project_polygon(camera, polygon)))
+        at(cells_, cell).push_back(index);
     }
   }
 }
 
-HiddenLines::Cells HiddenLines::cells_of(std::span<const Point2> points) const {
+std::vector<int> HiddenLines::cells_of(std::span<const Point2> points) const {
   const Rect& view = camera_.viewport();
-  Cells cells{{kColumns, kRows}, {-1, -1}};
+  Eigen::AlignedBox2i box;
   for (const Point2& at : points) {
     const double x = (at.x - view.x) / view.width * kColumns;
     const double y = (at.y - view.y) / view.height * kRows;
-    const std::array<int, 2> cell = {static_cast<int>(std::clamp(x, 0.0, kColumns - 1.0)),
-                                     static_cast<int>(std::clamp(y, 0.0, kRows - 1.0))};
-    for (std::size_t k = 0; k < 2; ++k) {
-      cells.first[k] = std::min(cells.first[k], cell[k]);
-      cells.last[k] = std::max(cells.last[k], cell[k]);
-    }
+    box.extend(Eigen::Vector2i(static_cast<int>(std::clamp(x, 0.0, kColumns - 1.0)),
+                               static_cast<int>(std::clamp(y, 0.0, kRows - 1.0))));
+  }
+  std::vector<int> cells;
+  for (int row = box.min().y(); row <= box.max().y(); ++row) {
+    for (int column = box.min().x(); column <= box.max().x(); ++column)
+      cells.push_back(row * kColumns + column);
   }
   return cells;
 }
@@ -97,14 +83,11 @@ std::vector<int> HiddenLines::candidates(const Vec3d& from, const Vec3d& to) con
   if (found.size() == shadows_.size()) return found;
   const std::optional<Segment2> seen = project_segment(camera_, from, to);
   if (!seen) return found;
-  const Cells cells = cells_of(std::array{seen->from, seen->to});
-  for (int row = cells.first[1]; row <= cells.last[1]; ++row) {
-    for (int column = cells.first[0]; column <= cells.last[0]; ++column) {
-      const std::vector<int>& here = cells_[static_cast<std::size_t>(row * kColumns + column)];
-      found.insert(found.end(), here.begin(), here.end());
-    }
+  for (const int cell : cells_of(std::array{seen->from, seen->to})) {
+    const std::vector<int>& here = at(cells_, cell);
+    found.insert(found.end(), here.begin(), here.end());
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
@@ -113,7 +96,7 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
   for (const int index : candidates(from, to)) {
     double first = 0, last = 1;
-    for (const Plane<double>& bound : shadows_[static_cast<std::size_t>(index)]) {
+    for (const Plane<double>& bound : at(shadows_, index)) {
       const double d0 = bound.distance(from);
       const double d1 = bound.distance(to);
       if (d0 > 0 && d1 > 0) {
@@ -126,7 +109,7 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
     }
     if (first < last) hidden.emplace_back(first, last);
   }
-  std::sort(hidden.begin(), hidden.end());
+  std::ranges::sort(hidden);
 
   // Shadows of neighbours stop short of each other by their borders; what is between them is
   // hidden.

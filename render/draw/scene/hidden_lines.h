@@ -34,11 +34,8 @@ class HiddenLines {
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
  private:
-  // Cells of the view from `first` to `last`, both ways; none where `last` is less.
-  struct Cells {
-    std::array<int, 2> first, last;
-  };
-  Cells cells_of(std::span<const Point2> points) const;
+  // The cells of the view in the box around points.
+  std::vector<int> cells_of(std::span<const Point2> points) const;
   // The shadows that may hide what is seen of the segment's projection.
   std::vector<int> candidates(const Vec3d& from, const Vec3d& to) const;
 

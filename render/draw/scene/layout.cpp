@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -54,17 +55,13 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
 }
 
 Layout make_layout(int width, int height, bool has_panels,
-                   const std::vector<std::vector<float>>& legend_widths, std::size_t insets) {
-  Layout layout;
-  layout.width = width;
-  layout.height = height;
-  layout.scale = interface_scale(width, height);
+                   const std::vector<std::vector<float>>& legend_widths, int insets) {
+  Layout layout{.width = width, .height = height, .scale = interface_scale(width, height)};
   const double margin = layout.px(kMargin * (layout.scale < 1 ? 0.7 : 1.0));
   const double inner = width - 2 * margin;
   int rows = 0;
-  for (const std::vector<float>& widths : legend_widths) {
+  for (const std::vector<float>& widths : legend_widths)
     rows = std::max(rows, rows_of(widths, inner));
-  }
   const double top = margin + layout.px(kTitleSize + 14);
   const double source_top = height - margin - layout.px(kSourceSize);
   const double legend_height = rows * layout.px(kLegendRow);
@@ -78,11 +75,9 @@ Layout make_layout(int width, int height, bool has_panels,
   if (insets > 0) {
     const double gap = layout.px(kGutter);
     layout.view.width = 0.5 * (layout.view.width - gap);
-    const auto count = static_cast<double>(insets);
-    const double inset_height = (view_height - (count - 1) * gap) / count;
-    for (std::size_t i = 0; i < insets; ++i)
-      layout.insets.push_back({margin + layout.view.width + gap,
-                               top + static_cast<double>(i) * (inset_height + gap),
+    const double inset_height = (view_height - (insets - 1) * gap) / insets;
+    for (int i = 0; i < insets; ++i)
+      layout.insets.push_back({layout.view.right() + gap, top + i * (inset_height + gap),
                                layout.view.width, inset_height});
   }
   return layout;
@@ -91,26 +86,16 @@ Layout make_layout(int width, int height, bool has_panels,
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,
                    const Layout& layout, Drawing& drawing) {
   const float left = static_cast<float>(layout.legend.x);
-  const float right = static_cast<float>(layout.legend.x + layout.legend.width);
+  const float right = static_cast<float>(layout.legend.right());
   const float bottom = static_cast<float>(layout.height) - left;  // margins are equal
-  const auto add = [&](const std::string& text, Point2 at, double size, FontWeight weight,
-                       Align align, const Color& color, float available) {
-    Text caption;
-    caption.size = layout.px(size);
-    caption.text = fitted(text, caption.size, weight, available);
-    caption.at = at;
-    caption.weight = weight == FontWeight::Bold ? Weight::Bold : Weight::Regular;
-    caption.align = align;
-    caption.color = color;
-    drawing.primitives.push_back(caption);
-  };
-  add(title, {left, left + 0.8f * layout.px(kTitleSize)}, kTitleSize, FontWeight::Bold, Align::Left,
-      kText, right - left);
-  const float moment_width = text_width(moment, layout.px(kSourceSize), FontWeight::Regular);
-  add(source, {left, bottom}, kSourceSize, FontWeight::Regular, Align::Left, kQuietText,
-      right - left - moment_width - layout.px(kEntryGap));
-  add(moment, {right, bottom}, kSourceSize, FontWeight::Regular, Align::Right, kQuietText,
-      right - left);
+  const float room = right - left;
+  const Pen pen(drawing, layout.scale, kSourceSize);
+  pen.text(fitted(title, pen.px(kTitleSize), Weight::Bold, room),
+           {left, left + 0.8f * pen.px(kTitleSize)}, Align::Left, kText, Weight::Bold, kTitleSize);
+  const float size = pen.px(kSourceSize);
+  pen.text(fitted(source, size, Weight::Regular, room - pen.width_of(moment) - pen.px(kEntryGap)),
+           {left, bottom}, Align::Left, kQuietText);
+  pen.text(fitted(moment, size, Weight::Regular, room), {right, bottom}, Align::Right, kQuietText);
 }
 
 }  // namespace contactscope::draw

@@ -17,9 +17,9 @@ inline constexpr double kEntryGap = 22;   // between texts that stand side by si
 struct Layout {
   int width = 0, height = 0;
   float scale = 1;             // pixels for one pixel at 720 lines
-  Rect view;                   // the 3D view
-  Rect panels;                 // right column; empty width when the view names no panels
-  Rect legend;                 // rows of the legend, under the view
+  Rect view{};                 // the 3D view
+  Rect panels{};               // right column; empty width when the view names no panels
+  Rect legend{};               // rows of the legend, under the view
   std::vector<Rect> insets{};  // beside the view and together as large, one above the other
 
   float px(double at_720) const { return scale * static_cast<float>(at_720); }
@@ -28,7 +28,7 @@ struct Layout {
 /// `legend_widths`: for each picture of the sequence the widths of its legend's entries, so that
 /// the view is as large in every frame.
 Layout make_layout(int width, int height, bool has_panels,
-                   const std::vector<std::vector<float>>& legend_widths, std::size_t insets = 0);
+                   const std::vector<std::vector<float>>& legend_widths, int insets = 0);
 
 /// Text that must fit into `available` pixels: shortened with an ellipsis where it does not.
 std::string fitted(const std::string& text, float size, FontWeight weight, float available);

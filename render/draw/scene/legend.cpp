@@ -41,26 +41,6 @@ std::vector<LegendEntry> Legend::sorted() const {
   return sorted;
 }
 
-Point2 SwatchPen::at(double right, double down) const {
-  return {left_.x + px(right), left_.y + px(down)};
-}
-
-Point2 SwatchPen::middle() const {
-  return at(kSwatch / 2 - 2);
-}
-
-void SwatchPen::level_line(double from, double to, double width, const Color& color) const {
-  line(at(from), at(to), width, color);
-}
-
-void SwatchPen::dashes(double width, const Color& color) const {
-  line(left_, at(23), width, color, 6, 2.5);
-}
-
-void SwatchPen::dot(double inner, double outer, const Color& color) const {
-  ring(middle(), inner, outer, color);
-}
-
 void SwatchPen::box(const Color& fill_color, const Color& border, double width, bool dashed) const {
   const std::vector<Point2> corners = {at(0, -kHalfBox), at(kBox, -kHalfBox), at(kBox, kHalfBox),
                                        at(0, kHalfBox)};
@@ -74,28 +54,10 @@ void SwatchPen::hatched(const Color& color) const {
         drawing());
 }
 
-void SwatchPen::crossed(const Color& color) const {
-  cross(middle(), 4.5, 2, color, Cap::Round);
-}
-
 void SwatchPen::head(double tip, double size, const Color& color) const {
   const Point2 to = at(tip);
   const float s = px(size), half = 0.5f * std::abs(s);
   fill({to, {to.x - s, to.y - half}, {to.x - s, to.y + half}}, color);
-}
-
-void SwatchPen::arrow(double width, double size, const Color& color) const {
-  level_line(0, 14, width, color);
-  head(22, size, color);
-}
-
-void SwatchPen::open_arrow(double width, const Color& color) const {
-  level_line(0, 21, width, color);
-  for (const double side : {-4.5, 4.5}) path({at(21), at(21 - 9, side)}, width, color);
-}
-
-void SwatchPen::whisker(double width, const Color& color) const {
-  line(middle(), {middle().x, at(0, 9).y}, width, color);
 }
 
 float legend_entry_width(const LegendEntry& entry, float scale) {

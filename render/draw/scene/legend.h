@@ -65,23 +65,37 @@ class SwatchPen : public Pen {
   static constexpr double kLegendSize = 15;  // of the text
 
   const Layout& layout() const { return layout_; }
-  Point2 at(double right, double down = 0) const;
-  Point2 middle() const;
+  Point2 at(double right, double down = 0) const {
+    return {left_.x + px(right), left_.y + px(down)};
+  }
+  Point2 middle() const { return at(11); }
 
-  void level_line(double from, double to, double width, const Color& color) const;
-  void dashes(double width, const Color& color) const;
+  void level_line(double from, double to, double width, const Color& color) const {
+    line(at(from), at(to), width, color);
+  }
+  void dashes(double width, const Color& color) const { line(left_, at(23), width, color, 6, 2.5); }
   /// A ring, or a disc where `inner` is 0.
-  void dot(double inner, double outer, const Color& color) const;
+  void dot(double inner, double outer, const Color& color) const {
+    ring(middle(), inner, outer, color);
+  }
   void box(const Color& fill_color, const Color& border, double width, bool dashed = false) const;
   void hatched(const Color& color) const;
-  void crossed(const Color& color) const;
+  void crossed(const Color& color) const { cross(middle(), 4.5, 2, color, Cap::Round); }
   /// Head of an arrow whose tip is there; `size` < 0: to the left.
   void head(double tip, double size, const Color& color) const;
-  void arrow(double width, double size, const Color& color) const;
+  void arrow(double width, double size, const Color& color) const {
+    level_line(0, 14, width, color);
+    head(22, size, color);
+  }
   /// Its head is two strokes.
-  void open_arrow(double width, const Color& color) const;
+  void open_arrow(double width, const Color& color) const {
+    level_line(0, 21, width, color);
+    for (const double side : {-4.5, 4.5}) path({at(21), at(12, side)}, width, color);
+  }
   /// Down from the middle.
-  void whisker(double width, const Color& color) const;
+  void whisker(double width, const Color& color) const {
+    line(middle(), {middle().x, at(0, 9).y}, width, color);
+  }
 
  private:
   const Layout& layout_;

@@ -10,6 +10,74 @@ namespace {
 
 constexpr int kSteps = 12;  // of a quarter of a circle
 
+// Pixels at 720 lines.
+constexpr double kDotRadius = 5.5;
+constexpr double kDotHalo = 1.8;
+constexpr double kDotBorder = 2.2;
+constexpr double kHaloed = kDotRadius + kDotHalo;
+constexpr double kApartBorder = 1.2;
+constexpr double kCenterRadius = 9.5;
+constexpr double kFootRadius = 6.5;
+constexpr double kCoreRadius = 2.4;
+constexpr double kOriginRadius = 7.0;
+constexpr double kNodeRadius = 4.0;
+constexpr double kSquare = 5.0;
+constexpr double kRingInner = 9.0;
+constexpr double kRingOuter = 11.2;
+constexpr double kCrossReach = 4.5;
+
+enum class Ink { Own, Faint, White, Veil };
+
+Color color_of(Ink ink, const Color& own) {
+  if (ink == Ink::Own) return own;
+  if (ink == Ink::Faint) return with_alpha(own, 0.3f);
+  return ink == Ink::White ? kWhite : with_alpha(kWhite, 0.85f);
+}
+
+/// A ring, or a disc where `inner` is 0.
+struct Ring {
+  double inner, outer;
+  Ink ink = Ink::Own;
+};
+
+/// A mark that consists of rings, in the order in which they are painted.
+struct RingMark {
+  std::vector<Ring> rings;
+  double clear = 0;  // radius that labels keep off
+};
+
+RingMark rings_of(MarkKind kind) {
+  switch (kind) {
+    case MarkKind::Dot:
+      return {{{0, kHaloed, Ink::White}, {0, kDotRadius}}, kHaloed};
+    case MarkKind::Hollow:
+      return {{{0, kHaloed, Ink::White}, {kDotRadius - kDotBorder, kDotRadius}}, kHaloed};
+    case MarkKind::Apart:
+      return {{{0, kHaloed, Ink::White},
+               {0, kDotRadius, Ink::Faint},
+               {kDotRadius - kApartBorder, kDotRadius}},
+              kHaloed};
+    case MarkKind::Core:
+      return {{{0, kCoreRadius}}};
+    case MarkKind::Node:
+      return {{{0, kNodeRadius + 0.5 * kDotHalo, Ink::White}, {0, kNodeRadius}}};
+    case MarkKind::Origin:
+      return {
+          {{0, kOriginRadius + kDotHalo, Ink::White}, {kOriginRadius - kDotHalo, kOriginRadius}},
+          kOriginRadius + kDotHalo};
+    case MarkKind::HeldOrigin:
+      return {{{0, 0.7 * kOriginRadius + kDotHalo, Ink::White}, {0, 0.7 * kOriginRadius}},
+              kOriginRadius + kDotHalo};
+    case MarkKind::WideRing:
+    case MarkKind::Ring:
+      return {{{kRingInner - 1.5, kRingOuter + 1.5, Ink::Veil},
+               {kRingInner, kind == MarkKind::Ring ? kRingOuter : kRingInner + 0.7 * kDotBorder}},
+              kRingOuter};
+    default:
+      return {};
+  }
+}
+
 /// Part of a disc, angles in quarters of a turn, clockwise on the screen from the right.
 Fill sector(const Point2& center, float radius, int from, int to, const Color& color) {
   Fill fill;
@@ -30,6 +98,38 @@ PointState point_state(const std::string& state) {
   return state == "broken" ? PointState::Broken : PointState::Persisted;
 }
 
+float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen) {
+  switch (kind) {
+    case MarkKind::Half:
+      pen.disc(at, kHaloed, kWhite);
+      draw_half_dot(at, pen.px(kDotRadius), pen.px(kDotBorder), color, pen.drawing());
+      return pen.px(kHaloed);
+    case MarkKind::Quartered:
+    case MarkKind::SmallQuartered: {
+      const float radius = pen.px(kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
+      draw_quartered_disc(at, radius, pen.px(1.6), pen.drawing());
+      return radius + pen.px(2);
+    }
+    case MarkKind::Square:
+      draw_square(at, pen.px(kSquare), color, pen.drawing());
+      return pen.px(kSquare + kDotHalo);
+    case MarkKind::Cross:
+    case MarkKind::SmallCross: {
+      const bool small = kind == MarkKind::SmallCross;
+      const double reach = small ? 0.5 * kCrossReach : kCrossReach, width = small ? 0.6f : 1;
+      pen.cross(at, reach, 5.0 * width, with_alpha(kWhite, 0.9f), Cap::Round);
+      pen.cross(at, reach, 2.2 * width, color, Cap::Round);
+      return pen.px(reach) + pen.px(2);
+    }
+    default:
+      break;
+  }
+  const RingMark mark = rings_of(kind);
+  for (const Ring& ring : mark.rings)
+    pen.ring(at, ring.inner, ring.outer, color_of(ring.ink, color));
+  return pen.px(mark.clear);
+}
+
 void draw_half_dot(const Point2& center, float radius, float border, const Color& color,
                    Drawing& drawing) {
   drawing.primitives.push_back(sector(center, radius - 0.5f * border, 1, 3, color));
@@ -48,11 +148,9 @@ void draw_quartered_disc(const Point2& center, float radius, float border, Drawi
 void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing) {
   for (const bool halo : {true, false}) {
     const float h = halo ? 1.4f * half : half;
-    drawing.primitives.push_back(Fill{{{center.x - h, center.y - h},
-                                       {center.x + h, center.y - h},
-                                       {center.x + h, center.y + h},
-                                       {center.x - h, center.y + h}},
-                                      halo ? kWhite : color});
+    const Point2 across{h, h}, down{-h, h};
+    drawing.primitives.push_back(Fill{
+        {center - across, center - down, center + across, center + down}, halo ? kWhite : color});
   }
 }
 

@@ -2,9 +2,14 @@
 
 #include <string>
 
-#include "draw/scene/drawing.h"
+#include "draw/scene/pen.h"
+#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
+
+/// A mark of a sketch, at its place on the screen. Returns the radius that labels keep off, pixels of
+/// the canvas; 0: they may cover it.
+float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
 
 /// A ring filled on its left, pixels.
 void draw_half_dot(const Point2& center, float radius, float border, const Color& color,

@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/shading.h"
+#include "draw/scene/points.h"
+#include "draw/scene/solid.h"
 #include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
@@ -28,8 +30,8 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < edges.size(); i += step) {
-    const Vec3d& from = shape.vertices[static_cast<std::size_t>(edges[i].from)];
-    const Vec3d& to = shape.vertices[static_cast<std::size_t>(edges[i].to)];
+    const Vec3d& from = shape.vertex(edges[i].from);
+    const Vec3d& to = shape.vertex(edges[i].to);
     const Vec3d middle = 0.5 * (from + to);
     if (!scene.camera.project(middle)) continue;
     sum += (to - from).norm() * scene.camera.pixels_per_metre(middle);
@@ -48,10 +50,8 @@ constexpr double kFarEnough = 11;
 // The share that is left of a line between triangles which stand closer and closer on the screen
 // towards the horizon.
 float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMesh::Edge& edge) {
-  const std::optional<Point2> from =
-      scene.camera.project(shape.vertices[static_cast<std::size_t>(edge.from)]);
-  const std::optional<Point2> to =
-      scene.camera.project(shape.vertices[static_cast<std::size_t>(edge.to)]);
+  const std::optional<Point2> from = scene.camera.project(shape.vertex(edge.from));
+  const std::optional<Point2> to = scene.camera.project(shape.vertex(edge.to));
   if (!from || !to) return 1;
   const Vec2d along(to->x - from->x, to->y - from->y);
   const double length = along.norm();
@@ -59,10 +59,9 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
   double spacing = std::numeric_limits<double>::infinity();
   for (const int face : {edge.left, edge.right}) {
     if (face < 0) continue;
-    for (const int v : shape.mesh->shape->faces[static_cast<std::size_t>(face)]) {
+    for (const int v : at(shape.mesh->shape->faces, face)) {
       if (v == edge.from || v == edge.to) continue;
-      const std::optional<Point2> apex =
-          scene.camera.project(shape.vertices[static_cast<std::size_t>(v)]);
+      const std::optional<Point2> apex = scene.camera.project(shape.vertex(v));
       if (!apex) continue;
       const Vec2d way(apex->x - from->x, apex->y - from->y);
       spacing = std::min(spacing, std::abs(cross(along, way)) / length);
@@ -73,78 +72,52 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
 }
 
 // What the other shapes reach: there triangles have to be parted exactly.
-struct Reach {
-  Vec3d low = Vec3d::Constant(1e300), high = Vec3d::Constant(-1e300);
-
-  Reach(const Scene& scene, const PlacedShape& mesh) {
-    for (const PlacedShape& other : scene.shapes) {
-      if (&other == &mesh || other.mesh->shape->type == "mesh") continue;
-      for (const Vec3d& p : extent_points(other)) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-    }
+Eigen::AlignedBox3d reach_of_others(const Scene& scene, const PlacedShape& mesh) {
+  Eigen::AlignedBox3d reach;
+  for (const PlacedShape& other : scene.shapes) {
+    if (&other != &mesh && other.mesh->shape->type != "mesh")
+      reach.extend(box_around(extent_points(other)));
   }
-  bool meets(const std::vector<Vec3d>& polygon) const {
-    Vec3d from = polygon.front(), to = from;
-    for (const Vec3d& p : polygon) {
-      from = from.cwiseMin(p);
-      to = to.cwiseMax(p);
-    }
-    return (from.array() <= high.array()).all() && (to.array() >= low.array()).all();
-  }
-};
+  return reach;
+}
 
 }  // namespace
 
 void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
-  const trace::Shape& surface = *shape.mesh->shape;
-  const Vec3d light = key_light(scene.camera);
-  const Color base = shape.is_a ? kShapeA : kShapeB;
   const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
   const bool open =
       std::ranges::any_of(edges, [](const ShapeMesh::Edge& edge) { return edge.right < 0; });
-  const bool many = surface.faces.size() > kFewTriangles;
-  const Reach reach(scene, shape);
-
-  std::vector<bool> front(surface.faces.size());
-  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    const std::vector<Vec3d> polygon = shape.polygon(static_cast<int>(f));
-    const Vec3d normal = shape.normal(static_cast<int>(f));
-    front[f] = scene.camera.faces(polygon.front(), normal);
-    if (!front[f] && !open) continue;
-    sketch.occluders.push_back(polygon);
-    const double lit = front[f] ? normal.dot(light) : -normal.dot(light);
-    sketch.surfaces.push_back(
-        {polygon, toned(base, lit), many && !reach.meets(polygon) ? kSmallSurface : kFlatSurface});
+  const bool many = shape.mesh->shape->faces.size() > kFewTriangles;
+  const std::size_t before = sketch.surfaces.size();
+  const std::vector<bool> front =
+      draw_faces(scene.camera, shape, shape.is_a ? kShapeA : kShapeB, open, sketch);
+  const Eigen::AlignedBox3d reach = reach_of_others(scene, shape);
+  for (Surface& surface : std::span(sketch.surfaces).subspan(before)) {
+    if (many && !reach.intersects(box_around(surface.polygon))) surface.body = kSmallSurface;
   }
 
+  const auto hidden = many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint;
   const LineStyle border{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
-  const LineStyle silhouette{2.0f, kShapeEdge, false,
-                             many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint};
-  const LineStyle crease{1.5f, with_alpha(kShapeEdge, 0.85f), false,
-                         many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint};
+  const LineStyle silhouette{2.0f, kShapeEdge, false, hidden};
+  const LineStyle crease{1.5f, border.color, false, hidden};
   const LineStyle thin{1.0f, with_alpha(kShapeEdge, thin_alpha(scene, shape)), false,
                        LineStyle::Hidden::Gone};
   for (const ShapeMesh::Edge& edge : edges) {
-    const bool left = front[static_cast<std::size_t>(edge.left)];
-    const bool right = edge.right >= 0 && front[static_cast<std::size_t>(edge.right)];
-    const LineStyle* style = &thin;
+    const bool left = at(front, edge.left);
+    const bool right = edge.right >= 0 && at(front, edge.right);
+    LineStyle style = thin;
     if (edge.right < 0) {
-      style = &border;
+      style = border;
     } else if (left != right) {
-      style = &silhouette;
+      style = silhouette;
     } else if (!edge.smooth && !many) {
-      style = &crease;
-    }
-    LineStyle faded = thin;
-    if (style == &thin) {
+      style = crease;
+    } else {
       if (thin.color.a <= 0 || (!left && !open)) continue;
-      if (many) faded.color.a *= distance_fade(scene, shape, edge);
-      if (faded.color.a < 0.01f) continue;
-      style = &faded;
+      if (many) style.color.a *= distance_fade(scene, shape, edge);
+      if (style.color.a < 0.01f) continue;
     }
-    sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), *style);
+    sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), style);
   }
 }
 
@@ -161,19 +134,16 @@ std::vector<Touched> touched_triangles(const Scene& scene) {
   std::vector<Touched> touched;
   std::map<std::pair<const PlacedShape*, int>, std::size_t> places;  // in `touched`
   for (const trace::Pair& pair : scene.frame.pairs) {
-    for (const std::string& name : {pair.a, pair.b}) {
-      const PlacedShape* mesh = scene.find(name);
+    for (const bool of_a : {true, false}) {
+      const PlacedShape* mesh = scene.find(of_a ? pair.a : pair.b);
       if (mesh == nullptr || mesh->mesh->shape->type != "mesh") continue;
-      const int triangles = static_cast<int>(mesh->mesh->shape->faces.size());
       for (const trace::Manifold& manifold : pair.manifolds) {
         const int triangle = manifold.triangle.value_or(-1);
-        if (triangle < 0 || triangle >= triangles) continue;
-        const bool incident = manifold.axis == (name == pair.a ? "face_b" : "face_a");
+        if (triangle < 0 || triangle >= count_of(mesh->mesh->shape->faces)) continue;
+        const bool incident = manifold.axis == (of_a ? "face_b" : "face_a");
         const auto [known, is_new] = places.try_emplace({mesh, triangle}, touched.size());
-        if (is_new)
-          touched.push_back({mesh, triangle, incident});
-        else if (!incident)
-          touched[known->second].incident = false;
+        if (is_new) touched.push_back({mesh, triangle, incident});
+        touched[known->second].incident &= incident;
       }
     }
   }
@@ -192,13 +162,8 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
     sketch.face(
         mesh->polygon(triangle), with_alpha(color, 0.35f),
         {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
-  }
-}
-
-void explain_touched_triangles(const Scene& scene, Legend& legend) {
-  for (const Touched& touched : touched_triangles(scene)) {
-    legend.explain(touched.incident ? kIncidentFaceSwatch : kReferenceFaceSwatch,
-                   touched.incident ? "triangle touched, incident" : "triangle touched");
+    sketch.explain(incident ? kIncidentFaceSwatch : kReferenceFaceSwatch,
+                   incident ? "triangle touched, incident" : "triangle touched");
   }
 }
 

@@ -13,6 +13,5 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch);
 /// Highlights the triangles that have a manifold with any shape, each once: as a reference face, or
 /// as an incident face where the reference is a face of the other shape.
 void draw_touched_triangles(const Scene& scene, Sketch& sketch);
-void explain_touched_triangles(const Scene& scene, Legend& legend);
 
 }  // namespace contactscope::draw

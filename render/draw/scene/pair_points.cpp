@@ -3,6 +3,29 @@
 #include <algorithm>
 
 namespace contactscope::draw {
+namespace {
+
+// The share of the overlap that lies behind the surface of A. A point of a face contact lies on the
+// reference face, one of an incremental manifold, of two edges or of two round shapes in the middle
+// of both surfaces. Where a round shape touches a flat one, the point is on the flat one; except
+// that of an edge which the capsule's axis has passed it is midway between edge and axis (Gregorius
+// 2015, "Capsule vs Hull: Deep Contact"), and the capsule's surface is a radius further.
+double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
+                      const trace::Point& point, double radius_a, double radius_b) {
+  if (pair.incremental) return 0.5;
+  if (manifold.axis == "face_a") return 0;
+  if (manifold.axis == "face_b") return 1;
+  if ((radius_a > 0) == (radius_b > 0)) return 0.5;
+  const bool deepest = std::ranges::none_of(manifold.points, [&](const trace::Point& other) {
+    return other.separation < point.separation;
+  });
+  if (manifold.axis == "edge_edge" && point.separation < 0 && deepest) {
+    return 0.5 + 0.5 * (radius_b - radius_a) / point.separation;
+  }
+  return radius_a > 0 ? 1 : 0;
+}
+
+}  // namespace
 
 std::size_t point_count(const trace::Pair& pair) {
   std::size_t count = 0;
@@ -41,6 +64,17 @@ bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
     const Vec3d way = dropped.position - kept.point->position;
     return (way - way.dot(normal) * normal).norm() < 1e-5 * size;
   });
+}
+
+Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
+                   const trace::Point& point) {
+  const auto radius = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape == nullptr ? 0.0 : shape->mesh->shape->radius;
+  };
+  const double behind_a = share_behind_a(pair, manifold, point, radius(pair.a), radius(pair.b));
+  const Vec3d overlap = scene.depth_factor * point.separation * manifold.normal;
+  return {point.position - behind_a * overlap, point.position + (1 - behind_a) * overlap};
 }
 
 }  // namespace contactscope::draw

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "draw/scene/sequence_scales.h"
+#include "draw/scene/scene.h"
 #include "trace/trace.h"
 
-/// Which points a pair has.
+/// Which points a pair has, and where the surfaces are there.
 namespace contactscope::draw {
 
 /// A point with the manifold that it is of, both of the pair.
@@ -32,5 +32,14 @@ bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped);
 inline bool stands_off(const trace::Point& point, const SequenceScales& scales) {
   return point.separation > scales.touching;
 }
+
+/// Where along the normal the two surfaces are at a contact point: an overlap from the surface of A
+/// to that of B, which is behind it. With the scene's depth factor the overlap is so many times as
+/// long, and begins at the surface on which the point lies, or in the middle of both.
+struct Whisker {
+  Vec3d on_a, on_b;
+};
+Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
+                   const trace::Point& point);
 
 }  // namespace contactscope::draw

@@ -14,12 +14,7 @@ constexpr double kTickSpacing = 15;  // pixels at 720 lines
 constexpr double kTickLength = 12;
 
 PlanePatch rectangle(const trace::HalfSpace& plane, const Vec3d& level) {
-  PlanePatch patch;
-  patch.center = plane.offset * plane.normal;
-  patch.u = level;
-  patch.v = plane.normal.cross(level);
-  patch.half_u = patch.half_v = 1;
-  return patch;
+  return {plane.offset * plane.normal, level, plane.normal.cross(level), 1, 1};
 }
 
 }  // namespace
@@ -36,30 +31,26 @@ void PatchFit::add(const Pose<double>& pose, const std::vector<Vec3d>& points) {
   }
   for (const Vec3d& point : points) {
     const Vec3d p = pose.inverse_transform(point) - first_->center;
-    const Vec3d at(p.dot(first_->u), p.dot(first_->v), 0);
-    low_ = found_ ? Vec3d(low_.cwiseMin(at)) : at;
-    high_ = found_ ? Vec3d(high_.cwiseMax(at)) : at;
-    found_ = true;
+    found_.extend(Eigen::Vector2d(p.dot(first_->u), p.dot(first_->v)));
   }
 }
 
 PlanePatch PatchFit::patch() const {
   PlanePatch patch = first_.value_or(rectangle(plane_, any_perpendicular(plane_.normal)));
-  if (!found_) return patch;
-  const double margin = kMargin * (high_ - low_).maxCoeff();
-  patch.center += 0.5 * (low_.x() + high_.x()) * patch.u + 0.5 * (low_.y() + high_.y()) * patch.v;
-  patch.half_u = 0.5 * (high_.x() - low_.x()) + margin;
-  patch.half_v = 0.5 * (high_.y() - low_.y()) + margin;
+  if (found_.isEmpty()) return patch;
+  const double margin = kMargin * found_.sizes().maxCoeff();
+  const Eigen::Vector2d middle = found_.center(), half = 0.5 * found_.sizes();
+  patch.center += middle.x() * patch.u + middle.y() * patch.v;
+  patch.half_u = half.x() + margin;
+  patch.half_v = half.y() + margin;
   return patch;
 }
 
-std::vector<Vec3d> patch_corners(const PlacedShape& plane) {
-  const PlanePatch& patch = *plane.mesh->patch;
+std::vector<Vec3d> patch_corners(const PlanePatch& patch, const Pose<double>& pose) {
   std::vector<Vec3d> corners;
-  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    corners.push_back(plane.pose.transform(patch.center + u * patch.half_u * patch.u +
-                                           v * patch.half_v * patch.v));
-  }
+  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    corners.push_back(
+        pose.transform(patch.center + u * patch.half_u * patch.u + v * patch.half_v * patch.v));
   return corners;
 }
 
@@ -68,7 +59,7 @@ void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   const PlanePatch& patch = *shape.mesh->patch;
   const Camera& camera = scene.camera;
   const Vec3d normal = shape.pose.rotate(shape.mesh->shape->half_space->normal);
-  const std::vector<Vec3d> corners = patch_corners(shape);
+  const std::vector<Vec3d> corners = patch_corners(patch, shape.pose);
   const Vec3d center = shape.pose.transform(patch.center);
   const bool outside = camera.faces(center, normal);
   if (outside) {

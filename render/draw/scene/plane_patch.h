@@ -22,12 +22,11 @@ class PatchFit {
   const trace::HalfSpace& plane_;
   Vec3d up_;
   std::optional<PlanePatch> first_;  // about the foot of the origin, with the edges of the result
-  Vec3d low_ = Vec3d::Zero(), high_ = Vec3d::Zero();
-  bool found_ = false;
+  Eigen::AlignedBox2d found_;        // of the points, along u and v
 };
 
-/// World; `plane` has a patch.
-std::vector<Vec3d> patch_corners(const PlacedShape& plane);
+/// World.
+std::vector<Vec3d> patch_corners(const PlanePatch& patch, const Pose<double>& pose);
 
 /// The rectangle, its border, and ticks that hang into the solid from the borders that face the
 /// viewer: the sign for solid ground. Seen from inside of the solid, only the border.

@@ -4,12 +4,37 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace contactscope::draw {
 namespace {
 
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
+}
+
+/// `value` as it is with so many significant digits. Numbers are rounded first and then given a unit,
+/// so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
+double rounded_to(int digits, double value) {
+  return std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
+}
+
+struct Unit {
+  double size;
+  double least;  // quantities from here on are spelled in it
+  const char* name;
+};
+
+/// In the first unit that is small enough, or the last. `value` is not 0.
+std::string in_unit(double value, std::span<const Unit> units, int digits) {
+  const double rounded = rounded_to(digits, value);
+  const auto fits = [&](const Unit& unit) { return !(std::abs(rounded) < unit.least); };
+  const auto found = std::ranges::find_if(units, fits);
+  const Unit& unit = found == units.end() ? units.back() : *found;
+  const double shown = rounded / unit.size;
+  const int whole = static_cast<int>(std::floor(std::log10(std::abs(shown)) + 1e-9)) + 1;
+  return with_minus_sign(printed("%.*f", std::clamp(digits - whole, 0, digits), shown)) + " " +
+         unit.name;
 }
 
 }  // namespace
@@ -19,25 +44,14 @@ std::string spell_number(double value) {
 }
 
 std::string spell_length(double metres) {
-  struct Unit {
-    double size;
-    const char* name;
-  };
-  constexpr std::array<Unit, 5> kUnits{
-      {{1e3, "km"}, {1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}};
-  if (metres == 0) return "0 m";
-  // Rounded first, so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
-  const double rounded = std::strtod(printed("%.*e", 2, metres).c_str(), nullptr);
-  for (const Unit& unit : kUnits) {
-    // From 0.1 m on metres, below that millimetres: what a person would say.
-    const double least = unit.size == 1.0 ? 0.1 : unit.size;
-    if (std::abs(rounded) < least * (1 - 1e-9) && unit.size > 1e-9) continue;
-    const double value = rounded / unit.size;
-    const int whole = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)) + 1;
-    const int decimals = std::clamp(3 - whole, 0, 3);
-    return with_minus_sign(printed("%.*f", decimals, value)) + " " + unit.name;
-  }
-  return "0 m";
+  constexpr double kAlmost = 1 - 1e-9;
+  // From 0.1 m on metres, below that millimetres: what a person would say.
+  constexpr Unit kUnits[] = {{1e3, 1e3 * kAlmost, "km"},
+                             {1.0, 0.1 * kAlmost, "m"},
+                             {1e-3, 1e-3 * kAlmost, "mm"},
+                             {1e-6, 1e-6 * kAlmost, "µm"},
+                             {1e-9, 0, "nm"}};
+  return metres == 0 ? "0 m" : in_unit(metres, kUnits, 3);
 }
 
 std::string spell_factor(double factor) {
@@ -51,23 +65,9 @@ std::string spell_margin(double metres) {
 }
 
 std::string spell_area(double square_metres) {
-  struct Unit {
-    double size;
-    double least;  // areas from here on are spelled in it
-    const char* name;
-  };
-  constexpr std::array<Unit, 4> kUnits{
-      {{1e6, 1e5, "km²"}, {1.0, 0.01, "m²"}, {1e-6, 1e-8, "mm²"}, {1e-12, 0, "µm²"}}};
-  if (square_metres < 0) return "−" + spell_area(-square_metres);
-  if (!(square_metres > 0)) return "0 m²";
-  const double rounded = std::strtod(printed("%.*e", 3, square_metres).c_str(), nullptr);
-  for (const Unit& unit : kUnits) {
-    if (rounded < unit.least) continue;
-    const double value = rounded / unit.size;
-    const int whole = static_cast<int>(std::floor(std::log10(value) + 1e-9)) + 1;
-    return printed("%.*f", std::clamp(4 - whole, 0, 4), value) + " " + unit.name;
-  }
-  return "0 m²";
+  constexpr Unit kUnits[] = {
+      {1e6, 1e5, "km²"}, {1.0, 0.01, "m²"}, {1e-6, 1e-8, "mm²"}, {1e-12, 0, "µm²"}};
+  return std::abs(square_metres) > 0 ? in_unit(square_metres, kUnits, 4) : "0 m²";
 }
 
 Prefix prefix_for(double value) {
@@ -83,8 +83,7 @@ Prefix prefix_for(double value) {
 }
 
 std::string spell_quantity(double value, const std::string& unit, int digits) {
-  // Rounded first, so that 999.9 m becomes 1 k and not 1000.
-  const double rounded = std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
+  const double rounded = rounded_to(digits, value);
   const Prefix prefix = prefix_for(rounded);
   const double scaled = rounded / prefix.size;
   int whole = std::abs(scaled) >= 1 * (1 - 1e-9) || scaled == 0 ? 1 : 0;

@@ -1,9 +1,11 @@
 #include "draw/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
+
+#include "core/at.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -11,38 +13,36 @@ namespace {
 // Facets of a tessellated round surface meet at small angles; their common edge is drawn faintly.
 constexpr double kSmoothCosine = 0.90;  // 26 degrees
 
+std::vector<Vec3d> corners_of(const std::vector<int>& face, const std::vector<Vec3d>& vertices) {
+  std::vector<Vec3d> corners;
+  for (const int v : face) corners.push_back(at(vertices, v));
+  return corners;
+}
+
 }  // namespace
 
 ShapeMesh make_mesh(const trace::Shape& shape) {
   ShapeMesh mesh;
   mesh.shape = &shape;
   std::map<std::pair<int, int>, std::size_t> known;
-  for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-    const std::vector<int>& face = shape.faces[f];
-    Vec3d normal = Vec3d::Zero();
-    const Vec3d& origin = shape.vertices[static_cast<std::size_t>(face[0])];
+  for (int f = 0; f < count_of(shape.faces); ++f) {
+    const std::vector<int>& face = at(shape.faces, f);
+    mesh.normals.push_back(newell_normal(corners_of(face, shape.vertices)).normalized());
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const int from = face[i];
-      const int to = face[(i + 1) % face.size()];
-      normal += (shape.vertices[static_cast<std::size_t>(from)] - origin)
-                    .cross(shape.vertices[static_cast<std::size_t>(to)] - origin);
+      const int from = face[i], to = face[(i + 1) % face.size()];
       const auto [entry, is_new] = known.try_emplace(std::minmax(from, to), mesh.edges.size());
-      if (is_new) {
-        mesh.edges.push_back({from, to, static_cast<int>(f), -1, false});
-      } else {
-        mesh.edges[entry->second].right = static_cast<int>(f);
-      }
+      if (is_new)
+        mesh.edges.push_back({from, to, f, -1, false});
+      else
+        mesh.edges[entry->second].right = f;
     }
-    mesh.normals.push_back(normal.normalized());
   }
   for (ShapeMesh::Edge& edge : mesh.edges) {
     if (edge.right < 0) continue;
-    edge.smooth = mesh.normals[static_cast<std::size_t>(edge.left)].dot(
-                      mesh.normals[static_cast<std::size_t>(edge.right)]) > kSmoothCosine;
+    edge.smooth = at(mesh.normals, edge.left).dot(at(mesh.normals, edge.right)) > kSmoothCosine;
   }
-  for (const Vec3d& v : shape.vertices) {
+  for (const Vec3d& v : shape.vertices)
     mesh.radius = std::max(mesh.radius, (v - shape.center_of_mass).norm());
-  }
   mesh.radius += shape.radius;
   if (shape.half_space) mesh.radius = std::numeric_limits<double>::infinity();
   return mesh;
@@ -63,17 +63,13 @@ std::vector<Vec3d> extent_points(const PlacedShape& shape) {
 }
 
 std::vector<Vec3d> PlacedShape::polygon(int face) const {
-  std::vector<Vec3d> result;
-  for (const int v : mesh->shape->faces[static_cast<std::size_t>(face)]) {
-    result.push_back(vertices[static_cast<std::size_t>(v)]);
-  }
-  return result;
+  return corners_of(at(mesh->shape->faces, face), vertices);
 }
 
 std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
   const std::vector<std::array<int, 2>>& edges = mesh->shape->edges;
-  if (index < 0 || static_cast<std::size_t>(index) >= edges.size()) return std::nullopt;
-  const auto& [from, to] = edges[static_cast<std::size_t>(index)];
+  if (index < 0 || index >= count_of(edges)) return std::nullopt;
+  const auto& [from, to] = at(edges, index);
   return std::array{vertex(from), vertex(to)};
 }
 
@@ -140,28 +136,14 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
 }
 
 std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes) {
-  std::vector<Vec3d> points;
-  const auto add = [&](bool meshes) {
-    for (const PlacedShape& shape : shapes) {
-      if ((shape.mesh->shape->type == "mesh") != meshes) continue;
-      const std::vector<Vec3d> own = extent_points(shape);
-      points.insert(points.end(), own.begin(), own.end());
-    }
-  };
-  add(false);
-  const std::size_t bodies = points.size();
-  Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max());
-  Vec3d high = -low;
-  for (const Vec3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  add(true);
-  if (bodies == 0) return points;
-  const Vec3d around = Vec3d::Constant(0.5 * (high - low).maxCoeff());
-  for (std::size_t i = bodies; i < points.size(); ++i) {
-    points[i] = points[i].cwiseMax(low - around).cwiseMin(high + around);
-  }
+  std::vector<Vec3d> points, of_meshes;
+  for (const PlacedShape& shape : shapes)
+    append(shape.mesh->shape->type == "mesh" ? of_meshes : points, extent_points(shape));
+  if (points.empty()) return of_meshes;
+  const Eigen::AlignedBox3d box = box_around(points);
+  const Vec3d around = Vec3d::Constant(0.5 * box.sizes().maxCoeff());
+  for (const Vec3d& p : of_meshes)
+    points.push_back(p.cwiseMax(box.min() - around).cwiseMin(box.max() + around));
   return points;
 }
 

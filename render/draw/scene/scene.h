@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/at.h"
 #include "core/view.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/sequence_scales.h"
@@ -66,10 +67,8 @@ struct PlacedShape {
   std::vector<Vec3d> vertices;  // world
   bool is_a = true;             // colour: the role in the first pair that names it
 
-  Vec3d normal(int face) const {
-    return pose.rotate(mesh->normals[static_cast<std::size_t>(face)]);
-  }
-  const Vec3d& vertex(int index) const { return vertices[static_cast<std::size_t>(index)]; }
+  Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
+  const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
   /// Ends of an edge, numbered as in the trace; nothing where there is no such edge.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
@@ -92,6 +91,11 @@ struct Scene {
   bool shows(Layer layer) const { return view.shows(layer); }
   /// Null where there is none of that name.
   const PlacedShape* find(std::string_view name) const;
+  /// Ends of an edge of the shape of that name; nothing where there is no such edge.
+  std::optional<std::array<Vec3d, 2>> edge(std::string_view name, int index) const {
+    const PlacedShape* shape = find(name);
+    return shape == nullptr ? std::nullopt : shape->edge(index);
+  }
   /// What the solver moves.
   std::span<const trace::Body> bodies() const;
   const trace::Body* body(std::string_view name) const;

@@ -7,6 +7,7 @@
 #include "core/view.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/layout.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/scene.h"
 
@@ -58,17 +59,16 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
     for (const trace::Pair& pair : frame.pairs) {
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        for (const trace::Point& point : manifold.points) {
-          if (!point.impulse || !camera.sees(point.position)) continue;
-          pixels_per_metre = std::max(pixels_per_metre, camera.pixels_per_metre(point.position));
-          largest = std::max(largest, point.impulse->normal);
-          largest_friction = std::max(largest_friction, point.impulse->friction.norm());
-          if (!point.relative_velocity || !view.shows(Layer::RelativeVelocity)) continue;
-          const Vec3d& before = point.relative_velocity->before;
-          scales.closing = std::max(scales.closing, std::abs(before.dot(manifold.normal)));
-          speed = std::max(speed, camera.pixels_per_metre(point.position) * before.norm());
-        }
+      for (const auto& [manifold, point] : all_points(pair)) {
+        if (!point->impulse || !camera.sees(point->position)) continue;
+        const double here = camera.pixels_per_metre(point->position);
+        pixels_per_metre = std::max(pixels_per_metre, here);
+        largest = std::max(largest, point->impulse->normal);
+        largest_friction = std::max(largest_friction, point->impulse->friction.norm());
+        if (!point->relative_velocity || !view.shows(Layer::RelativeVelocity)) continue;
+        const Vec3d& before = point->relative_velocity->before;
+        scales.closing = std::max(scales.closing, std::abs(before.dot(manifold->normal)));
+        speed = std::max(speed, here * before.norm());
       }
       if (!pair.incremental) continue;
       for (const trace::PersistentPoint& point : pair.incremental->points) {
@@ -102,17 +102,15 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
         view.impulse_scale.value_or(round_down(length / usual(impulses) * unit)) / unit;
     scales.longest_impulse = view.impulse_scale ? kLongestStated * share : kLongestImpulse * length;
     scales.friction = scales.impulse;
-    if (view.shows(Layer::Friction) && !frictions.empty()) {
+    if (view.shows(Layer::Friction) && !frictions.empty())
       scales.friction = round_down(kUsualFriction * length / usual(frictions) * unit) / unit;
-    }
   }
   if (speed * scales.step < kStill && scales.step > 0) speed = 0;
   if (spin * scales.step < kStill / height && scales.step > 0) spin = 0;
   if (speed > 0) scales.velocity = round_down(kFastest * height / speed);
   if (spin > 0) scales.spin = round_down(kWidestTurn * std::numbers::pi / spin);
-  if (drift > 0 && drift < layout.px(kPlainDrift)) {
+  if (drift > 0 && drift < layout.px(kPlainDrift))
     scales.drift = std::max(1.0, round_down(layout.px(kWidestDrift) / drift));
-  }
   return scales;
 }
 

@@ -14,9 +14,15 @@ inline constexpr float kShapeAlpha = 0.52f;
 inline constexpr std::array<double, 2> kToneBorders = {0.6, 0.1};
 
 /// Towards the light, unit.
-Vec3d key_light(const Camera& camera);
+inline Vec3d key_light(const Camera& camera) {
+  return (camera.up() * 1.0 - camera.right() * 0.55 + camera.right().cross(camera.up()) * 0.65)
+      .normalized();
+}
 
 /// The colour of a shape's surface whose normal has this cosine to the light.
-Color toned(const Color& base, double lit);
+inline Color toned(const Color& base, double lit) {
+  const float tone = lit > kToneBorders[0] ? 1.0f : lit > kToneBorders[1] ? 0.93f : 0.84f;
+  return {base.r * tone, base.g * tone, base.b * tone, kShapeAlpha};
+}
 
 }  // namespace contactscope::draw

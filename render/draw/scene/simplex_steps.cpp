@@ -1,98 +1,70 @@
 #include "draw/scene/simplex_steps.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/at.h"
 
 namespace contactscope::draw {
 namespace {
 
 using Vertices = std::vector<trace::SimplexVertex>;
 
-/// Support points in the order in which they were found.
-class Numbering {
- public:
-  int number(const trace::SimplexVertex& vertex) {
-    const auto found = std::find(known_.begin(), known_.end(), vertex);
-    if (found != known_.end()) return static_cast<int>(found - known_.begin()) + 1;
-    known_.push_back(vertex);
-    return static_cast<int>(known_.size());
-  }
-  bool knows(const trace::SimplexVertex& vertex) const {
-    return std::find(known_.begin(), known_.end(), vertex) != known_.end();
-  }
-
- private:
-  Vertices known_;
-};
-
-/// Steps done before `frame`, of a story that starts with frame `first`.
-int steps_done(bool story, int frame, int steps) {
-  return story ? std::clamp(frame, 0, steps) : steps;
+const Vertices& vertices_of(const trace::Simplex& simplex) {
+  return simplex;
+}
+const Vertices& vertices_of(const trace::Polytope& polytope) {
+  return polytope.vertices;
 }
 
-std::optional<trace::SimplexVertex> new_in(const Vertices& vertices, const Numbering& known) {
-  for (const trace::SimplexVertex& vertex : vertices) {
-    if (!known.knows(vertex)) return vertex;
+/// What is shown after the first `shown` of these `lists` of vertices, one for each step.
+template <class List>
+SimplexStep step_of(const std::vector<List>& lists, int shown) {
+  SimplexStep result;
+  Vertices known;  // support points in the order in which they were found
+  for (int k = 0; k < shown; ++k) {
+    result.vertices = vertices_of(at(lists, k));
+    result.numbers.clear();
+    for (const trace::SimplexVertex& vertex : result.vertices) {
+      const auto found = std::ranges::find(known, vertex);
+      result.numbers.push_back(static_cast<int>(found - known.begin()) + 1);
+      if (found == known.end()) known.push_back(vertex);
+    }
   }
-  return std::nullopt;
-}
-
-SimplexStep gjk_step(const std::vector<trace::Simplex>& steps, int done) {
-  SimplexStep shown;
-  shown.steps = static_cast<int>(steps.size());
-  shown.step = done;
-  Numbering numbering;
-  for (int k = 0; k < done; ++k) {
-    shown.numbers.clear();
-    shown.vertices = steps[static_cast<std::size_t>(k)];
-    for (const trace::SimplexVertex& vertex : shown.vertices)
-      shown.numbers.push_back(numbering.number(vertex));
-  }
-  if (!shown.last()) shown.next = new_in(steps[static_cast<std::size_t>(done)], numbering);
-  return shown;
-}
-
-/// Polytope k is what k expansions made.
-SimplexStep epa_step(const std::vector<trace::Polytope>& polytopes, int done) {
-  SimplexStep shown;
-  shown.of = SimplexStep::Of::Epa;
-  shown.steps = static_cast<int>(polytopes.size()) - 1;
-  shown.step = done;
-  Numbering numbering;
-  for (int k = 0; k <= done; ++k) {
-    shown.numbers.clear();
-    shown.polytope = &polytopes[static_cast<std::size_t>(k)];
-    for (const trace::SimplexVertex& vertex : shown.polytope->vertices)
-      shown.numbers.push_back(numbering.number(vertex));
-  }
-  shown.vertices = shown.polytope->vertices;
-  if (!shown.last())
-    shown.next = new_in(polytopes[static_cast<std::size_t>(done) + 1].vertices, numbering);
-  return shown;
+  if (shown == count_of(lists)) return result;
+  const Vertices& next = vertices_of(at(lists, shown));
+  const auto is_new = [&](const auto& vertex) { return !std::ranges::count(known, vertex); };
+  const auto found = std::ranges::find_if(next, is_new);
+  if (found != next.end()) result.next = *found;
+  return result;
 }
 
 }  // namespace
 
 std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
                                         const trace::Pair& pair) {
-  const bool gjk_story = view.story == Story::GjkSteps;
-  const bool epa_story = view.story == Story::EpaSteps;
-  if (pair.penetration && !gjk_story) {
+  using Of = SimplexStep::Of;
+  const auto shown = [&](Of of, Story story, const auto& lists) {
+    // Polytope k is what k expansions made, simplex k what step k + 1 found.
+    const int before = of == Of::Epa ? 1 : 0;
+    const int steps = count_of(lists) - before;
+    const int done = view.story == story ? std::clamp(frame.frame, 0, steps) : steps;
+    SimplexStep step = step_of(lists, done + before);
+    step.of = of;
+    step.step = done;
+    step.steps = steps;
+    return step;
+  };
+  if (pair.penetration && view.story != Story::GjkSteps) {
     const trace::Penetration& penetration = *pair.penetration;
     if (!penetration.polytopes.empty()) {
-      const int steps = static_cast<int>(penetration.polytopes.size()) - 1;
-      return epa_step(penetration.polytopes, steps_done(epa_story, frame.frame, steps));
+      SimplexStep step = shown(Of::Epa, Story::EpaSteps, penetration.polytopes);
+      step.polytope = &at(penetration.polytopes, step.step);
+      return step;
     }
-    if (!penetration.portals.empty()) {
-      const int steps = static_cast<int>(penetration.portals.size());
-      SimplexStep shown = gjk_step(penetration.portals, steps_done(epa_story, frame.frame, steps));
-      shown.of = SimplexStep::Of::Mpr;
-      return shown;
-    }
+    if (!penetration.portals.empty()) return shown(Of::Mpr, Story::EpaSteps, penetration.portals);
   }
   if (!pair.gjk || pair.gjk->steps.empty()) return std::nullopt;
-  const int steps = static_cast<int>(pair.gjk->steps.size());
-  return gjk_step(pair.gjk->steps, steps_done(gjk_story, frame.frame, steps));
+  return shown(Of::Gjk, Story::GjkSteps, pair.gjk->steps);
 }
 
 // The nearest point lies inside of one of the parts, a vertex, an edge, a triangle or the whole, and

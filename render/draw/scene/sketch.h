@@ -95,7 +95,7 @@ struct Label {
   std::string text;
   Color color;
   float size = 14;
-  bool bold = false;
+  bool bold = true;
   double clearance = 8;  // pixels between the point and the text
   // Places are tried starting in this direction (world); none: away from the sketch's centre.
   std::optional<Vec3d> direction;
@@ -115,7 +115,10 @@ struct Sketch {
   Legend legend;
   Vec3d center = Vec3d::Zero();  // labels stand away from it
 
-  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style);
+  void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      line(polygon[i], polygon[(i + 1) % polygon.size()], style);
+  }
   void face(const std::vector<Vec3d>& polygon, const Color& fill, const LineStyle& style) {
     surfaces.push_back({polygon, fill});
     outline(polygon, style);
@@ -132,9 +135,11 @@ struct Sketch {
   void mark(MarkKind kind, const Vec3d& at, const Color& color) {
     marks.push_back({kind, at, color});
   }
-  /// Bold text near a point; see Label.
   Label& label(const Vec3d& at, const std::string& text, const Color& color, float size,
-               double clearance, const std::optional<Vec3d>& direction = std::nullopt);
+               double clearance, const std::optional<Vec3d>& direction = std::nullopt) {
+    labels.push_back({at, text, color, size, true, clearance, direction});
+    return labels.back();
+  }
   void explain(const Swatch& swatch, const std::string& text) { legend.explain(swatch, text); }
 };
 

@@ -13,22 +13,26 @@ constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyl
 
 }  // namespace
 
-void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
-  const trace::Shape& solid = *shape.mesh->shape;
+std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                             bool both_sides, Sketch& sketch) {
   const Vec3d light = key_light(camera);
-  std::vector<bool> front(solid.faces.size());
-  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    const std::vector<Vec3d> polygon = shape.polygon(static_cast<int>(f));
-    const Vec3d normal = shape.normal(static_cast<int>(f));
-    front[f] = camera.faces(polygon.front(), normal);
-    if (!front[f]) continue;
+  std::vector<bool> front;
+  for (int f = 0; f < count_of(shape.mesh->shape->faces); ++f) {
+    const std::vector<Vec3d> polygon = shape.polygon(f);
+    const Vec3d normal = shape.normal(f);
+    front.push_back(camera.faces(polygon.front(), normal));
+    if (!front.back() && !both_sides) continue;
     sketch.occluders.push_back(polygon);
-    sketch.surfaces.push_back({polygon, toned(fill, normal.dot(light))});
+    sketch.surfaces.push_back({polygon, toned(fill, (front.back() ? 1 : -1) * normal.dot(light))});
   }
+  return front;
+}
+
+void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
+  const std::vector<bool> front = draw_faces(camera, shape, fill, false, sketch);
   for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
-    const bool left = front[static_cast<std::size_t>(edge.left)];
-    const bool right = edge.right >= 0 && front[static_cast<std::size_t>(edge.right)];
-    const bool silhouette = left != right;
+    const bool left = at(front, edge.left);
+    const bool silhouette = left != (edge.right >= 0 && at(front, edge.right));
     if (edge.smooth && !silhouette && !left) continue;  // hidden facets would only be noise
     sketch.line(shape.vertex(edge.from), shape.vertex(edge.to),
                 silhouette    ? kSilhouette
@@ -40,7 +44,7 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   constexpr Color kCore = with_alpha(kShapeEdge, 0.6f);
   const RoundBody body(shape.vertices, shape.mesh->shape->radius);
-  const int index = static_cast<int>(sketch.bodies.size());
+  const int index = count_of(sketch.bodies);
   for (RoundBody::Facet& facet : body.front(camera, key_light(camera)))
     sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
   const std::vector<Vec3d> outline = body.outline(camera);
@@ -59,8 +63,8 @@ bool in_view(const Camera& camera, const PlacedShape& shape) {
   // Corners first: of what is in the middle of a picture the first one is seen.
   if (std::ranges::any_of(shape.vertices, is_seen)) return true;
   if (std::ranges::any_of(extent_points(shape), is_seen)) return true;
-  for (std::size_t f = 0; f < shape.mesh->normals.size(); ++f) {
-    if (!project_polygon(camera, shape.polygon(static_cast<int>(f))).empty()) return true;
+  for (int f = 0; f < count_of(shape.mesh->normals); ++f) {
+    if (!project_polygon(camera, shape.polygon(f)).empty()) return true;
   }
   return false;
 }

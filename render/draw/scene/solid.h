@@ -5,6 +5,11 @@
 /// Shapes that are no surface of triangles, and no plane.
 namespace contactscope::draw {
 
+/// The faces that show their outside, or where `both_sides` all. Tells of each whether it shows its
+/// outside.
+std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                             bool both_sides, Sketch& sketch);
+
 /// Faces, silhouette and edges of a polyhedron: hidden lines are faint.
 void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
 
