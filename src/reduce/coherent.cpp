@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
-#include "reduce/coherent_ring.h"
-#include "reduce/optimal_choice.h"
+#include "reduce/optimal_ring.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -16,8 +18,10 @@ constexpr double kCoherentTolerance = 0.05;
 constexpr double kCoherentDepthOfLength = 0.002;
 constexpr double kCoherentDepthOfSeparation = 0.05;
 
-/// The points that bear the ids of the frame before, in their order. The second of equal ids is the
-/// second point that bears it.
+constexpr int kMostCoherentCorners = 8;
+
+/// The points that bear the ids of the frame before, in their order. Equal ids are told apart by
+/// their order among the points.
 template <class S>
 KeptIndices find_previous(ContactPoints<S> points, std::span<const FeatureId> previous) {
   KeptIndices found;
@@ -43,17 +47,6 @@ S measure(ContactPoints<S> points, const Vec3<S>& normal, const KeptIndices& kep
   return squared_distance(patch.corner(pair.corners[0]), patch.corner(pair.corners.back()));
 }
 
-/// Which points are deep enough.
-template <class S>
-struct Depth {
-  S limit;  // of the separation
-
-  bool admits(ContactPoints<S> points, int i) const { return at(points, i).separation <= limit; }
-  bool admits(ContactPoints<S> points, const KeptIndices& kept) const {
-    return std::any_of(kept.begin(), kept.end(), [&](int i) { return admits(points, i); });
-  }
-};
-
 /// The choice that others are measured against.
 template <class S>
 struct Reference {
@@ -64,17 +57,22 @@ struct Reference {
   S deepest;  // separation
   S slack;    // of the separation
 
-  Depth<S> within(S part) const { return {deepest + part * slack}; }
+  /// Whether a point, or one of several, is deep enough with so much of the slack.
+  bool admits(S part, const ContactPoint<S>& point) const {
+    return point.separation <= deepest + part * slack;
+  }
+  bool admits(S part, ContactPoints<S> points, const KeptIndices& kept_points) const {
+    return std::ranges::any_of(kept_points, [&](int i) { return admits(part, at(points, i)); });
+  }
 };
 
 /// Puts the largest choice that contains point `i` into `reference` if it is larger.
 template <class S>
 void improve_with(ContactPoints<S> points, const Vec3<S>& normal, Patch<S>& patch, int i, int most,
                   Reference<S>& reference) {
-  const ChoiceWith<S> choice = largest_with(points, patch, i, most);
-  const KeptIndices kept = kept_points(points, patch, choice, i);
-  const S size =
-      reference.by_length ? measure(points, normal, kept, true) : choice.ring.doubled_area;
+  KeptIndices kept;
+  const ChoiceWith<S> choice = largest_with(points, patch, i, most, kept);
+  const S size = reference.by_length ? measure(points, normal, kept, true) : choice.doubled_area;
   if (size <= reference.size) return;
   reference.size = size;
   reference.kept = kept;
@@ -89,21 +87,114 @@ Reference<S> find_reference(ContactPoints<S> points, const Vec3<S>& normal, Patc
   reference.deepest = at(points, deepest).separation;
   reference.by_length = most <= 2 || patch.is_flat();
   const CornerRing<S> largest = largest_ring(patch, std::max(most, 2));
-  reference.kept = kept_points(points, patch, largest);
+  reference.kept = points_of(patch, largest);
   reference.size =
       reference.by_length ? measure(points, normal, reference.kept, true) : largest.doubled_area;
   const S length = std::sqrt(reference.by_length ? reference.size : S(0.5) * reference.size);
   reference.slack = std::max(S(kCoherentDepthOfLength) * length,
                              S(kCoherentDepthOfSeparation) * std::abs(reference.deepest));
-  if (most >= 2 && reference.within(S(0.5)).admits(points, reference.kept)) return reference;
+  if (most >= 2 && reference.admits(S(0.5), points, reference.kept)) return reference;
 
   reference.size = S(-1);
   improve_with(points, normal, patch, deepest, most, reference);
   for (int i = 0; i < count_of(points); ++i) {
-    if (i == deepest || !reference.within(S(0.5)).admits(points, i)) continue;
+    if (i == deepest || !reference.admits(S(0.5), at(points, i))) continue;
     improve_with(points, normal, patch, i, most, reference);
   }
   return reference;
+}
+
+/// What is asked of a ring of corners.
+template <class S>
+struct CoherentWish {
+  StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
+  // A deep point inside of the patch that is kept beside the ring: the hull with it counts. Without
+  // one the ring must have a deep corner.
+  std::optional<PlanePoint<S>> beside;
+  S least_doubled_area;
+  int most;  // corners, 2 to kMostCoherentCorners
+};
+
+template <class S>
+struct CoherentRing {
+  int old = 0;
+  CornerRing<S> ring;  // empty when no ring has an old corner and all that is asked
+};
+
+/// The best chain of so many corners, so many of them old, with or without a deep one, from the
+/// first corner to another.
+template <class S>
+struct Chain {
+  S doubled_area = -std::numeric_limits<S>::infinity();
+  int before = -1;  // the chain without the last corner
+};
+
+/// Over all rings that begin at corner `first`, once round.
+template <class S>
+void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
+                  std::vector<Chain<S>>& chains, CoherentRing<S>& best) {
+  const int columns = patch.count();
+  const auto place = [&](int used, int old, bool is_deep, int end) {
+    return ((used * (wish.most + 1) + old) * 2 + static_cast<int>(is_deep)) * columns + end;
+  };
+  const auto corner = [&](int i) { return (first + i) % columns; };
+  const auto is_old = [&](int i) { return static_cast<int>(at(wish.is_old, corner(i))); };
+  const auto is_deep = [&](int i) { return wish.beside || at(wish.is_deep, corner(i)); };
+  const PlanePoint<S> centre = wish.beside.value_or(patch.corner(first));
+
+  chains.assign(static_cast<std::size_t>(place(wish.most, 0, false, 0)), {});
+  at(chains, place(0, is_old(0), is_deep(0), 0)).doubled_area = S(0);
+  for (int from = 0; from + 1 < columns; ++from) {
+    for (int to = from + 1; to < columns; ++to) {
+      const S triangle = seen(patch, centre, first + from, first + to);
+      for (int used = 0; used + 1 < wish.most; ++used) {
+        for (int old = 0; old <= used + 1; ++old) {
+          for (const bool deep : {false, true}) {
+            const int before = place(used, old, deep, from);
+            const S area = at(chains, before).doubled_area + triangle;
+            Chain<S>& chain =
+                at(chains, place(used + 1, old + is_old(to), deep || is_deep(to), to));
+            if (area > chain.doubled_area) chain = {area, before};
+          }
+        }
+      }
+    }
+  }
+
+  int last = -1;
+  for (int used = 1; used < wish.most; ++used) {
+    for (int old = std::max(1, best.old); old <= used + 1; ++old) {
+      for (int end = 1; end < columns; ++end) {
+        const int chain = place(used, old, true, end);
+        const S area = at(chains, chain).doubled_area + seen(patch, centre, first + end, first);
+        const bool is_better = old > best.old ? area >= wish.least_doubled_area
+                                              : old == best.old && area > best.ring.doubled_area;
+        if (!is_better) continue;
+        best.old = old;
+        best.ring.doubled_area = area;
+        last = chain;
+      }
+    }
+  }
+  if (last < 0) return;
+  best.ring.corners.clear();
+  for (int chain = last; chain >= 0; chain = at(chains, chain).before) {
+    best.ring.corners.push_back(corner(chain % columns));
+  }
+  std::reverse(best.ring.corners.begin(), best.ring.corners.end());
+}
+
+/// The ring that has the most old corners of those that fulfil the wish, and of equals the largest:
+/// the dynamic programming of best_ring(), with the number of old corners and whether a deep one is
+/// among them in the state. A ring with an old corner can begin there.
+template <class S>
+CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>& wish) {
+  CoherentRing<S> best;
+  std::vector<Chain<S>> chains;
+  for (int first = 0; first < patch.count(); ++first) {
+    if (at(wish.is_old, first)) improve_from(patch, wish, first, chains, best);
+  }
+  return best;
 }
 
 /// The ring that keeps the most old points, of corners alone or with the point beside the ring that
@@ -111,20 +202,18 @@ Reference<S> find_reference(ContactPoints<S> points, const Vec3<S>& normal, Patc
 template <class S>
 KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
                           const Reference<S>& reference, const KeptIndices& old, int most) {
-  const Depth<S> depth = reference.within(S(0.5));
-  bool is_old[kMaxManifoldPoints];
-  bool is_deep[kMaxManifoldPoints];
+  CoherentWish<S> wish;
   for (int i = 0; i < patch.count(); ++i) {
-    is_old[i] = steps::contains(old, patch.point(i));
-    is_deep[i] = depth.admits(points, patch.point(i));
+    wish.is_old.push_back(steps::contains(old, patch.point(i)));
+    wish.is_deep.push_back(reference.admits(S(0.5), at(points, patch.point(i))));
   }
-  const S least = S(1 - 0.5 * kCoherentTolerance) * reference.size;
-  CoherentWish<S> wish = {is_old, is_deep, std::nullopt, least, most};
+  wish.least_doubled_area = S(1 - 0.5 * kCoherentTolerance) * reference.size;
+  wish.most = most;
   CoherentRing<S> best = most_coherent_ring(patch, wish);
   KeptIndices chosen;
   if (reference.beside >= 0) {
-    const Vec3<S>& beside = steps::position(points, reference.beside);
-    wish = {is_old, is_deep, patch.project(beside), least, most - 1};
+    wish.beside = patch.project(steps::position(points, reference.beside));
+    wish.most = most - 1;
     CoherentRing<S> around = most_coherent_ring(patch, wish);
     if (!around.ring.corners.empty()) {
       around.old += static_cast<int>(steps::contains(old, reference.beside));
@@ -149,7 +238,8 @@ KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
 /// an id that changes costs the solver its impulse. Two things are bounded in every frame, whatever
 /// went before:
 /// - Depth: one of the kept is no more than a slack (the constants above) shallower than the
-///   deepest.
+///   deepest. This comes first, because a corner that sinks while no point is there to hold it is
+///   worse than one that is held with a shorter lever.
 /// - Area: the hull of the kept, seen along the normal, is no less than 95% of the reference. That
 ///   is the largest area of at most max_points points with one among them that is within half of
 ///   the slack: as reduce_to_optimal has wherever the patch is nearly level or its best points
@@ -159,23 +249,14 @@ KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
 /// For one or two points, and for points on one line, the distance of the extremes takes the place
 /// of area.
 ///
-/// Depth comes first, because a corner that sinks while no point is there to hold it is worse than
-/// one that is held with a shorter lever.
-///
-/// Hysteresis: what was kept stays, in its order, while all of its ids are there and it fulfils
-/// both. A new choice must fulfil both by half of the tolerance and half of the slack, so noise
-/// that moves neither by that much changes nothing. Of such choices of corners of the patch the one
-/// with the most kept ids is made, and of those the one of largest area: first the old points in
-/// their order, then the new ones round the patch. With more than eight points, or on a line, or
-/// when no id is there again, it is the reference itself, in the order of the optimal reducers.
-///
-/// Equal ids are told apart by their order among the points.
-///
 /// Hysteresis as between the axes of the separating axis test (Catto 2007, "Feature Flip-Flop"), for
-/// the choice of points. No engine that we know of does this. Steps: find the points of the ids of
-/// the frame before (find_previous); find the largest choice that is deep enough, the reference
-/// (find_reference); keep the old points if they are all there, large and deep enough; if not,
-/// choose anew with half of the freedom, as many old points as can be (most_coherent).
+/// the choice of points; no engine that we know of does this. Steps: 1. the points of the ids of the
+/// frame before; 2. the largest choice that is deep enough, the reference; 3. the old points, in
+/// their order, while all of them are there, large and deep enough; 4. if not, a new choice with half
+/// of the tolerance and half of the slack, so that noise which moves neither by that much changes
+/// nothing: of such choices of corners of the patch the one with the most kept ids, and of those the
+/// one of largest area; first the old points, then the new ones round the patch. With more than eight
+/// points, or on a line, or when no id is there again, it is the reference itself.
 template <class S>
 KeptIndices reduce_coherently(ContactPoints<S> points, const Vec3<S>& normal,
                               const ReduceOptions& options) {
@@ -188,7 +269,7 @@ KeptIndices reduce_coherently(ContactPoints<S> points, const Vec3<S>& normal,
       !old.empty() && old.size() == options.previous.size() && count_of(old) <= most;
   const S part = S(1 - kCoherentTolerance);
   const S enough = (reference.by_length ? part * part : part) * reference.size;
-  if (all_there && reference.within(S(1)).admits(points, old) &&
+  if (all_there && reference.admits(S(1), points, old) &&
       measure(points, normal, old, reference.by_length) >= enough) {
     return old;
   }
@@ -198,9 +279,9 @@ KeptIndices reduce_coherently(ContactPoints<S> points, const Vec3<S>& normal,
 
 }  // namespace
 
-ReducerInfo coherent_reducer() {
-  return {"coherent", "those of the last frame while deep and large enough, else nearly optimal",
-          &reduce_coherently<float>, &reduce_coherently<double>, true};
+std::vector<ReducerInfo> coherent_reducers() {
+  return {{"coherent", "those of the last frame while deep and large enough, else nearly optimal",
+           &reduce_coherently<float>, &reduce_coherently<double>, true}};
 }
 
 }  // namespace contactscope

@@ -39,9 +39,9 @@ KeptIndices reduce_to_extremes(ContactPoints<S> points, const Vec3<S>& normal,
 
 }  // namespace
 
-ReducerInfo extremes_reducer() {
-  return {"extremes", "extremes along two axes of the plane", &reduce_to_extremes<float>,
-          &reduce_to_extremes<double>};
+std::vector<ReducerInfo> extremes_reducers() {
+  return {{"extremes", "extremes along two axes of the plane", &reduce_to_extremes<float>,
+           &reduce_to_extremes<double>}};
 }
 
 }  // namespace contactscope

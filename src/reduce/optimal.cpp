@@ -1,4 +1,4 @@
-#include "reduce/optimal_choice.h"
+#include "reduce/optimal_ring.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -17,9 +17,8 @@ namespace {
 ///
 /// The talk grows four points one by one (Gregorius 2015, "Contact Point Reduction"); here they are
 /// chosen at once. Steps: project the points into the plane and take the corners of their convex
-/// hull, for no other point is a corner of the best polygon (Patch); four of them by rolling a line
-/// round the hull (Shamos 1978, see best_quadrilateral()), another number by the longest chain of
-/// edges (best_ring()), two by trying all pairs; go round from the deepest of them.
+/// hull, for no other point is a corner of the best polygon (Patch); the best of their rings
+/// (largest_ring()); go round from the deepest of them.
 template <class S>
 KeptIndices reduce_to_optimal(ContactPoints<S> points, const Vec3<S>& normal,
                               const ReduceOptions& options) {
@@ -29,13 +28,37 @@ KeptIndices reduce_to_optimal(ContactPoints<S> points, const Vec3<S>& normal,
     return kept;
   }
   const Patch<S> patch(points, normal);
-  return kept_points(points, patch, largest_ring(patch, options.max_points));
+  return points_of(patch, largest_ring(patch, options.max_points));
+}
+
+/// Of the choices of at most max_points points that contain the deepest point, the one whose convex
+/// hull, seen along the normal, has the largest area: exact but for rounding. The deepest is the
+/// one of least separation, the earliest of equals; it may be inside of the hull, also of the kept
+/// ones. For two points the deepest and the one farthest from it; of points on one line the two
+/// extremes and the deepest, if it is neither.
+///
+/// The deepest comes first. When it is a corner of the patch the others follow counter-clockwise
+/// seen against the normal; when it is not they go round counter-clockwise from the next deepest.
+///
+/// As reduce_to_optimal(), with one point given: Gregorius 2015 begins with the deepest, too, and
+/// then takes the farthest; here the others are chosen at once (largest_with()).
+template <class S>
+KeptIndices reduce_to_optimal_deepest(ContactPoints<S> points, const Vec3<S>& normal,
+                                      const ReduceOptions& options) {
+  const int deepest = steps::deepest_point(points);
+  Patch<S> patch(points, normal);
+  KeptIndices kept;
+  largest_with(points, patch, deepest, options.max_points, kept);
+  return kept;
 }
 
 }  // namespace
 
-ReducerInfo optimal_reducer() {
-  return {"optimal", "the largest area", &reduce_to_optimal<float>, &reduce_to_optimal<double>};
+/// Those that choose all points at once.
+std::vector<ReducerInfo> optimal_reducers() {
+  return {{"optimal", "the largest area", &reduce_to_optimal<float>, &reduce_to_optimal<double>},
+          {"optimal_deepest", "the largest area of those with the deepest",
+           &reduce_to_optimal_deepest<float>, &reduce_to_optimal_deepest<double>}};
 }
 
 }  // namespace contactscope

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
+
+#include "core/at.h"
+#include "reduce/convex_corners.h"
 
 namespace contactscope {
 namespace {
@@ -130,10 +134,7 @@ void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
     at[lane] = points.data() + std::min(i + lane - (i + lane < count ? 0 : count), count - 1);
   }
   lay(at, i);
-  if (2 * count < kLanes) {
-    repeat(x_);
-    repeat(y_);
-  }
+  if (2 * count < kLanes) repeat();
 }
 
 template <class S>
@@ -146,55 +147,33 @@ PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
 }
 
 template <class S>
-void Patch<S>::repeat(S* values) const {
-  for (int i = count_; i < 2 * count_ + 2 * kLanes; ++i) values[i] = values[i - count_];
+void Patch<S>::repeat() {
+  for (S* const values : {x_, y_}) {
+    for (int i = count_; i < 2 * count_ + 2 * kLanes; ++i) values[i] = values[i - count_];
+  }
 }
 
-/// Andrew's monotone chain (1979), counter-clockwise, without points on edges. Of coincident points
-/// the earliest stays.
+/// Of coincident points the earliest stays.
 template <class S>
 void Patch<S>::make_convex() {
-  const int all = count_;
-  int sorted[kMaxManifoldPoints];
-  for (int i = 0; i < all; ++i) sorted[i] = i;
-  std::sort(sorted, sorted + all, [this](int i, int j) {
-    if (x_[i] != x_[j]) return x_[i] < x_[j];
-    return y_[i] != y_[j] ? y_[i] < y_[j] : i < j;
-  });
+  StaticVector<int, kMaxManifoldPoints + 1> sorted;
+  for (int i = 0; i < count_; ++i) sorted.push_back(i);
+  std::ranges::sort(sorted, {}, [this](int i) { return std::tuple(x_[i], y_[i], i); });
   const auto same = [this](int i, int j) { return x_[i] == x_[j] && y_[i] == y_[j]; };
-  const auto different = static_cast<int>(std::unique(sorted, sorted + all, same) - sorted);
+  const int* const different = std::unique(sorted.begin(), sorted.end(), same);
+  sorted.truncate(static_cast<std::size_t>(different - sorted.begin()));
+  const auto hull = steps::convex_chain(sorted, [this](int i, int j, int k) {
+    return cross(corner(j) - corner(i), corner(k) - corner(j)) > S(0);
+  });
 
-  int chain[kMaxManifoldPoints + 1];
-  int size = 0;
-  const auto extend = [&](int point, int fixed) {
-    const PlanePoint<S> c = corner(point);
-    for (; size > fixed + 1; --size) {
-      const PlanePoint<S> a = corner(chain[size - 2]);
-      const PlanePoint<S> b = corner(chain[size - 1]);
-      if (cross<S>({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) > S(0)) break;
-    }
-    chain[size++] = point;
-  };
-  for (int i = 0; i < different; ++i) extend(sorted[i], 0);
-  const int lower = size - 1;
-  for (int i = different - 2; i >= 0; --i) extend(sorted[i], lower);
-  if (different > 1) --size;  // the first point again
-
-  S x[kMaxManifoldPoints];
-  S y[kMaxManifoldPoints];
-  S separation[kMaxManifoldPoints];
-  for (int i = 0; i < size; ++i) {
-    x[i] = x_[chain[i]];
-    y[i] = y_[chain[i]];
-    separation[i] = separation_[chain[i]];
+  for (S* const values : {x_, y_, separation_}) {
+    S kept[kMaxManifoldPoints];
+    std::ranges::transform(hull, kept, [values](int i) { return values[i]; });
+    std::copy_n(kept, hull.size(), values);
   }
-  count_ = size;
-  std::copy_n(x, size, x_);
-  std::copy_n(y, size, y_);
-  std::copy_n(separation, size, separation_);
-  std::copy_n(chain, size, point_);
-  repeat(x_);
-  repeat(y_);
+  std::ranges::copy(hull, point_);
+  count_ = count_of(hull);
+  repeat();
 }
 
 /// Corners are in convex order when all turns are to the left and they go round once: then exactly

@@ -30,6 +30,8 @@ Pack<S> all(S value) {
 template <class S>
 struct PlanePoint {
   S x, y;
+
+  PlanePoint operator-(const PlanePoint& other) const { return {x - other.x, y - other.y}; }
 };
 
 /// Doubled signed area of the triangle 0, a, b.
@@ -40,7 +42,7 @@ S cross(const PlanePoint<S>& a, const PlanePoint<S>& b) {
 
 template <class S>
 S squared_distance(const PlanePoint<S>& a, const PlanePoint<S>& b) {
-  const PlanePoint<S> d = {b.x - a.x, b.y - a.y};
+  const PlanePoint<S> d = b - a;
   return d.x * d.x + d.y * d.y;
 }
 
@@ -90,8 +92,8 @@ class Patch {
 
   /// Reads and projects the points.
   void project_all(ContactPoints<S> points);
-  /// Lets the first count_ values go round again.
-  void repeat(S* values) const;
+  /// Lets the corners go round again.
+  void repeat();
   void make_convex();
   /// Area and lengths. False when the corners are not in convex order.
   bool measure();

@@ -254,7 +254,8 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
   return ring_across<kMaxManifoldPoints>(patch, from, to, most[0]);
 }
 
-/// Only the diagonals that begin at the one corner. Their two sides are not told apart: beyond the
+/// Only the diagonals that begin at the one corner, which a quadrilateral with it has at an end of a
+/// diagonal. Their two sides are not told apart: beyond the
 /// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
@@ -280,9 +281,9 @@ CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
   return ring_across<kMaxManifoldPoints>(patch, through, last_equal(areas, count, most), most[0]);
 }
 
-template CornerRing<float> best_quadrilateral(const Patch<float>&);
-template CornerRing<double> best_quadrilateral(const Patch<double>&);
-template CornerRing<float> best_quadrilateral_through(const Patch<float>&, int);
-template CornerRing<double> best_quadrilateral_through(const Patch<double>&, int);
+template decltype(best_quadrilateral<float>) best_quadrilateral<float>;
+template decltype(best_quadrilateral<double>) best_quadrilateral<double>;
+template decltype(best_quadrilateral_through<float>) best_quadrilateral_through<float>;
+template decltype(best_quadrilateral_through<double>) best_quadrilateral_through<double>;
 
 }  // namespace contactscope

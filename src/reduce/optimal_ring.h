@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/static_vector.h"
 #include "reduce/optimal_patch.h"
 
@@ -20,25 +22,39 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch);
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through);
 
-/// The largest polygon of at most `most` corners, of any patch and `most` >= 2.
-template <class S>
-CornerRing<S> best_ring(const Patch<S>& patch, int most);
-
-/// The same, of those that contain corner `through`.
-template <class S>
-CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most);
-
-/// At most `most` corners whose convex hull together with `inner` has the largest area. `inner` is
-/// in the patch; doubled_area is that of the hull.
-template <class S>
-CornerRing<S> best_ring_around(const Patch<S>& patch, const PlanePoint<S>& inner, int most);
-
 /// The two corners farthest apart. One if they coincide.
 template <class S>
 CornerRing<S> farthest_pair(const Patch<S>& patch);
 
-/// The corner farthest from a place.
+/// The ring of at most `most` >= 2 corners of a patch that keeps the most: the largest one, or the
+/// two extremes when most is 2 or the patch is flat, or one corner when all coincide.
 template <class S>
-int farthest_from(const Patch<S>& patch, const PlanePoint<S>& place);
+CornerRing<S> largest_ring(const Patch<S>& patch, int most);
+
+/// The points of a ring, counter-clockwise seen against the normal, beginning with the deepest.
+template <class S>
+KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring);
+
+/// A choice of points that contains one given point.
+template <class S>
+struct ChoiceWith {
+  S doubled_area;   // of the hull of all kept; 0 where that is a line or a point
+  bool is_in_ring;  // else the given point is no corner of the hull but kept beside them
+};
+
+/// The choice of at most `most` >= 1 points that contains `point` and keeps the most, into `kept`,
+/// which is empty: `point` first. When another point at the same place is a corner of the patch,
+/// `point` takes its part.
+template <class S>
+ChoiceWith<S> largest_with(ContactPoints<S> points, Patch<S>& patch, int point, int most,
+                           KeptIndices& kept);
+
+/// The doubled area of the triangle that `centre` makes with the edge from corner i to j. Nothing
+/// where it sees the edge from behind: then it is outside of the ring there, and its hull with the
+/// ring has no such edge.
+template <class S>
+S seen(const Patch<S>& patch, const PlanePoint<S>& centre, int i, int j) {
+  return std::max(S(0), cross(patch.corner(i) - centre, patch.corner(j) - centre));
+}
 
 }  // namespace contactscope

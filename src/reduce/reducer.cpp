@@ -1,5 +1,7 @@
 #include "reduce/reducer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 #include "core/at.h"
@@ -7,25 +9,22 @@
 
 namespace contactscope {
 
-// Each is in the file of its name.
-ReducerInfo area_reducer(), area_deepest_reducer(), distance_reducer(), extremes_reducer(),
-    deepest_reducer(), first_reducer(), random_reducer(), box3d_reducer(), box3d_mesh_reducer(),
-    jolt_reducer(), bullet_reducer(), ode_reducer(), physx_reducer(), physx_cluster_reducer(),
-    newton_reducer(), mjx_reducer(), optimal_reducer(), optimal_deepest_reducer(),
-    coherent_reducer();
+ReducerInfo area_reducer(), area_deepest_reducer(), distance_reducer();
+
+// The reducers of a file: the talk's, those that look at no geometry, engines' ways, the optimal ones.
+std::vector<ReducerInfo> extremes_reducers(), simple_reducers(), engine_reducers(),
+    optimal_reducers(), coherent_reducers();
 
 const std::vector<ReducerInfo>& reducers() {
-  static const std::vector<ReducerInfo> all = {
-      area_reducer(),       area_deepest_reducer(),
-      distance_reducer(),   extremes_reducer(),
-      deepest_reducer(),    first_reducer(),
-      random_reducer(),     box3d_reducer(),
-      box3d_mesh_reducer(), jolt_reducer(),
-      bullet_reducer(),     ode_reducer(),
-      physx_reducer(),      physx_cluster_reducer(),
-      newton_reducer(),     mjx_reducer(),
-      optimal_reducer(),    optimal_deepest_reducer(),
-      coherent_reducer(),   {"none", "keeps every point", nullptr, nullptr}};
+  static const std::vector<ReducerInfo> all = [] {
+    std::vector<ReducerInfo> listed = {area_reducer(), area_deepest_reducer(), distance_reducer()};
+    for (const auto family : {&extremes_reducers, &simple_reducers, &engine_reducers,
+                              &optimal_reducers, &coherent_reducers}) {
+      std::ranges::copy(family(), std::back_inserter(listed));
+    }
+    listed.push_back({"none", "keeps every point", nullptr, nullptr});
+    return listed;
+  }();
   return all;
 }
 
@@ -68,11 +67,9 @@ Reduction reduce(Reducer<S> reducer, ContactPoints<S> points, const Vec3<S>& nor
   return all;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
-  template Reduction reduce(Reducer<S>, ContactPoints<S>, const Vec3<S>&, const ReduceOptions&); \
-  template Reducer<S> find_reducer(std::string_view);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(reduce<float>) reduce<float>;
+template decltype(reduce<double>) reduce<double>;
+template decltype(find_reducer<float>) find_reducer<float>;
+template decltype(find_reducer<double>) find_reducer<double>;
 
 }  // namespace contactscope

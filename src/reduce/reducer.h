@@ -56,7 +56,7 @@ Reduction reduce(Reducer<S> reducer, ContactPoints<S> points, const Vec3<S>& nor
 inline constexpr const char* kDefaultReducer = "optimal_deepest";
 
 /// What scenarios, the command line, studies and benchmarks know of a reducer. The last function of
-/// its file returns it.
+/// its file lists it.
 struct ReducerInfo {
   std::string name;
   std::string summary;      // one line

@@ -29,13 +29,13 @@ Vec3<S> fixed_direction(const Vec3<S>& normal) {
   return chosen - normal.dot(chosen) * normal;
 }
 
-/// The point with the highest score above `more_than`, -1 when none is. A later one must win by the
-/// factor 1 / `handicap`.
+/// Which of `count` has the highest score above `more_than`, -1 when none has. A later one must win
+/// by the factor 1 / `handicap`.
 template <class S, class Score>
-int highest(ContactPoints<S> points, S more_than, const Score& score, S handicap = S(1)) {
+int highest(int count, S more_than, const Score& score, S handicap = S(1)) {
   int best = -1;
   S most = more_than;
-  for (int i = 0; i < count_of(points); ++i) {
+  for (int i = 0; i < count; ++i) {
     const S value = score(i);
     if (handicap * value > most) {
       most = value;
@@ -43,6 +43,10 @@ int highest(ContactPoints<S> points, S more_than, const Score& score, S handicap
     }
   }
   return best;
+}
+template <class S, class Score>
+int highest(ContactPoints<S> points, S more_than, const Score& score, S handicap = S(1)) {
+  return highest(count_of(points), more_than, score, handicap);
 }
 
 template <class S>
@@ -69,14 +73,14 @@ int farthest_from(ContactPoints<S> points, int from, S handicap = S(1)) {
   return farthest < 0 ? from : farthest;
 }
 
-/// The farthest two, lower index first; 0 twice when all points coincide.
-template <class S>
-std::array<int, 2> farthest_pair(ContactPoints<S> points) {
+/// The farthest two of `count`, lower index first; 0 twice when no two are apart.
+template <class S, class SquaredDistance>
+std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance) {
   std::array<int, 2> best = {0, 0};
   S most = S(0);
-  for (int i = 0; i < count_of(points); ++i) {
-    for (int k = i + 1; k < count_of(points); ++k) {
-      const S distance = (position(points, k) - position(points, i)).squaredNorm();
+  for (int i = 0; i < count; ++i) {
+    for (int k = i + 1; k < count; ++k) {
+      const S distance = squared_distance(i, k);
       if (distance > most) {
         most = distance;
         best = {i, k};
