@@ -1,7 +1,6 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
-#include "query/face_prism.h"
 #include "query/gjk.h"
 #include "query/hull_feature.h"
 #include "query/point_faces.h"

@@ -7,7 +7,7 @@
 #include "manifold/face_contact.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
-#include "query/face_prism.h"
+#include "query/hull_feature.h"
 
 namespace contactscope {
 namespace {

@@ -49,11 +49,12 @@ CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simpl
   GjkSimplex<S> own = simplex;  // with the core's points where feature_of_b looks for them
   if (!of_b)
     for (GjkVertex<S>& vertex : own.vertices) std::swap(vertex.index_a, vertex.index_b);
-  const int distinct = own.distinct_b();
   const int first = own.vertices[0].index_b;
-  if (core.kind != ShapeKind::Hull)
-    return distinct == 1 ? CoreFeature{FeatureKind::Vertex, first}
-                         : CoreFeature{FeatureKind::Edge, 0};
+  if (core.kind != ShapeKind::Hull) {
+    const bool is_vertex = std::ranges::all_of(
+        own.vertices, [&](const GjkVertex<S>& vertex) { return vertex.index_b == first; });
+    return is_vertex ? CoreFeature{FeatureKind::Vertex, first} : CoreFeature{FeatureKind::Edge, 0};
+  }
   const HullFeature feature = feature_of_b(core.hull, own);
   if (feature.index < 0) return {FeatureKind::Vertex, first};
   return {feature.kind, feature.kind == FeatureKind::Edge ? feature.index / 2 : feature.index};

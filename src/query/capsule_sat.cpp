@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
 #include "geometry/lanes.h"
-#include "query/face_prism.h"
+#include "query/hull_feature.h"
 #include "query/point_faces.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
@@ -59,15 +60,8 @@ struct FaceDistances {
 };
 
 template <class S>
-bool look_the_same_way(const Hull<S>& hull, int one, int other) {
-  const Vec3<S>& n = hull.planes[static_cast<std::size_t>(one)].normal;
-  const Vec3<S>& m = hull.planes[static_cast<std::size_t>(other)].normal;
-  return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= kSameDirection<S> * kSameDirection<S>;
-}
-
-template <class S>
-void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistances<S>& distances,
-                 S tie, CapsuleSat<S>& result) {
+void best_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistances<S>& distances,
+               S tie, CapsuleSat<S>& result) {
   bool settled = false;
   result.face = -1;
   const S least = distances.largest - tie;
@@ -82,7 +76,7 @@ void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistan
       return projects_into(hull, candidate, ends[lower_end], tie);
     };
     settled = settled || holds(result.face);
-    if (!look_the_same_way(hull, result.face, face)) result.face_tied = true;
+    if (!look_the_same_way(hull, result.face, face, kSameDirection<S>)) result.face_tied = true;
     if (!settled && holds(face)) {
       result.face = face;
       settled = true;
@@ -95,8 +89,7 @@ void query_faces(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistan
 /// of both. Valid for every direction: the distance is never less.
 template <class S>
 S support_separation(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Vec3<S>& direction) {
-  const Vec3<S>& vertex =
-      hull.vertices[static_cast<std::size_t>(support_index(support_set(hull), direction))];
+  const Vec3<S>& vertex = at(hull.vertices, support_index(support_set(hull), direction));
   return std::min(direction.dot(Vec3<S>(ends[0] - vertex)),
                   direction.dot(Vec3<S>(ends[1] - vertex)));
 }
@@ -148,8 +141,7 @@ template <class S>
 bool arc_stays_below(const Hull<S>& hull, const FaceDistances<S>& distances, int f, int g,
                      S bound) {
   if (!(bound > S(0))) return false;
-  const S cosine = hull.planes[static_cast<std::size_t>(f)].normal.dot(
-      hull.planes[static_cast<std::size_t>(g)].normal);
+  const S cosine = at(hull.planes, f).normal.dot(at(hull.planes, g).normal);
   const S reach = std::min(std::max(distances.at_start[f], distances.at_start[g]),
                            std::max(distances.at_end[f], distances.at_end[g]));
   return reach <= S(0) || reach * reach <= bound * bound * (S(0.5) * (S(1) + cosine));
@@ -161,16 +153,17 @@ enum class Check { Last, Every };
 /// separate is measured again with support points, as in query_edges: every one that would win, or
 /// only the last. Returns false where the last did not stand this: then others may be better.
 template <class S>
-bool query_edges(const Hull<S>& hull, const Vec3<S> (&ends)[2], const FaceDistances<S>& distances,
-                 const int* edges, int count, S tie, Check check, CapsuleSat<S>& result) {
+bool best_edge_pair(const Hull<S>& hull, const Vec3<S> (&ends)[2],
+                    const FaceDistances<S>& distances, const int* edges, int count, S tie,
+                    Check check, CapsuleSat<S>& result) {
   const Vec3<S> along = ends[1] - ends[0];
   const S squared_along = along.squaredNorm();
   S to_beat = result.face_separation + tie;
   bool is_uncertain = false;
   for (int i = 0; i < count; ++i) {
     const int edge = edges[i];
-    const int f = hull.half_edges[static_cast<std::size_t>(edge)].face;
-    const int g = hull.half_edges[static_cast<std::size_t>(edge + 1)].face;
+    const int f = at(hull.half_edges, edge).face;
+    const int g = at(hull.half_edges, edge + 1).face;
     if (arc_stays_below(hull, distances, f, g, to_beat)) continue;
     const Vec3<S>& origin = hull.origin(edge);
     const Vec3<S> edge_along = hull.target(edge) - origin;
@@ -220,21 +213,20 @@ template <class S>
 CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie) {
   const FaceDistances<S> distances(hull, ends);
   CapsuleSat<S> result;
-  query_faces(hull, ends, distances, tie, result);
+  best_face(hull, ends, distances, tie, result);
   if (result.face_separation > reach) return result;
 
   Scratch<int, 192> edges(hull.edge_count());
   const S bound = std::min(result.face_separation, S(0));
   const int count = crossing_edges(hull, distances, bound, edges.data());
-  if (!query_edges(hull, ends, distances, edges.data(), count, tie, Check::Last, result)) {
+  if (!best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Last, result)) {
     result.edge = -1;
-    query_edges(hull, ends, distances, edges.data(), count, tie, Check::Every, result);
+    best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Every, result);
   }
   return result;
 }
 
-template CapsuleSat<float> capsule_sat(const Hull<float>&, const Vec3<float> (&)[2], float, float);
-template CapsuleSat<double> capsule_sat(const Hull<double>&, const Vec3<double> (&)[2], double,
-                                        double);
+template decltype(capsule_sat<float>) capsule_sat<float>;
+template decltype(capsule_sat<double>) capsule_sat<double>;
 
 }  // namespace contactscope

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/scratch.h"
 #include "geometry/hull.h"
-#include "query/scratch.h"
 
 /// The separating axis test between a segment, a capsule's core, and a hull. Source: Gregorius 2015,
 /// "Capsule vs Hull: Deep Penetration". Everything in the hull's frame, metres.

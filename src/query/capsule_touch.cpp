@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/at.h"
 #include "query/closest_points.h"
 #include "query/gjk.h"
 #include "query/tolerance.h"
@@ -10,22 +11,15 @@ namespace contactscope {
 namespace {
 
 template <class S>
-const Plane<S>& plane_of(const Hull<S>& hull, int face) {
-  return hull.planes[static_cast<std::size_t>(face)];
-}
-
-template <class S>
 CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int face, S scale) {
-  const Plane<S>& plane = plane_of(hull, face);
+  const Plane<S>& plane = at(hull.planes, face);
   const S at_start = plane.distance(ends[0]);
   const S at_end = plane.distance(ends[1]);
-  CapsuleTouch<S> touch;
-  touch.feature = {FeatureKind::Face, face};
-  touch.parameter = at_end < at_start ? S(1) : S(0);
-  touch.distance = std::min(at_start, at_end);
-  touch.normal = plane.normal;
-  touch.clipped = clip_to_prism(hull, face, ends, clip_thickness(scale));
-  return touch;
+  return {.feature = {FeatureKind::Face, face},
+          .parameter = at_end < at_start ? S(1) : S(0),
+          .distance = std::min(at_start, at_end),
+          .normal = plane.normal,
+          .clipped = clip_to_prism(hull, face, ends, clip_thickness(scale))};
 }
 
 /// Whether the deepest point is over the face, and not only over its plane. Takes that point from
@@ -33,11 +27,10 @@ CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int fa
 template <class S>
 bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, CapsuleTouch<S>& touch) {
   if (touch.clipped.empty()) return false;
-  const Plane<S>& plane = plane_of(hull, touch.feature.index);
+  const Plane<S>& plane = at(hull.planes, touch.feature.index);
   const Vec3<S> along = ends[1] - ends[0];
-  for (const S parameter : touch.clipped.parameters) {
-    if (parameter == touch.parameter) return true;
-  }
+  const auto& [start, end] = touch.clipped.parameters;
+  if (touch.parameter == start || touch.parameter == end) return true;
   for (const S parameter : touch.clipped.parameters) {
     if (plane.distance(Vec3<S>(ends[0] + parameter * along)) <= touch.distance + tie) {
       touch.parameter = parameter;
@@ -55,17 +48,6 @@ void extend_to_deepest(CapsuleTouch<S>& touch) {
   if (clipped.empty()) clipped.parameters[0] = clipped.parameters[1] = touch.parameter;
   clipped.parameters[end] = touch.parameter;
   clipped.edges[end] = -1;
-}
-
-template <class S>
-CapsuleTouch<S> edge_touch(const CapsuleSat<S>& axes, S parameter) {
-  CapsuleTouch<S> touch;
-  touch.kind = CapsuleTouchKind::EdgePair;
-  touch.feature = {FeatureKind::Edge, axes.edge};
-  touch.parameter = parameter;
-  touch.distance = axes.edge_separation;
-  touch.normal = axes.edge_normal;
-  return touch;
 }
 
 /// What is left of `offset` at right angles to `along`.
@@ -92,25 +74,13 @@ Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feat
       return across(Vec3<S>(ends[parameter > S(0) ? 1 : 0] - from), Vec3<S>(target - origin));
     }
     const int leaving = closest.parameter_b > S(0) ? Hull<S>::twin(feature.index) : feature.index;
-    feature = {FeatureKind::Vertex, hull.half_edges[static_cast<std::size_t>(leaving)].origin};
+    feature = {FeatureKind::Vertex, at(hull.half_edges, leaving).origin};
   }
-  const Vec3<S>& vertex = hull.vertices[static_cast<std::size_t>(feature.index)];
+  const Vec3<S>& vertex = at(hull.vertices, feature.index);
   parameter = closest_on_segment(vertex, ends[0], ends[1]).parameter;
   if (parameter <= S(0)) return ends[0] - vertex;
   if (parameter >= S(1)) return ends[1] - vertex;
   return across(Vec3<S>(ends[parameter <= S(0.5) ? 0 : 1] - vertex), along);
-}
-
-template <class S>
-GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const CapsuleTouch<S>& best,
-                     GjkRun<S>* run) {
-  // From the edge or the face of the best axis GJK has a step or two to go.
-  const int near_end = best.parameter > S(0.5) ? 1 : 0;
-  const int near_edge = best.feature.kind == FeatureKind::Edge
-                            ? best.feature.index
-                            : edge_beside(hull, best.feature.index, ends[near_end]);
-  const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
-  return gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, run);
 }
 
 /// Closest points that are neither over a face nor at the crossing of two edges. `best` is the touch
@@ -118,12 +88,17 @@ GjkResult<S> run_gjk(const Hull<S>& hull, const Vec3<S> (&ends)[2], const Capsul
 template <class S>
 CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
                               const CapsuleTouch<S>& best, S scale, S touching, GjkRun<S>* run) {
-  const GjkResult<S> closest = run_gjk(hull, ends, best, run);
-  CapsuleTouch<S> touch;
-  touch.kind = CapsuleTouchKind::Closest;
-  touch.feature = feature_of_b(hull, closest.simplex);
-  touch.normal = -closest.normal;
-  touch.distance = closest.distance;
+  // From the edge or the face of the best axis GJK has a step or two to go.
+  const int near_end = best.parameter > S(0.5) ? 1 : 0;
+  const int near_edge = best.feature.kind == FeatureKind::Edge
+                            ? best.feature.index
+                            : edge_beside(hull, best.feature.index, ends[near_end]);
+  const GjkSimplex<S> start = simplex_near(hull, near_edge, near_end);
+  const GjkResult<S> closest = gjk(support_set(ends), support_set(hull), Pose<S>{}, &start, run);
+  CapsuleTouch<S> touch{.kind = CapsuleTouchKind::Closest,
+                        .feature = feature_of_b(hull, closest.simplex),
+                        .distance = closest.distance,
+                        .normal = -closest.normal};
   const S tie = tie_tolerance(scale);
   if (touch.feature.kind == FeatureKind::Face) {
     if (touch.feature.index >= 0) {
@@ -166,7 +141,11 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   if (axes.edge_wins()) {
     const ClosestOfSegments<S> closest =
         closest_of_segments(ends[0], ends[1], hull.origin(axes.edge), hull.target(axes.edge));
-    CapsuleTouch<S> touch = edge_touch(axes, closest.parameter_a);
+    CapsuleTouch<S> touch{.kind = CapsuleTouchKind::EdgePair,
+                          .feature = {FeatureKind::Edge, axes.edge},
+                          .parameter = closest.parameter_a,
+                          .distance = axes.edge_separation,
+                          .normal = axes.edge_normal};
     const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
                        closest.parameter_b > S(0) && closest.parameter_b < S(1);
     if (cross && touch.distance > touching && closest.distance > touch.distance + tie) {
@@ -191,10 +170,7 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   return touch;
 }
 
-template CapsuleTouch<float> capsule_touch(const Hull<float>&, const Vec3<float> (&)[2],
-                                           const CapsuleSat<float>&, float, float, GjkRun<float>*);
-template CapsuleTouch<double> capsule_touch(const Hull<double>&, const Vec3<double> (&)[2],
-                                            const CapsuleSat<double>&, double, double,
-                                            GjkRun<double>*);
+template decltype(capsule_touch<float>) capsule_touch<float>;
+template decltype(capsule_touch<double>) capsule_touch<double>;
 
 }  // namespace contactscope

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "query/capsule_sat.h"
-#include "query/face_prism.h"
 #include "query/gjk.h"
 #include "query/hull_feature.h"
 
@@ -22,7 +21,7 @@ struct CapsuleTouch {
   S parameter = 0;      // on the segment, of its nearest or deepest point
   S distance = 0;       // of that point from the feature along the normal; negative in overlap
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from the hull to the segment
-  ClippedSegment<S> clipped;          // kind Face: holds `parameter`
+  ClippedSegment<S> clipped = {};     // kind Face: holds `parameter`
   /// The geometry that leaves the normal open; nullptr when there is one.
   const char* degenerate = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "core/pack.h"
 #include "query/tolerance.h"
@@ -132,25 +133,30 @@ void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candi
   }
 }
 
-/// The middle between the smallest and the largest parameters of several candidates. It does not
-/// depend on their order, nor on which segment is A.
+/// The middle between the smallest and the largest parameters of some candidates. It does not depend
+/// on their order, nor on which segment is A.
 template <class S>
-class Middle {
- public:
-  void add(const Candidate<S>& candidate) {
-    low_a_ = std::min(low_a_, candidate.parameter_a);
-    high_a_ = std::max(high_a_, candidate.parameter_a);
-    low_b_ = std::min(low_b_, candidate.parameter_b);
-    high_b_ = std::max(high_b_, candidate.parameter_b);
-  }
-  bool empty() const { return low_a_ > high_a_; }
-  S a() const { return S(0.5) * (low_a_ + high_a_); }
-  S b() const { return S(0.5) * (low_b_ + high_b_); }
+struct Middle {
+  bool empty() const { return low_a > high_a; }
+  S a() const { return S(0.5) * (low_a + high_a); }
+  S b() const { return S(0.5) * (low_b + high_b); }
 
- private:
-  S low_a_ = S(2), high_a_ = S(-1);
-  S low_b_ = S(2), high_b_ = S(-1);
+  S low_a = S(2), high_a = S(-1);
+  S low_b = S(2), high_b = S(-1);
 };
+
+template <class S, class Counts>
+Middle<S> middle_where(std::span<const Candidate<S>> candidates, const Counts& counts) {
+  Middle<S> middle;
+  for (const Candidate<S>& candidate : candidates) {
+    if (!counts(candidate)) continue;
+    middle.low_a = std::min(middle.low_a, candidate.parameter_a);
+    middle.high_a = std::max(middle.high_a, candidate.parameter_a);
+    middle.low_b = std::min(middle.low_b, candidate.parameter_b);
+    middle.high_b = std::max(middle.high_b, candidate.parameter_b);
+  }
+  return middle;
+}
 
 template <class S>
 ClosestOfSegments<S> at_parameters(S parameter_a, S parameter_b, const Segment<S>& a,
@@ -159,18 +165,6 @@ ClosestOfSegments<S> at_parameters(S parameter_a, S parameter_b, const Segment<S
   const Vec3<S> on_b = b.at(parameter_b);
   const Vec3<S> between = on_b - on_a;
   return {on_a, on_b, parameter_a, parameter_b, between.norm()};
-}
-
-/// The nearest candidates; those that are equally near meet in the middle.
-template <class S>
-Middle<S> nearest(const Candidate<S>* candidates, int count) {
-  S least = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < count; ++i) least = std::min(least, candidates[i].squared_distance);
-  Middle<S> middle;
-  for (int i = 0; i < count; ++i) {
-    if (candidates[i].squared_distance == least) middle.add(candidates[i]);
-  }
-  return middle;
 }
 
 }  // namespace
@@ -218,26 +212,24 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
     }
   }
   from_all_ends(a, b, candidates + count);
-  count += 4;
+  const std::span<const Candidate<S>> all(candidates, static_cast<std::size_t>(count + 4));
 
   if (is_parallel && squared_lengths > S(0)) {
-    Middle<S> beside;
-    for (int i = 0; i < count; ++i) {
-      if (is_beside(candidates[i], a, b)) beside.add(candidates[i]);
-    }
+    const Middle<S> beside = middle_where(
+        all, [&](const Candidate<S>& candidate) { return is_beside(candidate, a, b); });
     if (!beside.empty()) return at_parameters(beside.a(), beside.b(), a, b);
   }
-  const Middle<S> middle = nearest(candidates, count);
-  return at_parameters(middle.a(), middle.b(), a, b);
+  // Those that are equally near meet in the middle.
+  S least = std::numeric_limits<S>::infinity();
+  for (const Candidate<S>& candidate : all) least = std::min(least, candidate.squared_distance);
+  const Middle<S> nearest = middle_where(
+      all, [&](const Candidate<S>& candidate) { return candidate.squared_distance == least; });
+  return at_parameters(nearest.a(), nearest.b(), a, b);
 }
 
-template ClosestOnSegment<float> closest_on_segment(const Vec3<float>&, const Vec3<float>&,
-                                                    const Vec3<float>&);
-template ClosestOnSegment<double> closest_on_segment(const Vec3<double>&, const Vec3<double>&,
-                                                     const Vec3<double>&);
-template ClosestOfSegments<float> closest_of_segments(const Vec3<float>&, const Vec3<float>&,
-                                                      const Vec3<float>&, const Vec3<float>&);
-template ClosestOfSegments<double> closest_of_segments(const Vec3<double>&, const Vec3<double>&,
-                                                       const Vec3<double>&, const Vec3<double>&);
+template decltype(closest_on_segment<float>) closest_on_segment<float>;
+template decltype(closest_on_segment<double>) closest_on_segment<double>;
+template decltype(closest_of_segments<float>) closest_of_segments<float>;
+template decltype(closest_of_segments<double>) closest_of_segments<double>;
 
 }  // namespace contactscope

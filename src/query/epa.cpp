@@ -1,12 +1,110 @@
-#include "query/epa.h"
+#include "query/penetration_methods.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "core/at.h"
 #include "query/polytope.h"
 
 namespace contactscope {
 namespace {
+
+template <class S>
+using StartPoints = std::array<DifferencePoint<S>, 4>;
+
+template <class S>
+Vec3<S> start_side(const StartPoints<S>& points, int i) {
+  return at(points, i).point - points[0].point;
+}
+
+/// How far a point is out of what the first `count` points span.
+template <class S>
+S out_of(const StartPoints<S>& points, int count, const Vec3<S>& point) {
+  const Vec3<S> from = point - points[0].point;
+  if (count == 1) return from.norm();
+  const Vec3<S> along = start_side(points, 1);
+  if (count == 2) return along.cross(from).norm() / along.norm();
+  const Vec3<S> normal = along.cross(start_side(points, 2));
+  return std::abs(normal.dot(from)) / normal.norm();
+}
+
+/// The points in an order such that each is the farthest out of those before it, up to where the
+/// rest is no farther than `least`; returns how many that are.
+template <class S>
+int spread(StartPoints<S>& points, int count, S least) {
+  if (count > 1) {
+    // The longest edge first: what is on it within rounding is between its ends.
+    S longest = S(-1);
+    int from = 0, to = 1;
+    for (int i = 0; i < count; ++i) {
+      for (int j = i + 1; j < count; ++j) {
+        const S length = (at(points, j).point - at(points, i).point).squaredNorm();
+        if (length > longest) longest = length, from = i, to = j;
+      }
+    }
+    std::swap(points[0], at(points, from));
+    std::swap(points[1], at(points, to));
+  }
+  for (int kept = 1; kept < count; ++kept) {
+    const auto out = [&](const DifferencePoint<S>& point) {
+      return out_of(points, kept, point.point);
+    };
+    DifferencePoint<S>* const rest = points.data() + kept;
+    std::swap(*rest, *std::ranges::max_element(rest, points.data() + count, {}, out));
+    if (!(out(*rest) > least)) return kept;
+  }
+  return count;
+}
+
+/// Makes a tetrahedron of a simplex that GJK ended with, whose nearest point is the origin within
+/// rounding: flat tetrahedra are taken back to their largest face, and so on; what is left grows by
+/// the support points that reach farthest out of it. The origin stays inside or on the border,
+/// since every simplex holds the one before.
+///
+/// Source: van den Bergen, "Collision Detection in Interactive 3D Environments", 2003, section
+/// 4.3.8. There a segment becomes two tetrahedra around it and a triangle a double pyramid; with the
+/// origin on the border of one tetrahedron, EPA's first expansions add the other half.
+template <class S>
+StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& difference) {
+  StartSimplex<S> start;
+  for (const GjkVertex<S>& vertex : simplex.vertices) {
+    at(start.points, start.count++) = difference.point_of({vertex.index_a, vertex.index_b});
+  }
+  const S least = S(2) * difference.rounding();
+  start.count = spread(start.points, start.count, least);
+
+  while (start.count < 4) {
+    DifferencePoint<S> best = start.points[0];
+    S farthest = least;
+    // Tries a direction and its opposite for the point that reaches farthest out.
+    const auto reach_out = [&](const Vec3<S>& direction) {
+      for (const Vec3<S>& outward : {direction, Vec3<S>(-direction)}) {
+        const DifferencePoint<S> found = difference.support(outward);
+        const S out = out_of(start.points, start.count, found.point);
+        if (out > farthest) farthest = out, best = found;
+      }
+    };
+    if (start.count == 1) {
+      start.outward = -difference.between_middles().normalized();
+      for (int axis = 0; axis < 3; ++axis) reach_out(Vec3<S>(Vec3<S>::Unit(axis)));
+    } else if (start.count == 2) {
+      const Vec3<S> along = start_side(start.points, 1);
+      start.outward = any_perpendicular(along);
+      const Vec3<S> other = along.cross(start.outward).normalized();
+      // 60 degrees apart with their opposites: some point beside the segment is ahead of one.
+      const Vec3<S> half = S(0.5) * start.outward, side = S(0.8660254037844386) * other;
+      for (const Vec3<S>& direction : {start.outward, Vec3<S>(half + side), Vec3<S>(half - side)})
+        reach_out(direction);
+    } else {
+      const Vec3<S> normal = start_side(start.points, 1).cross(start_side(start.points, 2));
+      start.outward = normal / normal.norm();
+      reach_out(start.outward);
+    }
+    if (!difference.is_finite() || !(farthest > least)) return start;
+    at(start.points, start.count++) = best;
+  }
+  return start;
+}
 
 /// Whether the origin is in a tetrahedron, or no farther out than may_overlap() allows: what a
 /// simplex of an earlier pose need not hold.
@@ -25,17 +123,15 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
   std::array<int, Polytope<S>::kMaxVertices> place;
   place.fill(-1);
   step.distance = difference.unit() * polytope.face(nearest).distance;
-  for (int i = 0; i < polytope.face_slots(); ++i) {
-    const PolytopeFace<S>& face = polytope.face(i);
+  for (const PolytopeFace<S>& face : polytope.faces()) {
     if (!face.is_alive) continue;
-    if (i == nearest) step.nearest = static_cast<int>(step.faces.size());
+    if (&face == &polytope.face(nearest)) step.nearest = count_of(step.faces);
     std::array<int, 3>& corners = step.faces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int16_t vertex = face.vertices[k];
-      int& told = place[static_cast<std::size_t>(vertex)];
+      int& told = at(place, face.vertices[k]);
       if (told < 0) {
-        told = static_cast<int>(step.vertices.size());
-        step.vertices.push_back(difference.vertex(polytope.vertex(vertex).pair));
+        told = count_of(step.vertices);
+        step.vertices.push_back(difference.vertex(polytope.vertex(face.vertices[k]).pair));
       }
       corners[k] = told;
     }
@@ -47,25 +143,21 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
 template <class S>
 void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
   const Vec3<S> met = difference.upper() * difference.outward();
-  int best = -1;
+  const PolytopeFace<S>* best = nullptr;
   S least = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < polytope.face_slots(); ++i) {
-    const PolytopeFace<S>& face = polytope.face(i);
+  for (const PolytopeFace<S>& face : polytope.faces()) {
     if (!face.is_alive) continue;
     Vec3<S> nearest = Vec3<S>::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      nearest += face.weights[k] * polytope.vertex(face.vertices[k]).point;
-    }
+    for (int k = 0; k < 3; ++k) nearest += at(face.weights, k) * polytope.corner(face, k).point;
     const S off = (nearest - met).squaredNorm();
-    if (off < least) least = off, best = i;
+    if (off < least) least = off, best = &face;
   }
-  if (best < 0) return;
-  const PolytopeFace<S>& face = polytope.face(best);
+  if (best == nullptr) return;
   WeightedPairs<S>& weights = difference.weights();
   weights.count = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (face.weights[k] > S(0))
-      weights.add(polytope.vertex(face.vertices[k]).pair, face.weights[k]);
+  for (int k = 0; k < 3; ++k) {
+    const S weight = at(best->weights, k);
+    if (weight > S(0)) weights.add(polytope.corner(*best, k).pair, weight);
   }
 }
 
@@ -77,16 +169,13 @@ void turn_about_longest_edge(const Polytope<S>& polytope, const PolytopeFace<S>&
                              DifferencePoint<S> beyond, S tolerance,
                              BoundedDifference<S>& difference) {
   constexpr int kTurns = 4;
-  std::size_t longest = 0;
-  S squared = S(0);
-  for (std::size_t e = 0; e < 3; ++e) {
-    const S length = (polytope.vertex(face.vertices[(e + 1) % 3]).point -
-                      polytope.vertex(face.vertices[e]).point)
-                         .squaredNorm();
-    if (length > squared) squared = length, longest = e;
+  Vec3<S> from = polytope.corner(face, 0).point;
+  Vec3<S> along = Vec3<S>::Zero();
+  for (int e = 0; e < 3; ++e) {
+    const Vec3<S>& corner = polytope.corner(face, e).point;
+    const Vec3<S> side = polytope.corner(face, e + 1).point - corner;
+    if (side.squaredNorm() > along.squaredNorm()) from = corner, along = side;
   }
-  const Vec3<S> from = polytope.vertex(face.vertices[longest]).point;
-  const Vec3<S> along = polytope.vertex(face.vertices[(longest + 1) % 3]).point - from;
   Vec3<S> outward = face.direction;
   for (int turn = 0; turn < kTurns; ++turn) {
     const Vec3<S> to_point = beyond.point - from;
@@ -105,10 +194,8 @@ template <class S>
 PenetrationResult<S> flat_result(const GjkSimplex<S>& simplex, const StartSimplex<S>& start,
                                  BoundedDifference<S>& difference) {
   DifferencePoint<S> found;
-  const Vec3<S> between = difference.difference().between_middles();
-  const bool faces_away = start.outward.dot(between) > S(0);
-  const Vec3<S> outward = faces_away ? Vec3<S>(-start.outward) : start.outward;
-  difference.bound(outward, found);
+  const bool faces_away = start.outward.dot(difference.between_middles()) > S(0);
+  difference.bound(faces_away ? Vec3<S>(-start.outward) : start.outward, found);
   WeightedPairs<S>& weights = difference.weights();
   weights.count = 0;
   for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
@@ -118,16 +205,9 @@ PenetrationResult<S> flat_result(const GjkSimplex<S>& simplex, const StartSimple
 }
 
 template <class S>
-bool refers_to(const GjkSimplex<S>& simplex, const MinkowskiDifference<S>& difference) {
-  if (simplex.vertices.empty()) return false;
-  return std::all_of(simplex.vertices.begin(), simplex.vertices.end(),
-                     [&](const GjkVertex<S>& vertex) { return difference.has(vertex); });
-}
-
-template <class S>
 PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptions<S>& options,
                             BoundedDifference<S>& difference, PenetrationSteps<S>* steps) {
-  const S tolerance = tolerance_in_units(options, difference.difference());
+  const S tolerance = difference.tolerance(options);
   const int allowed = allowed_iterations(options, kMaxEpaIterations);
   Polytope<S> polytope(start, difference.rounding());
   PenetrationStatus status = PenetrationStatus::OutOfIterations;
@@ -141,7 +221,7 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
     }
     ++iteration;
     const PolytopeFace<S> face = polytope.face(nearest);
-    if (steps != nullptr) record(polytope, nearest, difference.difference(), *steps);
+    if (steps != nullptr) record(polytope, nearest, difference, *steps);
 
     DifferencePoint<S> support;
     difference.bound(face.direction, support);
@@ -172,7 +252,7 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
 /// not let us expand is closed, after turning its plane about its longest edge, and the next
 /// nearest goes on: so each step adds a vertex or closes a face, and the method ends.
 ///
-/// Steps: 1. GJK's last simplex, blown up to a tetrahedron (blow_up.h); 2. the open face nearest to
+/// Steps: 1. GJK's last simplex, blown up to a tetrahedron (blow_up()); 2. the open face nearest to
 /// the origin; 3. it is no nearer than the best plane less the tolerance: the end; 4. the support
 /// point along its normal, whose plane bounds the depth; 5. not beyond the face: the face is part of
 /// the surface, close it; 6. else replace all faces that the point sees, and go on at 2.
@@ -182,7 +262,7 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
                          PenetrationSteps<S>* steps) {
   BoundedDifference<S> difference(a, b, b_in_a);
   if (!difference.is_finite()) return {};
-  if (overlap != nullptr && refers_to(*overlap, difference.difference())) {
+  if (difference.has(overlap)) {
     const StartSimplex<S> start = blow_up(*overlap, difference);
     if (!difference.is_finite()) return {};
     if (start.count == 4 &&
@@ -192,11 +272,10 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
   }
   const GjkResult<S> query = gjk(a, b, b_in_a);
   if (!query.on_a.allFinite() || !query.on_b.allFinite()) return {};
-  PenetrationResult<S> apart;
-  apart.status = PenetrationStatus::Separated;
-  apart.normal = query.normal;
-  apart.on_a = query.on_a;
-  apart.on_b = query.on_b;
+  const PenetrationResult<S> apart{.status = PenetrationStatus::Separated,
+                                   .normal = query.normal,
+                                   .on_a = query.on_a,
+                                   .on_b = query.on_b};
   if (!may_overlap(query, a, b, b_in_a)) return apart;
   const StartSimplex<S> start = blow_up(query.simplex, difference);
   if (!difference.is_finite()) return {};
@@ -207,12 +286,7 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
   return expand(start, options, difference, steps);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
-  template PenetrationResult<S> epa(const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&, \
-                                    const PenetrationOptions<S>&, const GjkSimplex<S>*,         \
-                                    PenetrationSteps<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(epa<float>) epa<float>;
+template decltype(epa<double>) epa<double>;
 
 }  // namespace contactscope

@@ -174,11 +174,7 @@ S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
   return search.bound;
 }
 
-template float far_separation(const HullPair<float>&, const FaceSeparations<float>&,
-                              const FaceSeparations<float>&, const Vec3<float>&, float, float,
-                              float);
-template double far_separation(const HullPair<double>&, const FaceSeparations<double>&,
-                               const FaceSeparations<double>&, const Vec3<double>&, double, double,
-                               double);
+template decltype(far_separation<float>) far_separation<float>;
+template decltype(far_separation<double>) far_separation<double>;
 
 }  // namespace contactscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/at.h"
 #include "geometry/hull.h"
 
 namespace contactscope {
@@ -36,7 +37,7 @@ void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start,
               const Visit& visit) {
   int vertex = start;
   for (int step = 0; step < b.vertex_count() && vertex != end; ++step) {
-    const int first = b.vertex_edges[static_cast<std::size_t>(vertex)];
+    const int first = at(b.vertex_edges, vertex);
     int leaving = -1;
     S leaving_t = S(2);
     int edge = first;
@@ -51,11 +52,11 @@ void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start,
           leaving = edge;
         }
       }
-      edge = b.half_edges[static_cast<std::size_t>(Hull<S>::twin(edge))].next;
+      edge = at(b.half_edges, Hull<S>::twin(edge)).next;
     } while (edge != first);
     if (leaving < 0) return;  // as deep as `end`
     visit(leaving);
-    vertex = b.half_edges[static_cast<std::size_t>(Hull<S>::twin(leaving))].origin;
+    vertex = at(b.half_edges, Hull<S>::twin(leaving)).origin;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/at.h"
 #include "query/minkowski_difference.h"
 #include "query/simplex.h"
 #include "query/tolerance.h"
@@ -24,17 +25,15 @@ struct Simplex {
   NearestOnSimplex<S> nearest;
 
   bool has(const IndexPair& pair) const {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
-      if (pairs[i] == pair) return true;
+    for (int i = 0; i < nearest.count; ++i) {
+      if (at(pairs, i) == pair) return true;
     }
     return false;
   }
   /// How far the simplex reaches against a direction: the least of its points' products.
   S least_along(const Vec3<S>& direction) const {
     S least = std::numeric_limits<S>::infinity();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
-      least = std::min(least, direction.dot(points[i]));
-    }
+    for (int i = 0; i < nearest.count; ++i) least = std::min(least, direction.dot(at(points, i)));
     return least;
   }
 };
@@ -53,14 +52,13 @@ Simplex<S> first_simplex(const IndexPair& pair, const MinkowskiDifference<S>& di
 template <class S>
 void grow(Simplex<S>& simplex, const IndexPair& pair, const Vec3<S>& point, S scale,
           Simplex<S>& grown) {
-  const auto last = static_cast<std::size_t>(simplex.nearest.count);
-  simplex.pairs[last] = pair;
-  simplex.points[last] = point;
+  at(simplex.pairs, simplex.nearest.count) = pair;
+  at(simplex.points, simplex.nearest.count) = point;
   nearest_on_simplex(simplex.points, simplex.nearest.count + 1, scale, grown.nearest);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(grown.nearest.count); ++i) {
-    const auto from = static_cast<std::size_t>(grown.nearest.kept[i]);
-    grown.pairs[i] = simplex.pairs[from];
-    grown.points[i] = simplex.points[from];
+  for (int i = 0; i < grown.nearest.count; ++i) {
+    const int from = at(grown.nearest.kept, i);
+    at(grown.pairs, i) = at(simplex.pairs, from);
+    at(grown.points, i) = at(simplex.points, from);
   }
 }
 
@@ -79,45 +77,14 @@ Simplex<S> warm_simplex(const GjkSimplex<S>& earlier, const MinkowskiDifference<
 }
 
 template <class S>
-bool is_usable(const GjkSimplex<S>* warm_start, const MinkowskiDifference<S>& difference) {
-  if (warm_start == nullptr || warm_start->vertices.empty()) return false;
-  for (const GjkVertex<S>& vertex : warm_start->vertices) {
-    if (!difference.has(vertex)) return false;
-  }
-  return true;
-}
-
-template <class S>
 GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference) {
-  GjkSimplex<S> result;
-  result.weights = {};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.nearest.count); ++i) {
-    result.vertices.push_back(difference.vertex(simplex.pairs[i]));
-    result.weights[i] = simplex.nearest.weights[i];
-  }
-  return result;
+  return difference.simplex(simplex.pairs, simplex.nearest.weights, simplex.nearest.count);
 }
 
 template <class S>
 void tell_step(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference,
                GjkRun<S>& run) {
   run.steps.push_back(to_result(simplex, difference));
-}
-
-/// The point with the simplex's weights of one shape, from the heaviest vertex: what rounding the
-/// weights have then meets only differences of vertices.
-template <class S>
-Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
-  std::size_t heaviest = 0;
-  for (std::size_t i = 1; i < simplex.vertices.size(); ++i) {
-    if (simplex.weights[i] > simplex.weights[heaviest]) heaviest = i;
-  }
-  const Vec3<S>& base = simplex.vertices[heaviest].*point;
-  Vec3<S> aside = Vec3<S>::Zero();
-  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
-    if (i != heaviest) aside += simplex.weights[i] * (simplex.vertices[i].*point - base);
-  }
-  return base + aside;
 }
 
 template <class S>
@@ -137,30 +104,7 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   return result;
 }
 
-template <class S>
-int distinct(const GjkSimplex<S>& simplex, int GjkVertex<S>::*index) {
-  int count = 0;
-  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
-    bool is_new = true;
-    for (std::size_t j = 0; j < i; ++j) {
-      is_new = is_new && simplex.vertices[i].*index != simplex.vertices[j].*index;
-    }
-    count += is_new ? 1 : 0;
-  }
-  return count;
-}
-
 }  // namespace
-
-template <class S>
-int GjkSimplex<S>::distinct_a() const {
-  return distinct(*this, &GjkVertex<S>::index_a);
-}
-
-template <class S>
-int GjkSimplex<S>::distinct_b() const {
-  return distinct(*this, &GjkVertex<S>::index_b);
-}
 
 /// Gilbert, Johnson and Keerthi, "A Fast Procedure for Computing the Distance Between Complex
 /// Objects in Three-Dimensional Space", 1988; van den Bergen, "A Fast and Robust GJK Implementation
@@ -188,7 +132,7 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
   Simplex<S>* simplex = &buffers[0];
   Simplex<S>* next = &buffers[1];
   *simplex =
-      is_usable(warm_start, difference)
+      difference.has(warm_start)
           ? warm_simplex(*warm_start, difference)
           : first_simplex(difference.support_against(difference.between_middles()), difference);
   int stalls = 0;
@@ -224,12 +168,7 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
   return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, *simplex, difference, run);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                     \
-  template GjkResult<S> gjk(const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&, \
-                            const GjkSimplex<S>*, GjkRun<S>*);                          \
-  template struct GjkSimplex<S>;
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(gjk<float>) gjk<float>;
+template decltype(gjk<double>) gjk<double>;
 
 }  // namespace contactscope

@@ -20,17 +20,8 @@ enum class GjkStatus {
 
 /// "separated", "touching", "overlap", "out_of_iterations".
 constexpr const char* to_string(GjkStatus status) {
-  switch (status) {
-    case GjkStatus::Separated:
-      return "separated";
-    case GjkStatus::Touching:
-      return "touching";
-    case GjkStatus::Overlap:
-      return "overlap";
-    case GjkStatus::OutOfIterations:
-      return "out_of_iterations";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"separated", "touching", "overlap", "out_of_iterations"};
+  return kNames[static_cast<int>(status)];
 }
 
 /// A point of the Minkowski difference B - A, by the points that it is the difference of.
@@ -46,10 +37,6 @@ template <class S>
 struct GjkSimplex {
   StaticVector<GjkVertex<S>, 4> vertices;
   std::array<S, 4> weights;  // barycentric, of the point nearest to the origin; positive, sum 1
-
-  /// How many different points of A (of B) there are, 1 to 4.
-  int distinct_a() const;
-  int distinct_b() const;
 };
 
 template <class S>

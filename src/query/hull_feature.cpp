@@ -1,31 +1,64 @@
 #include "query/hull_feature.h"
 
+#include <algorithm>
+
+#include "core/at.h"
+#include "core/static_vector.h"
+
 namespace contactscope {
 namespace {
 
-struct Corners {
-  int vertices[4];
-  int count = 0;
+using Corners = StaticVector<int, 4>;  // vertices
 
-  bool has(int vertex) const {
-    for (int i = 0; i < count; ++i) {
-      if (vertices[i] == vertex) return true;
-    }
-    return false;
-  }
-};
+bool has(const Corners& corners, int vertex) {
+  return std::ranges::find(corners, vertex) != corners.end();
+}
 
 template <class S>
 bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
-  int found = 0;
-  const int first = hull.face_edges[static_cast<std::size_t>(face)];
+  std::size_t found = 0;
+  const int first = at(hull.face_edges, face);
   int edge = first;
   do {
-    const HalfEdge& half_edge = hull.half_edges[static_cast<std::size_t>(edge)];
-    found += corners.has(half_edge.origin) ? 1 : 0;
+    const HalfEdge& half_edge = at(hull.half_edges, edge);
+    found += has(corners, half_edge.origin) ? 1 : 0;
     edge = half_edge.next;
   } while (edge != first);
-  return found == corners.count;
+  return found == corners.size();
+}
+
+/// Outward normal of a side plane, as long as its edge: nobody needs the square root.
+template <class S>
+struct Side {
+  Side(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
+      : origin(hull.origin(half_edge)),
+        normal(Vec3<S>(hull.target(half_edge) - origin).cross(face_normal)),
+        // Between 1 and 1.8 times the edge's length.
+        length(normal.cwiseAbs().sum()) {}
+
+  S distance(const Vec3<S>& point) const { return normal.dot(Vec3<S>(point - origin)); }
+
+  const Vec3<S>& origin;
+  Vec3<S> normal;
+  S length;
+};
+
+/// Cuts the interval where the distance from a plane, linear along the segment, is above
+/// `thickness`.
+template <class S>
+void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {
+  if (start <= thickness && end <= thickness) return;
+  if (start > thickness && end > thickness) {
+    clipped.parameters[0] = S(2);
+    return;
+  }
+  const S crossing = std::clamp(start / (start - end), S(0), S(1));
+  const int cut_end = start > end ? 0 : 1;
+  S& parameter = clipped.parameters[cut_end];
+  if (cut_end == 0 ? crossing > parameter : crossing < parameter) {
+    parameter = crossing;
+    clipped.edges[cut_end] = edge;
+  }
 }
 
 }  // namespace
@@ -34,17 +67,17 @@ template <class S>
 HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   Corners corners;
   for (const GjkVertex<S>& vertex : simplex.vertices) {
-    if (!corners.has(vertex.index_b)) corners.vertices[corners.count++] = vertex.index_b;
+    if (!has(corners, vertex.index_b)) corners.push_back(vertex.index_b);
   }
-  if (corners.count == 1) return {FeatureKind::Vertex, corners.vertices[0]};
+  if (corners.size() == 1) return {FeatureKind::Vertex, corners[0]};
 
   HullFeature face{FeatureKind::Face, -1};
-  const int first = hull.vertex_edges[static_cast<std::size_t>(corners.vertices[0])];
+  const int first = at(hull.vertex_edges, corners[0]);
   int edge = first;
   do {
-    const HalfEdge& half_edge = hull.half_edges[static_cast<std::size_t>(edge)];
-    const HalfEdge& twin = hull.half_edges[static_cast<std::size_t>(Hull<S>::twin(edge))];
-    if (corners.count == 2 && twin.origin == corners.vertices[1]) return {FeatureKind::Edge, edge};
+    const HalfEdge& half_edge = at(hull.half_edges, edge);
+    const HalfEdge& twin = at(hull.half_edges, Hull<S>::twin(edge));
+    if (corners.size() == 2 && twin.origin == corners[1]) return {FeatureKind::Edge, edge};
     if (face.index < 0 && has_all(hull, half_edge.face, corners)) face.index = half_edge.face;
     edge = twin.next;
   } while (edge != first);
@@ -53,28 +86,72 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
 
 template <class S>
 int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
-  const Vec3<S>& normal = hull.planes[static_cast<std::size_t>(face)].normal;
-  const int first = hull.face_edges[static_cast<std::size_t>(face)];
+  const Vec3<S>& normal = at(hull.planes, face).normal;
+  const int first = at(hull.face_edges, face);
   int best = first;
   S farthest = S(0);  // squared
   int edge = first;
   do {
-    const Vec3<S>& origin = hull.origin(edge);
-    const Vec3<S> along = hull.target(edge) - origin;
-    const S outside = along.cross(normal).dot(point - origin);  // times the edge's length
-    const S squared = outside * outside / along.squaredNorm();
-    if (outside > S(0) && squared > farthest) {
-      farthest = squared;
+    const S outside = Side<S>(hull, edge, normal).distance(point);  // times the edge's length
+    const S squared_length = (hull.target(edge) - hull.origin(edge)).squaredNorm();
+    if (outside > S(0) && outside * outside / squared_length > farthest) {
+      farthest = outside * outside / squared_length;
       best = edge;
     }
-    edge = hull.half_edges[static_cast<std::size_t>(edge)].next;
+    edge = at(hull.half_edges, edge).next;
   } while (edge != first);
   return best;
 }
 
-template HullFeature feature_of_b(const Hull<float>&, const GjkSimplex<float>&);
-template HullFeature feature_of_b(const Hull<double>&, const GjkSimplex<double>&);
-template int edge_beside(const Hull<float>&, int, const Vec3<float>&);
-template int edge_beside(const Hull<double>&, int, const Vec3<double>&);
+template <class S>
+bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness) {
+  const Vec3<S>& normal = at(hull.planes, face).normal;
+  const int first = at(hull.face_edges, face);
+  int edge = first;
+  do {
+    const Side<S> side(hull, edge, normal);
+    if (side.distance(point) > thickness * side.length) return false;
+    edge = at(hull.half_edges, edge).next;
+  } while (edge != first);
+  return true;
+}
+
+template <class S>
+ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&ends)[2],
+                                S thickness) {
+  const Vec3<S>& normal = at(hull.planes, face).normal;
+  ClippedSegment<S> clipped;
+  const int first = at(hull.face_edges, face);
+  int edge = first;
+  do {
+    const Side<S> side(hull, edge, normal);
+    cut(side.distance(ends[0]), side.distance(ends[1]), thickness * side.length, edge, clipped);
+    edge = at(hull.half_edges, edge).next;
+  } while (edge != first && !clipped.empty());
+  return clipped;
+}
+
+template <class S>
+ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S> (&ends)[2]) {
+  ClippedSegment<S> clipped;
+  for (const int leaving : {half_edge, Hull<S>::twin(half_edge)}) {
+    const Vec3<S>& vertex = hull.origin(leaving);
+    const Vec3<S> outward = vertex - hull.target(leaving);
+    cut(outward.dot(Vec3<S>(ends[0] - vertex)), outward.dot(Vec3<S>(ends[1] - vertex)), S(0),
+        leaving, clipped);
+  }
+  return clipped;
+}
+
+template decltype(feature_of_b<float>) feature_of_b<float>;
+template decltype(feature_of_b<double>) feature_of_b<double>;
+template decltype(edge_beside<float>) edge_beside<float>;
+template decltype(edge_beside<double>) edge_beside<double>;
+template decltype(projects_into<float>) projects_into<float>;
+template decltype(projects_into<double>) projects_into<double>;
+template decltype(clip_to_prism<float>) clip_to_prism<float>;
+template decltype(clip_to_prism<double>) clip_to_prism<double>;
+template decltype(clip_to_edge<float>) clip_to_edge<float>;
+template decltype(clip_to_edge<double>) clip_to_edge<double>;
 
 }  // namespace contactscope

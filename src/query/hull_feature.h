@@ -1,9 +1,13 @@
 #pragma once
 
+#include "core/at.h"
 #include "core/feature_id.h"
 #include "geometry/hull.h"
 #include "query/gjk.h"
 
+/// Features of a hull, and the prism over a face, bounded by the face's side planes: Gregorius 2015,
+/// "Capsule vs Hull: Clipping". Hull's frame, metres. Points within `thickness` (>= 0, up to a factor
+/// of 1.8) of a side plane are on it.
 namespace contactscope {
 
 /// A vertex, an edge (a half-edge of it) or a face of a hull.
@@ -28,6 +32,33 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex);
 template <class S>
 int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point);
 
+/// Whether the foot of the perpendicular from `point` to the face's plane lies in the face.
+template <class S>
+bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness);
+
+/// What is left of a segment: from parameters[0] to parameters[1], both in [0, 1]; empty when they
+/// are the other way round.
+template <class S>
+struct ClippedSegment {
+  S parameters[2] = {0, 1};
+  /// Half-edges of the sides that cut the two ends off; -1: the segment's own end.
+  int edges[2] = {-1, -1};
+
+  bool empty() const { return parameters[0] > parameters[1]; }
+};
+
+/// The part of the segment between two points that lies in the prism over `face`. Cyrus and Beck
+/// 1978: each side plane moves one of the two ends of the interval.
+template <class S>
+ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&ends)[2],
+                                S thickness);
+
+/// The part of the segment that lies beside an edge: between the planes at right angles to the edge
+/// through its vertices. Ends that were cut off name the half-edge that leaves the vertex: the given
+/// one or its twin.
+template <class S>
+ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S> (&ends)[2]);
+
 /// For a warm start: a point of the core and the edge of the hull that is near. GJK has a few steps
 /// to go from there.
 template <class S>
@@ -35,7 +66,7 @@ GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
   GjkSimplex<S> simplex;
   simplex.weights = {};
   for (const int edge : {half_edge, Hull<S>::twin(half_edge)}) {
-    const int vertex = hull.half_edges[static_cast<std::size_t>(edge)].origin;
+    const int vertex = at(hull.half_edges, edge).origin;
     simplex.vertices.push_back({core_point, vertex, Vec3<S>::Zero(), Vec3<S>::Zero()});
   }
   return simplex;

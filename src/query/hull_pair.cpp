@@ -66,15 +66,10 @@ PlacedHull<S>::PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const 
 
 template <class S>
 HullPair<S>::HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Pose<S>& b_in_a)
-    : HullPair(hull_a, hull_b, b_in_a.rotation.toRotationMatrix(), b_in_a.position) {}
-
-template <class S>
-HullPair<S>::HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Mat3<S>& rotation,
-                      const Vec3<S>& position)
     : a(hull_a),
-      b(hull_b, rotation, position),
+      b(hull_b, b_in_a.rotation.toRotationMatrix(), b_in_a.position),
       scale(hull_a.centroid.norm() + hull_a.radius + hull_b.centroid.norm() + hull_b.radius +
-            position.norm()),
+            b_in_a.position.norm()),
       min_radius(std::min(hull_a.radius, hull_b.radius)) {}
 
 template struct PlacedHull<float>;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/at.h"
 #include "core/plane.h"
 #include "core/pose.h"
+#include "core/scratch.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
-#include "query/scratch.h"
 
 namespace contactscope {
 
@@ -23,9 +24,7 @@ struct PlacedHull {
   Vec3<S> vertex(int index) const { return vertices[index]; }
   Vec3<S> normal(int face) const { return normals[face]; }
   Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
-  const HalfEdge& half_edge(int index) const {
-    return hull.half_edges[static_cast<std::size_t>(index)];
-  }
+  const HalfEdge& half_edge(int index) const { return at(hull.half_edges, index); }
   Vec3<S> origin(int half_edge_index) const { return vertices[half_edge(half_edge_index).origin]; }
   /// Unit vector along a half-edge, from its origin to its target. Taken from the hull's own frame:
   /// there the vertices are as exact as they were given, also those of a small hull far out.
@@ -57,10 +56,6 @@ struct HullPair {
   S scale;
   /// Metres: the smaller of the two radii.
   S min_radius;
-
- private:
-  HullPair(const Hull<S>& hull_a, const Hull<S>& hull_b, const Mat3<S>& rotation,
-           const Vec3<S>& position);
 };
 
 }  // namespace contactscope

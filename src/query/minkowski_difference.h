@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "core/at.h"
 #include "core/pose.h"
 #include "query/gjk.h"
 #include "query/support_set.h"
@@ -65,9 +68,24 @@ class MinkowskiDifference {
     const Vec3<S> between = rotation_ * middle_of(b_) + position_ - middle_of(a_);
     return between.squaredNorm() > S(0) ? between : Vec3<S>(Vec3<S>::UnitX());
   }
-  bool has(const GjkVertex<S>& vertex) const {
-    return vertex.index_a >= 0 && vertex.index_a < a_.count && vertex.index_b >= 0 &&
-           vertex.index_b < b_.count;
+  /// Whether a simplex of an earlier call, or nullptr, can be one of these sets.
+  bool has(const GjkSimplex<S>* simplex) const {
+    return simplex != nullptr && !simplex->vertices.empty() &&
+           std::ranges::all_of(simplex->vertices, [this](const GjkVertex<S>& vertex) {
+             return vertex.index_a >= 0 && vertex.index_a < a_.count && vertex.index_b >= 0 &&
+                    vertex.index_b < b_.count;
+           });
+  }
+  /// The first `count` of some pairs with their weights.
+  GjkSimplex<S> simplex(const std::array<IndexPair, 4>& pairs, const std::array<S, 4>& weights,
+                        int count) const {
+    GjkSimplex<S> result;
+    result.weights = {};
+    for (int i = 0; i < count; ++i) {
+      result.vertices.push_back(vertex(at(pairs, i)));
+      at(result.weights, i) = at(weights, i);
+    }
+    return result;
   }
 
  private:
@@ -81,5 +99,21 @@ class MinkowskiDifference {
   Vec3<S> position_;
   S scale_ = 1, unit_ = 1, per_unit_ = 1;
 };
+
+/// The point with the simplex's weights of one shape, from the heaviest vertex: what rounding the
+/// weights have then meets only differences of vertices.
+template <class S>
+Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
+  std::size_t heaviest = 0;
+  for (std::size_t i = 1; i < simplex.vertices.size(); ++i) {
+    if (simplex.weights[i] > simplex.weights[heaviest]) heaviest = i;
+  }
+  const Vec3<S>& base = simplex.vertices[heaviest].*point;
+  Vec3<S> aside = Vec3<S>::Zero();
+  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
+    if (i != heaviest) aside += simplex.weights[i] * (simplex.vertices[i].*point - base);
+  }
+  return base + aside;
+}
 
 }  // namespace contactscope

@@ -1,7 +1,10 @@
-#include "query/mpr.h"
+#include "query/penetration_methods.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "core/at.h"
 #include "query/penetration_bounds.h"
 
 namespace contactscope {
@@ -16,27 +19,28 @@ class Portal {
          BoundedDifference<S>& difference)
       : difference_(difference) {
     inner_vertex_ = {-1, -1, middle_of(a), b_in_a.transform(middle_of(b))};
-    inner_ = (inner_vertex_.b - inner_vertex_.a) / difference.difference().unit();
+    inner_ = (inner_vertex_.b - inner_vertex_.a) / difference.unit();
     const S length = inner_.norm();
     if (length > difference.rounding()) {
       ray_ = -inner_ / length;
     } else {
       // Concentric: any ray will do. Of the six along the axes, the one with the nearest support.
       S least = std::numeric_limits<S>::infinity();
-      for (int axis = 0; axis < 6; ++axis) {
-        const Vec3<S> unit =
-            axis < 3 ? Vec3<S>(Vec3<S>::Unit(axis)) : Vec3<S>(-Vec3<S>::Unit(axis - 3));
-        const S along = unit.dot(difference.support(unit).point);
-        if (along < least) least = along, ray_ = unit;
+      for (const S sign : {S(1), S(-1)}) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vec3<S> unit = sign * Vec3<S>::Unit(axis);
+          const S along = unit.dot(difference.support(unit).point);
+          if (along < least) least = along, ray_ = unit;
+        }
       }
     }
   }
 
   const Vec3<S>& ray() const { return ray_; }
-  DifferencePoint<S>& operator[](int i) { return points_[static_cast<std::size_t>(i)]; }
+  DifferencePoint<S>& operator[](int i) { return at(points_, i); }
   /// From the inner point.
   Vec3<S> from_inner(const DifferencePoint<S>& point) const { return point.point - inner_; }
-  Vec3<S> from_inner(int i) const { return from_inner(points_[static_cast<std::size_t>(i)]); }
+  Vec3<S> from_inner(int i) const { return from_inner(at(points_, i)); }
   /// On which side of the plane through the inner point and two others the ray passes: the sign.
   S side(const Vec3<S>& one, const Vec3<S>& other) const { return ray_.dot(one.cross(other)); }
   S side(int i, int j) const { return side(from_inner(i), from_inner(j)); }
@@ -58,14 +62,12 @@ class Portal {
     for (std::size_t i = 0; i < 3; ++i) weights.add(points_[i].pair, sides[i] / sum);
   }
   bool has(const IndexPair& pair) const {
-    return points_[0].pair == pair || points_[1].pair == pair || points_[2].pair == pair;
+    return std::ranges::find(points_, pair, &DifferencePoint<S>::pair) != points_.end();
   }
   void record(PenetrationSteps<S>* steps) const {
     if (steps == nullptr) return;
-    const MinkowskiDifference<S>& difference = difference_.difference();
-    steps->portals.push_back({inner_vertex_, difference.vertex(points_[0].pair),
-                              difference.vertex(points_[1].pair),
-                              difference.vertex(points_[2].pair)});
+    const auto vertex = [&](int i) { return difference_.vertex(at(points_, i).pair); };
+    steps->portals.push_back({inner_vertex_, vertex(0), vertex(1), vertex(2)});
   }
 
  private:
@@ -76,14 +78,12 @@ class Portal {
   std::array<DifferencePoint<S>, 3> points_;
 };
 
-/// What the search for the first portal comes to.
-enum class Discovery { Found, Along, Flat, Lost };
-
-/// Flat: the last direction that was measured is across the difference. Along: the ray leaves
-/// through a vertex. Lost: out of steps.
+/// Searches the first portal; what it comes to where it finds none. Flat: the last direction that was
+/// measured is across the difference. Converged: the ray leaves through a vertex. OutOfIterations:
+/// it is out of steps.
 template <class S>
-Discovery discover(Portal<S>& portal, BoundedDifference<S>& difference, int allowed,
-                   int& iterations) {
+std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S>& difference,
+                                          int allowed, int& iterations) {
   const S thin = S(2) * difference.rounding();
   const auto measure = [&](const Vec3<S>& outward, int place) {
     ++iterations;
@@ -91,30 +91,30 @@ Discovery discover(Portal<S>& portal, BoundedDifference<S>& difference, int allo
     return outward.dot(portal.from_inner(place));
   };
   measure(portal.ray(), 0);
-  if (difference.is_separated()) return Discovery::Along;
+  if (difference.is_separated()) return PenetrationStatus::Converged;
 
   Vec3<S> across = portal.from_inner(0).cross(portal.ray());
   S length = across.norm();
-  if (length <= thin) return Discovery::Along;
-  if (measure(across / length, 1) <= thin) return Discovery::Flat;
-  if (difference.is_separated()) return Discovery::Along;
+  if (length <= thin) return PenetrationStatus::Converged;
+  if (measure(across / length, 1) <= thin) return PenetrationStatus::Flat;
+  if (difference.is_separated()) return PenetrationStatus::Converged;
 
   while (iterations < allowed) {
     if (portal.side(0, 1) < S(0)) std::swap(portal[0], portal[1]);
     across = portal.from_inner(0).cross(portal.from_inner(1));
     length = across.norm();
-    if (!(length > S(0))) return Discovery::Along;
-    if (measure(across / length, 2) <= thin) return Discovery::Flat;
-    if (difference.is_separated()) return Discovery::Along;
+    if (!(length > S(0))) return PenetrationStatus::Converged;
+    if (measure(across / length, 2) <= thin) return PenetrationStatus::Flat;
+    if (difference.is_separated()) return PenetrationStatus::Converged;
     if (portal.side(2, 0) < S(0)) {
       portal[1] = portal[2];
     } else if (portal.side(1, 2) < S(0)) {
       portal[0] = portal[2];
     } else {
-      return Discovery::Found;
+      return std::nullopt;
     }
   }
-  return Discovery::Lost;
+  return PenetrationStatus::OutOfIterations;
 }
 
 }  // namespace
@@ -137,15 +137,13 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
   BoundedDifference<S> difference(a, b, b_in_a);
   if (!difference.is_finite()) return {};
   Portal<S> portal(a, b, b_in_a, difference);
-  const S tolerance = tolerance_in_units(options, difference.difference());
+  const S tolerance = difference.tolerance(options);
   const int allowed = allowed_iterations(options, kMaxMprIterations);
 
   int iterations = 0;
-  PenetrationStatus status = PenetrationStatus::OutOfIterations;
-  const Discovery discovery = discover(portal, difference, allowed, iterations);
-  if (discovery == Discovery::Along) status = PenetrationStatus::Converged;
-  if (discovery == Discovery::Flat) status = PenetrationStatus::Flat;
-  while (discovery == Discovery::Found && iterations < allowed) {
+  const std::optional<PenetrationStatus> ended = discover(portal, difference, allowed, iterations);
+  PenetrationStatus status = ended.value_or(PenetrationStatus::OutOfIterations);
+  while (!ended && iterations < allowed) {
     ++iterations;
     portal.record(steps);
     const Vec3<S> normal = portal.normal();
@@ -167,10 +165,10 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
       status = PenetrationStatus::Stalled;
       break;
     }
-    const Vec3<S> to_support = portal.from_inner(support);
-    const S sides[3] = {portal.side(portal.from_inner(0), to_support),
-                        portal.side(portal.from_inner(1), to_support),
-                        portal.side(portal.from_inner(2), to_support)};
+    S sides[3];
+    for (int i = 0; i < 3; ++i) {
+      sides[i] = portal.side(portal.from_inner(i), portal.from_inner(support));
+    }
     const bool first = sides[0] <= S(0) && sides[1] >= S(0);
     const bool second = !first && sides[1] <= S(0) && sides[2] >= S(0);
     portal[first ? 2 : second ? 0 : 1] = support;
@@ -179,11 +177,7 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
   return difference.result(status, S(0), iterations);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
-  template PenetrationResult<S> mpr(const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&, \
-                                    const PenetrationOptions<S>&, PenetrationSteps<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(mpr<float>) mpr<float>;
+template decltype(mpr<double>) mpr<double>;
 
 }  // namespace contactscope

@@ -1,29 +1,126 @@
 #include "query/penetration.h"
 
-#include "query/epa.h"
-#include "query/mpr.h"
-#include "query/sampling.h"
-#include "query/sat_penetration.h"
+#include <algorithm>
+
+#include "core/at.h"
+#include "query/capsule_sat.h"
+#include "query/closest_points.h"
+#include "query/penetration_methods.h"
+#include "query/sat.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
+namespace {
+
+/// `deepest` is a point of B, or of A.
+template <class S>
+PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3<S>& deepest,
+                                 bool is_of_b) {
+  const S depth = std::max(-separation, S(0));
+  const Vec3<S> way = depth * normal;
+  return {.status = PenetrationStatus::Converged,
+          .depth = depth,
+          .least_depth = depth,
+          .normal = normal,
+          .on_a = is_of_b ? Vec3<S>(deepest + way) : deepest,
+          .on_b = is_of_b ? deepest : Vec3<S>(deepest - way),
+          .iterations = 1};
+}
+
+/// Two edges, A's from p to q and B's from r to s, have their closest points for deepest ones.
+template <class S>
+PenetrationResult<S> edge_result(S separation, const Vec3<S>& normal, const Vec3<S>& p,
+                                 const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& s) {
+  PenetrationResult<S> result = axis_result(separation, normal, r, true);
+  const ClosestOfSegments<S> closest = closest_of_segments(p, q, r, s);
+  result.on_a = closest.on_a;
+  result.on_b = closest.on_b;
+  return result;
+}
+
+template <class S>
+PenetrationResult<S> separated_along(const Vec3<S>& normal) {
+  return {.status = PenetrationStatus::Separated, .normal = normal, .iterations = 1};
+}
+
+template <class S>
+PenetrationResult<S> of_hulls(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a) {
+  const HullPair<S> pair(a, b, b_in_a);
+  const SatResult<S> axes = sat(pair, tie_tolerance(pair.scale), Preference::None);
+  const bool is_apart = axes.status == SatStatus::Separated;
+  if (axes.chosen == AxisKind::EdgeEdge) {
+    const auto [edge_a, edge_b, separation, normal] = axes.edge;
+    if (is_apart) return separated_along(normal);
+    return edge_result(separation, normal, pair.a.origin(edge_a),
+                       pair.a.origin(Hull<S>::twin(edge_a)), pair.b.origin(edge_b),
+                       pair.b.origin(Hull<S>::twin(edge_b)));
+  }
+  const bool is_of_a = axes.chosen == AxisKind::FaceA;
+  const FaceQuery<S>& best = is_of_a ? axes.face_a : axes.face_b;
+  const Vec3<S> normal = is_of_a ? pair.a.normals[best.face] : Vec3<S>(-pair.b.normals[best.face]);
+  if (is_apart) return separated_along(normal);
+  const PlacedHull<S>& other = is_of_a ? pair.b : pair.a;
+  return axis_result(best.separation, normal, other.vertex(best.support), is_of_a);
+}
+
+/// `core` is a point or a segment in the hull's frame; normal from the hull to the core. Told as if
+/// the hull were A.
+template <class S>
+PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&ends)[2]) {
+  const S scale = hull.centroid.norm() + hull.radius + std::max(ends[0].norm(), ends[1].norm());
+  const S tie = tie_tolerance(scale);
+  const CapsuleSat<S> axes = capsule_sat(hull, ends, tie, tie);
+  const Vec3<S> normal = axes.edge_wins() ? axes.edge_normal : at(hull.planes, axes.face).normal;
+  if (axes.separation() > tie) return separated_along(normal);
+  if (axes.edge_wins()) {
+    return edge_result(axes.separation(), normal, hull.origin(axes.edge), hull.target(axes.edge),
+                       ends[0], ends[1]);
+  }
+  const int lower = normal.dot(ends[1]) < normal.dot(ends[0]) ? 1 : 0;
+  return axis_result(axes.separation(), normal, ends[lower], true);
+}
+
+template <class S>
+bool is_finite(const SupportSet<S>& set) {
+  for (int i = 0; i < set.count; ++i) {
+    if (!set.points[i].allFinite()) return false;
+  }
+  return true;
+}
+
+/// The separating axis test: exact, and what the others are held against. Two hulls by sat(), a hull
+/// and a point or segment by capsule_sat(). Two cores without volume have no faces: they give Flat,
+/// across both.
+template <class S>
+PenetrationResult<S> sat_penetration(const SupportSet<S>& a, const SupportSet<S>& b,
+                                     const Pose<S>& b_in_a) {
+  const bool pose_is_finite = b_in_a.rotation.coeffs().allFinite() && b_in_a.position.allFinite();
+  if (!pose_is_finite || !is_finite(a) || !is_finite(b)) return {};
+  if (a.hull != nullptr && b.hull != nullptr) return of_hulls(*a.hull, *b.hull, b_in_a);
+  if (a.hull != nullptr) {
+    const Vec3<S> ends[2] = {b_in_a.transform(b.points[0]),
+                             b_in_a.transform(b.points[b.count - 1])};
+    return of_hull_and_segment(*a.hull, ends);
+  }
+  if (b.hull != nullptr) {
+    const Vec3<S> ends[2] = {b_in_a.inverse_transform(a.points[0]),
+                             b_in_a.inverse_transform(a.points[a.count - 1])};
+    PenetrationResult<S> told = of_hull_and_segment(*b.hull, ends);
+    std::swap(told.on_a, told.on_b);
+    told.on_a = b_in_a.transform(told.on_a);
+    told.on_b = b_in_a.transform(told.on_b);
+    told.normal = -b_in_a.rotate(told.normal);
+    return told;
+  }
+  return epa<S>(a, b, b_in_a, {}, nullptr, nullptr);
+}
+
+}  // namespace
 
 const char* to_string(PenetrationStatus status) {
-  switch (status) {
-    case PenetrationStatus::Converged:
-      return "converged";
-    case PenetrationStatus::Flat:
-      return "flat";
-    case PenetrationStatus::Separated:
-      return "separated";
-    case PenetrationStatus::Stalled:
-      return "stalled";
-    case PenetrationStatus::OutOfIterations:
-      return "out_of_iterations";
-    case PenetrationStatus::NotFinite:
-      return "not_finite";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"converged",         "flat",      "separated", "stalled",
+                                    "out_of_iterations", "not_finite"};
+  return kNames[static_cast<int>(status)];
 }
 
 template <class S>
@@ -52,14 +149,9 @@ PenetrationResult<S> penetration(PenetrationMethod method, const SupportSet<S>& 
   return sat_penetration(a, b, b_in_a);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
-  template bool may_overlap(const GjkResult<S>&, const SupportSet<S>&, const SupportSet<S>&, \
-                            const Pose<S>&);                                                 \
-  template PenetrationResult<S> penetration(                                                 \
-      PenetrationMethod, const SupportSet<S>&, const SupportSet<S>&, const Pose<S>&,         \
-      const PenetrationOptions<S>&, const GjkSimplex<S>*, PenetrationSteps<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(may_overlap<float>) may_overlap<float>;
+template decltype(may_overlap<double>) may_overlap<double>;
+template decltype(penetration<float>) penetration<float>;
+template decltype(penetration<double>) penetration<double>;
 
 }  // namespace contactscope

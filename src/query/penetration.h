@@ -9,8 +9,7 @@
 
 /// How deep two convex cores are in each other: the least way along which moving B parts them, and
 /// the direction of it. Gregorius 2015, "Building Incremental Manifolds (1)", names four ways. All
-/// work on support points in A's frame, metres, and give the same result; each is in a file of its
-/// own.
+/// work on support points in A's frame, metres, and give the same result.
 ///
 /// In terms of the Minkowski difference B - A: the cores overlap where it holds the origin, and the
 /// depth is the origin's distance from its surface. **Any** unit direction n gives an upper bound,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
 #include "query/minkowski_difference.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
@@ -27,8 +28,8 @@ struct WeightedPairs {
   std::array<S, 4> weights;
 
   void add(const IndexPair& pair, S weight) {
-    pairs[static_cast<std::size_t>(count)] = pair;
-    weights[static_cast<std::size_t>(count)] = weight;
+    at(pairs, count) = pair;
+    at(weights, count) = weight;
     ++count;
   }
 };
@@ -37,25 +38,28 @@ struct WeightedPairs {
 /// Directions `outward` are unit and point from the origin out of the difference, which is from B
 /// to A: the contact normal is their opposite.
 template <class S>
-class BoundedDifference {
+class BoundedDifference : public MinkowskiDifference<S> {
  public:
   BoundedDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
-      : difference_(a, b, b_in_a),
+      : MinkowskiDifference<S>(a, b, b_in_a),
         is_finite_(std::isfinite(reach_of(a) + reach_of(b)) &&
                    b_in_a.rotation.coeffs().allFinite() && b_in_a.position.allFinite()) {}
 
-  const MinkowskiDifference<S>& difference() const { return difference_; }
   /// False once a coordinate was met that is not finite.
   bool is_finite() const { return is_finite_; }
   /// Of a point of the difference, in units.
-  S rounding() const { return tie_tolerance(difference_.scale()); }
+  S rounding() const { return tie_tolerance(this->scale()); }
+  /// That of the options in units, never less than rounding.
+  S tolerance(const PenetrationOptions<S>& options) const {
+    return std::max(clip_thickness(this->scale()), options.tolerance * this->scale());
+  }
   S upper() const { return upper_; }
   const Vec3<S>& outward() const { return outward_; }
   bool is_separated() const { return upper_ < -rounding(); }
 
-  DifferencePoint<S> at(const IndexPair& pair) const { return {difference_.point(pair), pair}; }
+  DifferencePoint<S> point_of(const IndexPair& pair) const { return {this->point(pair), pair}; }
   DifferencePoint<S> support(const Vec3<S>& outward) {
-    const DifferencePoint<S> found = at(difference_.support_against(-outward));
+    const DifferencePoint<S> found = point_of(this->support_against(-outward));
     is_finite_ = is_finite_ && found.point.allFinite();
     return found;
   }
@@ -84,45 +88,21 @@ class BoundedDifference {
     result.status = is_finite_ ? status : PenetrationStatus::NotFinite;
     result.iterations = iterations;
     if (!is_finite_) return result;
-    result.depth = difference_.unit() * std::max(upper_, S(0));
-    result.least_depth = std::min(result.depth, difference_.unit() * std::max(lower, S(0)));
+    result.depth = this->unit() * std::max(upper_, S(0));
+    result.least_depth = std::min(result.depth, this->unit() * std::max(lower, S(0)));
     result.normal = -outward_;
-    deepest_points(result);
+    const GjkSimplex<S> deepest = this->simplex(weights_.pairs, weights_.weights, weights_.count);
+    result.on_a = weighted(deepest, &GjkVertex<S>::a);
+    result.on_b = weighted(deepest, &GjkVertex<S>::b);
     return result;
   }
 
  private:
-  /// From the heaviest vertex, so that rounding of the weights meets only differences.
-  void deepest_points(PenetrationResult<S>& result) const {
-    std::size_t heaviest = 0;
-    const auto count = static_cast<std::size_t>(weights_.count);
-    for (std::size_t i = 1; i < count; ++i) {
-      if (weights_.weights[i] > weights_.weights[heaviest]) heaviest = i;
-    }
-    const GjkVertex<S> base = difference_.vertex(weights_.pairs[heaviest]);
-    Vec3<S> aside_a = Vec3<S>::Zero(), aside_b = Vec3<S>::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i == heaviest) continue;
-      const GjkVertex<S> vertex = difference_.vertex(weights_.pairs[i]);
-      aside_a += weights_.weights[i] * (vertex.a - base.a);
-      aside_b += weights_.weights[i] * (vertex.b - base.b);
-    }
-    result.on_a = base.a + aside_a;
-    result.on_b = base.b + aside_b;
-  }
-
-  MinkowskiDifference<S> difference_;
   bool is_finite_;
   S upper_ = std::numeric_limits<S>::infinity();
   Vec3<S> outward_ = Vec3<S>::UnitX();
   WeightedPairs<S> weights_;
 };
-
-/// The tolerance of the options in units, never less than rounding.
-template <class S>
-S tolerance_in_units(const PenetrationOptions<S>& options, const MinkowskiDifference<S>& of) {
-  return std::max(clip_thickness(of.scale()), options.tolerance * of.scale());
-}
 
 /// How many steps a method whose own cap is `cap` may take.
 template <class S>
@@ -140,15 +120,6 @@ Vec3<S> triangle_normal(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, S&
   longest = std::sqrt(std::max({at_p, at_q, at_r}));
   if (at_r >= at_p && at_r >= at_q) return qr.cross(rp);
   return at_p >= at_q ? rp.cross(pq) : pq.cross(qr);
-}
-
-/// Unit and at right angles to a vector of any length > 0.
-template <class S>
-Vec3<S> perpendicular_to(const Vec3<S>& v) {
-  int least = 0;
-  v.cwiseAbs().minCoeff(&least);
-  const Vec3<S> across = v.cross(Vec3<S>::Unit(least));
-  return across / across.norm();
 }
 
 }  // namespace contactscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/at.h"
 #include "core/plane.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
@@ -20,22 +21,20 @@ struct PlacedFeatures {
   PlacedFeatures(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& move)
       : hull(placed), rotation(to_frame), position(move) {}
 
-  const HalfEdge& half_edge(int index) const {
-    return hull.half_edges[static_cast<std::size_t>(index)];
-  }
+  const HalfEdge& half_edge(int index) const { return at(hull.half_edges, index); }
   Vec3<S> vertex(int index) const {
-    const Vec3<S>& local = hull.vertices[static_cast<std::size_t>(index)];
+    const Vec3<S>& local = at(hull.vertices, index);
     if constexpr (kMoved) return rotated(local) + position;
     return local;
   }
   Vec3<S> normal(int face) const {
-    const Vec3<S>& local = hull.planes[static_cast<std::size_t>(face)].normal;
+    const Vec3<S>& local = at(hull.planes, face).normal;
     // PlacedHull moves normals by zero.
     if constexpr (kMoved) return rotated(local) + Vec3<S>(Vec3<S>::Zero());
     return local;
   }
   Plane<S> plane(int face) const {
-    const Plane<S>& local = hull.planes[static_cast<std::size_t>(face)];
+    const Plane<S>& local = at(hull.planes, face);
     if constexpr (kMoved) {
       const Vec3<S> n = normal(face);
       return {n, local.offset + dot(n.x(), n.y(), n.z(), position.x(), position.y(), position.z())};

@@ -5,10 +5,12 @@
 #include <cstring>
 #include <limits>
 
+#include "core/at.h"
 #include "core/pack.h"
+#include "core/scratch.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
-#include "query/scratch.h"
+#include "query/hull_feature.h"
 
 namespace contactscope {
 
@@ -22,6 +24,15 @@ inline S largest_in_lanes(const S* values, int count) {
   return lanes::largest<S>(best)[0];
 }
 
+/// Calls visit(first + i) for each bit i that is set, up to `count`, in order.
+template <class Visit>
+inline void for_each_bit(std::uint32_t bits, int first, int count, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) {
+    const int i = first + std::countr_zero(bits);
+    if (i < count) visit(i);
+  }
+}
+
 /// Calls visit(i) for each of `count` values that is not less than `least`, in order. The values are
 /// padded to the lane width, with anything.
 template <class S, class Visit>
@@ -29,11 +40,8 @@ inline void for_each_not_below(const S* values, int count, S least, const Visit&
   constexpr int kLanes = lanes::kWidth<S>;
   const lanes::Pack<S> bound = lanes::all(least);
   for (int i = 0; i < count; i += kLanes) {
-    std::uint32_t found = ~lanes::bits<S>(lanes::load(values + i) < bound) & ((1U << kLanes) - 1);
-    for (; found != 0; found &= found - 1) {
-      const int at = i + std::countr_zero(found);
-      if (at < count) visit(at);
-    }
+    const std::uint32_t below = lanes::bits<S>(lanes::load(values + i) < bound);
+    for_each_bit(~below & ((1U << kLanes) - 1), i, count, visit);
   }
 }
 
@@ -46,12 +54,17 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
   for (int i = 0; i < count; i += 4) {
     Ints four;
     std::memcpy(&four, values + i, sizeof four);
-    std::uint32_t found = lanes::bits<float>((four & wanted) == wanted);
-    for (; found != 0; found &= found - 1) {
-      const int at = i + std::countr_zero(found);
-      if (at < count) visit(at);
-    }
+    for_each_bit(lanes::bits<float>((four & wanted) == wanted), i, count, visit);
   }
+}
+
+/// Whether two faces lean by no more than a sine to each other, so that a tie between them says
+/// little about the normal.
+template <class S>
+bool look_the_same_way(const Hull<S>& hull, int one, int other, S sine) {
+  const Vec3<S>& n = at(hull.planes, one).normal;
+  const Vec3<S>& m = at(hull.planes, other).normal;
+  return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= sine * sine;
 }
 
 /// Signed distances of a point from the planes of all faces of a hull, in the hull's frame, metres:
@@ -60,7 +73,21 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
 template <class S>
 class PointFaces {
  public:
-  PointFaces(const Hull<S>& hull, const Vec3<S>& point);
+  PointFaces(const Hull<S>& hull, const Vec3<S>& point)
+      : hull_(hull), point_(point), distances_(padded(hull.face_count())) {
+    const VectorLanes<S> normals(hull.lanes.normals.data(), hull.face_count());
+    const S* __restrict nx = normals.x();
+    const S* __restrict ny = normals.y();
+    const S* __restrict nz = normals.z();
+    const S* __restrict offsets = hull.lanes.offsets.data();
+    S* __restrict distances = distances_.data();
+    const S x = point.x(), y = point.y(), z = point.z();
+    const int count = normals.padded_count();
+    for (int f = 0; f < count; ++f) {
+      distances[f] = dot(nx[f], ny[f], nz[f], x, y, z) - offsets[f];
+    }
+    largest_ = largest_in_lanes(distances, count);  // padding lies behind every point
+  }
 
   S operator[](int face) const { return distances_[face]; }
   /// The largest. Negative: the point is inside, and this far from the surface.
@@ -68,10 +95,30 @@ class PointFaces {
 
   /// The earliest face whose distance is within `tie` (metres, >= 0) of the largest; of several,
   /// the earliest that the point projects into.
-  int nearest(S tie) const;
-  /// Whether a face within `tie` of the largest leans away from `face` by more than the sine
-  /// `direction` says: then which of them is nearest is up to rounding, and it matters.
-  bool is_tied(int face, S tie, S sine) const;
+  int nearest(S tie) const {
+    const int count = hull_.face_count();
+    int earliest = -1;
+    int ties = 0;
+    for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
+      if (++ties == 1) earliest = face;
+    });
+    if (ties == 1) return earliest;
+    int below = -1;
+    for_each_not_below(distances_.data(), count, largest_ - tie, [&](int face) {
+      if (below < 0 && projects_into(hull_, face, point_, tie)) below = face;
+    });
+    return below < 0 ? earliest : below;
+  }
+
+  /// Whether a face within `tie` of the largest leans away from `face` by more than `sine`: then
+  /// which of them is nearest is up to rounding, and it matters.
+  bool is_tied(int face, S tie, S sine) const {
+    for (int other = 0; other < hull_.face_count(); ++other) {
+      if (other == face || distances_[other] < largest_ - tie) continue;
+      if (!look_the_same_way(hull_, face, other, sine)) return true;
+    }
+    return false;
+  }
 
  private:
   const Hull<S>& hull_;

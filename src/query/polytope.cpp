@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
+
 namespace contactscope {
 namespace {
 
@@ -32,49 +34,42 @@ Polytope<S>::Polytope(const StartSimplex<S>& tetrahedron, S rounding) : rounding
   const int one = flip ? 2 : 1, two = flip ? 1 : 2;
   const int corners[4][3] = {{0, one, two}, {one, 0, 3}, {two, one, 3}, {0, two, 3}};
   for (const auto& [i, j, k] : corners) add_face(i, j, k);
-  for (int f = 0; f < 4; ++f) {
-    for (int e = 0; e < 3; ++e) {
-      const int from = corners[f][e], to = corners[f][(e + 1) % 3];
-      for (int g = 0; g < 4; ++g) {
-        const int back = edge_from(g, to);
-        if (g != f && back >= 0 && corners[g][(back + 1) % 3] == from) link(f, e, g, back);
-      }
-    }
+  // The first edge of each other face is shared with face 0, the second with another's third.
+  for (int f = 1; f < 4; ++f) {
+    link(0, f - 1, f, 0);
+    link(f, 1, f == 1 ? 3 : f - 1, 2);
   }
 }
 
 template <class S>
 int Polytope<S>::edge_from(int index, int from) const {
   for (int e = 0; e < 3; ++e) {
-    if (face(index).vertices[static_cast<std::size_t>(e)] == from) return e;
+    if (at(face(index).vertices, e) == from) return e;
   }
   return -1;
 }
 
 template <class S>
 void Polytope<S>::link(int one, int edge, int other, int other_edge) {
-  faces_[static_cast<std::size_t>(one)].neighbours[static_cast<std::size_t>(edge)] =
-      static_cast<std::int16_t>(other);
-  faces_[static_cast<std::size_t>(other)].neighbours[static_cast<std::size_t>(other_edge)] =
-      static_cast<std::int16_t>(one);
+  at(at(faces_, one).neighbours, edge) = other;
+  at(at(faces_, other).neighbours, other_edge) = one;
 }
 
 template <class S>
 int Polytope<S>::add_face(int first, int second, int third) {
   PolytopeFace<S> added;
-  added.vertices = {static_cast<std::int16_t>(first), static_cast<std::int16_t>(second),
-                    static_cast<std::int16_t>(third)};
+  added.vertices = {first, second, third};
   added.neighbours = {-1, -1, -1};
   added.is_alive = true;
   added.is_closed = false;
   measure(added);
   if (free_.empty()) {
     faces_.push_back(added);
-    return face_slots() - 1;
+    return count_of(faces_) - 1;
   }
   const int slot = free_.back();
   free_.truncate(free_.size() - 1);
-  faces_[static_cast<std::size_t>(slot)] = added;
+  at(faces_, slot) = added;
   return slot;
 }
 
@@ -85,9 +80,10 @@ int Polytope<S>::add_face(int first, int second, int third) {
 /// as well or its plane parts the shapes.
 template <class S>
 void Polytope<S>::measure(PolytopeFace<S>& added) const {
+  const Vec3<S> corners[4] = {corner(added, 0).point, corner(added, 1).point,
+                              corner(added, 2).point, corner(added, 0).point};
   S length = S(0);
-  const Vec3<S> cross =
-      triangle_normal(corner(added, 0), corner(added, 1), corner(added, 2), length);
+  const Vec3<S> cross = triangle_normal(corners[0], corners[1], corners[2], length);
   const S area = cross.norm();
   const S thickness = length > S(0) ? area / length : S(0);
   added.weights = {};
@@ -96,7 +92,7 @@ void Polytope<S>::measure(PolytopeFace<S>& added) const {
   added.is_closed = !(area > S(0));
   if (area > S(0)) {
     added.normal = cross / area;
-    added.offset = added.normal.dot(corner(added, 0));
+    added.offset = added.normal.dot(corners[0]);
   }
 
   added.distance = std::numeric_limits<S>::infinity();
@@ -104,7 +100,7 @@ void Polytope<S>::measure(PolytopeFace<S>& added) const {
   bool is_inside = area > S(0);
   S along_edges[3];
   for (int e = 0; e < 3 && is_inside; ++e) {
-    const Vec3<S>&from = corner(added, e), &to = corner(added, e + 1);
+    const Vec3<S>&from = corners[e], &to = corners[e + 1];
     const Vec3<S> inward = added.normal.cross(to - from);
     along_edges[e] = -inward.dot(from);
     is_inside = along_edges[e] >= S(0);
@@ -118,7 +114,7 @@ void Polytope<S>::measure(PolytopeFace<S>& added) const {
     return;
   }
   for (int e = 0; e < 3; ++e) {
-    const Vec3<S>&from = corner(added, e), &to = corner(added, e + 1);
+    const Vec3<S>&from = corners[e], &to = corners[e + 1];
     const S weight = weight_on_edge(from, to);
     const Vec3<S> point = from + weight * (to - from);
     const S distance = point.norm();
@@ -126,8 +122,8 @@ void Polytope<S>::measure(PolytopeFace<S>& added) const {
       added.distance = distance;
       nearest = point;
       added.weights = {};
-      added.weights[static_cast<std::size_t>(e)] = S(1) - weight;
-      added.weights[static_cast<std::size_t>((e + 1) % 3)] = weight;
+      at(added.weights, e) = S(1) - weight;
+      at(added.weights, (e + 1) % 3) = weight;
     }
   }
   added.direction = added.normal;
@@ -139,7 +135,7 @@ template <class S>
 int Polytope<S>::nearest_open() const {
   int best = -1;
   S least = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < face_slots(); ++i) {
+  for (int i = 0; i < count_of(faces_); ++i) {
     const PolytopeFace<S>& candidate = face(i);
     if (candidate.is_alive && !candidate.is_closed && candidate.distance < least) {
       least = candidate.distance;
@@ -160,10 +156,7 @@ S Polytope<S>::distance() const {
 
 template <class S>
 bool Polytope<S>::has_vertex(const IndexPair& pair) const {
-  for (const DifferencePoint<S>& known : vertices_) {
-    if (known.pair == pair) return true;
-  }
-  return false;
+  return std::ranges::find(vertices_, pair, &DifferencePoint<S>::pair) != vertices_.end();
 }
 
 /// On the plane counts as seen: faces in one plane are replaced together, so that no new triangle is
@@ -176,33 +169,31 @@ bool Polytope<S>::is_seen_from(const PolytopeFace<S>& candidate, const Vec3<S>& 
 template <class S>
 bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   // Flood fill over neighbours from the face that is known to be seen.
-  StaticVector<std::int16_t, kMaxFaces> region;
+  StaticVector<int, kMaxFaces> region;
   std::array<bool, kMaxFaces> is_in_region;
-  for (int i = 0; i < face_slots(); ++i) is_in_region[static_cast<std::size_t>(i)] = false;
-  region.push_back(static_cast<std::int16_t>(seen));
-  is_in_region[static_cast<std::size_t>(seen)] = true;
-
-  // The edge of the horizon that starts at a vertex: the vertex where it ends, and the face beyond.
-  struct HorizonEdge {
-    std::int16_t to, outer;
-  };
-  std::array<HorizonEdge, kMaxVertices> horizon;
-  for (int i = 0; i < vertex_count(); ++i) horizon[static_cast<std::size_t>(i)].to = -1;
-  int edges = 0, first = -1;
+  std::fill_n(is_in_region.begin(), faces_.size(), false);
+  region.push_back(seen);
+  at(is_in_region, seen) = true;
   for (std::size_t i = 0; i < region.size(); ++i) {
-    for (const std::int16_t neighbour : face(region[i]).neighbours) {
-      const auto slot = static_cast<std::size_t>(neighbour);
-      if (is_in_region[slot] || !is_seen_from(face(neighbour), point.point)) continue;
-      is_in_region[slot] = true;
+    for (const int neighbour : face(region[i]).neighbours) {
+      if (at(is_in_region, neighbour) || !is_seen_from(face(neighbour), point.point)) continue;
+      at(is_in_region, neighbour) = true;
       region.push_back(neighbour);
     }
   }
-  for (const std::int16_t inside : region) {
+
+  // The edge of the horizon that starts at a vertex: the vertex where it ends, and the face beyond.
+  struct HorizonEdge {
+    int to = -1, outer;
+  };
+  std::array<HorizonEdge, kMaxVertices> horizon;
+  int edges = 0, first = -1;
+  for (const int inside : region) {
     const PolytopeFace<S>& from = face(inside);
     for (std::size_t e = 0; e < 3; ++e) {
-      const std::int16_t outer = from.neighbours[e];
-      if (is_in_region[static_cast<std::size_t>(outer)]) continue;
-      HorizonEdge& edge = horizon[static_cast<std::size_t>(from.vertices[e])];
+      const int outer = from.neighbours[e];
+      if (at(is_in_region, outer)) continue;
+      HorizonEdge& edge = at(horizon, from.vertices[e]);
       if (edge.to >= 0) return false;  // two loops that meet in a vertex
       edge = {from.vertices[(e + 1) % 3], outer};
       first = from.vertices[e];
@@ -210,22 +201,22 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
     }
   }
   int walked = 0;
-  for (int at = first; at >= 0 && walked <= edges; at = horizon[static_cast<std::size_t>(at)].to) {
-    if (walked > 0 && at == first) break;
+  for (int from = first; from >= 0 && walked <= edges; from = at(horizon, from).to) {
+    if (walked > 0 && from == first) break;
     ++walked;
   }
   if (edges < 3 || walked != edges) return false;
 
-  for (const std::int16_t inside : region) {
-    faces_[static_cast<std::size_t>(inside)].is_alive = false;
+  for (const int inside : region) {
+    at(faces_, inside).is_alive = false;
     free_.push_back(inside);
   }
-  const int apex = vertex_count();
+  const int apex = count_of(vertices_);
   vertices_.push_back(point);
-  int at = first, previous = -1, first_added = -1;
+  int from = first, previous = -1, first_added = -1;
   do {
-    const HorizonEdge& edge = horizon[static_cast<std::size_t>(at)];
-    const int added = add_face(at, edge.to, apex);
+    const HorizonEdge& edge = at(horizon, from);
+    const int added = add_face(from, edge.to, apex);
     link(added, 0, edge.outer, edge_from(edge.outer, edge.to));
     if (previous >= 0) {
       link(previous, 1, added, 2);
@@ -233,8 +224,8 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
       first_added = added;
     }
     previous = added;
-    at = edge.to;
-  } while (at != first);
+    from = edge.to;
+  } while (from != first);
   link(previous, 1, first_added, 2);
   return true;
 }

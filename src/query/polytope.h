@@ -1,19 +1,27 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
+#include "core/at.h"
 #include "core/static_vector.h"
-#include "query/blow_up.h"
-#include "query/epa.h"
+#include "query/penetration_bounds.h"
+#include "query/penetration_methods.h"
 
 namespace contactscope {
+
+/// A tetrahedron of the difference that holds the origin within rounding, or what stands in its way.
+template <class S>
+struct StartSimplex {
+  int count = 0;  // 4: a tetrahedron; less: the difference reaches nowhere out of these
+  std::array<DifferencePoint<S>, 4> points;
+  Vec3<S> outward = Vec3<S>::UnitX();  // of count < 4: unit, across the difference
+};
 
 /// A triangle of the polytope, seen from outside.
 template <class S>
 struct PolytopeFace {
-  std::array<std::int16_t, 3> vertices;    // counter-clockwise
-  std::array<std::int16_t, 3> neighbours;  // face across the edge from vertices[k] to the next
+  std::array<int, 3> vertices;    // counter-clockwise
+  std::array<int, 3> neighbours;  // face across the edge from vertices[k] to the next
   bool is_alive;
   bool is_closed;            // no support point lies beyond it as far as rounding lets us see
   Vec3<S> normal;            // outward, unit; zero where the triangle has no area
@@ -35,18 +43,20 @@ class Polytope {
   /// it.
   Polytope(const StartSimplex<S>& tetrahedron, S rounding);
 
-  const PolytopeFace<S>& face(int index) const { return faces_[static_cast<std::size_t>(index)]; }
-  const DifferencePoint<S>& vertex(int index) const {
-    return vertices_[static_cast<std::size_t>(index)];
+  const PolytopeFace<S>& face(int index) const { return at(faces_, index); }
+  const DifferencePoint<S>& vertex(int index) const { return at(vertices_, index); }
+  /// Corner k of a face, modulo 3.
+  const DifferencePoint<S>& corner(const PolytopeFace<S>& face, int k) const {
+    return vertex(at(face.vertices, k % 3));
   }
-  int vertex_count() const { return static_cast<int>(vertices_.size()); }
-  int face_slots() const { return static_cast<int>(faces_.size()); }
+  /// Also those that are no longer alive.
+  const auto& faces() const { return faces_; }
 
   /// The open face nearest to the origin; -1 when all are closed.
   int nearest_open() const;
   /// Distance of the surface from the origin.
   S distance() const;
-  void close(int face) { faces_[static_cast<std::size_t>(face)].is_closed = true; }
+  void close(int face) { at(faces_, face).is_closed = true; }
   bool has_vertex(const IndexPair& pair) const;
 
   /// Replaces the faces that `point` sees, among them `seen`, by those between it and their horizon.
@@ -57,16 +67,13 @@ class Polytope {
   int add_face(int first, int second, int third);
   void measure(PolytopeFace<S>& face) const;
   bool is_seen_from(const PolytopeFace<S>& face, const Vec3<S>& point) const;
-  const Vec3<S>& corner(const PolytopeFace<S>& face, int k) const {
-    return vertex(face.vertices[static_cast<std::size_t>(k % 3)]).point;
-  }
   void link(int face, int edge, int neighbour, int neighbour_edge);
   int edge_from(int face, int vertex) const;
 
   S rounding_;
   StaticVector<DifferencePoint<S>, kMaxVertices> vertices_;
   StaticVector<PolytopeFace<S>, kMaxFaces> faces_;
-  StaticVector<std::int16_t, kMaxFaces> free_;
+  StaticVector<int, kMaxFaces> free_;
 };
 
 }  // namespace contactscope

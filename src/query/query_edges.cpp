@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
 #include "query/gauss_map.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
@@ -160,7 +161,7 @@ EdgeQuery<S> search_arcs(const HullPair<S>& pair, const FaceSeparations<S>& face
   return best;
 }
 
-/// Calls visit(arc, start, end) with the arc of every edge of A, each of its ends with the separation
+/// Calls visit(arc, start, end) for every edge of a flat A, each end of an arc with the separation
 /// there and B's support vertex. The two faces of a flat hull are half a turn apart, and their normals
 /// alone do not say on which way; its arcs come as two quarters, by way of the direction in the plane
 /// that points away from the edge.
@@ -173,15 +174,11 @@ void for_each_arc(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, co
   for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
     const int first = a.half_edge(edge).face;
     const int second = a.half_edge(edge + 1).face;
-    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
-    if (!a.hull.flat()) {
-      visit(arc, end_at(first), end_at(second));
-      continue;
-    }
-    const Vec3<S> side = a.direction(edge).cross(arc.first);
-    const ArcEnd<S> middle = end_along(pair.b, side, arc.on_edge);
-    visit(Arc<S>{edge, arc.first, side, arc.on_edge}, end_at(first), middle);
-    visit(Arc<S>{edge, side, arc.second, arc.on_edge}, middle, end_at(second));
+    const Vec3<S> on_edge = a.origin(edge);
+    const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
+    const ArcEnd<S> middle = end_along(pair.b, side, on_edge);
+    visit(Arc<S>{edge, a.normals[first], side, on_edge}, end_at(first), middle);
+    visit(Arc<S>{edge, side, a.normals[second], on_edge}, middle, end_at(second));
   }
 }
 
@@ -214,7 +211,7 @@ EdgeQuery<S> query_edges_of_flat(const HullPair<S>& pair, const FaceSeparations<
 /// The edge at a vertex of a flat hull that is less parallel to a direction.
 template <class S>
 int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction) {
-  const int one = hull.hull.vertex_edges[static_cast<std::size_t>(vertex)];
+  const int one = at(hull.hull.vertex_edges, vertex);
   const int other = hull.half_edge(Hull<S>::twin(one)).next;
   const auto cosine = [&](int edge) { return std::abs(direction.dot(hull.direction(edge))); };
   return cosine(one) <= cosine(other) ? one : other;
@@ -260,12 +257,9 @@ EdgeQuery<S> query_sides(const HullPair<S>& pair) {
   return best;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                      \
-  template EdgeQuery<S> query_sides(const HullPair<S>&);                                 \
-  template EdgeQuery<S> query_edges(const HullPair<S>&, const FaceSeparations<S>&, S, S, \
-                                    EdgeQueryRecord<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(query_sides<float>) query_sides<float>;
+template decltype(query_sides<double>) query_sides<double>;
+template decltype(query_edges<float>) query_edges<float>;
+template decltype(query_edges<double>) query_edges<double>;
 
 }  // namespace contactscope

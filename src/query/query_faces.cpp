@@ -47,9 +47,7 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
   return best;
 }
 
-template FaceQuery<float> query_faces(const PlacedHull<float>&, const PlacedHull<float>&, float,
-                                      FaceSeparations<float>&);
-template FaceQuery<double> query_faces(const PlacedHull<double>&, const PlacedHull<double>&, double,
-                                       FaceSeparations<double>&);
+template decltype(query_faces<float>) query_faces<float>;
+template decltype(query_faces<double>) query_faces<double>;
 
 }  // namespace contactscope

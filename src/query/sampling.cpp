@@ -1,4 +1,4 @@
-#include "query/sampling.h"
+#include "query/penetration_methods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,6 @@ S radius_about_middle(const SupportSet<S>& set) {
   S radius = S(0);
   for (int i = 0; i < set.count; ++i) radius = std::max(radius, (set.points[i] - middle).norm());
   return radius;
-}
-
-template <class S>
-void record_direction(const Vec3<S>& outward, const DifferencePoint<S>& found,
-                      const BoundedDifference<S>& difference, PenetrationSteps<S>* steps) {
-  if (steps == nullptr) return;
-  const S along = outward.dot(found.point);
-  steps->directions.push_back({-outward, -difference.difference().unit() * along});
 }
 
 }  // namespace
@@ -64,23 +56,30 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
   BoundedDifference<S> difference(a, b, b_in_a);
   if (!difference.is_finite()) return {};
   const int samples = std::clamp(options.samples, kMinSamples, kMaxSamples);
-  DifferencePoint<S> found;
-  SamplingDirections spread_evenly(samples);
   int directions = 0;
-  for (; directions < samples; ++directions) {
-    const Vec3<S> outward = spread_evenly.next().cast<S>();
-    difference.bound(outward, found);
-    record_direction(outward, found, difference, steps);
+  const auto is_better_along = [&](const Vec3<S>& outward) {
+    ++directions;
+    DifferencePoint<S> found;
+    const bool is_better = difference.bound(outward, found);
+    if (steps != nullptr) {
+      const S along = outward.dot(found.point);
+      steps->directions.push_back({-outward, -difference.unit() * along});
+    }
+    return is_better;
+  };
+  SamplingDirections spread_evenly(samples);
+  while (directions < samples) {
+    is_better_along(spread_evenly.next().cast<S>());
     if (!difference.is_finite() || difference.is_separated()) {
-      return difference.result(PenetrationStatus::Separated, S(0), directions + 1);
+      return difference.result(PenetrationStatus::Separated, S(0), directions);
     }
   }
   const Vec3<S> middle = (b_in_a.transform(middle_of(b)) - middle_of(a));
-  const S reach = (middle.norm() + radius_about_middle(a) + radius_about_middle(b)) /
-                  difference.difference().unit();
+  const S reach =
+      (middle.norm() + radius_about_middle(a) + radius_about_middle(b)) / difference.unit();
   const S lower = difference.upper() - reach * sampling_angle<S>(samples);
 
-  const S tolerance = tolerance_in_units(options, difference.difference());
+  const S tolerance = difference.tolerance(options);
   const int allowed = allowed_iterations(options, kMaxSamplingRounds);
   PenetrationStatus status = PenetrationStatus::OutOfIterations;
   S angle = sampling_angle<S>(samples);
@@ -91,7 +90,7 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
       break;
     }
     const Vec3<S> center = difference.outward();
-    const Vec3<S> one = perpendicular_to(center);
+    const Vec3<S> one = any_perpendicular(center);
     const Vec3<S> other = center.cross(one);
     bool is_better = false;
     for (int k = 0; k < 6; ++k) {
@@ -102,10 +101,7 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
       const S c = static_cast<S>(is_turned ? kSines[k] : kCosine[k]);
       const S s = static_cast<S>(is_turned ? kCosine[k] : kSines[k]);
       const Vec3<S> aside = center + angle * (c * one + s * other);
-      const Vec3<S> outward = aside / aside.norm();
-      is_better = difference.bound(outward, found) || is_better;
-      record_direction(outward, found, difference, steps);
-      ++directions;
+      is_better = is_better_along(aside / aside.norm()) || is_better;
     }
     if (!difference.is_finite() || difference.is_separated()) break;
     if (!is_better) {
@@ -117,13 +113,9 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
   return difference.result(status, lower, directions);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                    \
-  template S sampling_angle(int);                                                      \
-  template PenetrationResult<S> sampling(const SupportSet<S>&, const SupportSet<S>&,   \
-                                         const Pose<S>&, const PenetrationOptions<S>&, \
-                                         PenetrationSteps<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(sampling_angle<float>) sampling_angle<float>;
+template decltype(sampling_angle<double>) sampling_angle<double>;
+template decltype(sampling<float>) sampling<float>;
+template decltype(sampling<double>) sampling<double>;
 
 }  // namespace contactscope

@@ -74,14 +74,8 @@ struct SatResult {
 
   /// Metres, negative in overlap. `kind` must have run; an edge query without a pair has none.
   S separation(AxisKind kind) const {
-    switch (kind) {
-      case AxisKind::FaceA:
-        return face_a.separation;
-      case AxisKind::FaceB:
-        return face_b.separation;
-      default:
-        return edge.separation;
-    }
+    if (kind == AxisKind::FaceA) return face_a.separation;
+    return kind == AxisKind::FaceB ? face_b.separation : edge.separation;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -11,11 +12,6 @@ namespace {
 
 template <class S>
 using Points = std::array<Vec3<S>, 4>;
-
-template <class S>
-const Vec3<S>& at(const Points<S>& points, int i) {
-  return points[static_cast<std::size_t>(i)];
-}
 
 template <class S>
 void on_vertex(const Points<S>& points, int i, NearestOnSimplex<S>& result) {
@@ -294,9 +290,7 @@ void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale
   }
 }
 
-template void nearest_on_simplex(const std::array<Vec3<float>, 4>&, int, float,
-                                 NearestOnSimplex<float>&);
-template void nearest_on_simplex(const std::array<Vec3<double>, 4>&, int, double,
-                                 NearestOnSimplex<double>&);
+template decltype(nearest_on_simplex<float>) nearest_on_simplex<float>;
+template decltype(nearest_on_simplex<double>) nearest_on_simplex<double>;
 
 }  // namespace contactscope

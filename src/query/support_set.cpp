@@ -2,58 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
+#include "core/pack.h"
 #include "geometry/lanes.h"
 
 namespace contactscope {
 namespace {
 
-/// As many lanes as fill a vector register of every processor. The compiler makes no such loop of a
-/// search for the index of a maximum by itself.
-template <class S>
-constexpr int kRegisterWidth = static_cast<int>(16 / sizeof(S));
-template <class S>
-using Register [[gnu::vector_size(16)]] = S;
-static_assert(kLaneWidth % kRegisterWidth<float> == 0 && kLaneWidth % kRegisterWidth<double> == 0);
+static_assert(kLaneWidth % lanes::kWidth<float> == 0 && kLaneWidth % lanes::kWidth<double> == 0);
 
-template <class S>
-Register<S> load(const S* from) {
-  Register<S> result;
-  std::memcpy(&result, from, sizeof(result));
-  return result;
-}
-
-/// A scan, not a walk over the hull's adjacency: measured in single precision, from a vertex that
+/// A scan in packs of lanes, which the compiler does not make of a search for the index of a maximum
+/// by itself. Not a walk over the hull's adjacency: measured in single precision, from a vertex that
 /// lies 0.4 rad off the walk takes twice as long with 32 vertices and as long with 256.
 ///
 /// Place k of the register keeps the best of the vertices kWidth * n + k. Two registers meet each
 /// other before the best, which every step waits for.
 template <class S>
-int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
-  constexpr int kWidth = kRegisterWidth<S>;
+int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
+  using lanes::Flags;
+  using lanes::load;
+  using lanes::Pack;
+  constexpr int kWidth = lanes::kWidth<S>;
   const S dx = direction.x(), dy = direction.y(), dz = direction.z();
   const auto distances_from = [&](int i) {
-    return (dx * load(lanes.x() + i) + dy * load(lanes.y() + i)) + dz * load(lanes.z() + i);
+    return (dx * load(vertices.x() + i) + dy * load(vertices.y() + i)) +
+           dz * load(vertices.z() + i);
   };
-  using Indices = decltype(Register<S>{} > Register<S>{});
-  Indices block{}, best_block{};
-  Register<S> best = distances_from(0);
-  const int whole = lanes.count() & ~(kWidth - 1);  // the padding is no vertex
+  Flags<S> block{}, best_block{};
+  Pack<S> best = distances_from(0);
+  const int whole = vertices.count() & ~(kWidth - 1);  // the padding is no vertex
   int i = kWidth;
   for (; i + kWidth < whole; i += 2 * kWidth) {
-    const Register<S> first = distances_from(i);
-    const Register<S> second = distances_from(i + kWidth);
-    const Indices is_second = second > first;
-    const Register<S> distances = is_second ? second : first;
-    const Indices farther = distances > best;
+    const Pack<S> first = distances_from(i);
+    const Pack<S> second = distances_from(i + kWidth);
+    const Flags<S> is_second = second > first;
+    const Pack<S> distances = is_second ? second : first;
+    const Flags<S> farther = distances > best;
     best = farther ? distances : best;
     block += 2 * kWidth;
     best_block = farther ? block - (~is_second & kWidth) : best_block;
   }
   if (i < whole) {
-    const Register<S> distances = distances_from(i);
-    const Indices farther = distances > best;
+    const Pack<S> distances = distances_from(i);
+    const Flags<S> farther = distances > best;
     best = farther ? distances : best;
     best_block = farther ? block + kWidth : best_block;
   }
@@ -65,8 +56,8 @@ int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
   }
   int result = static_cast<int>(best_block[place]) + place;
   S farthest = best[place];
-  for (i = whole; i < lanes.count(); ++i) {
-    const S distance = dot(dx, dy, dz, lanes.x()[i], lanes.y()[i], lanes.z()[i]);
+  for (i = whole; i < vertices.count(); ++i) {
+    const S distance = dot(dx, dy, dz, vertices.x()[i], vertices.y()[i], vertices.z()[i]);
     if (distance > farthest) {
       farthest = distance;
       result = i;
@@ -80,7 +71,7 @@ int support_in_lanes(const VectorLanes<S>& lanes, const Vec3<S>& direction) {
 template <class S>
 int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
   // A triangle does not fill a register of floats, and the padding is no vertex.
-  if (set.hull != nullptr && set.count >= kRegisterWidth<S>) {
+  if (set.hull != nullptr && set.count >= lanes::kWidth<S>) {
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
   }
   if (set.count == 1) return 0;
@@ -110,11 +101,11 @@ S reach_of(const SupportSet<S>& set) {
   return std::sqrt(squared);
 }
 
-template int support_index(const SupportSet<float>&, const Vec3<float>&);
-template int support_index(const SupportSet<double>&, const Vec3<double>&);
-template Vec3<float> middle_of(const SupportSet<float>&);
-template Vec3<double> middle_of(const SupportSet<double>&);
-template float reach_of(const SupportSet<float>&);
-template double reach_of(const SupportSet<double>&);
+template decltype(support_index<float>) support_index<float>;
+template decltype(support_index<double>) support_index<double>;
+template decltype(middle_of<float>) middle_of<float>;
+template decltype(middle_of<double>) middle_of<double>;
+template decltype(reach_of<float>) reach_of<float>;
+template decltype(reach_of<double>) reach_of<double>;
 
 }  // namespace contactscope

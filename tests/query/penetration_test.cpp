@@ -7,9 +7,7 @@
 #include <set>
 
 #include "geometry/hull_builder.h"
-#include "query/epa.h"
-#include "query/mpr.h"
-#include "query/sampling.h"
+#include "query/penetration_methods.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 

@@ -1,4 +1,4 @@
-#include "query/face_prism.h"
+#include "query/hull_feature.h"
 
 #include <gtest/gtest.h>
 
