@@ -141,7 +141,7 @@ class Checker {
   snapshot::Policy policy_;
 };
 
-void print(const Outcome& outcome, const Options& options) {
+void print_outcome(const Outcome& outcome, const Options& options) {
   if (options.json) {
     const nlohmann::ordered_json json{{"scenario", outcome.scenario},
                                       {"same", !outcome.fails},
@@ -181,13 +181,13 @@ ExitCode run_check(const Options& options) {
       progress.advance(scenario.name);
       progress.clear();
       failed += outcome.fails;
-      print(outcome, options);
+      print_outcome(outcome, options);
     }
   }
   if (options.scenarios.empty() && options.view.empty()) {
     for (const Outcome& outcome : checker.check_orphans(scenarios)) {
       failed += outcome.fails;
-      print(outcome, options);
+      print_outcome(outcome, options);
     }
   }
   const std::optional<std::filesystem::path> page = checker.finish();

@@ -124,7 +124,7 @@ KeptIndices reduce_like_bullet(ContactPoints<S> points, const Vec3<S>& /*normal*
       };
       return squared_area(steps::position(points, arriving), other(1), other(2), other(3));
     });
-    at(places, best) = arriving;
+    if (best >= 0) at(places, best) = arriving;  // no area is a number where float overflows
   }
 
   const std::span<const int> held(places.data(), std::min<std::size_t>(points.size(), kPlaces));

@@ -91,6 +91,7 @@ std::vector<Case> cases() {
           moved("MovedAnywhere", ellipse("", 9), 1),
           moved("Tiny", ellipse("", 9), 1e-4),
           moved("Huge", ellipse("", 9), 1e4),
+          moved("Overflowing", ellipse("", 9), 1e30),  // in float no area is a number
           line("OnALine", 0),
           line("NearlyOnALine", 1e-9),
           duplicates(),
