@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/at.h"
 #include "geometry/hull_builder.h"
 #include "manifold/edge_contact.h"
 #include "reduce/choices.h"
@@ -32,13 +33,17 @@ std::string reducer_name(Reducer<S> reducer) {
 void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, int max_points,
              trace::Reduction& reduction) {
   std::vector<Vec3d> all;
-  std::vector<Vec3d> chosen;
   for (const ContactPoint<double>& point : points) all.push_back(point.position);
+  if (reduction.kept.size() == points.size()) {  // nothing was chosen
+    reduction.area = points.size() < 3 ? 0 : convex_area(all, normal);
+    reduction.best_area =
+        count_of(points) <= max_points ? reduction.area : best_convex_area(all, normal, max_points);
+    return;
+  }
+  std::vector<Vec3d> chosen;
   for (const int index : reduction.kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
   reduction.area = convex_area(chosen, normal);
   reduction.best_area = best_convex_area(all, normal, max_points);
-  if (reduction.kept.size() == points.size()) return;  // nothing was chosen
-
   ReduceOptions options;
   options.max_points = max_points;
   const Reduction best = reduce<double>(find_reducer<double>("optimal"), points, normal, options);
