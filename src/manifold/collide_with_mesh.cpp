@@ -16,7 +16,7 @@ namespace {
 template <class S>
 struct Closest {
   FeatureRef feature;
-  Vec3<S> outward;  // from it to the centre, metres
+  Vec3<S> outward = Vec3<S>::Zero();  // from it to the centre, metres
 };
 
 template <class S>
