@@ -3,6 +3,7 @@
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
+#include "broadphase/broad_phase.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 
@@ -27,6 +28,8 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   }
   if (what == "reducers")
     for (const ReducerInfo& info : reducers()) add(info.name, info.summary);
+  if (what == "broad_phases")
+    for (const BroadPhaseInfo& info : broad_phases()) add(info.name, info.summary);
   if (what == "layers")
     for (const std::string_view name : kLayerNames) add(name);
   if (what == "panels")
@@ -37,7 +40,8 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
 }
 
 ExitCode run_list(const Options& options) {
-  std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels", "studies"};
+  std::vector<std::string> kinds = {"scenarios", "reducers", "broad_phases",
+                                    "layers",    "panels",   "studies"};
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
   for (const std::string& kind : kinds) {
@@ -74,7 +78,7 @@ Verb list_verb() {
           "List what a scenario may name",
           &run_list,
           "[WHAT] --json",
-          {{"WHAT", "scenarios, reducers, layers, panels or studies"}}};
+          {{"WHAT", "scenarios, reducers, broad_phases, layers, panels or studies"}}};
 }
 
 }  // namespace contactscope::app

@@ -126,6 +126,12 @@ std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
   const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& p) {
     return p.a == a && p.b == b && p.label == expected.label;
   });
+  if (pair == frame.pairs.end() && !scenario.broad_phase.empty()) {
+    trace::Pair apart;
+    apart.state = "separated";
+    if (expected.separation) return {{"the boxes of the two are apart", ""}};
+    return unmet(expected, apart, scenario.dt);
+  }
   if (pair == frame.pairs.end()) return {{"the frame has no such pair", ""}};
   return unmet(expected, *pair, scenario.dt);
 }

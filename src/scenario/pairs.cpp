@@ -2,6 +2,7 @@
 #include <set>
 #include <tuple>
 
+#include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "manifold/dispatch.h"
 #include "reduce/reducer.h"
@@ -12,7 +13,8 @@ namespace {
 
 // More points than a solver takes from one manifold.
 constexpr int kMaxPoints = 64;
-constexpr std::size_t kMaxPairs = 4096;  // of one scenario, listed or by default
+constexpr std::size_t kMaxPairs = 4096;           // of one scenario, listed or by default
+constexpr std::size_t kMaxChosenPairs = 1 << 18;  // that a broad phase chooses from
 
 double within_reach(const Value& value, double length) {
   if (length > kLargestLength)
@@ -121,8 +123,20 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
   return pairs;
 }
 
+std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs) {
+  const auto key = world ? world->find("broad_phase") : std::nullopt;
+  if (!key) return "";
+  if (pairs)
+    key->fail(
+        "'broad_phase' chooses among all pairs, and [[pairs]] lists those to run; remove one");
+  const auto name = [](const BroadPhaseInfo& info) -> std::string_view { return info.name; };
+  return key->one_of(mapped(broad_phases(), name), "broad phase");
+}
+
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
-                                     const PipelineSettings& settings, const Value& where) {
+                                     const PipelineSettings& settings, bool chosen,
+                                     const Value& where) {
+  const std::size_t most = chosen ? kMaxChosenPairs : kMaxPairs;
   const bool any_dynamic = std::ranges::any_of(shapes, &ScenarioShape::dynamic);
   const auto dynamic = [&](int i) { return at(shapes, i).dynamic(); };
   const int shape_count = count_of(shapes);
@@ -132,15 +146,18 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
     for (int b = a + 1; b < shape_count; ++b) {
       // What the solver cannot move apart is of interest only where it moves nothing at all.
       if (any_dynamic && !dynamic(a) && !dynamic(b)) continue;
-      if (++count > kMaxPairs) continue;
+      if (++count > most) continue;
       pairs.push_back({a, b, "", settings});
       check_incremental(pairs.back(), shapes, where);
     }
   }
-  if (count > kMaxPairs)
+  if (count > most)
     where.fail(std::to_string(shapes.size()) + " shapes make " + std::to_string(count) +
                " pairs; list those to run, at most " + std::to_string(kMaxPairs) +
-               ", as [[pairs]]");
+               ", as [[pairs]]" +
+               (chosen ? ""
+                       : ", or let [world] broad_phase = \"tree\" choose from at most " +
+                             std::to_string(kMaxChosenPairs)));
   return pairs;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
+#include "broadphase/world_box.h"
 #include "core/at.h"
 #include "core/feature_id.h"
 #include "dynamics/rest.h"
@@ -61,6 +63,16 @@ std::vector<bool> acting_pairs(const Scenario& scenario) {
   return acting;
 }
 
+/// Metres apart up to which two shapes have contacts, or keep old ones.
+double farthest_contact(const Scenario& scenario) {
+  const PipelineSettings& settings =
+      scenario.pairs.front().pipeline;  // a broad phase: of all pairs
+  const double margin = std::max(settings.margin, scenario.solver.speculative_margin.value_or(0));
+  return settings.manifold == ManifoldKind::Incremental
+             ? margin + settings.incremental.breaking_distance
+             : margin;
+}
+
 /// The body of a shape at the start.
 template <class S>
 Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
@@ -101,6 +113,8 @@ Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
       state_(scenario.scalar == Scalar::Double ? decltype(state_)(at_start<double>())
                                                : decltype(state_)(at_start<float>())) {
   for (const ScenarioPair& pair : scenario.pairs) remembers_.push_back(remembers(scenario, pair));
+  for (std::size_t i = 0; !scenario.broad_phase.empty() && i < scenario.pairs.size(); ++i)
+    places_.emplace(BoxPair{scenario.pairs[i].a, scenario.pairs[i].b}, i);
 }
 
 template <class S>
@@ -109,6 +123,7 @@ Runner::State<S> Runner::at_start() const {
   State<S> state;
   state.shapes = std::make_shared<const std::vector<Shape<S>>>(mapped(scenario_->shapes, rounded));
   state.memories.resize(scenario_->pairs.size());
+  state.chooser.phase = make_broad_phase(scenario_->broad_phase);
   if (!dynamic_) return state;
   for (std::size_t i = 0; i < scenario_->shapes.size(); ++i)
     state.bodies.push_back(body_of(scenario_->shapes[i], (*state.shapes)[i]));
@@ -131,6 +146,53 @@ trace::Header Runner::header() const {
       },
       state_);
   return header;
+}
+
+template <class S>
+std::vector<std::size_t> Runner::choose_pairs(State<S>& state, const std::vector<Pose<S>>& poses,
+                                              trace::Frame* record) const {
+  std::vector<std::size_t> chosen;
+  if (!state.chooser.phase) {
+    chosen.resize(scenario_->pairs.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    return chosen;
+  }
+  BroadPhase& phase = *state.chooser.phase;
+  const BroadPhaseCounts before = phase.counts();
+  const double reach = scenario_->pairs.empty() ? 0 : 0.5 * farthest_contact(*scenario_);
+  for (int i = 0; i < count_of(poses); ++i) {
+    Aabb<float> box = world_box(at(*state.shapes, i), at(poses, i), reach);
+    // A body that the solver lost has no place: its contacts tell so, wherever the others are.
+    if (box.empty()) {
+      const Vec3<float> far = Vec3<float>::Constant(std::numeric_limits<float>::infinity());
+      box = {-far, far};
+    }
+    i < phase.handles() ? phase.move(i, box) : void(phase.add(box));
+  }
+  for (const BoxPair& pair : phase.pairs()) {
+    if (const auto place = places_.find(pair); place != places_.end())
+      chosen.push_back(place->second);
+  }
+  for (const std::size_t pair : state.chooser.chosen)
+    if (!std::ranges::binary_search(chosen, pair)) state.memories[pair] = {};
+  state.chooser.chosen = chosen;
+  if (record != nullptr) {
+    const auto since = [&](std::int64_t BroadPhaseCounts::*count) {
+      return static_cast<int>(phase.counts().*count - before.*count);
+    };
+    trace::BroadPhase& facts = record->broad_phase.emplace();
+    facts.method = scenario_->broad_phase;
+    facts.pairs = count_of(chosen);
+    facts.comparisons = since(&BroadPhaseCounts::comparisons);
+    facts.visits = since(&BroadPhaseCounts::visits);
+    facts.swaps = since(&BroadPhaseCounts::swaps);
+    for (int i = 0; i < phase.handles(); ++i) {
+      const Aabb<double> box = phase.box(i).cast<double>();
+      if (is_bounded(phase.box(i)))
+        facts.bounds.push_back({scenario_->shape(i).name, {box.lower, box.upper}});
+    }
+  }
+  return chosen;
 }
 
 /// Shapes of one type are worked on in the order of the file, whichever of them a pair names first:
@@ -209,8 +271,9 @@ void Runner::step(State<S>& state, bool recorded, trace::Frame* result) const {
   }
   if (dynamic_ && recorded) result->solver = solver_facts(state);
 
+  const std::vector<std::size_t> chosen = choose_pairs(state, poses, recorded ? result : nullptr);
   std::vector<Manifolds<S>> contacts(scenario_->pairs.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (const std::size_t i : chosen) {
     if (!result) {
       if (dynamic_ || remembers_[i]) contacts[i] = collide_pair<S>(state, i, poses, nullptr);
       continue;
@@ -231,13 +294,14 @@ void Runner::step(State<S>& state, bool recorded, trace::Frame* result) const {
       record_manifolds<S>(contacts[i], record);
     }
   }
-  if (dynamic_) solve(state, contacts, recorded ? result : nullptr);
+  if (dynamic_) solve(state, contacts, chosen, recorded ? result : nullptr);
   ++state.frame;
 }
 
 template <class S>
 trace::Frame Runner::run(State<S>& state, int frame, bool recorded) const {
-  const bool keeps = dynamic_ || std::ranges::find(remembers_, true) != remembers_.end();
+  const bool keeps = dynamic_ || state.chooser.phase != nullptr ||
+                     std::ranges::find(remembers_, true) != remembers_.end();
   assert(!keeps || frame >= state.frame);
   if (!keeps) state.frame = frame;
   while (state.frame < frame) step(state, false, nullptr);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "broadphase/broad_phase.h"
 #include "core/feature_id.h"
 #include "dynamics/solver.h"
 #include "manifold/dispatch.h"
@@ -51,6 +54,21 @@ class Runner {
     PairCache<S> cache;
     PersistentManifold<S> persistent;
   };
+  /// What chooses pairs, copied with the state; null where all are run.
+  struct Chooser {
+    std::unique_ptr<BroadPhase> phase;
+    std::vector<std::size_t> chosen;  // pairs of the frame before, ascending
+
+    Chooser() = default;
+    Chooser(const Chooser& other)
+        : phase(other.phase ? other.phase->clone() : nullptr), chosen(other.chosen) {}
+    Chooser(Chooser&&) = default;
+    Chooser& operator=(Chooser other) {
+      phase = std::move(other.phase);
+      chosen = std::move(other.chosen);
+      return *this;
+    }
+  };
   /// Before a frame; all that it and the frames after it depend on.
   template <class S>
   struct State {
@@ -59,6 +77,7 @@ class Runner {
     std::vector<Body<S>> bodies;                          // one a shape; of dynamic scenarios alone
     std::vector<PairImpulses<S>> impulses;                // one a pair, likewise
     std::vector<Memory<S>> memories;                      // one a pair
+    Chooser chooser;
   };
 
   template <class S>
@@ -69,6 +88,11 @@ class Runner {
   void step(State<S>& state, bool recorded, trace::Frame* result) const;
   template <class S>
   trace::Frame run(State<S>& state, int frame, bool recorded) const;
+  /// The pairs of this frame, ascending: all, or those whose boxes overlap. What the others kept is
+  /// forgotten. Told in `record` unless that is null.
+  template <class S>
+  std::vector<std::size_t> choose_pairs(State<S>& state, const std::vector<Pose<S>>& poses,
+                                        trace::Frame* record) const;
   /// Writes into `record` unless that is null.
   template <class S>
   Manifolds<S> collide_pair(State<S>& state, std::size_t pair, const std::vector<Pose<S>>& poses,
@@ -81,18 +105,20 @@ class Runner {
   // run_world.cpp: scenarios with dynamic shapes.
   template <class S>
   trace::Solver solver_facts(const State<S>& state) const;
-  /// The solver's step; what it gave the contacts stands in `result` where there is one.
+  /// The solver's step, by the contacts of all pairs; what it gave those that were `chosen` stands in
+  /// `result` where there is one.
   template <class S>
   void solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
-             trace::Frame* result) const;
+             const std::vector<std::size_t>& chosen, trace::Frame* result) const;
 
   const Scenario* scenario_;
   trace::Stages stages_;
-  bool shows_stability_;         // some view
-  bool shows_plots_;             // some view
-  bool dynamic_;                 // some shape is moved by the solver
-  std::vector<bool> acts_;       // one a pair: the solver gets its contacts
-  std::vector<bool> remembers_;  // one a pair: it goes by the frame before
+  bool shows_stability_;                   // some view
+  bool shows_plots_;                       // some view
+  bool dynamic_;                           // some shape is moved by the solver
+  std::vector<bool> acts_;                 // one a pair: the solver gets its contacts
+  std::vector<bool> remembers_;            // one a pair: it goes by the frame before
+  std::map<BoxPair, std::size_t> places_;  // of each pair, where a broad phase chooses
   std::variant<State<float>, State<double>> state_;
 };
 

@@ -83,7 +83,7 @@ trace::Solver Runner::solver_facts(const State<S>& state) const {
 
 template <class S>
 void Runner::solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
-                   trace::Frame* result) const {
+                   const std::vector<std::size_t>& chosen, trace::Frame* result) const {
   const double now = state.frame * scenario_->dt, next = (state.frame + 1) * scenario_->dt;
   const std::vector<Body<S>> before = state.bodies;
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
@@ -111,15 +111,17 @@ void Runner::solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
   for (std::size_t i = 0; i < state.bodies.size(); ++i)
     if (!scenario_->shapes[i].dynamic())
       state.bodies[i].place(collider_pose_at(scenario_->shapes[i], next).template cast<S>());
-  for (std::size_t i = 0; result && i < contacts.size(); ++i) {
-    record_impulses(contacts[i], state.impulses[i], result->pairs[i]);
-    record_relative_velocities(scenario_->pairs[i], before, state.bodies, result->pairs[i]);
+  for (std::size_t k = 0; result && k < chosen.size(); ++k) {
+    const std::size_t i = chosen[k];
+    record_impulses(contacts[i], state.impulses[i], result->pairs[k]);
+    record_relative_velocities(scenario_->pairs[i], before, state.bodies, result->pairs[k]);
   }
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                   \
-  template trace::Solver Runner::solver_facts(const State<S>&) const; \
-  template void Runner::solve(State<S>&, const std::vector<Manifolds<S>>&, trace::Frame*) const;
+#define CONTACTSCOPE_INSTANTIATE(S)                                        \
+  template trace::Solver Runner::solver_facts(const State<S>&) const;      \
+  template void Runner::solve(State<S>&, const std::vector<Manifolds<S>>&, \
+                              const std::vector<std::size_t>&, trace::Frame*) const;
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

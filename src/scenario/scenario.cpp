@@ -60,13 +60,14 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
                                 (scenario.frames - 1) * scenario.dt);
   PipelineSettings settings;
   file.read("pipeline", settings, read_pipeline);
-  if (const auto pairs = file.find("pairs"))
-    scenario.pairs = read_pairs(*pairs, scenario.shapes, settings);
-  else
-    scenario.pairs = every_pair(scenario.shapes, settings, shapes);
+  const auto pairs = file.find("pairs"), world = file.find("world");
+  scenario.broad_phase = read_broad_phase(world, pairs);
+  scenario.pairs =
+      pairs ? read_pairs(*pairs, scenario.shapes, settings)
+            : every_pair(scenario.shapes, settings, !scenario.broad_phase.empty(), shapes);
   scenario.scalar = settings.scalar;
   leave_out_uncollided(scenario);
-  scenario.world = read_world(file.find("world"), scenario.up);
+  scenario.world = read_world(world, scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   warn_of_idle_keys(file, scenario);
   scenario.views = {default_view()};

@@ -133,6 +133,7 @@ struct Scenario {
   std::vector<ScenarioShape> shapes;
   Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
   std::vector<ScenarioPair> pairs;
+  std::string broad_phase;  // chooses from the pairs in each frame; empty: all are run
   WorldSettings world;
   SolverSettings solver;    // settled
   std::vector<View> views;  // at least one
