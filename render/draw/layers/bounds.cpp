@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "draw/layers/box_outline.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/box_outline.h"
 
 /// The boxes by which a broad phase chose the pairs.
 namespace contactscope::draw {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "draw/layers/box_outline.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/box_outline.h"
 #include "draw/scene/swatches.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
