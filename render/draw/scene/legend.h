@@ -60,11 +60,10 @@ class Legend {
 class SwatchPen : public Pen {
  public:
   SwatchPen(const Layout& layout, const Point2& left, Drawing& drawing)
-      : Pen(drawing, layout.scale, kLegendSize), layout_(layout), left_(left) {}
+      : Pen(drawing, layout.scale, kLegendSize), left_(left) {}
 
   static constexpr double kLegendSize = 15;  // of the text
 
-  const Layout& layout() const { return layout_; }
   Point2 at(double right, double down = 0) const {
     return {left_.x + px(right), left_.y + px(down)};
   }
@@ -98,7 +97,6 @@ class SwatchPen : public Pen {
   }
 
  private:
-  const Layout& layout_;
   Point2 left_;
 };
 
