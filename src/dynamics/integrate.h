@@ -40,7 +40,8 @@ Midpoint<S> midpoint_velocity(const Body<S>& body, const Vec3<S>& w, S h) {
   const Vec3<S> momentum = body.inertia * w;
   Midpoint<S> best{w};
   S least = std::numeric_limits<S>::infinity();
-  // Until rounding stops it: what a tolerance would leave has a sign, and would add up.
+  // Newton goes on until rounding stops it: the error that a tolerance leaves would have the
+  // same sign in every step, and add up.
   Vec3<S> m = w;
   for (int i = 0; i < kMostIterations; ++i) {
     const Vec3<S> at_m = body.inertia * m;

@@ -52,12 +52,12 @@ ProjectedPoint<S> projected(const BodyPair<S>& bodies, const ConstraintPoint<S>&
   return result;
 }
 
-/// Moves and turns by a share of it.
+/// Moves a dynamic body by `way`, metres, and turns it by `turn`, radians; both world.
 template <class S>
 void displace(SolverBody<S>& moving, const Vec3<S>& way, const Vec3<S>& turn) {
   if (!moving.body.dynamic()) return;
   moving.moved += way;
-  // The body keeps its angular momentum's place in the world, and turns under it by a trifle.
+  // Velocities stay as they are: so small a turn hardly changes the angular momentum.
   moving.turn(Vec3<S>(S(0.5) * turn));
   moving.turn_inertia();
 }

@@ -100,8 +100,9 @@ class MinkowskiDifference {
   S scale_ = 1, unit_ = 1, per_unit_ = 1;
 };
 
-/// The point with the simplex's weights of one shape, from the heaviest vertex: what rounding the
-/// weights have then meets only differences of vertices.
+/// The weighted mean of a simplex's points on one shape. It is summed up from the heaviest vertex:
+/// the rounding of the weights then multiplies differences of vertices, not their distance from the
+/// origin.
 template <class S>
 Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
   std::size_t heaviest = 0;

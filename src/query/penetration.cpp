@@ -27,7 +27,8 @@ PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3
           .iterations = 1};
 }
 
-/// Two edges, A's from p to q and B's from r to s, have their closest points for deepest ones.
+/// Of two edges that cross, A's from p to q and B's from r to s: the closest points of the edges
+/// are the deepest points of the shapes.
 template <class S>
 PenetrationResult<S> edge_result(S separation, const Vec3<S>& normal, const Vec3<S>& p,
                                  const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& s) {
