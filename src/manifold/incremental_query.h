@@ -49,7 +49,8 @@ CoreFeature simplex_feature(const ShapeCore<S>& core, const GjkSimplex<S>& simpl
   GjkSimplex<S> own = simplex;  // with the core's points where feature_of_b looks for them
   if (!of_b)
     for (GjkVertex<S>& vertex : own.vertices) std::swap(vertex.index_a, vertex.index_b);
-  const int first = own.vertices[0].index_b;
+  const GjkVertex<S>& vertex_0 = simplex.vertices[0];
+  const int first = of_b ? vertex_0.index_b : vertex_0.index_a;
   if (core.kind != ShapeKind::Hull) {
     const bool is_vertex = std::ranges::all_of(
         own.vertices, [&](const GjkVertex<S>& vertex) { return vertex.index_b == first; });

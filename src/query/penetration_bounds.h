@@ -24,8 +24,8 @@ struct DifferencePoint {
 template <class S>
 struct WeightedPairs {
   int count = 0;
-  std::array<IndexPair, 4> pairs;
-  std::array<S, 4> weights;
+  std::array<IndexPair, 4> pairs = {};
+  std::array<S, 4> weights = {};
 
   void add(const IndexPair& pair, S weight) {
     at(pairs, count) = pair;
