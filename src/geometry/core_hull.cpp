@@ -15,12 +15,7 @@ namespace {
 /// The faces of a hull around each of its vertices, counter-clockwise seen from outside.
 std::vector<int> faces_around(const Hull<double>& hull, int vertex) {
   std::vector<int> faces;
-  const int first = at(hull.vertex_edges, vertex);
-  int edge = first;
-  do {
-    faces.push_back(at(hull.half_edges, edge).face);
-    edge = at(hull.half_edges, Hull<double>::twin(edge)).next;  // to the right
-  } while (edge != first);
+  for (const int edge : hull.around_vertex(vertex)) faces.push_back(at(hull.half_edges, edge).face);
   std::ranges::reverse(faces);
   return faces;
 }
@@ -90,14 +85,10 @@ int vertex_that_it_stands_for(const Hull<double>& hull,
 /// The original's edge between two of its faces; else the vertex that `corner` stands for.
 FeatureRef edge_that_it_stands_for(const Hull<double>& hull, int left, int right,
                                    const Corner& corner) {
-  const int first = at(hull.face_edges, left);
-  int edge = first;
-  do {
-    const HalfEdge& half_edge = at(hull.half_edges, edge);
+  for (const int edge : hull.around_face(left)) {
     if (at(hull.half_edges, Hull<double>::twin(edge)).face == right)
       return edge_ref(Owner::A, edge / 2);
-    edge = half_edge.next;
-  } while (edge != first);
+  }
   return vertex_ref(Owner::A, corner.original);
 }
 

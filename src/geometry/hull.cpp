@@ -54,11 +54,8 @@ Hull<T> hull_cast(const Hull<S>& hull) {
 template <class S>
 std::vector<int> face_vertices(const Hull<S>& hull, int face) {
   std::vector<int> vertices;
-  int half_edge = at(hull.face_edges, face);
-  do {
-    vertices.push_back(at(hull.half_edges, half_edge).origin);
-    half_edge = at(hull.half_edges, half_edge).next;
-  } while (half_edge != at(hull.face_edges, face));
+  for (const int edge : hull.around_face(face))
+    vertices.push_back(at(hull.half_edges, edge).origin);
   return vertices;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "core/at.h"
@@ -15,6 +17,36 @@ struct HalfEdge {
   int next;    // next half-edge around the same face, counter-clockwise seen from outside
   int face;    // face on its left
 };
+
+/// Half-edges that lie in a ring, each once, as a range: `next` of a half-edge is the one after it.
+template <class Next>
+struct EdgeRing {
+  struct Iterator {
+    using value_type = int;
+    using difference_type = std::ptrdiff_t;
+
+    int operator*() const { return edge; }
+    Iterator& operator++() {
+      edge = ring->next(edge);
+      is_round = edge == ring->first;
+      return *this;
+    }
+    void operator++(int) { ++*this; }
+    bool operator==(std::default_sentinel_t) const { return is_round; }
+
+    const EdgeRing* ring;
+    int edge;
+    bool is_round = false;
+  };
+
+  Iterator begin() const { return {this, first}; }
+  std::default_sentinel_t end() const { return {}; }
+
+  int first;
+  Next next;
+};
+template <class Next>
+EdgeRing(int, Next) -> EdgeRing<Next>;
 
 /// Vertices and planes of a hull once more, as the loops over lanes read them (see lanes.h).
 template <class S>
@@ -56,6 +88,16 @@ struct Hull {
     return at(vertices, at(half_edges, half_edge).origin);
   }
   const Vec3<S>& target(int half_edge) const { return origin(twin(half_edge)); }
+
+  /// The half-edges of a face, counter-clockwise seen from outside, from its face_edges entry on.
+  auto around_face(int face) const {
+    return EdgeRing{at(face_edges, face), [this](int edge) { return at(half_edges, edge).next; }};
+  }
+  /// The half-edges that leave a vertex, clockwise seen from outside, from its vertex_edges entry on.
+  auto around_vertex(int vertex) const {
+    return EdgeRing{at(vertex_edges, vertex),
+                    [this](int edge) { return at(half_edges, twin(edge)).next; }};
+  }
 };
 
 /// Makes `hull.lanes` from its vertices and planes. Whoever changes those calls it anew.
@@ -67,7 +109,7 @@ void lay_out(Hull<S>& hull);
 template <class T, class S>
 Hull<T> hull_cast(const Hull<S>& hull);
 
-/// Vertex indices of a face, counter-clockwise seen from outside, starting at its face_edges entry.
+/// Vertex indices of a face, counter-clockwise seen from outside, in the order of around_face.
 template <class S>
 std::vector<int> face_vertices(const Hull<S>& hull, int face);
 

@@ -19,15 +19,12 @@ template <class Placed>
 void face_polygon(const Placed& hull, Owner owner, int face,
                   ClipPolygon<typename Placed::Scalar>& polygon) {
   polygon.clear();
-  const int start = at(hull.hull.face_edges, face);
-  int edge = start;
   EdgeKey arriving{};
-  do {
+  for (const int edge : hull.hull.around_face(face)) {
     const EdgeKey leaving = edge_key(owner, edge);
     polygon.push_back({hull.origin(edge), leaving, Crossing::of(arriving, leaving)});
     arriving = leaving;
-    edge = hull.half_edge(edge).next;
-  } while (edge != start);
+  }
   // Only now is the edge known that arrives at the first corner.
   polygon[0].crossing = Crossing::of(arriving, polygon[0].leaving);
 }

@@ -44,17 +44,6 @@ S measured_separation(const HullPair<S>& pair, const Vec3<S>& normal) {
   return normal.dot(Vec3<S>(on_b - on_a));
 }
 
-/// Calls visit(half_edge) for those that leave a vertex.
-template <class S, class Visit>
-void edges_around(const PlacedHull<S>& hull, int vertex, const Visit& visit) {
-  const int first = at(hull.hull.vertex_edges, vertex);
-  int edge = first;
-  do {
-    visit(edge);
-    edge = hull.half_edge(Hull<S>::twin(edge)).next;
-  } while (edge != first);
-}
-
 /// Of the edges at both support vertices the pair whose cross product is nearest to the normal.
 template <class S>
 EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
@@ -62,20 +51,20 @@ EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const Vec3<S>& normal) {
   const int vertex_b = farthest(pair.b.vertices, Vec3<S>(-normal));
   EdgeQuery<S> best;
   S most = S(0);
-  edges_around(pair.a, vertex_a, [&](int edge_a) {
+  for (const int edge_a : pair.a.hull.around_vertex(vertex_a)) {
     const Vec3<S> along_a = pair.a.direction(edge_a);
-    edges_around(pair.b, vertex_b, [&](int edge_b) {
+    for (const int edge_b : pair.b.hull.around_vertex(vertex_b)) {
       const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
       const S sine = cross.norm();
-      if (sine < kParallelSine<S>) return;
+      if (sine < kParallelSine<S>) continue;
       const S along = normal.dot(cross) / sine;
-      if (!(std::abs(along) > most)) return;
+      if (!(std::abs(along) > most)) continue;
       most = std::abs(along);
       best.edge_a = edge_a & ~1;
       best.edge_b = edge_b & ~1;
       best.normal = along < S(0) ? Vec3<S>(-cross / sine) : Vec3<S>(cross / sine);
-    });
-  });
+    }
+  }
   if (best.edge_a >= 0) best.separation = measured_separation(pair, best.normal);
   return best;
 }

@@ -86,12 +86,7 @@ void for_each_edge(const Hull<S>& hull, const HullFeature& feature, const Visit&
     visit(Hull<S>::twin(feature.index));
     return;
   }
-  const int first = at(hull.vertex_edges, feature.index);
-  int edge = first;
-  do {
-    visit(edge);
-    edge = at(hull.half_edges, Hull<S>::twin(edge)).next;
-  } while (edge != first);
+  for (const int edge : hull.around_vertex(feature.index)) visit(edge);
 }
 
 /// The face at an edge or a vertex that looks along the normal, nearly; -1 if none does.

@@ -28,12 +28,8 @@ using Sides = StaticVector<Side<S>, kMaxFaceVertices>;
 /// divisions then overlap, where between clips each would wait for the branches of the last one.
 template <class Placed, class S>
 void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
-  const int start = at(hull.hull.face_edges, face);
-  int edge = start;
-  do {
+  for (const int edge : hull.hull.around_face(face))
     sides.push_back({side_plane(hull, edge), edge_key(owner, edge)});
-    edge = hull.half_edge(edge).next;
-  } while (edge != start);
 }
 
 /// The two edges of a face that meet at one of its vertices.
@@ -51,19 +47,16 @@ FeatureId corner_id(const PlacedHull<S>& hull, Owner owner, int face, int vertex
 
 template <class Placed, class S>
 int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal) {
-  const int start = at(hull.hull.vertex_edges, support);
-  int edge = start;
-  int best = hull.half_edge(start).face;
+  int best = hull.half_edge(at(hull.hull.vertex_edges, support)).face;
   S least = std::numeric_limits<S>::infinity();
-  do {
+  for (const int edge : hull.hull.around_vertex(support)) {
     const int face = hull.half_edge(edge).face;
     const S along = reference_normal.dot(hull.normal(face));
     if (along < least) {
       least = along;
       best = face;
     }
-    edge = hull.half_edge(Hull<S>::twin(edge)).next;
-  } while (edge != start);
+  }
   return best;
 }
 

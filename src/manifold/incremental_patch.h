@@ -125,13 +125,9 @@ bool holds(const SupportFeature<S>& feature, const PatchVec2<S>& point, S tolera
 /// The edge of a hull between two of its vertices, half-edge / 2; -1 where there is none.
 template <class S>
 int edge_between(const Hull<S>& hull, int one, int other) {
-  const int first = at(hull.vertex_edges, one);
-  int edge = first;
-  do {
-    const int twin = Hull<S>::twin(edge);
-    if (at(hull.half_edges, twin).origin == other) return edge / 2;
-    edge = at(hull.half_edges, twin).next;
-  } while (edge != first);
+  for (const int edge : hull.around_vertex(one)) {
+    if (at(hull.half_edges, Hull<S>::twin(edge)).origin == other) return edge / 2;
+  }
   return -1;
 }
 

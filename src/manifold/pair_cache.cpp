@@ -292,13 +292,10 @@ void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hu
 
   cache.incident = incident_face(other_hull, query.support, plane.normal);
   next = std::numeric_limits<S>::infinity();
-  const int start = at(other_hull.hull.vertex_edges, query.support);
-  int edge = start;
-  do {
+  for (const int edge : other_hull.hull.around_vertex(query.support)) {
     const int face = other_hull.half_edge(edge).face;
     if (face != cache.incident) next = std::min(next, plane.normal.dot(other_hull.normals[face]));
-    edge = other_hull.half_edge(Hull<S>::twin(edge)).next;
-  } while (edge != start);
+  }
   cache.incident_clearance = next - plane.normal.dot(other_hull.normals[cache.incident]) -
                              S(32) * std::numeric_limits<S>::epsilon();
 }

@@ -37,11 +37,9 @@ void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start,
               const Visit& visit) {
   int vertex = start;
   for (int step = 0; step < b.vertex_count() && vertex != end; ++step) {
-    const int first = at(b.vertex_edges, vertex);
     int leaving = -1;
     S leaving_t = S(2);
-    int edge = first;
-    do {
+    for (const int edge : b.around_vertex(vertex)) {
       const Vec3<S> along = b.target(edge) - b.origin(edge);
       const S f2 = a2.dot(along);
       if (f2 < S(0)) {
@@ -52,8 +50,7 @@ void walk_arc(const Hull<S>& b, const Vec3<S>& a1, const Vec3<S>& a2, int start,
           leaving = edge;
         }
       }
-      edge = at(b.half_edges, Hull<S>::twin(edge)).next;
-    } while (edge != first);
+    }
     if (leaving < 0) return;  // as deep as `end`
     visit(leaving);
     vertex = at(b.half_edges, Hull<S>::twin(leaving)).origin;

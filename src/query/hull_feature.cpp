@@ -17,13 +17,8 @@ bool has(const Corners& corners, int vertex) {
 template <class S>
 bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
   std::size_t found = 0;
-  const int first = at(hull.face_edges, face);
-  int edge = first;
-  do {
-    const HalfEdge& half_edge = at(hull.half_edges, edge);
-    found += has(corners, half_edge.origin) ? 1 : 0;
-    edge = half_edge.next;
-  } while (edge != first);
+  for (const int edge : hull.around_face(face))
+    found += has(corners, at(hull.half_edges, edge).origin) ? 1 : 0;
   return found == corners.size();
 }
 
@@ -72,47 +67,38 @@ HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   if (corners.size() == 1) return {FeatureKind::Vertex, corners[0]};
 
   HullFeature face{FeatureKind::Face, -1};
-  const int first = at(hull.vertex_edges, corners[0]);
-  int edge = first;
-  do {
-    const HalfEdge& half_edge = at(hull.half_edges, edge);
-    const HalfEdge& twin = at(hull.half_edges, Hull<S>::twin(edge));
-    if (corners.size() == 2 && twin.origin == corners[1]) return {FeatureKind::Edge, edge};
-    if (face.index < 0 && has_all(hull, half_edge.face, corners)) face.index = half_edge.face;
-    edge = twin.next;
-  } while (edge != first);
+  for (const int edge : hull.around_vertex(corners[0])) {
+    const int target = at(hull.half_edges, Hull<S>::twin(edge)).origin;
+    if (corners.size() == 2 && target == corners[1]) return {FeatureKind::Edge, edge};
+    const int left = at(hull.half_edges, edge).face;
+    if (face.index < 0 && has_all(hull, left, corners)) face.index = left;
+  }
   return face;
 }
 
 template <class S>
 int edge_beside(const Hull<S>& hull, int face, const Vec3<S>& point) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
-  const int first = at(hull.face_edges, face);
-  int best = first;
+  int best = at(hull.face_edges, face);
   S farthest = S(0);  // squared
-  int edge = first;
-  do {
+  for (const int edge : hull.around_face(face)) {
     const S outside = Side<S>(hull, edge, normal).distance(point);  // times the edge's length
     const S squared_length = (hull.target(edge) - hull.origin(edge)).squaredNorm();
     if (outside > S(0) && outside * outside / squared_length > farthest) {
       farthest = outside * outside / squared_length;
       best = edge;
     }
-    edge = at(hull.half_edges, edge).next;
-  } while (edge != first);
+  }
   return best;
 }
 
 template <class S>
 bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
-  const int first = at(hull.face_edges, face);
-  int edge = first;
-  do {
+  for (const int edge : hull.around_face(face)) {
     const Side<S> side(hull, edge, normal);
     if (side.distance(point) > thickness * side.length) return false;
-    edge = at(hull.half_edges, edge).next;
-  } while (edge != first);
+  }
   return true;
 }
 
@@ -121,13 +107,11 @@ ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&e
                                 S thickness) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   ClippedSegment<S> clipped;
-  const int first = at(hull.face_edges, face);
-  int edge = first;
-  do {
+  for (const int edge : hull.around_face(face)) {
     const Side<S> side(hull, edge, normal);
     cut(side.distance(ends[0]), side.distance(ends[1]), thickness * side.length, edge, clipped);
-    edge = at(hull.half_edges, edge).next;
-  } while (edge != first && !clipped.empty());
+    if (clipped.empty()) break;
+  }
   return clipped;
 }
 
