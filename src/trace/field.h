@@ -211,10 +211,14 @@ concept Listed = requires {
   ListOf<T>::fields();
 };
 
+/// The list as a constant: whoever walks it does not make it first.
+template <Listed T>
+inline constexpr auto kFieldsOf = ListOf<T>::fields();
+
 /// Calls `visit` with each field of T, in order.
 template <Listed T, class Visit>
 constexpr void each_field(Visit&& visit) {
-  std::apply([&](const auto&... fields) { (visit(fields), ...); }, ListOf<T>::fields());
+  std::apply([&](const auto&... fields) { (visit(fields), ...); }, kFieldsOf<T>);
 }
 
 /// Whether a struct stands in an object under its name.
