@@ -3,15 +3,6 @@
 #include "query/sat.h"
 
 namespace contactscope {
-namespace {
-
-template <class S>
-EdgeQueryRecord<S>* edge_query(Recorder<S>* recorder) {
-  return recorder ? recorder->edge_query() : nullptr;
-}
-
-}  // namespace
-
 /// Gregorius 2015, SAT( manifold, hullA, hullB ), and "Hull vs Hull: Temporal Coherence".
 template <class S>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
@@ -36,10 +27,10 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   const HullPair<S> pair(a, b, b_in_a);
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
-  const SatResult<S> axes = sat(pair, options.margin, options.preference, faces_a, faces_b,
-                                preferred, edge_query(recorder));
+  const SatResult<S> axes =
+      sat(pair, options.margin, options.preference, faces_a, faces_b, preferred);
   if (recorder) [[unlikely]]
-    recorder->axes(pair, axes, options.preference);
+    recorder->axes(pair, faces_a, axes, options.preference);
   if (axes.status == SatStatus::Touching) {
     create_contact(pair, axes, options.margin, options.preference, contact, recorder);
     if (recorder) [[unlikely]]

@@ -1,5 +1,6 @@
 #include "manifold/recorder.h"
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -32,10 +33,12 @@ std::string reducer_name(Reducer<S> reducer) {
 /// What was chosen, held against the best that as many points can span.
 void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, int max_points,
              trace::Reduction& reduction) {
+  const bool all_kept = reduction.kept.size() == points.size();
+  if (all_kept && points.size() < 3) return;  // they span no area
   std::vector<Vec3d> all;
   for (const ContactPoint<double>& point : points) all.push_back(point.position);
-  if (reduction.kept.size() == points.size()) {  // nothing was chosen
-    reduction.area = points.size() < 3 ? 0 : convex_area(all, normal);
+  if (all_kept) {
+    reduction.area = convex_area(all, normal);
     reduction.best_area =
         count_of(points) <= max_points ? reduction.area : best_convex_area(all, normal, max_points);
     return;
@@ -60,15 +63,13 @@ trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
   return result;
 }
 
+/// The edge query looks only for what beats the faces, and passes over the rest in whole arcs. Two
+/// questions that pictures ask are beyond that, and asked here: the best pair where none beats the
+/// faces, and all crossings. A query that kept both as it ran would cost a watched pair with an edge
+/// contact half its time again.
 template <class S>
-EdgeQueryRecord<S>* Recorder<S>::edge_query() {
-  if (!stages_.sat) return nullptr;
-  edge_query_.keeps_crossings = stages_.gauss_map;
-  return &edge_query_;
-}
-
-template <class S>
-void Recorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference) {
+void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
+                       const SatResult<S>& axes, Preference preference) {
   if (!stages_.sat) return;
   trace::Sat& sat = pair_.sat.emplace();
   sat.chosen = to_string(axes.chosen);
@@ -85,13 +86,18 @@ void Recorder<S>::axes(const HullPair<S>& pair, const SatResult<S>& axes, Prefer
                                  direction(Vec3<S>(-pair.b.normals[query.face])),
                                  point(pair.a.vertices[query.support])};
   }
-  for (const EdgeQuery<S>& query : edge_query_.crossings) {
-    sat.edge_pairs.push_back(
-        {query.edge_a / 2, query.edge_b / 2, query.separation, direction(query.normal)});
+  if (stages_.gauss_map) {
+    for (const EdgeQuery<S>& query : all_crossings(pair, faces_a)) {
+      sat.edge_pairs.push_back(
+          {query.edge_a / 2, query.edge_b / 2, query.separation, direction(query.normal)});
+    }
   }
-  // The query looks for what beats the faces. Where nothing does, a picture shows its best pair.
-  const EdgeQuery<S>& query = axes.edge.edge_a >= 0 ? axes.edge : edge_query_.best;
-  if (axes.queries_run < 3 || query.edge_a < 0) return;
+  if (axes.queries_run < 3) return;
+  EdgeQuery<S> query = axes.edge;
+  if (query.edge_a < 0) {
+    query = query_edges(pair, faces_a, -std::numeric_limits<S>::infinity(), axes.tie);
+  }
+  if (query.edge_a < 0) return;
   const ClosestPoints<S> closest = closest_points(pair.a, pair.b, query);
   sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,
                              direction(query.normal), point(closest.on_a), point(closest.on_b)};

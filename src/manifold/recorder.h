@@ -40,9 +40,9 @@ class Recorder {
   Recorder(const ToWorld<S>& to_world, const trace::Stages& stages, trace::Pair& pair)
       : to_world_(to_world), stages_(stages), pair_(pair) {}
 
-  /// Where the edge query leaves what it looked at.
-  EdgeQueryRecord<S>* edge_query();
-  void axes(const HullPair<S>& pair, const SatResult<S>& axes, Preference preference);
+  /// `faces_a` is what the face query left for A.
+  void axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const SatResult<S>& axes,
+            Preference preference);
   /// What the pair's cache held was tried.
   void cache(const CacheAnswer<S>& answer);
   /// `reference` owns the first face.
@@ -97,7 +97,6 @@ class Recorder {
   ToWorld<S> to_world_;
   trace::Stages stages_;
   trace::Pair& pair_;
-  EdgeQueryRecord<S> edge_query_;
   GjkRun<S> gjk_run_;
   PenetrationSteps<S> penetration_steps_;
 };

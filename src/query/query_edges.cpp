@@ -26,6 +26,11 @@ struct ArcEnd {
   S separation;  // metres
 };
 
+template <class S>
+ArcEnd<S> end_at(const FaceSeparations<S>& faces_a, int face) {
+  return {faces_a.support(face), faces_a.separation(face)};
+}
+
 /// `direction` is unit, and `on_a` a support point of A along it.
 template <class S>
 ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3<S>& on_a) {
@@ -101,111 +106,53 @@ template <class S>
   return true;
 }
 
-/// A crossing as the record has it: by the distance between a point of each edge.
-template <class S>
-void tell(const HullPair<S>& pair, const Arc<S>& arc, const Vec3<S>& along_a, int edge_b, S tie,
-          EdgeQueryRecord<S>& record) {
-  if (measure(pair, arc, along_a, edge_b, record.to_beat, record.best))
-    record.to_beat = record.best.separation + tie;
-  if (!record.keeps_crossings) return;
-  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
-  const S sine = cross.norm();
-  if (sine < kParallelSine<S>) return;
-  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
-  const Vec3<S> between = pair.b.origin(edge_b) - arc.on_edge;
-  record.crossings.push_back({arc.half_edge, edge_b, normal.dot(between), normal});
-}
-
-/// Whether somebody watches is a template parameter in this loop alone: a test of the pointer for every
-/// arc and crossing is 2 % of the instructions of two hulls of 32 vertices. Where somebody does, arcs
-/// that are left out are walked for the record.
-template <bool kWatched, class S>
-EdgeQuery<S> search_arcs(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor, S tie,
-                         EdgeQueryRecord<S>* record) {
-  const PlacedHull<S>& a = pair.a;
-  const PlacedHull<S>& b = pair.b;
-  const Mat3<S> a_to_b = b.rotation.transpose();
-  EdgeQuery<S> best;
-  S to_beat = floor;
-  // The record's own best is only told where nothing beats the faces.
-  const auto is_told = [&] { return best.edge_a < 0 || record->keeps_crossings; };
-
-  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
-    const int first = a.half_edge(edge).face;
-    const int second = a.half_edge(edge + 1).face;
-    const int start = faces_a.support(first);
-    const int end = faces_a.support(second);
-    if (start == end) continue;
-
-    const Arc<S> arc{edge, a.normals[first], a.normals[second], a.origin(edge)};
-    const auto stays_below = [&](S bound) {
-      return arc_stays_below(arc, faces_a.separation(first), faces_a.separation(second),
-                             b.vertices[start], b.vertices[end], std::min(bound, S(0)));
-    };
-    const bool left_out = stays_below(to_beat);
-    if (left_out) {
-      if constexpr (!kWatched) continue;
-      if (!is_told() || (!record->keeps_crossings && stays_below(record->to_beat))) continue;
-    }
-
-    const Vec3<S> along_a = a.direction(edge);
-    const Vec3<S> first_in_b = a_to_b * arc.first;
-    const Vec3<S> second_in_b = a_to_b * arc.second;
-    walk_arc(b.hull, first_in_b, second_in_b, start, end, [&](int edge_b) {
-      if constexpr (kWatched)
-        if (is_told()) tell(pair, arc, along_a, edge_b, tie, *record);
-      if (kWatched && left_out) return;
-      if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
-    });
-  }
-  return best;
-}
-
 /// Calls visit(arc, start, end) for every edge of a flat A, each end of an arc with the separation
 /// there and B's support vertex. The two faces of a flat hull are half a turn apart, and their normals
 /// alone do not say on which way; its arcs come as two quarters, by way of the direction in the plane
 /// that points away from the edge.
 template <class S, class Visit>
-void for_each_arc(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const Visit& visit) {
+void each_arc_of_flat(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
+                      const Visit& visit) {
   const PlacedHull<S>& a = pair.a;
-  const auto end_at = [&](int face) {
-    return ArcEnd<S>{faces_a.support(face), faces_a.separation(face)};
-  };
   for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
     const int first = a.half_edge(edge).face;
     const int second = a.half_edge(edge + 1).face;
     const Vec3<S> on_edge = a.origin(edge);
     const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
     const ArcEnd<S> middle = end_along(pair.b, side, on_edge);
-    visit(Arc<S>{edge, a.normals[first], side, on_edge}, end_at(first), middle);
-    visit(Arc<S>{edge, side, a.normals[second], on_edge}, middle, end_at(second));
+    visit(Arc<S>{edge, a.normals[first], side, on_edge}, end_at(faces_a, first), middle);
+    visit(Arc<S>{edge, side, a.normals[second], on_edge}, middle, end_at(faces_a, second));
   }
 }
 
-/// The edge query where A is flat.
-template <class S>
-EdgeQuery<S> query_edges_of_flat(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
-                                 S floor, S tie, EdgeQueryRecord<S>* record) {
-  const Mat3<S> a_to_b = pair.b.rotation.transpose();
-  EdgeQuery<S> best;
-  S to_beat = floor;
-  for_each_arc(pair, faces_a, [&](const Arc<S>& arc, const ArcEnd<S>& start, const ArcEnd<S>& end) {
+/// Calls visit(arc, along_a, edge_b) for every edge of A and each edge of B whose arc crosses its arc,
+/// but for arcs on which no separation can be larger than `to_beat`, which `visit` may raise.
+template <class S, class Visit>
+void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const S& to_beat,
+                   const Visit& visit) {
+  const PlacedHull<S>& a = pair.a;
+  const PlacedHull<S>& b = pair.b;
+  const Mat3<S> a_to_b = b.rotation.transpose();
+  const auto walk = [&](const Arc<S>& arc, const ArcEnd<S>& start, const ArcEnd<S>& end) {
     if (start.support == end.support) return;
-    const bool left_out =
-        arc_stays_below(arc, start.separation, end.separation, pair.b.vertices[start.support],
-                        pair.b.vertices[end.support], std::min(to_beat, S(0)));
-    if (left_out && record == nullptr) return;
-    const Vec3<S> along_a = pair.a.direction(arc.half_edge);
+    if (arc_stays_below(arc, start.separation, end.separation, b.vertices[start.support],
+                        b.vertices[end.support], std::min(to_beat, S(0))))
+      return;
+    const Vec3<S> along_a = a.direction(arc.half_edge);
     const Vec3<S> first_in_b = a_to_b * arc.first;
     const Vec3<S> second_in_b = a_to_b * arc.second;
-    walk_arc(pair.b.hull, first_in_b, second_in_b, start.support, end.support, [&](int edge_b) {
-      if (record != nullptr) [[unlikely]]
-        tell(pair, arc, along_a, edge_b, tie, *record);
-      if (left_out) return;
-      if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
-    });
-  });
-  return best;
+    walk_arc(b.hull, first_in_b, second_in_b, start.support, end.support,
+             [&](int edge_b) { visit(arc, along_a, edge_b); });
+  };
+  if (a.hull.flat()) [[unlikely]]
+    return each_arc_of_flat(pair, faces_a, walk);
+  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
+    const int first = a.half_edge(edge).face;
+    const int second = a.half_edge(edge + 1).face;
+    if (faces_a.support(first) == faces_a.support(second)) continue;
+    walk(Arc<S>{edge, a.normals[first], a.normals[second], a.origin(edge)}, end_at(faces_a, first),
+         end_at(faces_a, second));
+  }
 }
 
 /// The edge at a vertex of a flat hull that is less parallel to a direction.
@@ -227,12 +174,30 @@ int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction)
 /// 2. leave out arcs that cannot hold a larger separation than the best so far;
 /// 3. walk the arc, and measure each crossing.
 template <class S>
-EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor, S tie,
-                         EdgeQueryRecord<S>* record) {
-  if (pair.a.hull.flat()) [[unlikely]]
-    return query_edges_of_flat(pair, faces_a, floor, tie, record);
-  return record == nullptr ? search_arcs<false>(pair, faces_a, floor, tie, record)
-                           : search_arcs<true>(pair, faces_a, floor, tie, record);
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
+                         S tie) {
+  EdgeQuery<S> best;
+  S to_beat = floor;
+  each_crossing(pair, faces_a, to_beat, [&](const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
+    if (measure(pair, arc, along_a, edge_b, to_beat, best)) to_beat = best.separation + tie;
+  });
+  return best;
+}
+
+template <class S>
+std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair,
+                                        const FaceSeparations<S>& faces_a) {
+  std::vector<EdgeQuery<S>> crossings;
+  each_crossing(pair, faces_a, -std::numeric_limits<S>::infinity(),
+                [&](const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
+                  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
+                  const S sine = cross.norm();
+                  if (sine < kParallelSine<S>) return;
+                  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
+                  const Vec3<S> between = pair.b.origin(edge_b) - arc.on_edge;
+                  crossings.push_back({arc.half_edge, edge_b, normal.dot(between), normal});
+                });
+  return crossings;
 }
 
 template <class S>
@@ -261,5 +226,7 @@ template decltype(query_sides<float>) query_sides<float>;
 template decltype(query_sides<double>) query_sides<double>;
 template decltype(query_edges<float>) query_edges<float>;
 template decltype(query_edges<double>) query_edges<double>;
+template decltype(all_crossings<float>) all_crossings<float>;
+template decltype(all_crossings<double>) all_crossings<double>;
 
 }  // namespace contactscope

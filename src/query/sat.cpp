@@ -29,43 +29,27 @@ AxisKind deepest_axis(const SatResult<S>& queries) {
   return kind;
 }
 
-/// A picture of the Gauss map shows all crossings, also where a face has settled the test.
-template <class S>
-void tell_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S tie,
-                    EdgeQueryRecord<S>& record) {
-  if (record.keeps_crossings)
-    query_edges(pair, faces_a, std::numeric_limits<S>::infinity(), tie, &record);
-}
-
 }  // namespace
 
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred,
-                 EdgeQueryRecord<S>* record) {
-  const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
+                 FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b, Owner preferred) {
   SatResult<S> result;
+  const S tie = preference == Preference::Relative ? tie_tolerance(pair.scale) : S(0);
+  result.tie = tie;
 
   result.face_a = query_faces(pair.a, pair.b, tie, faces_a);
   result.queries_run = 1;
   result.chosen = result.deepest = AxisKind::FaceA;
-  if (result.face_a.separation > margin) {  // we found a separating axis
-    if (record != nullptr) [[unlikely]]
-      tell_crossings(pair, faces_a, tie, *record);
-    return result;
-  }
+  if (result.face_a.separation > margin) return result;  // we found a separating axis
 
   result.face_b = query_faces(pair.b, pair.a, tie, faces_b);
   result.queries_run = 2;
   result.chosen = result.deepest = AxisKind::FaceB;
-  if (result.face_b.separation > margin) {  // we found a separating axis
-    if (record != nullptr) [[unlikely]]
-      tell_crossings(pair, faces_a, tie, *record);
-    return result;
-  }
+  if (result.face_b.separation > margin) return result;  // we found a separating axis
 
   const S floor = std::max(result.face_a.separation, result.face_b.separation);
-  result.edge = query_edges(pair, faces_a, floor, tie, record);
+  result.edge = query_edges(pair, faces_a, floor, tie);
   result.queries_run = 3;
   result.chosen = result.deepest = AxisKind::EdgeEdge;
   const bool has_edge = result.edge.edge_a >= 0;
@@ -90,17 +74,16 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
 }
 
 template <class S>
-SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred,
-                 EdgeQueryRecord<S>* record) {
+SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference, Owner preferred) {
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
-  return sat(pair, margin, preference, faces_a, faces_b, preferred, record);
+  return sat(pair, margin, preference, faces_a, faces_b, preferred);
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                 \
   template SatResult<S> sat(const HullPair<S>&, S, Preference, FaceSeparations<S>&, \
-                            FaceSeparations<S>&, Owner, EdgeQueryRecord<S>*);       \
-  template SatResult<S> sat(const HullPair<S>&, S, Preference, Owner, EdgeQueryRecord<S>*);
+                            FaceSeparations<S>&, Owner);                            \
+  template SatResult<S> sat(const HullPair<S>&, S, Preference, Owner);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

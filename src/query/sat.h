@@ -29,16 +29,6 @@ struct EdgeQuery {
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame
 };
 
-/// Record of an edge query. Whoever watches sees every pair of edges whose arcs cross on the Gauss
-/// map, also those that the query can leave out because a face beats them.
-template <class S>
-struct EdgeQueryRecord {
-  EdgeQuery<S> best;  // of all pairs, whether or not it beats the faces
-  S to_beat = -std::numeric_limits<S>::infinity();
-  bool keeps_crossings = false;         // for pictures of the whole Gauss map
-  std::vector<EdgeQuery<S>> crossings;  // in the order of A's edges
-};
-
 /// For every face of one hull the distance of the other hull's support vertex, and that vertex, as
 /// lanes. The index is held in S, which holds every index below 2^24 exactly, so that both fill
 /// the same vector registers.
@@ -68,6 +58,7 @@ struct SatResult {
   AxisKind chosen = AxisKind::FaceA;   // see SatStatus
   AxisKind deepest = AxisKind::FaceA;  // the axis of largest separation, whatever is preferred
   int queries_run = 0;                 // 1 to 3
+  S tie = 0;                           // metres: by this much a pair had to beat an earlier one
   FaceQuery<S> face_a;
   FaceQuery<S> face_b;
   EdgeQuery<S> edge;
@@ -89,10 +80,15 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
 /// whose separation is larger than `floor`; none when there is no such pair. A pair must beat an
 /// earlier one by more than `tie` (metres, >= 0) to replace it. `faces_a` is what query_faces found
 /// for A. Nearly parallel edges, whose cross product says little, are measured with support points
-/// (see tolerance.h). `record` is null when nobody watches.
+/// (see tolerance.h).
 template <class S>
-EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor, S tie,
-                         EdgeQueryRecord<S>* record = nullptr);
+EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
+                         S tie);
+
+/// Every edge pair that forms a face of the Minkowski difference, in the order of A's edges. The
+/// pipeline has no need of them all: they are for pictures of the Gauss map.
+template <class S>
+std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair, const FaceSeparations<S>& faces_a);
 
 /// Of two flat hulls: the direction in the plane of either, away from one of its edges, along which
 /// they are farthest apart. Flat hulls side by side on one plane are separated by no other axis: their
@@ -102,15 +98,15 @@ EdgeQuery<S> query_sides(const HullPair<S>& pair);
 
 /// Runs the queries and chooses the axis. Separated when an axis is found along which the hulls are
 /// more than `margin` (metres, >= 0) apart. Of faces that are nearly as deep those of `preferred`
-/// come first. `record` is null when nobody watches.
+/// come first.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
-                 Owner preferred = Owner::A, EdgeQueryRecord<S>* record = nullptr);
+                 Owner preferred = Owner::A);
 
 /// The same, and leaves what the face queries that ran have measured.
 template <class S>
 SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
                  FaceSeparations<S>& faces_a, FaceSeparations<S>& faces_b,
-                 Owner preferred = Owner::A, EdgeQueryRecord<S>* record = nullptr);
+                 Owner preferred = Owner::A);
 
 }  // namespace contactscope

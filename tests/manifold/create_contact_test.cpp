@@ -30,12 +30,13 @@ struct Made {
 Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   Made made;
   const HullPair<double> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
-  made.axes = sat(placed, 0.1, Preference::None);
+  FaceSeparations<double> faces_a(placed.a), faces_b(placed.b);
+  made.axes = sat(placed, 0.1, Preference::None, faces_a, faces_b);
   made.axes.status = SatStatus::Touching;
   made.axes.chosen = chosen;
   made.axes.deepest = deepest;
   Recorder<double> recorder(ToWorld<double>(pair.pose_a), {}, made.record);
-  recorder.axes(placed, made.axes, Preference::None);
+  recorder.axes(placed, faces_a, made.axes, Preference::None);
   create_contact(placed, made.axes, 0.0, Preference::None, made.contact, &recorder);
   return made;
 }
