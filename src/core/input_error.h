@@ -19,4 +19,10 @@ class InputError : public std::runtime_error {
   }
 };
 
+/// A hull or a mesh cannot be made from what was given: what() says why, and what would be right.
+/// Geometry knows no file; whoever reads one catches this and adds the place.
+struct ShapeError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace contactscope

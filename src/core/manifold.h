@@ -38,6 +38,38 @@ constexpr AxisKind mirrored(AxisKind kind) {
   return kind;
 }
 
+/// Which axis of the separating axis test wins when several are nearly as deep.
+enum class Preference {
+  /// Faces of A before faces of B before edge pairs, on meshes the triangle's face first, as long as
+  /// the preferred axis is deeper by at most 5% of the depth or 0.2% of the smaller hull's radius,
+  /// whichever is larger. An edge contact has one point, and features that change between frames
+  /// break warm starting. Catto 2007, "Feature Flip-Flop"; Gregorius 2015, "Hull vs Hull: Feature
+  /// Flip-Flop".
+  Relative,
+  /// The axis of true minimum penetration.
+  None,
+};
+
+/// "relative", "none", as scenarios and traces spell it.
+constexpr const char* to_string(Preference preference) {
+  return preference == Preference::Relative ? "relative" : "none";
+}
+
+/// How deep two overlapping hulls are in each other, and along which normal, is found by
+/// (Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "Deep Contact").
+enum class PenetrationMethod {
+  Sat,       // all axes that can matter: exact
+  Epa,       // expanding polytope (van den Bergen 2001)
+  Mpr,       // Minkowski portal refinement (Snethen 2008)
+  Sampling,  // brute force over directions
+};
+
+/// "sat", "epa", "mpr", "sampling", as scenarios and traces spell it.
+constexpr const char* to_string(PenetrationMethod method) {
+  constexpr const char* kNames[] = {"sat", "epa", "mpr", "sampling"};
+  return kNames[static_cast<int>(method)];
+}
+
 /// Which features of the two shapes touch, the simpler one first (lecture on contact generation,
 /// "Contact types"). The points of a round shape are its centre or the ends of its axis, its edge
 /// is that axis.

@@ -53,41 +53,36 @@ class Builder {
 
   AabbTree<double> run() {
     tree_.nodes.reserve(boxes_.size());
-    if (!boxes_.empty()) build(0, count_of(boxes_), 1);
+    if (!boxes_.empty()) build(tree_.triangles, 1);
     tree_.boxes = mapped(tree_.triangles, [&](int triangle) { return at(boxes_, triangle); });
     return std::move(tree_);
   }
 
  private:
-  std::span<int> range(int begin, int end) {
-    return std::span(tree_.triangles)
-        .subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
-  }
-
-  // Recursive, and never deeper than kMaxAabbTreeDepth.
-  void build(int begin, int end, int depth) {
+  // `triangles` are a part of the tree's. Recursive, and never deeper than kMaxAabbTreeDepth.
+  void build(std::span<int> triangles, int depth) {
     assert(depth <= kMaxAabbTreeDepth);
-    Box bounds;
-    Box centers;
-    for (const int triangle : range(begin, end)) {
+    Box bounds, centers;
+    for (const int triangle : triangles) {
       bounds.include(at(boxes_, triangle));
       centers.include(at(centers_, triangle));
     }
     const std::size_t node = tree_.nodes.size();
-    tree_.nodes.push_back({bounds, begin, 0});
+    const auto first = static_cast<int>(triangles.data() - tree_.triangles.data());
+    tree_.nodes.push_back({bounds, first, 0});
 
     Split split;
-    if (depth < kMaxSahDepth) split = best_split(range(begin, end), bounds, centers);
-    const int count = end - begin;
+    if (depth < kMaxSahDepth) split = best_split(triangles, bounds, centers);
+    const int count = count_of(triangles);
     if (count == 1 || (count <= kMaxLeaf && !(split.cost < count))) {
       tree_.nodes[node].count = count;
-      std::ranges::sort(range(begin, end));
+      std::ranges::sort(triangles);
       return;
     }
-    const int middle = split.axis >= 0 ? partition(begin, end, split, centers)
-                                       : partition_halves(begin, end, centers);
-    build(begin, middle, depth + 1);
-    build(middle, end, depth + 1);
+    const std::size_t left = split.axis >= 0 ? partition(triangles, split, centers)
+                                             : partition_halves(triangles, centers);
+    build(triangles.first(left), depth + 1);
+    build(triangles.subspan(left), depth + 1);
     tree_.nodes[node].next = static_cast<int>(tree_.nodes.size());
   }
 
@@ -133,24 +128,24 @@ class Builder {
     }
   }
 
-  int partition(int begin, int end, const Split& split, const Box& centers) {
+  /// Both put the triangles of the left side first, and say how many those are.
+  std::size_t partition(std::span<int> triangles, const Split& split, const Box& centers) const {
     const double lower = centers.lower[split.axis];
     const double extent = centers.upper[split.axis] - lower;
-    const auto right = std::ranges::partition(range(begin, end), [&](int triangle) {
+    const auto right = std::ranges::partition(triangles, [&](int triangle) {
       return bin_of(at(centers_, triangle)[split.axis], lower, extent) < split.bin;
     });
-    return end - count_of(right);
+    return triangles.size() - right.size();
   }
-
-  int partition_halves(int begin, int end, const Box& centers) {
+  std::size_t partition_halves(std::span<int> triangles, const Box& centers) const {
     int axis = 0;
     centers.extent().maxCoeff(&axis);
-    const std::span<int> triangles = range(begin, end);
-    const int half = (end - begin) / 2;
-    std::ranges::nth_element(triangles, triangles.begin() + half, {}, [&](int triangle) {
+    const std::size_t half = triangles.size() / 2;
+    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(half);
+    std::ranges::nth_element(triangles, middle, {}, [&](int triangle) {
       return std::pair(at(centers_, triangle)[axis], triangle);
     });
-    return begin + half;
+    return half;
   }
 
   std::span<const Box> boxes_;

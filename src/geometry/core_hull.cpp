@@ -7,7 +7,6 @@
 
 #include "core/at.h"
 #include "geometry/hull_builder.h"
-#include "geometry/hull_from_polygons.h"
 
 namespace contactscope {
 namespace {

@@ -13,7 +13,6 @@
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "geometry/aabb.h"
-#include "geometry/hull_from_polygons.h"
 #include "geometry/quickhull.h"
 
 namespace contactscope {
@@ -192,10 +191,7 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
   for (const double factor : kAttempts) {
     const double scaled = std::ldexp(factor * tolerance, -exponent);
     quickhull::Result result = quickhull::run(local, scaled);
-    if (result.status == quickhull::Status::Done) {
-      Hull<double> hull = compact(kept, std::move(result.faces));
-      return options.merge_coplanar ? hull : triangulate_faces(hull);
-    }
+    if (result.status == quickhull::Status::Done) return compact(kept, std::move(result.faces));
     if (result.status == quickhull::Status::Coplanar && options.allow_flat) {
       const std::vector<int> front = flat_outline(local, scaled);
       return compact(kept, {front, {front.rbegin(), front.rend()}});

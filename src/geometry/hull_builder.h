@@ -1,24 +1,31 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "core/input_error.h"
 #include "core/vec3.h"
 #include "geometry/hull.h"
-#include "geometry/shape_error.h"
 
 namespace contactscope {
+
+/// Half-edge hull from the polygons that bound it: `faces` are vertex indices, counter-clockwise
+/// seen from outside. Vertices and faces keep their order, face_edges[f] leaves faces[f][0], and
+/// edges are numbered in the order in which the faces first name them. Planes by Newell's method
+/// through the mean of all vertices of the face; centroid and radius from the solid. Two faces make a
+/// flat hull, on the plane of the first.
+///
+/// Topology is checked, convexity and planarity are the caller's promise. Throws ShapeError when the
+/// polygons do not bound one solid without handles or leave a vertex unused, and for a face with more
+/// than kMaxFaceVertices.
+Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
+                                const std::vector<std::vector<int>>& faces);
 
 struct HullOptions {
   /// Points with equal coordinates count once. Off, they are an error that names two of them: in a
   /// hand-written list a repeated vertex is a slip of the pen. File formats that repeat vertices on
   /// purpose turn it on (or weld while reading, as load_obj_vertices does).
   bool weld_duplicates = false;
-
-  /// Off, every face is left in triangles (see triangulate_faces), as by a builder that does not
-  /// merge. For comparison: clipping then misses parts of a manifold. Quickhull merges all the same
-  /// while it grows, because the planes of slivers say nothing, and the faces are cut afterwards.
-  /// The two faces of a flat hull stay whole.
-  bool merge_coplanar = true;
 
   /// Points within rounding of one plane, three of them or more, make a flat hull: their convex
   /// polygon, without corners on the line between their neighbours. Off, they are an error.
@@ -42,18 +49,5 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
 /// How far a point may be off a plane and still count as on it, metres: what single precision
 /// leaves uncertain about points of this extent. hull_builder.cpp says why.
 double hull_tolerance(std::span<const Vec3d> points);
-
-/// The same solid with every face cut into triangles: what a hull is whose coplanar faces nobody
-/// merged. Vertices, centroid and radius stay; triangles follow each other in the order of the
-/// faces that they come from. Each keeps the plane of its face, so that the triangles of one face
-/// tie exactly and a sliver is not tilted by its rounding. All other promises of Hull hold, but one:
-/// an edge inside a face joins two faces with one plane.
-///
-/// A face stays whole where cutting it would join two vertices that have an edge already. That takes
-/// faces that overlap within the hull builder's tolerance, or a hull without volume.
-///
-/// Clipping then sees only a part of the incident face, and is cut by a part of the reference face:
-/// Gregorius 2015, "Hull vs Hull: Coplanar Faces".
-Hull<double> triangulate_faces(const Hull<double>& hull);
 
 }  // namespace contactscope

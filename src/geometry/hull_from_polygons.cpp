@@ -1,4 +1,4 @@
-#include "geometry/hull_from_polygons.h"
+#include "geometry/hull_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,9 +18,7 @@ enum class Judge { LargerFace, BothFaces };
 
 /// Merges one pair along the loop of `face`; false when there is none left.
 bool merge_once(Mesh& mesh, int face, Judge judge, double tolerance, std::vector<int>& touched) {
-  const int first = mesh.face(face).edge;
-  int e = first;
-  do {
+  for (const int e : mesh.around(face)) {
     const Face& here = mesh.face(face);
     const Face& across = mesh.face(mesh.neighbour(e));
     const bool across_is_concave = here.plane.distance(across.centroid) > -tolerance;
@@ -33,8 +31,7 @@ bool merge_once(Mesh& mesh, int face, Judge judge, double tolerance, std::vector
     } else if (either_says_so) {
       mesh.face(face).suspect = true;
     }
-    e = mesh.edge(e).next;
-  } while (e != first);
+  }
   return false;
 }
 

@@ -84,12 +84,6 @@ std::vector<Side> sides_of(Triangles triangles, const std::vector<int>& welded) 
   return sides;
 }
 
-MeshReport::Edge reported(std::span<const Side> sides, Triangles triangles) {
-  const std::array<int, 3>& first = at(triangles, sides[0].triangle);
-  return {{at(first, sides[0].edge), at(first, (sides[0].edge + 1) % 3)},
-          mapped(sides, &Side::triangle)};
-}
-
 /// Mesh::neighbours of these triangles; what has none for a reason is reported. O(n log n).
 std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
                                                 Triangles triangles, MeshReport& report) {
@@ -103,9 +97,9 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
     const std::span<const Side> shared = std::span(sides).subspan(begin, end - begin);
     if (shared.size() == 1) continue;
     if (shared.size() > 2) {
-      report.non_manifold_edges.push_back(reported(shared, triangles));
+      report.non_manifold_edges.push_back(mapped(shared, &Side::triangle));
     } else if (shared[0].upwards == shared[1].upwards) {
-      report.flipped_edges.push_back(reported(shared, triangles));
+      report.flipped_edges.push_back(mapped(shared, &Side::triangle));
     } else {
       at(at(neighbours, shared[0].triangle), shared[0].edge) = shared[1].triangle;
       at(at(neighbours, shared[1].triangle), shared[1].edge) = shared[0].triangle;
@@ -114,28 +108,25 @@ std::vector<std::array<int, 3>> find_neighbours(std::span<const Vec3d> vertices,
   return neighbours;
 }
 
+/// Class of every edge, from neighbours and normals.
 template <class S>
-EdgeClass edge_class_of(const Mesh<S>& mesh, int triangle, int edge) {
-  if (mesh.neighbour(triangle, edge) < 0) return EdgeClass::Boundary;
-  return bend_angle(mesh, triangle, edge) > kFlatEdgeAngle ? EdgeClass::Convex
-                                                           : EdgeClass::Internal;
-}
-
-/// Class of every edge, from neighbours and normals: Mesh::edges.
-template <class S>
-std::vector<std::array<EdgeClass, 3>> classify_edges(const Mesh<S>& mesh) {
-  std::vector<std::array<EdgeClass, 3>> classes(mesh.triangles.size());
+void classify_edges(Mesh<S>& mesh) {
+  using enum EdgeClass;
+  mesh.edges.assign(mesh.triangles.size(), {Boundary, Boundary, Boundary});
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) at(at(classes, t), k) = edge_class_of(mesh, t, k);
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.neighbour(t, k) < 0) continue;
+      at(at(mesh.edges, t), k) = bend_angle(mesh, t, k) > kFlatEdgeAngle ? Convex : Internal;
+    }
   }
-  return classes;
 }
 
 template <class S>
 Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
-  return triangle_normal(mesh.corner(triangle, 0).template cast<double>(),
-                         mesh.corner(triangle, 1).template cast<double>(),
-                         mesh.corner(triangle, 2).template cast<double>());
+  const auto corner = [&](int k) -> Vec3d {
+    return mesh.corner(triangle, k).template cast<double>();
+  };
+  return triangle_normal(corner(0), corner(1), corner(2));
 }
 
 }  // namespace
@@ -204,8 +195,7 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
                            "not on a line");
   mesh.triangles.resize(kept);
   mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found);
-  mesh.edges = classify_edges(mesh);
-
+  classify_edges(mesh);
   mesh.tree = build_aabb_tree(mapped(mesh.triangles, [&](const std::array<int, 3>& triangle) {
     return box_of<double>(mesh.vertices, triangle);
   }));
@@ -235,7 +225,7 @@ void refit(Mesh<S>& mesh) {
     const Vec3d normal = normal_of(mesh, i);
     if (!normal.isZero(0)) at(mesh.normals, i) = normal.template cast<S>();
   }
-  mesh.edges = classify_edges(mesh);
+  classify_edges(mesh);
   mesh.tree.refit(mesh.vertices, mesh.triangles);
 }
 

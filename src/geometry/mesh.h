@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/input_error.h"
 #include "core/vec3.h"
 #include "geometry/aabb_tree.h"
-#include "geometry/shape_error.h"
 
 namespace contactscope {
 
@@ -59,18 +59,13 @@ struct Mesh {
 
 /// What build_mesh found on the way. None of it is an error.
 struct MeshReport {
-  /// An edge of the surface, and the triangles that meet there (indices into Mesh::triangles,
-  /// ascending). All of them have no neighbour across it.
-  struct Edge {
-    std::array<int, 2> vertices;  // the first triangle runs from [0] to [1]
-    std::vector<int> triangles;
-  };
-
   /// Dropped; indices into the input, ascending. Where one stood between two others as three
   /// corners on a line, those meet in a T-junction now, which is a boundary to both.
   std::vector<int> zero_area_triangles;
-  std::vector<Edge> non_manifold_edges;  // more than two triangles share it
-  std::vector<Edge> flipped_edges;       // two that run along it the same way: one is turned over
+  /// For each such edge of the surface the triangles that meet there (indices into Mesh::triangles,
+  /// ascending), none of which has a neighbour across it: more than two of them, or two that run
+  /// along it the same way, so that one is turned over.
+  std::vector<std::vector<int>> non_manifold_edges, flipped_edges;
 };
 
 /// A mesh from vertices (metres, local frame) and triangles (vertex indices, counter-clockwise seen

@@ -5,11 +5,10 @@
 // that, but a face with such an outline is of no use as a clip polygon: its side planes cut through
 // it.
 //
-//      o-------o          Filling the notch with the third face would bend the plane further, and
-//      can |  /\   |          run on from face to face on a finely rounded shape. Cutting the face
-//      at the | /  \  |          notch leaves two that are coplanar within the tolerance: harmless.
-//      o     o-o          Steps: find the deepest notch; try a cut from it to each other corner;
-//      keep
+//      o-------o          Filling the notch with the third face would bend the plane further, and can
+//      |  /\   |          run on from face to face on a finely rounded shape. Cutting the face at the
+//      | /  \  |          notch leaves two that are coplanar within the tolerance: harmless.
+//      o     o-o          Steps: find the deepest notch; try a cut from it to each other corner; keep
 //                         the one that leaves the shallowest notches on both sides; repeat.
 
 #include <algorithm>
@@ -20,8 +19,8 @@ namespace {
 
 /// The edges around a face, from `first` on.
 std::vector<int> loop_from(const Mesh& mesh, int first) {
-  std::vector<int> edges = {first};
-  for (int e = mesh.edge(first).next; e != first; e = mesh.edge(e).next) edges.push_back(e);
+  std::vector<int> edges;
+  for (const int e : mesh.ring_from(first)) edges.push_back(e);
   return edges;
 }
 

@@ -19,7 +19,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
-#include "geometry/triangulate_polygon.h"
+#include "geometry/triangulate.h"
 
 namespace contactscope {
 namespace {
@@ -224,10 +224,8 @@ ObjMesh load_obj_mesh(const std::string& path) {
                            "; a face of a mesh has at least three");
     }
     const auto place = [&](int vertex) { return at(mesh.vertices, vertex); };
-    for (const std::array<int, 3>& ear : triangulate_polygon(mapped(face, place))) {
+    for (const std::array<int, 3>& ear : triangulate_polygon(mapped(face, place)))
       mesh.triangles.push_back({at(face, ear[0]), at(face, ear[1]), at(face, ear[2])});
-      mesh.lines.push_back(contents.lines[i]);
-    }
   }
   return mesh;
 }

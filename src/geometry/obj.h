@@ -22,7 +22,6 @@ std::vector<Vec3d> load_obj_vertices(const std::string& path);
 struct ObjMesh {
   std::vector<Vec3d> vertices;                // all of the file, in its order
   std::vector<std::array<int, 3>> triangles;  // vertex indices, counted from 0
-  std::vector<int> lines;                     // for each triangle the line of its face, from 1
 };
 
 /// Triangles of a Wavefront .obj file: its faces in file order, those with more corners cut into

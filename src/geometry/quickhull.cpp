@@ -20,12 +20,69 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "core/at.h"
 
 namespace contactscope::quickhull {
 namespace {
+
+/// Index and value of the point with the largest value; the first among equals.
+template <class Value>
+std::pair<int, double> farthest(std::span<const Vec3d> points, const Value& value) {
+  std::pair<int, double> best{0, value(points[0])};
+  for (int i = 1; i < count_of(points); ++i) {
+    const double candidate = value(at(points, i));
+    if (candidate > best.second) best = {i, candidate};
+  }
+  return best;
+}
+
+/// What a point sees of the hull.
+struct Horizon {
+  std::vector<int> visible;  // faces
+  std::vector<int> edges;    // around those, counter-clockwise, each of a visible face
+};
+
+/// The faces that `eye` is above by more than `tolerance`, as far as they hang together with
+/// `face`, which it is above, and the loop of edges around them. `edges` is empty where tolerance
+/// leaves the visible faces without a boundary, with a hole or pinched at a vertex, so that no cone
+/// of triangles over it would close the hull.
+Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance) {
+  Horizon horizon;
+  horizon.visible.push_back(face);
+  std::unordered_set<int> seen = {face};
+  for (std::size_t i = 0; i < horizon.visible.size(); ++i) {
+    for (const int e : mesh.around(horizon.visible[i])) {
+      const int across = mesh.neighbour(e);
+      if (seen.contains(across) || !(mesh.distance(across, eye) > tolerance)) continue;
+      seen.insert(across);
+      horizon.visible.push_back(across);
+    }
+  }
+
+  std::vector<int> boundary;  // in no order
+  for (const int visible : horizon.visible) {
+    for (const int e : mesh.around(visible))
+      if (!seen.contains(mesh.neighbour(e))) boundary.push_back(e);
+  }
+  if (boundary.empty()) return horizon;
+
+  // Walk around: at each target, turn through the visible faces to the next edge on the boundary.
+  std::unordered_set<int> vertices;
+  int e = boundary.back();
+  do {
+    horizon.edges.push_back(e);
+    vertices.insert(mesh.edge(e).origin);
+    e = mesh.edge(e).next;
+    while (seen.contains(mesh.neighbour(e))) e = mesh.edge(mesh.edge(e).twin).next;
+  } while (e != boundary.back());
+  const bool one_loop = horizon.edges.size() == boundary.size();
+  const bool simple = vertices.size() == boundary.size();
+  if (!one_loop || !simple) horizon.edges.clear();
+  return horizon;
+}
 
 class Builder {
  public:
@@ -147,12 +204,11 @@ bool is_convex(const Mesh& mesh, double slack) {
   return std::ranges::all_of(kept, [&](int face) {
     const Plane<double>& plane = mesh.face(face).plane;
     bool fits = mesh.face(face).area > 0 && deepest_notch(mesh, face).depth <= slack;
-    mesh.for_each_edge(face, [&](int e) {
+    for (const int e : mesh.around(face)) {
       fits = fits && std::abs(mesh.distance(face, mesh.edge(e).origin)) <= slack;
-      mesh.for_each_edge(mesh.neighbour(e), [&](int around) {
+      for (const int around : mesh.around(mesh.neighbour(e)))
         fits = fits && mesh.distance(face, mesh.edge(around).origin) <= slack;
-      });
-    });
+    }
     const auto above = [&](const Vec3d& point) { return plane.distance(point) > slack; };
     return fits && !(full && std::ranges::any_of(points, above));
   });
@@ -164,6 +220,50 @@ bool is_convex(const Mesh& mesh, double slack) {
 constexpr double kPartOfThickness = 1.0 / 100;
 
 }  // namespace
+
+Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
+  Simplex simplex;
+  auto& [a, b, c, d] = simplex.points;
+
+  std::vector<int> extremes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const auto along_axis = [&](const Vec3d& point) { return sign * point[axis]; };
+      extremes.push_back(farthest(points, along_axis).first);
+    }
+  }
+  double longest = -1;
+  for (const int one : extremes) {
+    for (const int other : extremes) {
+      const double length = (at(points, other) - at(points, one)).norm();
+      if (length <= longest) continue;
+      longest = length;
+      a = one;
+      b = other;
+    }
+  }
+  if (longest <= tolerance) return {Status::Coincident, simplex.points, 0};
+
+  const Vec3d& origin = at(points, a);
+  const Vec3d along = (at(points, b) - origin) / longest;
+  double distance = 0;
+  std::tie(c, distance) = farthest(points, [&](const Vec3d& point) {
+    const Vec3d arm = point - origin;
+    return along.cross(arm).norm();
+  });
+  if (distance <= tolerance) return {Status::Collinear, simplex.points, 0};
+
+  const Vec3d third = at(points, c) - origin;
+  const Vec3d normal = along.cross(third).normalized();
+  const auto height = [&](const Vec3d& point) -> double { return normal.dot(point - origin); };
+  std::tie(d, simplex.thickness) =
+      farthest(points, [&](const Vec3d& point) { return std::abs(height(point)); });
+  if (simplex.thickness <= tolerance)
+    simplex.status = Status::Coplanar;
+  else if (height(at(points, d)) > 0)
+    std::swap(a, b);  // the fourth goes below the three
+  return simplex;
+}
 
 Result run(std::span<const Vec3d> points, double tolerance) {
   const Simplex simplex = initial_simplex(points, tolerance);

@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "core/at.h"
+#include "core/plane.h"
 #include "core/vec3.h"
-#include "geometry/quickhull_mesh.h"
+#include "geometry/hull.h"
 
 namespace contactscope::quickhull {
 
@@ -31,7 +33,7 @@ struct Result {
 /// `tolerance` in the same unit.
 Result run(std::span<const Vec3d> points, double tolerance);
 
-// Its steps, a file each.
+// Its steps.
 
 struct Simplex {
   Status status = Status::Done;  // or Coincident, Collinear, Coplanar
@@ -45,17 +47,96 @@ struct Simplex {
 /// `tolerance`, the points have no volume, and the step says which kind of flat they are.
 Simplex initial_simplex(std::span<const Vec3d> points, double tolerance);
 
-/// What a point sees of the hull.
-struct Horizon {
-  std::vector<int> visible;  // faces
-  std::vector<int> edges;    // around those, counter-clockwise, each of a visible face
+// The growing polyhedron: half-edges that can be cut and sewn, faces with conflict lists.
+
+struct Edge {
+  int origin;  // point that it leaves
+  int next;    // around its face, counter-clockwise seen from outside
+  int previous;
+  int twin;
+  int face;
 };
 
-/// The faces that `eye` is above by more than `tolerance`, as far as they hang together with
-/// `face`, which it is above, and the loop of edges around them. `edges` is empty where tolerance
-/// leaves the visible faces without a boundary, with a hole or pinched at a vertex, so that no cone
-/// of triangles over it would close the hull.
-Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance);
+struct Face {
+  int edge = -1;  // one of its half-edges
+  bool gone = false;
+  bool suspect = false;            // the first merge pass found it concave towards a smaller face
+  Plane<double> plane;             // Newell's, through the mean of all vertices
+  Vec3d centroid = Vec3d::Zero();  // that mean
+  double area = 0;
+
+  std::vector<int> conflicts;  // points above it that no other face has taken
+  int farthest = -1;           // of them
+  double farthest_distance = 0;
+};
+
+/// Indices are stable: what is cut away is marked or never referred to again. No vertex has fewer
+/// than three edges and no face fewer than three, unless broken().
+class Mesh {
+ public:
+  explicit Mesh(std::span<const Vec3d> points);
+
+  std::span<const Vec3d> points() const { return points_; }
+  const Vec3d& point(int i) const { return at(points_, i); }
+  /// With those that are gone.
+  int face_count() const { return count_of(faces_); }
+  /// Those that are not gone.
+  std::vector<int> faces() const;
+  Face& face(int i) { return at(faces_, i); }
+  const Face& face(int i) const { return at(faces_, i); }
+  const Edge& edge(int i) const { return at(edges_, i); }
+  /// The face across an edge.
+  int neighbour(int i) const { return edge(edge(i).twin).face; }
+  /// Vertices of a face in order.
+  std::vector<int> loop(int face) const;
+  /// The edges of the face of an edge, from that on, and those of a face.
+  auto ring_from(int first) const {
+    return EdgeRing{first, [this](int e) { return edge(e).next; }};
+  }
+  auto around(int face_index) const { return ring_from(face(face_index).edge); }
+  double distance(int face_index, int point_index) const {
+    return face(face_index).plane.distance(point(point_index));
+  }
+
+  /// Adds the face a, b, c, counter-clockwise seen from outside, and measures it. Its first edge,
+  /// a-b, is returned; the others follow by `next`. Twins are sewn by the caller.
+  int add_triangle(int a, int b, int c);
+  /// Makes two half-edges each other's twins.
+  void sew(int one, int other);
+
+  /// Takes `edge` away, so that its face swallows the one across it. A vertex that is left with two
+  /// edges goes too, and a face that is left with two edges goes after it: the fix-ups of
+  /// Gregorius, "Implementing Quickhull", "Topological invariants". Faces that keep their place but
+  /// not their shape are measured anew; all that changed or went are added to `touched`, if not
+  /// there yet. Returns false, and changes nothing, where the two faces also meet elsewhere, so
+  /// that their union would be no polygon.
+  bool merge_across(int edge, std::vector<int>& touched);
+
+  /// Cuts a face in two along the line between two of its vertices that are not neighbours, given
+  /// by the edges of the face that leave them. The part that begins with `one` becomes a new face,
+  /// the last one.
+  void split(int one, int other);
+
+  /// A fix-up, or a caller, ended in something that bounds no solid; the mesh is of no further use.
+  bool broken() const { return broken_; }
+  void give_up() { broken_ = true; }
+
+ private:
+  Edge& edge_at(int i) { return at(edges_, i); }
+  int& leaving(int vertex) { return at(leaving_, vertex); }
+  bool meet_in_one_edge(int one, int other) const;
+  void measure(int face);
+  void follow(int edge, int next);
+  void restore_invariants(std::vector<int> vertices, std::vector<int>& changed);
+  void remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int>& changed);
+  void remove_two_gon(int face, std::vector<int>& vertices);
+
+  std::span<const Vec3d> points_;
+  std::vector<Edge> edges_;
+  std::vector<Face> faces_;
+  std::vector<int> leaving_;  // for each point one half-edge that leaves it
+  bool broken_ = false;
+};
 
 /// Merges the `fresh` faces of a new cone with each other and with the faces around it, until each
 /// is convex towards all of its neighbours by more than `tolerance`. Faces that changed or went,

@@ -1,11 +1,10 @@
-#include "geometry/quickhull_mesh.h"
+#include "geometry/quickhull.h"
 
 #include <algorithm>
 
 namespace contactscope::quickhull {
 
-Mesh::Mesh(std::span<const Vec3d> points)
-    : points_(points), leaving_(points.size(), -1), stamps_(points.size(), 0) {}
+Mesh::Mesh(std::span<const Vec3d> points) : points_(points), leaving_(points.size(), -1) {}
 
 std::vector<int> Mesh::faces() const {
   std::vector<int> kept;
@@ -17,7 +16,7 @@ std::vector<int> Mesh::faces() const {
 
 std::vector<int> Mesh::loop(int face_index) const {
   std::vector<int> vertices;
-  for_each_edge(face_index, [&](int e) { vertices.push_back(edge(e).origin); });
+  for (const int e : around(face_index)) vertices.push_back(edge(e).origin);
   return vertices;
 }
 
@@ -50,18 +49,18 @@ void Mesh::measure(int face_index) {
   // so that the normal of a merged face does not hang on three of its vertices.
   int count = 0;
   measured.centroid = Vec3d::Zero();
-  for_each_edge(face_index, [&](int e) {
+  for (const int e : around(face_index)) {
     measured.centroid += point(edge(e).origin);
     ++count;
-  });
+  }
   measured.centroid /= count;
 
   Vec3d area = Vec3d::Zero();
-  for_each_edge(face_index, [&](int e) {
+  for (const int e : around(face_index)) {
     const Vec3d from = point(edge(e).origin) - measured.centroid;
     const Vec3d to = point(edge(edge(e).next).origin) - measured.centroid;
     area += from.cross(to);
-  });
+  }
   const double length = area.norm();
   measured.area = 0.5 * length;
   // A face without area has no normal. Zero puts every point on its plane, so that it merges.
@@ -69,14 +68,12 @@ void Mesh::measure(int face_index) {
   measured.plane.offset = measured.plane.normal.dot(measured.centroid);
 }
 
-bool Mesh::meet_in_one_edge(int one, int other) {
-  ++stamp_;
-  for_each_edge(one, [&](int e) { at(stamps_, edge(e).origin) = stamp_; });
-  int common = 0;
-  for_each_edge(other, [&](int e) {
-    if (at(stamps_, edge(e).origin) == stamp_) ++common;
-  });
-  return common == 2;
+bool Mesh::meet_in_one_edge(int one, int other) const {
+  const std::vector<int> vertices = loop(one);
+  const auto is_shared = [&](int e) {
+    return std::ranges::find(vertices, edge(e).origin) != vertices.end();
+  };
+  return std::ranges::count_if(around(other), is_shared) == 2;
 }
 
 bool Mesh::merge_across(int e, std::vector<int>& touched) {
@@ -105,7 +102,7 @@ bool Mesh::merge_across(int e, std::vector<int>& touched) {
   restore_invariants({u, v}, changed);
   for (const int i : changed) {
     if (!face(i).gone) measure(i);
-    if (std::find(touched.begin(), touched.end(), i) == touched.end()) touched.push_back(i);
+    if (std::ranges::find(touched, i) == touched.end()) touched.push_back(i);
   }
   return true;
 }
@@ -130,7 +127,7 @@ void Mesh::split(int one, int other) {
 
   faces_.emplace_back().edge = back;
   face(kept).edge = forth;
-  for_each_edge(added, [&](int e) { edge_at(e).face = added; });
+  for (const int e : around(added)) edge_at(e).face = added;
   measure(kept);
   measure(added);
 }

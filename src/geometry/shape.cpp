@@ -1,6 +1,64 @@
 #include "geometry/shape.h"
 
 namespace contactscope {
+namespace {
+
+/// A shape whose middle is farther from its origin than this many radii is moved. Nearer, distance
+/// costs no more than two of float's twenty-four bits, and the shape is left as it is, bit for bit.
+/// A ratio, so that it holds at every scale.
+constexpr double kFarthestMiddle = 4;
+
+Vec3d middle_where_far(const Aabb<double>& box, double margin) {
+  const Vec3d middle = box.center();
+  const double radius = 0.5 * box.extent().norm() + margin;
+  if (middle.norm() <= kFarthestMiddle * radius) return Vec3d::Zero();
+  // GCC 12 folds the casts of a whole vector there and back into nothing, so each number is stored.
+  Vec3d origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const volatile float rounded = static_cast<float>(middle[axis]);
+    origin[axis] = static_cast<double>(rounded);
+  }
+  return origin;
+}
+
+/// Spheres have their centre at the origin, and planes have no size.
+template <class Other>
+Vec3d origin_for(const Other&) {
+  return Vec3d::Zero();
+}
+Vec3d origin_for(const Capsule<double>& capsule) {
+  return middle_where_far(box_around(capsule.points), capsule.radius);
+}
+Vec3d origin_for(const Hull<double>& hull) {
+  return middle_where_far(box_around(hull.vertices), 0);
+}
+Vec3d origin_for(const Mesh<double>& mesh) {
+  return middle_where_far(mesh.tree.bounds(), 0);
+}
+
+void move(Sphere<double>&, const Vec3d&) {}
+
+void move(HalfSpace<double>& half_space, const Vec3d& origin) {
+  half_space.plane.offset -= half_space.plane.normal.dot(origin);
+}
+
+void move(Capsule<double>& capsule, const Vec3d& origin) {
+  for (Vec3d& point : capsule.points) point -= origin;
+}
+
+void move(Hull<double>& hull, const Vec3d& origin) {
+  for (Vec3d& vertex : hull.vertices) vertex -= origin;
+  for (Plane<double>& plane : hull.planes) plane.offset -= plane.normal.dot(origin);
+  hull.centroid -= origin;
+  lay_out(hull);
+}
+
+void move(Mesh<double>& mesh, const Vec3d& origin) {
+  for (Vec3d& vertex : mesh.vertices) vertex -= origin;
+  refit(mesh);
+}
+
+}  // namespace
 
 template <class T>
 Shape<T> shape_cast(const Shape<double>& shape) {
@@ -13,6 +71,16 @@ Shape<T> shape_cast(const Shape<double>& shape) {
   if (const auto* half_space = std::get_if<HalfSpace<double>>(&shape))
     return HalfSpace<T>{half_space->plane.cast<T>()};
   return mesh_cast<T>(std::get<Mesh<double>>(shape));
+}
+
+Vec3d moved_origin(const Shape<double>& shape) {
+  return std::visit([](const auto& kind) { return origin_for(kind); }, shape);
+}
+
+Shape<double> seen_from(const Shape<double>& shape, const Vec3d& origin) {
+  Shape<double> moved = shape;
+  std::visit([&](auto& kind) { move(kind, origin); }, moved);
+  return moved;
 }
 
 template Shape<float> shape_cast(const Shape<double>&);

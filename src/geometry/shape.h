@@ -1,14 +1,33 @@
 #pragma once
 
+#include <array>
 #include <variant>
 
-#include "geometry/capsule.h"
-#include "geometry/half_space.h"
+#include "core/plane.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
-#include "geometry/sphere.h"
 
 namespace contactscope {
+
+/// Ball about the origin of its own frame.
+template <class S>
+struct Sphere {
+  S radius = 0;  // metres, > 0
+};
+
+/// All points within `radius` of a segment. The segment may have length zero: then it is a ball.
+template <class S>
+struct Capsule {
+  std::array<Vec3<S>, 2> points;  // ends of the segment, own frame, metres
+  S radius = 0;                   // metres, > 0
+};
+
+/// Everything below a plane: the points x with normal . x <= offset, own frame. Scenarios call it
+/// "plane", as engines do.
+template <class S>
+struct HalfSpace {
+  Plane<S> plane;
+};
 
 /// Anything that can collide, in its own frame. The order is that of the collision table, which has
 /// an upper half only: a pair is worked on with the earlier type first.
@@ -33,5 +52,16 @@ constexpr const char* to_string(ShapeKind kind) {
 /// The same shape in another scalar, every coordinate rounded once.
 template <class T>
 Shape<T> shape_cast(const Shape<double>& shape);
+
+/// Where in its own frame the origin of a shape is moved to, because its vertices are far from it, as
+/// those of level geometry are: in single precision the distance eats the digits that the form needs,
+/// and tolerances grow with it. Engines move such a shape to its middle in double before it is
+/// rounded; its pose makes up for it. The middle of its box, each coordinate a float, so that a pose
+/// that stands still at the world's origin stays exact; zero where the shape is left as it is.
+Vec3d moved_origin(const Shape<double>& shape);
+
+/// The same shape in a frame with the same axes whose origin is at `origin` of the shape's own
+/// frame, metres.
+Shape<double> seen_from(const Shape<double>& shape, const Vec3d& origin);
 
 }  // namespace contactscope

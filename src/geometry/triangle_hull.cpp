@@ -11,28 +11,28 @@ namespace contactscope {
 //    v0-0-v1
 template <class S>
 TriangleHull<S>::TriangleHull() {
-  hull_.vertices.assign(3, Vec3<S>::Zero());
-  hull_.half_edges = {{0, 2, 0}, {1, 5, 1}, {1, 4, 0}, {2, 1, 1}, {2, 0, 0}, {0, 3, 1}};
-  hull_.vertex_edges = {0, 2, 4};
-  hull_.face_edges = {0, 1};
-  hull_.planes.resize(2);
+  hull.vertices.assign(3, Vec3<S>::Zero());
+  hull.half_edges = {{0, 2, 0}, {1, 5, 1}, {1, 4, 0}, {2, 1, 1}, {2, 0, 0}, {0, 3, 1}};
+  hull.vertex_edges = {0, 2, 4};
+  hull.face_edges = {0, 1};
+  hull.planes.resize(2);
 }
 
 template <class S>
 void TriangleHull<S>::set(const Mesh<S>& mesh, int triangle) {
-  origin_ = mesh.corner(triangle, 0);
-  for (int k = 1; k < 3; ++k) at(hull_.vertices, k) = mesh.corner(triangle, k) - origin_;
+  origin = mesh.corner(triangle, 0);
+  for (int k = 1; k < 3; ++k) at(hull.vertices, k) = mesh.corner(triangle, k) - origin;
   const Vec3<S>& normal = mesh.normal(triangle);
-  hull_.planes[0] = {normal, S(0)};
-  hull_.planes[1] = {Vec3<S>(-normal), S(0)};
-  hull_.centroid = (hull_.vertices[1] + hull_.vertices[2]) / S(3);
-  hull_.radius = S(0);
-  for (const Vec3<S>& vertex : hull_.vertices)
-    hull_.radius = std::max(hull_.radius, Vec3<S>(vertex - hull_.centroid).norm());
-  lay_out(hull_);
+  hull.planes[0] = {normal, S(0)};
+  hull.planes[1] = {Vec3<S>(-normal), S(0)};
+  hull.centroid = (hull.vertices[1] + hull.vertices[2]) / S(3);
+  hull.radius = S(0);
+  for (const Vec3<S>& vertex : hull.vertices)
+    hull.radius = std::max(hull.radius, Vec3<S>(vertex - hull.centroid).norm());
+  lay_out(hull);
 }
 
-template class TriangleHull<float>;
-template class TriangleHull<double>;
+template struct TriangleHull<float>;
+template struct TriangleHull<double>;
 
 }  // namespace contactscope

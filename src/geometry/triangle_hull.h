@@ -12,18 +12,12 @@ namespace contactscope {
 /// Its frame has the mesh's axes and its origin at the triangle's corner 0, where coordinates are
 /// small however large the mesh is.
 template <class S>
-class TriangleHull {
- public:
+struct TriangleHull {
   TriangleHull();
   void set(const Mesh<S>& mesh, int triangle);
 
-  const Hull<S>& hull() const { return hull_; }
-  /// Of the hull's frame, in the mesh's frame, metres.
-  const Vec3<S>& origin() const { return origin_; }
-
- private:
-  Hull<S> hull_;
-  Vec3<S> origin_;
+  Hull<S> hull;
+  Vec3<S> origin;  // of the hull's frame, in the mesh's frame, metres
 };
 
 }  // namespace contactscope

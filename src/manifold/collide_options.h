@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/penetration_method.h"
-#include "core/preference.h"
+#include "core/manifold.h"
 #include "reduce/reducer.h"
 
 namespace contactscope {

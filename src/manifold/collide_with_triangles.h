@@ -185,7 +185,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const auto collide_triangle = [&](int index) {
     triangle.set(b, index);
     const PlacedTriangle<S> placed{
-        triangle.hull(), {b_in_a.rotation, b_in_a.transform(triangle.origin())}, index};
+        triangle.hull, {b_in_a.rotation, b_in_a.transform(triangle.origin)}, index};
     Contact<S> contact;
     const S separation = collide(placed, contact);
     least = std::min(least, separation);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/preference.h"
+#include "core/manifold.h"
 #include "manifold/contact.h"
 #include "query/sat.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/penetration_method.h"
+#include "core/manifold.h"
 #include "core/static_vector.h"
 #include "manifold/dispatch.h"
 #include "manifold/incremental_core.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/penetration_method.h"
+#include "core/manifold.h"
 #include "manifold/collide_options.h"
 #include "manifold/incremental_core.h"
 #include "query/gjk.h"

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/manifold.h"
-#include "core/preference.h"
 #include "geometry/mesh.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"

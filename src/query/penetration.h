@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/penetration_method.h"
+#include "core/manifold.h"
 #include "query/gjk.h"
 #include "query/support_set.h"
 

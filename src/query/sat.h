@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/manifold.h"
-#include "core/preference.h"
 #include "query/hull_pair.h"
 
 /// The separating axis test between two hulls. Source: Gregorius 2015, "Hull vs Hull: The

@@ -1,5 +1,5 @@
-#include "geometry/mesh_grid.h"
 #include "geometry/obj.h"
+#include "geometry/primitives.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {

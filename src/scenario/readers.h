@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/input_error.h"
-#include "geometry/shape_error.h"
 #include "scenario/scenario.h"
 #include "scenario/toml_reader.h"
 

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "core/at.h"
-#include "core/penetration_method.h"
+#include "core/manifold.h"
 #include "core/pose.h"
-#include "core/preference.h"
 #include "core/view.h"
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"

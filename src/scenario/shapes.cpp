@@ -3,10 +3,11 @@
 #include <system_error>
 
 #include "core/at.h"
-#include "geometry/far_shape.h"
 #include "geometry/hull_builder.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
+#include "geometry/shape.h"
+#include "geometry/triangulate.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
@@ -27,11 +28,11 @@ bool merges_coplanar(const Value& table) {
   return !value || value->boolean();
 }
 
-/// A simple shape's hull, whose faces are left in triangles where the file says so.
+/// A hull whose faces are left in triangles where the file says so; those of a flat one stay whole.
 template <class Build>
-Hull<double> build_primitive(const Value& at, const Value& table, const Build& build) {
+Hull<double> build_merged(const Value& at, const Value& table, const Build& build) {
   Hull<double> hull = build_at(at, "hull", build);
-  return merges_coplanar(table) ? hull : triangulate_faces(hull);
+  return hull.flat() || merges_coplanar(table) ? hull : triangulate_faces(hull);
 }
 
 /// Points of a list or file: a hull that can be computed with, within the lengths of a scenario.
@@ -41,8 +42,8 @@ Hull<double> hull_of_points(const std::vector<Vec3d>& points, const Value& at, c
     at.fail("'" + at.name() + "' has " + std::to_string(points.size()) +
             " points; a hull may be built from up to " + std::to_string(kMaxHullPoints));
   check_reach(points, at);
-  const HullOptions options{.merge_coplanar = merges_coplanar(shape), .allow_flat = true};
-  Hull<double> hull = build_at(at, "hull", [&] { return build_hull(points, options); });
+  const HullOptions options{.allow_flat = true};
+  Hull<double> hull = build_merged(at, shape, [&] { return build_hull(points, options); });
   check_radius(hull.radius, at);
   if (hull.flat())
     warnings.push_back("line " + std::to_string(at.line()) + ": the hull '" + shape.name() +
@@ -69,7 +70,7 @@ Shape<double> read_box(const Value& table, const Surroundings&) {
   value.numbers(3);
   const std::vector<double> lengths = mapped(value.array(), read_length);
   const Vec3d half_extents(lengths[0], lengths[1], lengths[2]);
-  return build_primitive(value, table, [&] { return make_box(half_extents); });
+  return build_merged(value, table, [&] { return make_box(half_extents); });
 }
 
 /// A cylinder or a cone.
@@ -79,7 +80,7 @@ Shape<double> read_round(const Value& table, const Surroundings&) {
   const double height = read_length(table.require("half_height", "half_height = 0.5 (metres)"));
   const int segments = table.require("segments", "segments = 16 (sides of the tessellation)")
                            .integer(3, kMaxSegments);
-  return build_primitive(table, table, [&] { return kMake(radius, height, segments); });
+  return build_merged(table, table, [&] { return kMake(radius, height, segments); });
 }
 
 Shape<double> read_sphere(const Value& table, const Surroundings&) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/mesh_grid.h"
 #include "geometry/primitives.h"
 
 namespace contactscope::bench {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geometry/mesh.h"
-#include "geometry/mesh_grid.h"
+#include "geometry/primitives.h"
 #include "mesh_shapes.h"
 #include "trace/pair.h"
 

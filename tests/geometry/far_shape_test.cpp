@@ -1,11 +1,10 @@
-#include "geometry/far_shape.h"
+#include "geometry/shape.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "geometry/hull_builder.h"
-#include "geometry/mesh_grid.h"
 #include "geometry/point_sets.h"
 #include "geometry/primitives.h"
 

@@ -93,11 +93,6 @@ TEST(FlatHull, ThreePointsAreATriangle) {
   EXPECT_LT((hull.centroid - Vec3d(1.0 / 3, 1.0 / 3, 0)).norm(), 1e-15);
 }
 
-TEST(FlatHull, StaysWholeWhereFacesAreLeftInTriangles) {
-  const Points square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  EXPECT_EQ(build_hull(square, {.merge_coplanar = false, .allow_flat = true}).face_count(), 2);
-}
-
 TEST(FlatHull, SolidsAreTheSameWhetherOrNotFlatOnesAreAllowed) {
   Generator random(4);
   for (int i = 0; i < 20; ++i) {

@@ -5,9 +5,9 @@
 
 #include "geometry/hull_builder.h"
 #include "geometry/hull_checks.h"
-#include "geometry/hull_from_polygons.h"
 #include "geometry/point_sets.h"
 #include "geometry/primitives.h"
+#include "geometry/triangulate.h"
 
 // Coplanar input must come out as the faces that a person sees, rounding or not.
 namespace contactscope::test {
@@ -128,9 +128,7 @@ TEST(BuildHull, CentroidIsByVolumeAndNotByVertices) {
 }
 
 Hull<double> unmerged(const Points& points) {
-  HullOptions options;
-  options.merge_coplanar = false;
-  return build_hull(points, options);
+  return triangulate_faces(build_hull(points));
 }
 
 TEST(UnmergedHull, OfAGridIsACubeOfTwelveTriangles) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "geometry/hull_from_polygons.h"
+#include "geometry/hull_builder.h"
 #include "geometry/point_sets.h"
 #include "geometry/primitives.h"
 #include "geometry/qhull_oracle.h"

@@ -1,4 +1,4 @@
-#include "geometry/hull_from_polygons.h"
+#include "geometry/hull_builder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

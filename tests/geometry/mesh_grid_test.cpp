@@ -1,4 +1,4 @@
-#include "geometry/mesh_grid.h"
+#include "geometry/primitives.h"
 
 #include <gtest/gtest.h>
 

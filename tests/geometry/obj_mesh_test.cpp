@@ -38,17 +38,15 @@ std::string refusal_of(const std::string& text) {
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
 
-TEST(ObjMesh, TrianglesComeInFileOrderWithTheirLines) {
+TEST(ObjMesh, TrianglesComeInFileOrder) {
   const ObjMesh mesh = load(kSquare + "# two\nf 1 2 3\n\nf 1 3 4\n");
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_THAT(mesh.triangles, ElementsAre(std::array{0, 1, 2}, std::array{0, 2, 3}));
-  EXPECT_THAT(mesh.lines, ElementsAre(6, 8));
 }
 
 TEST(ObjMesh, AQuadIsCutInTwoThatKeepItsWinding) {
   const ObjMesh mesh = load(kSquare + "f 1 2 3 4\n");
   ASSERT_EQ(mesh.triangles.size(), 2u);
-  EXPECT_THAT(mesh.lines, ElementsAre(5, 5));
   const Mesh<double> built = build_mesh(mesh.vertices, mesh.triangles);
   EXPECT_THAT(built.normals, ElementsAre(Vec3d::UnitY(), Vec3d::UnitY()));
   EXPECT_EQ(built.tree.bounds(), (Aabb<double>{Vec3d(0, 0, -1), Vec3d(1, 0, 0)}));
@@ -94,7 +92,6 @@ TEST(ObjMesh, GroupsObjectsLinesAndMaterialsChangeNothing) {
   const ObjMesh mesh = load("mtllib none.mtl\no one\n" + kSquare +
                             "g a\nusemtl red\nf 1 2 3\nl 1 2\ns 1\no two\nusemtl\nf 1 3 4\n");
   EXPECT_THAT(mesh.triangles, ElementsAre(std::array{0, 1, 2}, std::array{0, 2, 3}));
-  EXPECT_THAT(mesh.lines, ElementsAre(9, 14));
 }
 
 TEST(ObjMesh, FacesWithoutAnAreaAreLeftToTheBuilderThatReportsThem) {
@@ -102,7 +99,6 @@ TEST(ObjMesh, FacesWithoutAnAreaAreLeftToTheBuilderThatReportsThem) {
   MeshReport report;
   const Mesh<double> built = build_mesh(mesh.vertices, mesh.triangles, &report);
   EXPECT_THAT(report.zero_area_triangles, ElementsAre(0, 2));
-  EXPECT_EQ(mesh.lines[2], 7);
   EXPECT_EQ(built.triangle_count(), 1);
 }
 

@@ -1,4 +1,4 @@
-#include "geometry/triangulate_polygon.h"
+#include "geometry/triangulate.h"
 
 #include <gtest/gtest.h>
 

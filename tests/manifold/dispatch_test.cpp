@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "geometry/mesh_grid.h"
+#include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 #include "trace/json.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "geometry/far_shape.h"
 #include "geometry/hull_builder.h"
+#include "geometry/shape.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"

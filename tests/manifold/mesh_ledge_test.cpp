@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/mesh_grid.h"
+#include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 

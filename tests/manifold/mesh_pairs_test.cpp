@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/mesh_grid.h"
+#include "geometry/primitives.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
@@ -168,9 +168,9 @@ TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
     TriangleHull<double> triangle;
     triangle.set(mesh, 0);
     Pose<double> pose = pair.pose_b;
-    pose.position = pair.pose_b.transform(triangle.origin());
+    pose.position = pair.pose_b.transform(triangle.origin);
     const double separation =
-        test::brute_force_sat(hull, pair.pose_a, triangle.hull(), pose).separation;
+        test::brute_force_sat(hull, pair.pose_a, triangle.hull, pose).separation;
     const Manifolds<double> manifolds = manifolds_of<double>(pair, exact);
     const double tolerance = 64 * std::numeric_limits<double>::epsilon() * size;
     if (std::abs(separation) > tolerance) {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <map>
 
-#include "core/penetration_method.h"
+#include "core/manifold.h"
 #include "manifold/dispatch.h"
 #include "query/tolerance.h"
 #include "support/brute_force_sat.h"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/half_space.h"
 #include "geometry/shape.h"
 #include "manifold/dispatch.h"
 #include "support/random_geometry.h"

@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "core/pose.h"
-#include "geometry/capsule.h"
-#include "geometry/half_space.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
 #include "geometry/shape.h"
-#include "geometry/sphere.h"
 
 /// Bullet, ODE and FCL behind one plain interface, so that tests and benchmarks compare with them
 /// and their headers stay in one file each. Metres; poses place shapes in the world.

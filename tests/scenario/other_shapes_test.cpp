@@ -72,9 +72,11 @@ TEST(OtherShapes, MayBeLeftUnmergedWhereTheyAreHulls) {
       "merge_coplanar = false\n"
       "[shapes.wedge]\ntype = \"hull\"\nmerge_coplanar = false\n"
       "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]]\n"
+      "[shapes.flat]\ntype = \"hull\"\nmerge_coplanar = false\n"
+      "vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]\n"
       "[shapes.merged]\ntype = \"box\"\nhalf_extents = [1, 1, 1]\nmerge_coplanar = true\n";
   const Scenario scenario = parse_scenario(shapes, "hull/a.toml");
-  const int faces[] = {12, 2 * 6 + 8 * 2, 6 + 8, 2 + 3 * 2, 6};
+  const int faces[] = {12, 2 * 6 + 8 * 2, 6 + 8, 2 + 3 * 2, 2, 6};
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
     EXPECT_EQ(scenario.shapes[i].hull()->face_count(), faces[i]) << scenario.shapes[i].name;
   }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/mesh_grid.h"
 #include "geometry/primitives.h"
 #include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
