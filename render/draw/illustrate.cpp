@@ -1,60 +1,57 @@
-#include "draw/illustrate.h"
-
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/pair_label.h"
-#include "draw/scene/compose.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "draw/staging.h"
 
 namespace contactscope::draw {
 namespace {
 
-std::string moment(const trace::Frame& frame) {
-  return printed("frame %d, t = %.3f s", frame.frame, frame.time);
-}
+using Needs = std::array<bool Stages::*, 3>;
+
+// One row for each Panel, in their order.
+constexpr std::array<Needs, kPanelNames.size()> kOfPanels{{
+    {&Stages::sat, &Stages::reduction},                        // Summary
+    {&Stages::clip, &Stages::reduction},                       // ContactPlane
+    {&Stages::sat},                                            // AxisHistory
+    {&Stages::stability},                                      // Stability
+    {},                                                        // Plots
+    {&Stages::minkowski, &Stages::gjk, &Stages::penetration},  // Minkowski
+    {&Stages::gauss_map, &Stages::sat},                        // GaussMap
+}};
+
+// And for each Story.
+constexpr std::array<Needs, 4> kOfStories{{
+    {},                                    // None
+    {&Stages::clip},                       // ClipSteps
+    {&Stages::gjk, &Stages::penetration},  // GjkSteps
+    {&Stages::gjk, &Stages::penetration},  // EpaSteps
+}};
 
 // Labels stand away from the middle of what touches.
 Vec3d center_of_contact(const Scene& scene) {
   std::vector<Vec3d> points;
-  for (const trace::Pair& pair : scene.frame.pairs) {
-    for (const PairPoint& any : all_points(pair)) points.push_back(any.point->position);
-  }
+  for (const trace::Pair& pair : scene.frame.pairs) append(points, positions_of(pair));
   if (!points.empty()) return mean_of(points);
   for (const PlacedShape& shape : scene.shapes) {
-    if (!shape.mesh->shape->half_space)
-      points.push_back(shape.pose.transform(shape.mesh->shape->center_of_mass));
+    if (!shape.traced().half_space)
+      points.push_back(shape.pose.transform(shape.traced().center_of_mass));
   }
   return points.empty() ? Vec3d(Vec3d::Zero()) : mean_of(points);
-}
-
-// Those of the view, in drawing order.
-std::vector<const LayerDrawing*> shown_layers(const Staging& staging) {
-  std::vector<const LayerDrawing*> layers;
-  for (std::size_t i = 0; i < staging.layers->size(); ++i) {
-    if (staging.view.shows(static_cast<Layer>(i))) layers.push_back((*staging.layers)[i]);
-  }
-  return layers;
-}
-
-// False as long as a story of clipping has not come to the contacts of the pair.
-bool is_told(const Scene& scene, const trace::Pair& pair) {
-  return scene.view.story != Story::ClipSteps || !pair.clip ||
-         scene.frame.frame > count_of(pair.clip->steps);
 }
 
 // What the view's layers add; or for the legend alone, without those that explain apart.
 Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   Sketch sketch;
-  std::vector<const LayerDrawing*> layers = shown_layers(staging);
-  for (const LayerDrawing* layer : layers) {
+  if (!legend_alone) sketch.center = center_of_contact(scene);
+  std::vector<const LayerDrawing*> layers;  // in drawing order
+  for (std::size_t i = 0; i < staging.layers->size(); ++i) {
+    if (!staging.view.shows(static_cast<Layer>(i))) continue;
+    const LayerDrawing* layer = (*staging.layers)[i];
     if (layer->explain != nullptr) layer->explain(scene, sketch.legend);
+    if (!legend_alone || layer->explain == nullptr) layers.push_back(layer);
   }
-  if (legend_alone)
-    std::erase_if(layers, [](const LayerDrawing* layer) { return layer->explain != nullptr; });
-  else
-    sketch.center = center_of_contact(scene);
   const auto draw = [&](auto LayerDrawing::*part, const auto&... what) {
     for (const LayerDrawing* layer : layers) {
       if (layer->*part != nullptr) (layer->*part)(scene, what..., sketch);
@@ -64,7 +61,10 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   for (const trace::Pair& pair : scene.frame.pairs) {
     draw(&LayerDrawing::search, pair);
     if (!legend_alone) draw_pair_label(scene, pair, sketch);
-    if (is_told(scene, pair)) draw(&LayerDrawing::result, pair);
+    // A story of clipping comes last to the contacts of the pair.
+    if (scene.view.story != Story::ClipSteps || !pair.clip ||
+        scene.frame.frame > count_of(pair.clip->steps))
+      draw(&LayerDrawing::result, pair);
   }
   draw(&LayerDrawing::above);
   return sketch;
@@ -73,8 +73,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
-  return {staging.view,   *staging.header,      frame,         staging.meshes,
-          staging.camera, staging.depth_factor, staging.scales};
+  return {staging.view, *staging.header, frame, staging.meshes, staging.camera, staging.scales};
 }
 
 std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {
@@ -104,9 +103,25 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   }
   explain_panels(staging.view, frame, legend);
   draw_legend(legend.sorted(), staging.layout, drawing);
-  draw_captions(staging.header->title, staging.header->source, moment(frame), staging.layout,
-                drawing);
+  draw_captions(staging.header->title, staging.header->source,
+                printed("frame %d, t = %.3f s", frame.frame, frame.time), staging.layout, drawing);
   return drawing;
+}
+
+Stages stages_shown(const std::vector<View>& views) {
+  Stages stages = Stages::none();
+  const auto add = [&](const Needs& needs) {
+    for (const auto stage : needs) {
+      if (stage != nullptr) stages.*stage = true;
+    }
+  };
+  for (const View& view : views) {
+    for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
+    for (const Panel panel : view.panels) add(kOfPanels[static_cast<std::size_t>(panel)]);
+    add(kOfStories[static_cast<std::size_t>(view.story)]);
+    stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
+  }
+  return stages;
 }
 
 }  // namespace contactscope::draw

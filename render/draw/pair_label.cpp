@@ -1,11 +1,10 @@
-#include "draw/pair_label.h"
-
 #include <algorithm>
 #include <array>
 #include <ranges>
 
 #include "core/convex_polygon.h"
 #include "draw/scene/solid.h"
+#include "draw/staging.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -17,18 +16,14 @@ constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the lab
 // The body that moves where only one does, also when it has fallen below the other; else the upper.
 const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   const Vec3d up = up_axis(scene.header);
-  std::vector<std::string> names = {pair.a, pair.b};
-  if (scene.frame.solver) {
-    const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
-    if (rests(pair.a) != rests(pair.b)) std::erase_if(names, rests);
-  }
+  const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
+  const bool one_moves = scene.frame.solver && rests(pair.a) != rests(pair.b);
   const PlacedShape* highest = nullptr;
-  for (const std::string& name : names) {
-    const PlacedShape* shape = scene.find(name);
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const PlacedShape* shape = one_moves && rests(*name) ? nullptr : scene.find(*name);
     if (shape == nullptr || shape->vertices.empty()) continue;
-    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0) {
+    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0)
       highest = shape;
-    }
   }
   return highest;
 }
@@ -60,19 +55,23 @@ bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) 
   return true;
 }
 
-// What is out of the picture is not named in it.
-bool is_seen(const Scene& scene, const std::string& name) {
-  const PlacedShape* shape = scene.find(name);
-  return shape != nullptr && in_view(scene.camera, *shape);
-}
+}  // namespace
 
 // Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
 // beside the body. Where other shapes are everywhere, above the body, or as high as the view goes.
-void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  // What is out of the picture is not named in it.
+  const auto is_seen = [&](const std::string& name) {
+    const PlacedShape* shape = scene.find(name);
+    return shape != nullptr && in_view(scene.camera, *shape);
+  };
+  if (pair.label.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
+  const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
+  if (std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end) return;
   const PlacedShape* body = labelled_body(scene, pair);
   if (body == nullptr) return;
   const Camera& camera = scene.camera;
-  const Vec3d middle = body->pose.transform(body->mesh->shape->center_of_mass);
+  const Vec3d middle = body->pose.transform(body->traced().center_of_mass);
   const std::optional<Point2> at = camera.project(middle);
   const std::vector<Vec2d> own = silhouette(camera, *body);
   if (!at || own.empty()) return;
@@ -80,9 +79,9 @@ void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   std::vector<std::vector<Vec2d>> all;
   std::vector<Vec2d> both = own;
   for (const PlacedShape& shape : scene.shapes) {
-    if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") continue;
+    if (shape.traced().half_space || shape.is_mesh()) continue;
     all.push_back(silhouette(camera, shape));
-    const std::string& name = shape.mesh->shape->name;
+    const std::string& name = shape.traced().name;
     if (name == pair.a || name == pair.b)
       both.insert(both.end(), all.back().begin(), all.back().end());
   }
@@ -108,9 +107,9 @@ void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if ((center - half - low).minCoeff() < 0 || (high - center - half).minCoeff() < 0) return false;
     return std::ranges::none_of(all, [&](const auto& polygon) { return overlap(polygon, box); });
   };
-  const Vec2d up(0, -1), down(0, 1), right(1, 0), left(-1, 0);
-  const std::array<Place, 5> places{border(own, up), border(both, up), border(own, down),
-                                    border(own, right), border(own, left)};
+  const Vec2d up(0, -1), right(1, 0);
+  const std::array places{border(own, up), border(both, up), border(own, -up), border(own, right),
+                          border(own, -right)};
   const auto found = std::ranges::find_if(places, is_free);
   const Place& place = found == places.end() ? places.front() : *found;
   const Vec2d inside = Vec2d::Constant(pixel);
@@ -121,16 +120,6 @@ void draw_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   };
   sketch.label(middle + in_world(begin - origin), pair.label, kText, kPairLabelSize, kPairLabelGap,
                Vec3d(in_world(place.out).normalized()));
-}
-
-}  // namespace
-
-void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (pair.label.empty() || (!is_seen(scene, pair.a) && !is_seen(scene, pair.b))) return;
-  const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
-  const bool last = std::none_of(
-      &pair + 1, end, [&](const trace::Pair& later) { return later.label == pair.label; });
-  if (last) draw_label(scene, pair, sketch);
 }
 
 }  // namespace contactscope::draw

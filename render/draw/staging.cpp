@@ -6,24 +6,21 @@
 #include <numbers>
 
 #include "core/at.h"
-#include "draw/illustrate.h"
 #include "draw/scene/pair_points.h"
-#include "draw/scene/plane_patch.h"
 #include "draw/scene/points.h"
+#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kFieldOfView = 30;       // degrees; stronger perspective would bend right angles
-constexpr double kElevation = 30;         // degrees above the contact plane
-constexpr double kPatchShare = 0.46;      // of the view's smaller side
-constexpr double kLeastPatch = 0.345;     // of it, where all shapes can be seen
-constexpr double kShapesShare = 0.92;     // of the view, when all shapes are to be seen
-constexpr double kLeastShapes = 0.72;     // of the distance from which all shapes are seen
-constexpr double kLargeShape = 2.2;       // radii of the smallest: a floor, which may be cropped
-constexpr double kLeastContext = 0.45;    // of the smaller shape's radius: a point has no size
-constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
-constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
+constexpr double kFieldOfView = 30;     // degrees; stronger perspective would bend right angles
+constexpr double kElevation = 30;       // degrees above the contact plane
+constexpr double kPatchShare = 0.46;    // of the view's smaller side
+constexpr double kLeastPatch = 0.345;   // of it, where all shapes can be seen
+constexpr double kShapesShare = 0.92;   // of the view, when all shapes are to be seen
+constexpr double kLeastShapes = 0.72;   // of the distance from which all shapes are seen
+constexpr double kLargeShape = 2.2;     // radii of the smallest: a floor, which may be cropped
+constexpr double kLeastContext = 0.45;  // of the smaller shape's radius: a point has no size
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
@@ -51,81 +48,67 @@ struct Cloud {
 /// What a sequence asks of a camera, gathered in one pass over its frames.
 struct Extent {
   std::vector<Vec3d> shapes;     // all of them
-  std::vector<Vec3d> uncropped;  // what a picture cannot crop as it may a box; see below
-  std::vector<Vec3d> bodies;     // all but floors; only where there is nothing of `uncropped`
+  std::vector<Vec3d> subject;    // of them what a picture of the contact holds
+  bool croppable = true;         // where the contact would be too small otherwise
   std::vector<Vec3d> contact;    // its patches
   Vec3d normal = Vec3d::Zero();  // of the contact, to the viewer's side; zero when there is none
 };
 
 // The contact's normal, to the side from which it is looked at; either one, unless a half-space
 // would then hide everything.
-Vec3d seen_side(const ShapeMeshes& meshes, const std::vector<PlacedShape>& placed,
-                const trace::Pair& pair, const Vec3d& normal, const Vec3d& usual) {
-  for (const std::string* name : {&pair.a, &pair.b}) {
-    const std::optional<std::size_t> place = meshes.find(*name);
-    if (!place || !meshes[*place].shape->half_space) continue;
-    return placed[*place].pose.rotate(meshes[*place].shape->half_space->normal);
+Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
+                const Vec3d& usual) {
+  for (const PlacedShape& shape : placed) {
+    const trace::Shape& plane = shape.traced();
+    if (plane.half_space && (plane.name == pair.a || plane.name == pair.b))
+      return shape.pose.rotate(plane.half_space->normal);
   }
+  const Vec3d& normal = pair.manifolds.front().normal;
   return normal.dot(usual) < 0 ? Vec3d(-normal) : normal;
 }
 
-void add_contact(const trace::Pair& pair, std::vector<Vec3d>& points) {
-  for (const PairPoint& any : all_points(pair)) points.push_back(any.point->position);
-  if (pair.reduction) {
-    for (const trace::Point& point : pair.reduction->points) points.push_back(point.position);
-  }
-  if (pair.clip) append(points, pair.clip->incident.polygon);
-}
-
-/// A plane of a sequence, and where it stands in each frame.
-struct SequencePlane {
-  PatchFit fit;
-  std::vector<Pose<double>> poses;
-};
-
 // Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known by
-// their outline alone, and the ground with all that is on it.
+// their outline alone, and the ground with all that is on it; else the subject is all but floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
               ShapeMeshes& meshes) {
   const Vec3d usual = default_direction(header);
   const double smallest = meshes.smallest_radius();
   const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
   const bool any_round = std::ranges::any_of(meshes, is_round);
-  std::map<std::size_t, SequencePlane> planes;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (const auto& plane = meshes[i].shape->half_space)
-      planes.try_emplace(i, SequencePlane{{*plane, up_axis(header)}, {}});
-  }
+  std::map<std::size_t, PatchFit> planes;
   Extent extent;
-  Cloud shapes, round, bodies;
+  Cloud shapes, subject;
   for (const trace::Frame& frame : frames) {
     const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
     std::vector<Vec3d> points = extent_points(placed), chosen;
-    for (auto& [i, plane] : planes) {
-      plane.fit.add(placed[i].pose, points);
-      plane.poses.push_back(placed[i].pose);
-    }
-    shapes.add(std::move(points));
-    for (const PlacedShape& shape : placed) {
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const PlacedShape& shape = placed[i];
+      if (const auto& plane = shape.traced().half_space)
+        planes.try_emplace(i, *plane, shape.pose, up_axis(header))
+            .first->second.add(shape.pose, points);
       if (any_round ? is_round(*shape.mesh) : shape.mesh->radius <= kLargeShape * smallest)
         append(chosen, extent_points(shape));
     }
-    (any_round ? round : bodies).add(std::move(chosen));
+    shapes.add(std::move(points));
+    subject.add(std::move(chosen));
     for (const trace::Pair& pair : frame.pairs) {
       if (extent.normal.isZero() && !pair.manifolds.empty())
-        extent.normal = seen_side(meshes, placed, pair, pair.manifolds.front().normal, usual);
-      add_contact(pair, extent.contact);
+        extent.normal = seen_side(placed, pair, usual);
+      append(extent.contact, positions_of(pair));
+      if (pair.reduction)
+        append(extent.contact, mapped(pair.reduction->points, &trace::Point::position));
+      if (pair.clip) append(extent.contact, pair.clip->incident.polygon);
     }
   }
   extent.shapes = std::move(shapes.points);
   for (const auto& [i, plane] : planes) {
-    meshes[i].patch = plane.fit.patch();
+    meshes[i].patch = plane.patch();
     Cloud corners;
     for (const Pose<double>& pose : plane.poses) corners.add(patch_corners(*meshes[i].patch, pose));
     append(extent.shapes, corners.points);
   }
-  extent.uncropped = planes.empty() ? round.points : extent.shapes;
-  extent.bodies = std::move(bodies.points);
+  extent.subject = planes.empty() ? subject.points : extent.shapes;
+  extent.croppable = planes.empty() && !any_round;
   if (extent.contact.empty()) return extent;
   // A point contact has no size: what lies around it counts instead.
   const Vec3d center = center_of(extent.contact);
@@ -156,59 +139,28 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
   if (view.eye) {
     direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
   }
-  const ViewAxes axes(direction, up_axis(header));
+  const Vec3d up = up_axis(header);
   const auto fit = [&](std::vector<Vec3d> points, double share,
                        const std::vector<Vec3d>& more = {}) {
     append(points, more);
-    return fit_view(points, axes, view.target, half_height, aspect, share);
+    return fit_view(points, direction, up, view.target, half_height, aspect, share);
   };
   ViewFit best = fit(extent.shapes, kShapesShare);
   if (view.focus == Focus::Contact && !extent.contact.empty()) {
     ViewFit close = fit(extent.contact, kPatchShare);
-    if (!extent.uncropped.empty()) {
-      const ViewFit around = fit(extent.uncropped, kShapesShare, extent.contact);
+    const ViewFit around = fit(extent.subject, kShapesShare, extent.contact);
+    // What may be cropped is, where the patch would be less than a third of the view.
+    if (!extent.croppable || around.distance <= fit(extent.contact, kLeastPatch).distance)
       close = {around.target, std::max(around.distance, close.distance)};
-    } else {  // whole bodies, as long as the patch stays a third of the view
-      const ViewFit seen = fit(extent.bodies, kShapesShare, extent.contact);
-      if (seen.distance <= fit(extent.contact, kLeastPatch).distance)
-        close = {seen.target, std::max(seen.distance, close.distance)};
-    }
     // Not so near that the shapes are lost.
     if (close.distance < best.distance)
       best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
   }
   if (view.eye) best.distance = (*view.eye - best.target).norm();
   const Vec3d eye = view.eye.value_or(best.target + best.distance * direction);
-  if (view.orthographic_height) {
-    return Camera::orthographic(eye, best.target, up_axis(header), *view.orthographic_height,
-                                viewport);
-  }
-  return Camera::perspective(eye, best.target, up_axis(header), fov, viewport);
-}
-
-// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible.
-double fit_depth_factor(const std::vector<trace::Frame>& frames, const View& view,
-                        const Camera& camera, double scale) {
-  // These have no whiskers there.
-  const bool by_age = view.shows(Layer::Persistent);
-  double deepest = 0;  // pixels
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      if (by_age && pair.incremental) continue;
-      for (const auto& [manifold, point] : all_points(pair)) {
-        const Vec3d& at = point->position;
-        if (camera.sees(at))
-          deepest = std::max(deepest, -point->separation * camera.pixels_per_metre(at));
-      }
-    }
-  }
-  if (deepest <= 0 || deepest >= kLegibleDepth * scale) return 1;
-  const double wanted = kExaggeratedDepth * scale / deepest;
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * decade >= 0.75 * wanted) return step * decade;
-  }
-  return 10 * decade;
+  return view.orthographic_height
+             ? Camera::orthographic(eye, best.target, up, *view.orthographic_height, viewport)
+             : Camera::perspective(eye, best.target, up, fov, viewport);
 }
 
 // For the legend of each frame the widths of its entries.
@@ -216,9 +168,9 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
                                               const std::vector<trace::Frame>& frames) {
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {
-    std::vector<float> entries;
-    for (const LegendEntry& entry : legend_of(staging, frame))
-      entries.push_back(legend_entry_width(entry, staging.layout.scale));
+    std::vector<float> entries = mapped(legend_of(staging, frame), [&](const LegendEntry& entry) {
+      return legend_entry_width(entry, staging.layout.scale);
+    });
     if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
   }
   return widths;
@@ -245,7 +197,6 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     return staging;
   }
   const auto fit = [&] {
-    staging.depth_factor = fit_depth_factor(frames, view, staging.camera, staging.layout.scale);
     staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view);
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
   };

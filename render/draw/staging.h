@@ -7,15 +7,11 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
-#include "draw/scene/camera.h"
-#include "draw/scene/layout.h"
-#include "draw/scene/scene.h"
 #include "trace/trace.h"
 
 namespace contactscope::draw {
 
-/// What a whole sequence shares, so that only what changes moves: layout, camera, and the factor by
-/// which overlaps are exaggerated.
+/// What a whole sequence shares, so that only what changes moves.
 struct Staging {
   const trace::Header* header = nullptr;  // outlives the staging
   View view;
@@ -23,7 +19,6 @@ struct Staging {
   ShapeMeshes meshes;
   Layout layout;
   Camera camera;
-  double depth_factor = 1;
   std::shared_ptr<const ContactCells> cells{};  // of a contact plane, which has no camera
   SequenceScales scales{};
   std::vector<Inset> insets{};  // of the view's panels; `view` names the others
@@ -35,5 +30,27 @@ struct Staging {
 /// for it.
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, int width, int height, const LayerTable& layers = kLayers);
+
+/// One frame as the view shows it, made from the trace alone; nothing of the pipeline is computed
+/// again. The same frame gives the same drawing.
+Drawing illustrate(const Staging& staging, const trace::Frame& frame);
+
+/// The part before pixels: what the view's layers add for this frame, in the world.
+Sketch sketch_frame(const Staging& staging, const trace::Frame& frame);
+
+/// What the frame is to the layers of a staged view.
+Scene scene_of(const Staging& staging, const trace::Frame& frame);
+
+/// The legend of the whole picture, without drawing it. What layers, insets and panels show alike is
+/// explained once.
+std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame);
+
+/// What a scenario calls the pair, above its shapes where it covers none. Of several pairs that share
+/// a name the last one bears it: of a stack the uppermost. `pair` is one of the scene's.
+void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+
+/// The optional stages of the pipeline that the layers and panels of these views look at. Manifolds
+/// are always there.
+Stages stages_shown(const std::vector<View>& views);
 
 }  // namespace contactscope::draw

@@ -10,7 +10,6 @@
 #include "app/sequence.h"
 #include "app/studio.h"
 #include "app/verbs.h"
-#include "draw/stages_shown.h"
 #include "draw/staging.h"
 #include "snapshot/store.h"
 

@@ -1,7 +1,6 @@
 #include "app/studio.h"
 
 #include "app/progress.h"
-#include "draw/illustrate.h"
 #include "overlay/panels.h"
 
 namespace contactscope::app {

@@ -9,7 +9,7 @@
 #include "app/encoder_pool.h"
 #include "app/ledger.h"
 #include "app/studio.h"
-#include "draw/illustrate.h"
+#include "draw/staging.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"
 #include "image/png.h"

@@ -8,7 +8,7 @@
 
 #include "app/ledger.h"
 #include "app/studio.h"
-#include "draw/illustrate.h"
+#include "draw/staging.h"
 
 namespace contactscope {
 namespace {

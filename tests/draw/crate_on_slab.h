@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "draw/illustrate.h"
+#include "draw/staging.h"
 
 namespace contactscope::draw::crate_sample {
 

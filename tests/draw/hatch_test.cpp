@@ -1,4 +1,4 @@
-#include "draw/scene/hatch.h"
+#include "draw/scene/pen.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 std::vector<Stroke> hatched(const std::vector<Vec2d>& whole, const std::vector<Vec2d>& hole,
                             double spacing) {
   Drawing drawing;
-  hatch(convex_polygon(whole), convex_polygon(hole), spacing, 1, Color{}, drawing);
+  Pen(drawing, 1, 1).hatch(convex_polygon(whole), convex_polygon(hole), spacing, 1, Color{});
   std::vector<Stroke> strokes;
   for (const Primitive& primitive : drawing.primitives) {
     strokes.push_back(std::get<Stroke>(primitive));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "draw/scene/compose.h"
+#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,4 +1,4 @@
-#include "draw/illustrate.h"
+#include "draw/staging.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -145,7 +145,7 @@ TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
 TEST(Illustrate, ShallowOverlapIsExaggeratedByAStatedRoundFactor) {
   const BoxOnSlab scene;
   const Staging staging = scene.staged();
-  EXPECT_GT(staging.depth_factor, 1);
+  EXPECT_GT(staging.scales.overlap, 1);
   const std::string stated = "contact point, whisker = overlap × ";
   EXPECT_THAT(texts(illustrate(staging, scene.frame)),
               testing::Contains(testing::StartsWith(stated)));
@@ -154,7 +154,7 @@ TEST(Illustrate, ShallowOverlapIsExaggeratedByAStatedRoundFactor) {
 TEST(Illustrate, DeepOverlapIsDrawnTrue) {
   BoxOnSlab scene;
   for (trace::Point& point : scene.frame.pairs[0].manifolds[0].points) point.separation = -0.2;
-  EXPECT_EQ(scene.staged().depth_factor, 1);
+  EXPECT_EQ(scene.staged().scales.overlap, 1);
 }
 
 TEST(Illustrate, PatchTakesAThirdToAHalfOfTheView) {

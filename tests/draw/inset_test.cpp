@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "draw/illustrate.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/simplex_steps.h"
-#include "draw/stages_shown.h"
 #include "draw/staging.h"
 
 namespace contactscope::draw {

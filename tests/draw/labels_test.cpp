@@ -68,7 +68,7 @@ TEST(LabelPlacer, FarPlacesGetALeader) {
 
 TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
   LabelPlacer placer(kView);
-  placer.avoid({0, 90}, {300, 90});  // right above the anchor, where the label wants to be
+  placer.avoid({{0, 90}, {300, 90}});  // right above the anchor, where the label wants to be
   const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1});
   ASSERT_TRUE(place);
   const Rect b = box(*place);
@@ -77,7 +77,7 @@ TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
 
 TEST(LabelPlacer, WhereLinesAreEverywhereTheLabelStandsOnThem) {
   LabelPlacer placer(kView);
-  for (float y = 0; y < 200; y += 5) placer.avoid({0, y}, {300, y});
+  for (float y = 0; y < 200; y += 5) placer.avoid({{0, y}, {300, y}});
   EXPECT_TRUE(placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1}));
 }
 

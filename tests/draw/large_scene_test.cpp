@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "draw/illustrate.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/plane_patch.h"
+#include "draw/scene/solid.h"
+#include "draw/staging.h"
 
 namespace contactscope::draw {
 namespace {
@@ -148,7 +148,7 @@ TEST(CameraFit, ALargeMeshDoesNotTakeOver) {
 TEST(CameraFit, ASphereIsSeenWhole) {
   const BallOn scene(ground(Vec3d::UnitY(), 0), {{0, 0.49, 0}}, Vec3d::UnitY());
   const Staging staging = scene.staged();
-  const RoundBody body({{0, 0.49, 0}}, 0.5);
+  const RoundBody body{{{0, 0.49, 0}}, 0.5};
   for (const Vec3d& p : body.outline(staging.camera)) {
     const std::optional<Point2> at = staging.camera.project(p);
     ASSERT_TRUE(at);

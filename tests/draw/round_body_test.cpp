@@ -9,7 +9,6 @@
 
 #include "draw/scene/depth_order.h"
 #include "draw/scene/hidden_lines.h"
-#include "draw/scene/shading.h"
 
 namespace contactscope::draw {
 namespace {
@@ -24,13 +23,13 @@ Camera flat_from(const Vec3d& eye) {
   return Camera::orthographic(eye, Vec3d::Zero(), Vec3d::UnitY(), 4, kView);
 }
 
-const RoundBody kBall({{0.3, -0.2, 0.1}}, 0.5);
-const RoundBody kPill({{-0.6, 0.1, 0.2}, {0.5, 0.4, -0.3}}, 0.3);
+const RoundBody kBall{{{0.3, -0.2, 0.1}}, 0.5};
+const RoundBody kPill{{{-0.6, 0.1, 0.2}, {0.5, 0.4, -0.3}}, 0.3};
 
 // Distance from the middle of the body, whatever its core.
 double core_distance(const RoundBody& body, const Vec3d& p) {
-  const Vec3d& a = body.core().front();
-  const Vec3d along = body.core().back() - a;
+  const Vec3d& a = body.core.front();
+  const Vec3d along = body.core.back() - a;
   const double length = along.squaredNorm();
   const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
   return (p - a - t * along).norm();
@@ -53,9 +52,9 @@ TEST(RoundBody, SlowOutlineIsWhereTheViewRayTouchesTheSurface) {
       ASSERT_GE(outline.size(), 90u);
       for (std::size_t i = 0; i < outline.size(); i += 5) {
         const Vec3d& p = outline[i];
-        EXPECT_NEAR(core_distance(body, p), body.radius(), 1e-12);
+        EXPECT_NEAR(core_distance(body, p), body.radius, 1e-12);
         // The ray comes no nearer anywhere: it touches.
-        EXPECT_NEAR(nearest_on_ray(body, p, camera.to_eye(p)), body.radius(), 1e-9);
+        EXPECT_NEAR(nearest_on_ray(body, p, camera.to_eye(p)), body.radius, 1e-9);
       }
     }
   }
@@ -65,7 +64,7 @@ TEST(RoundBody, OutlineGoesAroundOnce) {
   for (const RoundBody& body : {kBall, kPill}) {
     const Camera camera = looking_from({3, 2, 4});
     const std::vector<Vec3d> outline = body.outline(camera);
-    const Point2 middle = *camera.project(0.5 * (body.core().front() + body.core().back()));
+    const Point2 middle = *camera.project(0.5 * (body.core.front() + body.core.back()));
     double turned = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Point2 p = *camera.project(outline[i]);
@@ -81,7 +80,7 @@ TEST(RoundBody, OutlineGoesAroundOnce) {
 }
 
 TEST(RoundBody, ACapsuleSeenEndOnHasACircleForItsOutline) {
-  const RoundBody pill({{0, 0, -1}, {0, 0, 1}}, 0.25);
+  const RoundBody pill{{{0, 0, -1}, {0, 0, 1}}, 0.25};
   for (const Camera& camera : {looking_from({0, 0, 5}), flat_from({0, 0, 5})}) {
     const std::vector<Vec3d> outline = pill.outline(camera);
     ASSERT_FALSE(outline.empty());
@@ -93,7 +92,7 @@ TEST(RoundBody, ACapsuleSeenEndOnHasACircleForItsOutline) {
 }
 
 TEST(RoundBody, AnEyeInsideSeesNothingOfIt) {
-  const RoundBody around({{0, 0, -3}, {0, 0, 3}}, 1);
+  const RoundBody around{{{0, 0, -3}, {0, 0, 3}}, 1};
   const Camera camera = looking_from({0, 0.5, 2});
   EXPECT_TRUE(around.outline(camera).empty());
   EXPECT_TRUE(around.front(camera, key_light(camera)).empty());
@@ -115,7 +114,7 @@ TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
       double covered = 0;
       for (const RoundBody::Facet& facet : body.front(camera, key_light(camera))) {
         for (const Vec3d& p : facet.polygon) {
-          EXPECT_NEAR(core_distance(body, p), body.radius(), 1e-9);
+          EXPECT_NEAR(core_distance(body, p), body.radius, 1e-9);
         }
         covered += area(camera, facet.polygon);
       }
@@ -141,9 +140,9 @@ TEST(RoundBody, HidesWhatAViewRayMeetsItBefore) {
         const Vec3d on_ray = p + (k / 4000.0) * (camera.eye() - p);
         nearest = std::min(nearest, core_distance(body, on_ray));
       }
-      if (std::abs(nearest - body.radius()) < 0.02) continue;  // beside the outline
+      if (std::abs(nearest - body.radius) < 0.02) continue;  // beside the outline
       const bool hidden = lines.split(p, p + Vec3d(1e-4, 0, 0)).front().hidden;
-      EXPECT_EQ(hidden, nearest < body.radius()) << p.transpose();
+      EXPECT_EQ(hidden, nearest < body.radius) << p.transpose();
       (hidden ? hidden_count : seen_count)++;
     }
   }
@@ -167,7 +166,7 @@ TEST(RoundBody, ItsOwnOutlineIsNotHiddenByIt) {
 }
 
 TEST(RoundBody, PowerPlaneGoesThroughTheCircleInWhichSpheresMeet) {
-  const RoundBody small({{0, 0, 0}}, 0.5), large({{0.9, 0, 0}}, 0.8);
+  const RoundBody small{{{0, 0, 0}}, 0.5}, large{{{0.9, 0, 0}}, 0.8};
   const Plane<double> plane = power_plane(small, large);
   // Points at both radii: x^2 + y^2 = 0.25 and (x - 0.9)^2 + y^2 = 0.64.
   const double x = (0.25 - 0.64 + 0.81) / 1.8;
@@ -185,16 +184,16 @@ TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
     const auto point = [&] {
       return Vec3d(coordinate(random), coordinate(random), coordinate(random));
     };
-    const RoundBody a({point(), point()}, 0.2), b({point(), point()}, 0.1);
+    const RoundBody a{{point(), point()}, 0.2}, b{{point(), point()}, 0.1};
     double gap = 1e9;
     for (int s = 0; s <= 200; ++s) {
-      const Vec3d on_a = a.core()[0] + s / 200.0 * (a.core()[1] - a.core()[0]);
+      const Vec3d on_a = a.core[0] + s / 200.0 * (a.core[1] - a.core[0]);
       gap = std::min(gap, core_distance(b, on_a) - 0.3);
     }
     if (gap < 0.02) continue;
     const Plane<double> plane = power_plane(a, b);
-    for (const Vec3d& p : a.core()) EXPECT_LT(plane.distance(p), -0.2);
-    for (const Vec3d& p : b.core()) EXPECT_GT(plane.distance(p), 0.1);
+    for (const Vec3d& p : a.core) EXPECT_LT(plane.distance(p), -0.2);
+    for (const Vec3d& p : b.core) EXPECT_GT(plane.distance(p), 0.1);
     ++parted;
   }
   EXPECT_GT(parted, 50);
@@ -202,8 +201,8 @@ TEST(RoundBody, PowerPlanePartsBodiesThatAreApart) {
 
 TEST(RoundBody, TheNearerOfTwoSpheresIsPaintedLast) {
   const Camera camera = looking_from({0, 0, 6});
-  const std::vector<RoundBody> bodies = {RoundBody({{0, 0, 1}}, 0.6),
-                                         RoundBody({{0.3, 0.1, -1}}, 0.6)};
+  const std::vector<RoundBody> bodies = {RoundBody{{{0, 0, 1}}, 0.6},
+                                         RoundBody{{{0.3, 0.1, -1}}, 0.6}};
   std::vector<Surface> surfaces;
   for (int k = 0; k < 2; ++k) {
     for (RoundBody::Facet& facet :

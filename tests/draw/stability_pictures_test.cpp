@@ -7,10 +7,9 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
-#include "draw/illustrate.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/stages_shown.h"
+#include "draw/staging.h"
 
 namespace contactscope::draw {
 namespace {

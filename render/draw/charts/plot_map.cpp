@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "draw/charts/plot_page.h"
-#include "draw/scene/hatch.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {
@@ -115,7 +114,7 @@ class Map : Pen {
            {rect.right(), rect.y},
            {rect.right(), rect.bottom()},
            {rect.x, rect.bottom()}},
-          {}, px(6), px(1), with_alpha(kDropped, 0.4f), drawing());
+          {}, 6, 1, with_alpha(kDropped, 0.4f));
   }
 
   void cell(const trace::StudyPoint& point, const Rect& rect) const {

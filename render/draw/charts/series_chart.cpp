@@ -8,7 +8,6 @@
 #include "draw/charts/id_strip.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/sequence_scales.h"
 
 namespace contactscope::draw {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "draw/insets/contact_plane.h"
-#include "draw/scene/hatch.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
@@ -133,7 +132,7 @@ class ChoicePen : Pen {
       labels_.push_back({middle, spelled, kEdgeSeenInside, false, true});
       return;
     }
-    hatch(convex_polygon({from, to, point}), {}, px(5), px(1.3), kContact, drawing());
+    hatch(convex_polygon({from, to, point}), {}, 5, 1.3, kContact);
     sides(measure, 2.5, kContact);
     if (!by_distance) {
       labels_.push_back({middle, spelled, kContact, true});

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <optional>
 
-#include "draw/scene/hatch.h"
 #include "draw/scene/swatches.h"
 #include "image/font.h"
 
@@ -228,8 +227,7 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
   }
   const std::vector<Vec2d> kept = polygon_of(cell.kept);
   if (kept.size() > 2) plane.fill(pixels(kept), with_alpha(kContact, 0.16f));
-  hatch(all, kept, plane.px(kHatchSpacing), plane.px(1.1), with_alpha(kDropped, 0.8f),
-        plane.drawing());
+  plane.hatch(all, kept, kHatchSpacing, 1.1, with_alpha(kDropped, 0.8f));
   plane.outline(pixels(all), 2, kClipPolygon);
   plane.outline(pixels(kept), 2, kContact);
   if (cell.best.size() > 2) plane.outline(pixels(polygon_of(cell.best)), 1.6, kNormal, 6);

@@ -9,7 +9,6 @@
 #include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/sequence_scales.h"
 #include "draw/scene/swatches.h"
 
 namespace contactscope::draw {

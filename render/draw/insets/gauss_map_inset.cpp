@@ -8,7 +8,6 @@
 #include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/shading.h"
 
 /// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge an
 /// arc between the faces that it joins. Two edges make a face of the Minkowski difference where their
@@ -164,7 +163,7 @@ class ShapeMap {
 };
 
 void draw_sphere(const Camera& camera, Sketch& sketch) {
-  const RoundBody sphere({Vec3d::Zero()}, 1.0);
+  const RoundBody sphere{{Vec3d::Zero()}, 1.0};
   const int index = static_cast<int>(sketch.bodies.size());
   for (RoundBody::Facet& facet : sphere.front(camera, key_light(camera)))
     sketch.surfaces.push_back({std::move(facet.polygon), toned(kSphere, facet.lit), index});

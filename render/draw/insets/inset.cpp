@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/scene/compose.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
 
@@ -51,8 +50,8 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     ViewFit fit{Vec3d::Zero(),
                 1 / std::sin(std::atan(kSphereShare * half_height * std::min(1.0, aspect)))};
     if (!sphere) {
-      fit = fit_view(minkowski_extent(frames), ViewAxes(direction, world_up), std::nullopt,
-                     half_height, aspect, kInsetShare);
+      fit = fit_view(minkowski_extent(frames), direction, world_up, std::nullopt, half_height,
+                     aspect, kInsetShare);
       if (!(fit.distance > 0)) fit.distance = 1;  // nothing but the origin
     }
     insets.push_back({panels[i], frame,

@@ -8,10 +8,10 @@
 #include "draw/charts/id_strip.h"
 #include "draw/charts/pair_history.h"
 #include "draw/scene/layout.h"
-#include "draw/scene/marks.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {

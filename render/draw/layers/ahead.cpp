@@ -1,7 +1,4 @@
-#include <algorithm>
-
 #include "draw/layers/layer.h"
-#include "draw/scene/arrows.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/swatches.h"
 
@@ -19,9 +16,9 @@ constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes
 
 // The silhouette alone.
 void draw_ghost(const Camera& camera, const PlacedShape& shape, Sketch& sketch) {
-  const double radius = shape.mesh->shape->radius;
+  const double radius = shape.traced().radius;
   if (radius > 0) {
-    const std::vector<Vec3d> outline = RoundBody(shape.vertices, radius).outline(camera);
+    const std::vector<Vec3d> outline = RoundBody{shape.vertices, radius}.outline(camera);
     if (!outline.empty()) sketch.curves.push_back({outline, kGhost, true});
     return;
   }
@@ -34,51 +31,38 @@ void draw_ghost(const Camera& camera, const PlacedShape& shape, Sketch& sketch) 
   }
 }
 
-/// The shape of a body that goes so far in a frame that it is seen; null: it does not.
-const PlacedShape* fast_shape(const Scene& scene, const trace::Body& body) {
-  const double pixels = scene.camera.pixels_per_metre(body.center_of_mass);
-  if ((scene.scales.step * body.velocity).norm() * pixels < kLeastWay * scene.scales.pixel)
-    return nullptr;
-  return scene.find(body.name);
-}
-
-/// The gap of a point that does not touch yet.
-void draw_gap_at(const Scene& scene, bool on_a, const PairPoint& at, Sketch& sketch) {
-  const auto& [manifold, point] = at;
-  const Vec3d& from = point->position;
-  const Vec3d to = from + (on_a ? 1 : -1) * point->separation * manifold->normal;
-  const double pixel = scene.scales.pixel / scene.camera.pixels_per_metre(from);
-  const Vec3d aside = kAside * pixel * scene.camera.up();
-  for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
-  draw_gap(scene, from + aside, to + aside, point->separation, 12, scene.camera.up(), sketch);
-}
-
 void draw_ahead(const Scene& scene, Sketch& sketch) {
-  if (!scene.frame.solver || scene.scales.step <= 0) return;
+  const double step = scene.scales.step;
+  if (!scene.frame.solver || step <= 0) return;
   for (const trace::Body& body : scene.bodies()) {
-    const PlacedShape* shape = fast_shape(scene, body);
-    if (shape == nullptr) continue;
-    const Vec3d way = scene.scales.step * body.velocity;
+    const Vec3d& center = body.center_of_mass;
+    const Vec3d way = step * body.velocity;
+    const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
+    const PlacedShape* shape = scene.find(body.name);
+    if (shape == nullptr || pixels < kLeastWay * scene.scales.pixel) continue;
     PlacedShape ghost = *shape;
-    const double angle = scene.scales.step * body.angular_velocity.norm();
+    const double angle = step * body.angular_velocity.norm();
     if (angle > 0) {
       const Quatd turn(Eigen::AngleAxisd(angle, body.angular_velocity.normalized()));
       ghost.pose.rotation = (turn * ghost.pose.rotation).normalized();
-      for (Vec3d& v : ghost.vertices) {
-        const Vec3d arm = v - body.center_of_mass;
-        v = body.center_of_mass + turn * arm;
-      }
+      for (Vec3d& v : ghost.vertices) v = center + turn * Vec3d(v - center);
     }
     for (Vec3d& v : ghost.vertices) v += way;
     draw_ghost(scene.camera, ghost, sketch);
-    sketch.line(body.center_of_mass, body.center_of_mass + way, {1.2f, kDropped, true});
+    sketch.line(center, center + way, {1.2f, kDropped, true});
     sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it");
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);
-    const bool on_a = a == nullptr || a->mesh->shape->radius == 0;
-    for (const PairPoint& any : all_points(pair)) {
-      if (stands_off(*any.point, scene.scales)) draw_gap_at(scene, on_a, any, sketch);
+    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // on which the point is
+    for (const auto& [manifold, point] : all_points(pair)) {
+      if (!stands_off(*point, scene.scales)) continue;
+      const Vec3d& from = point->position;
+      const Vec3d to = from + side * point->separation * manifold->normal;
+      const Vec3d up = scene.camera.up();
+      const Vec3d aside = kAside * scene.scales.pixel / scene.camera.pixels_per_metre(from) * up;
+      for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
+      draw_gap(scene, from + aside, to + aside, point->separation, 12, up, sketch);
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_points.h"
+#include "draw/scene/points.h"
+#include "draw/scene/solid.h"
 #include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
@@ -16,6 +18,21 @@ constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](auto& pen) {
                                     pen.box(with_alpha(kSidePlane, 0.2f), kSidePlane, 1.2);
                                   }};
 
+// Gregorius 2015, "Hull vs Hull: Face Contact".
+void draw_reference_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.clip) return;
+  const LineStyle border{3.0f, kReferenceFace};
+  sketch.face(pair.clip->reference.polygon, with_alpha(kReferenceFace, 0.35f), border);
+  sketch.explain(kReferenceFaceSwatch, "reference face");
+}
+
+void draw_incident_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.clip) return;
+  const LineStyle border{3.0f, kIncidentFace, true};
+  sketch.face(pair.clip->incident.polygon, with_alpha(kIncidentFace, 0.35f), border);
+  sketch.explain(kIncidentFaceSwatch, "incident face");
+}
+
 std::size_t steps_to_show(const Scene& scene, const trace::Pair& pair) {
   if (!pair.clip) return 0;
   if (scene.view.story != Story::ClipSteps) return pair.clip->steps.size();
@@ -26,9 +43,7 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Ske
   const trace::Polygon& face = clip.reference.polygon;
   const Vec3d& from = face[step];
   const Vec3d& to = face[(step + 1) % face.size()];
-  double size = 0;
-  for (const Vec3d& p : face) size = std::max(size, (p - face[0]).norm());
-  const Vec3d rise = 0.5 * kPlaneHeight * size * clip.reference.normal;
+  const Vec3d rise = 0.5 * kPlaneHeight * reach_of(face) * clip.reference.normal;
   const Color border = with_alpha(kSidePlane, is_new ? 1.0f : 0.6f);
   sketch.face({from - rise, to - rise, to + rise, from + rise},
               with_alpha(kSidePlane, is_new ? 0.36f : 0.12f), {is_new ? 1.5f : 1.0f, border});
@@ -74,9 +89,11 @@ void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kSidePlanesLayer{.needs = {&trace::Stages::clip}, .search = draw_side_planes};
-const LayerDrawing kClipPolygonsLayer{.needs = {&trace::Stages::clip},
-                                      .search = draw_clip_polygons};
-const LayerDrawing kDroppedLayer{.needs = {&trace::Stages::clip}, .search = draw_dropped};
+const LayerDrawing kReferenceFaceLayer{
+    .needs = {&Stages::clip}, .beneath = draw_touched_triangles, .search = draw_reference_face};
+const LayerDrawing kIncidentFaceLayer{.needs = {&Stages::clip}, .search = draw_incident_face};
+const LayerDrawing kSidePlanesLayer{.needs = {&Stages::clip}, .search = draw_side_planes};
+const LayerDrawing kClipPolygonsLayer{.needs = {&Stages::clip}, .search = draw_clip_polygons};
+const LayerDrawing kDroppedLayer{.needs = {&Stages::clip}, .search = draw_dropped};
 
 }  // namespace contactscope::draw

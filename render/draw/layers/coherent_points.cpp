@@ -25,7 +25,7 @@ void draw_coherent_points(const Scene&, const trace::Pair& pair, Sketch& sketch)
 
 }  // namespace
 
-const LayerDrawing kCoherentLayer{.needs = {&trace::Stages::clip, &trace::Stages::reduction},
+const LayerDrawing kCoherentLayer{.needs = {&Stages::clip, &Stages::reduction},
                                   .result = draw_coherent_points};
 
 }  // namespace contactscope::draw

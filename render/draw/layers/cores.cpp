@@ -43,18 +43,8 @@ constexpr double kColumn = 30;  // pixels between the lines of one sum
 constexpr double kBeyondColumn = 7;
 constexpr double kLeastOfSum = 6;
 
-/// What is left of a hull when a margin is taken off its faces; world, metres.
-struct CoreSolid {
-  struct Edge {
-    Vec3d from, to;
-    int left, right;  // faces of the hull whose core faces meet in it
-  };
-  std::vector<Edge> edges;  // each once
-  std::vector<Vec3d> corners;
-};
-
 struct CoreCorner {
-  Vec3d at;
+  Vec3d at;  // world, metres
   int side;  // the face beyond the edge that begins here
 };
 using CoreFace = std::vector<CoreCorner>;
@@ -75,32 +65,6 @@ CoreFace clipped_by(const CoreFace& polygon, const Plane<double>& plane, int sid
 
 const Vec3d& farthest_corner(const std::vector<Vec3d>& corners, const Vec3d& direction) {
   return *std::ranges::max_element(corners, {}, [&](const Vec3d& p) { return direction.dot(p); });
-}
-
-// A core's face is the face moved inwards, within all other planes moved inwards. Empty where nothing
-// is left.
-CoreSolid core_solid(const PlacedShape& shape, double margin) {
-  const int faces = count_of(shape.mesh->shape->faces);
-  std::vector<Plane<double>> planes;
-  for (int f = 0; f < faces; ++f) {
-    const Vec3d normal = shape.normal(f);
-    planes.push_back({normal, normal.dot(shape.polygon(f)[0]) - margin});
-  }
-  CoreSolid core;
-  for (int f = 0; f < faces; ++f) {
-    CoreFace face;
-    for (const Vec3d& corner : shape.polygon(f))
-      face.push_back({corner - margin * at(planes, f).normal, f});
-    for (int other = 0; other < faces && !face.empty(); ++other) {
-      if (other != f) face = clipped_by(face, at(planes, other), other);
-    }
-    for (std::size_t i = 0; face.size() > 2 && i < face.size(); ++i) {
-      core.corners.push_back(face[i].at);
-      if (face[i].side < f) continue;  // told with the other face
-      core.edges.push_back({face[i].at, face[(i + 1) % face.size()].at, f, face[i].side});
-    }
-  }
-  return core;
 }
 
 // Where view rays touch all that is within `radius` of the hull of `corners`: a closed curve, round
@@ -140,17 +104,33 @@ std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double rad
   return outline;
 }
 
+// What is left of a hull when a margin is taken off its faces: each face moved inwards, within all
+// other planes moved inwards; and what is within the margin of that.
 void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin, Sketch& sketch) {
-  const CoreSolid core = core_solid(shape, margin);
-  const auto front = [&](int face) {
-    return scene.camera.faces(shape.polygon(face)[0], shape.normal(face));
-  };
-  for (const CoreSolid::Edge& edge : core.edges) {
-    const bool seen = front(edge.left) || front(edge.right);
-    sketch.line(edge.from, edge.to, seen ? kCoreFront : kCoreBack);
+  const int faces = count_of(shape.traced().faces);
+  std::vector<Plane<double>> planes;
+  std::vector<bool> front;
+  for (int f = 0; f < faces; ++f) {
+    const Vec3d normal = shape.normal(f), corner = shape.polygon(f)[0];
+    planes.push_back({normal, normal.dot(corner) - margin});
+    front.push_back(scene.camera.faces(corner, normal));
   }
-  sketch.curves.push_back(
-      {rounded_outline(core.corners, margin, scene.camera), kRoundedSurface, true});
+  std::vector<Vec3d> corners;
+  for (int f = 0; f < faces; ++f) {
+    CoreFace face = mapped(shape.polygon(f), [&](const Vec3d& corner) -> CoreCorner {
+      return {corner - margin * at(planes, f).normal, f};
+    });
+    for (int other = 0; other < faces && !face.empty(); ++other) {
+      if (other != f) face = clipped_by(face, at(planes, other), other);
+    }
+    for (std::size_t i = 0; face.size() > 2 && i < face.size(); ++i) {
+      corners.push_back(face[i].at);
+      if (face[i].side < f) continue;  // drawn with the other face
+      const bool seen = at(front, f) || at(front, face[i].side);
+      sketch.line(face[i].at, face[(i + 1) % face.size()].at, seen ? kCoreFront : kCoreBack);
+    }
+  }
+  sketch.curves.push_back({rounded_outline(corners, margin, scene.camera), kRoundedSurface, true});
 }
 
 /// Where the cores are nearest to each other, or deepest in each other.
@@ -161,14 +141,15 @@ struct CorePair {
 };
 
 std::optional<CorePair> core_pair(const trace::Pair& pair) {
-  if (pair.incremental->query == "gjk") {
+  const trace::Incremental& incremental = *pair.incremental;
+  if (incremental.query == "gjk") {
     if (!pair.gjk || pair.gjk->distance <= 0) return std::nullopt;
     const trace::Gjk& gjk = *pair.gjk;
     return CorePair{gjk.point_a, gjk.point_b, (gjk.point_b - gjk.point_a).normalized(),
                     gjk.distance};
   }
-  const std::string& method = pair.incremental->query;
-  if (method.empty() || method == "plane" || pair.manifolds.empty()) return std::nullopt;
+  if (incremental.query.empty() || incremental.query == "plane" || pair.manifolds.empty())
+    return std::nullopt;
   const Vec3d& normal = pair.manifolds.front().normal;
   if (pair.penetration)
     return CorePair{pair.penetration->point_a, pair.penetration->point_b, normal,
@@ -176,14 +157,14 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
   // The separating axis test leaves no points of the cores: they lie by the margins within the
   // places on the surfaces.
   const trace::PersistentPoint* deepest = nullptr;
-  for (const trace::PersistentPoint& point : pair.incremental->points) {
+  for (const trace::PersistentPoint& point : incremental.points) {
     if (point.state == "broken") continue;
     if (deepest == nullptr || point.point.separation < deepest->point.separation) deepest = &point;
   }
   if (deepest == nullptr) return std::nullopt;
-  const double margins = pair.incremental->margin_a + pair.incremental->margin_b;
-  return CorePair{deepest->on_a - pair.incremental->margin_a * normal,
-                  deepest->on_b + pair.incremental->margin_b * normal, normal,
+  const double margins = incremental.margin_a + incremental.margin_b;
+  return CorePair{deepest->on_a - incremental.margin_a * normal,
+                  deepest->on_b + incremental.margin_b * normal, normal,
                   deepest->point.separation + margins};
 }
 
@@ -248,39 +229,27 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   label(0, 0.5 * distance, "cores " + spell_length(distance) + " apart", kAxisText, -side);
 }
 
-/// A shape of the pair, and the margin around its core.
-struct Inflated {
-  const PlacedShape* shape;
-  double margin;
-};
-
-// Round shapes show their cores already.
-std::vector<Inflated> inflated_hulls(const Scene& scene, const trace::Pair& pair) {
-  std::vector<Inflated> hulls;
-  if (!pair.incremental) return hulls;
-  for (const bool of_a : {true, false}) {
-    const double margin = of_a ? pair.incremental->margin_a : pair.incremental->margin_b;
-    const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
-    if (shape == nullptr || margin <= 0 || shape->mesh->shape->radius > 0) continue;
-    if (shape->mesh->shape->faces.empty() || shape->mesh->shape->type == "mesh") continue;
-    hulls.push_back({shape, margin});
-  }
-  return hulls;
-}
-
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::vector<Inflated> hulls = inflated_hulls(scene, pair);
-  for (const auto& [shape, margin] : hulls) draw_hull_core(scene, *shape, margin, sketch);
-  if (hulls.empty()) return;
-  const double widest = std::max(pair.incremental->margin_a, pair.incremental->margin_b);
-  sketch.explain(kCoreSwatch, "core, " + spell_length(widest) + " within the faces");
+  if (!pair.incremental) return;
+  const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
+  bool any = false;
+  for (const auto& [name, margin] : {std::pair{&pair.a, margin_a}, {&pair.b, margin_b}}) {
+    const PlacedShape* shape = scene.find(*name);
+    // Round shapes show their cores already.
+    if (shape == nullptr || margin <= 0 || shape->traced().radius > 0) continue;
+    if (shape->traced().faces.empty() || shape->is_mesh()) continue;
+    draw_hull_core(scene, *shape, margin, sketch);
+    any = true;
+  }
+  if (!any) return;
+  sketch.explain(kCoreSwatch,
+                 "core, " + spell_length(std::max(margin_a, margin_b)) + " within the faces");
   sketch.explain(kRoundedSwatch, "core and margin: the surface that touches");
   draw_sum(scene, pair, sketch);
 }
 
 }  // namespace
 
-const LayerDrawing kCoreLayer{.needs = {&trace::Stages::gjk, &trace::Stages::penetration},
-                              .search = draw_cores};
+const LayerDrawing kCoreLayer{.needs = {&Stages::gjk, &Stages::penetration}, .search = draw_cores};
 
 }  // namespace contactscope::draw

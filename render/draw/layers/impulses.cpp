@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_points.h"
@@ -37,67 +36,6 @@ constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](auto& pen) {
                                 }
                               }};
 
-bool shows_loads(const Scene& scene) {
-  return scene.shows(Layer::Loads) && scene.scales.step > 0;
-}
-
-/// Impulses are drawn on the body that they move: b, unless only a is moved.
-struct Moved {
-  bool a = false, b = true;
-  double side() const { return a && !b ? -1 : 1; }
-};
-
-Moved moved_of(const Scene& scene, const trace::Pair& pair) {
-  if (!scene.frame.solver) return {};
-  return {scene.body(pair.a) != nullptr, scene.body(pair.b) != nullptr};
-}
-
-/// What is drawn at a point, metres along the normal; nothing of what is 0.
-struct Drawn {
-  double normal = 0, warm = 0;
-  bool normal_cut = false, warm_cut = false;  // longer than drawn
-  Vec3d friction = Vec3d::Zero();
-  bool friction_cut = false;
-};
-
-Drawn drawn_at(const Scene& scene, const trace::Point& point, double side) {
-  const SequenceScales& scales = scene.scales;
-  const double pixels = scene.camera.pixels_per_metre(point.position);
-  const auto cut = [&](double impulse, double& length, bool& is_cut) {
-    const double whole = scales.impulse * impulse;
-    const double shown = std::min(whole, scales.longest_impulse);
-    if (shown * pixels < kLeastImpulse) return;
-    length = shown;
-    is_cut = whole > shown;
-  };
-  Drawn drawn;
-  cut(point.impulse->normal, drawn.normal, drawn.normal_cut);
-  cut(point.impulse->warm_start, drawn.warm, drawn.warm_cut);
-  const double length = scales.impulse * point.impulse->normal;
-  const bool own_scale = scales.friction != scales.impulse;
-  // Cut as the normal's arrow is, so that the two still make the angle that they do.
-  const double share =
-      own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
-  const Vec3d way = side * share * scales.friction * point.impulse->friction;
-  // As it is seen: towards the eye it would be a blot too.
-  const auto seen = seen_distance(scene.camera, point.position, point.position + way);
-  if (seen && *seen >= kLeastFriction * scales.pixel) {
-    drawn.friction = way;
-    drawn.friction_cut = share < 1;
-  }
-  return drawn;
-}
-
-/// Points that have an impulse, in the picture.
-std::vector<PairPoint> pushed_points(const Scene& scene, const trace::Pair& pair) {
-  if (scene.scales.impulse == 0) return {};
-  std::vector<PairPoint> points = all_points(pair);
-  std::erase_if(points, [&](const PairPoint& any) {
-    return !any.point->impulse || !scene.camera.sees(any.point->position);
-  });
-  return points;
-}
-
 // Two strokes across an arrow that goes on.
 void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const Color& color,
                 Sketch& sketch) {
@@ -112,25 +50,58 @@ void draw_break(const Scene& scene, const Vec3d& at, const Vec3d& along, const C
   }
 }
 
-void draw_normal_impulse(const Scene& scene, const Drawn& drawn, const Vec3d& at, const Vec3d& out,
-                         Sketch& sketch) {
-  if (drawn.warm > 0) {
-    sketch.bordered_line(at, at + drawn.warm * out, {6.0f, kWhite}, 9.0f, kContact);
-    if (drawn.warm_cut) draw_break(scene, at + 0.6 * drawn.warm * out, out, kContact, sketch);
-  }
-  if (!(drawn.normal > 0)) return;
-  sketch.arrows.push_back(arrow_to_scale(at, drawn.normal * out, 3, 12, kContact));
-  sketch.arrows.back().halo = false;
-  if (drawn.normal_cut) draw_break(scene, at + 0.6 * drawn.normal * out, out, kContact, sketch);
+bool shows_loads(const Scene& scene) {
+  return scene.shows(Layer::Loads) && scene.scales.step > 0;
 }
 
-void draw_friction(const Scene& scene, const Drawn& drawn, const Vec3d& at, Sketch& sketch) {
-  if (drawn.friction.isZero(0)) return;
-  sketch.arrows.push_back(arrow_to_scale(at, drawn.friction, 2.5f, 10, kIncidentFace));
+std::string spell_scale(const Scene& scene, double metres) {
+  return shows_loads(scene) ? spell_impulse_scale(metres * scene.scales.step, "N")
+                            : spell_impulse_scale(metres);
+}
+
+// Along the way out of the other body what was kept of the step before, and over it the whole; both
+// cut where they would be too long.
+void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Vec3d& out,
+                         Sketch& sketch) {
+  const Vec3d& at = point.position;
+  for (const bool warm : {true, false}) {
+    const double whole =
+        scene.scales.impulse * (warm ? point.impulse->warm_start : point.impulse->normal);
+    const double shown = std::min(whole, scene.scales.longest_impulse);
+    if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
+    if (warm) {
+      sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kContact);
+      sketch.explain(kWarmStartSwatch, "kept of the step before");
+    } else {
+      sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kContact));
+      sketch.arrows.back().halo = false;
+      sketch.explain(kNormalImpulseSwatch,
+                     (shows_loads(scene) ? "normal force, " : "normal impulse, ") +
+                         spell_scale(scene, scene.scales.impulse));
+    }
+    if (whole <= shown) continue;
+    draw_break(scene, at + 0.6 * shown * out, out, kContact, sketch);
+    sketch.explain(kBreakSwatch, "longer than drawn");
+  }
+}
+
+void draw_friction(const Scene& scene, const trace::Point& point, double side, Sketch& sketch) {
+  const SequenceScales& scales = scene.scales;
+  const Vec3d& at = point.position;
+  const bool own_scale = scales.friction != scales.impulse;
+  const double length = scales.impulse * point.impulse->normal;
+  // Cut as the normal's arrow is, so that the two still make the angle that they do.
+  const double share =
+      own_scale ? 1.0 : std::min(1.0, scales.longest_impulse / std::max(length, 1e-300));
+  const Vec3d way = side * share * scales.friction * point.impulse->friction;
+  // As it is seen: towards the eye it would be a blot too.
+  const auto seen = seen_distance(scene.camera, at, at + way);
+  if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return;
+  sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kIncidentFace));
   sketch.arrows.back().open = true;
-  if (drawn.friction_cut)
-    draw_break(scene, at + 0.6 * drawn.friction, drawn.friction.normalized(), kIncidentFace,
-               sketch);
+  if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kIncidentFace, sketch);
+  sketch.explain(kFrictionSwatch, own_scale ? "friction, " + spell_scale(scene, scales.friction)
+                                            : "friction, same scale");
 }
 
 // What the pair's points carry together, beside the one that is farthest to the right.
@@ -156,41 +127,28 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
                kFrictionText, 17, 10, Vec3d(friction.normalized()));
 }
 
-void explain_impulse(const Scene& scene, const Drawn& drawn, bool loads, Legend& legend) {
-  const SequenceScales& scales = scene.scales;
-  const auto scale = [&](double metres) {
-    return loads ? spell_impulse_scale(metres * scales.step, "N") : spell_impulse_scale(metres);
-  };
-  if (drawn.warm > 0) legend.explain(kWarmStartSwatch, "kept of the step before");
-  if (drawn.warm_cut || drawn.normal_cut) legend.explain(kBreakSwatch, "longer than drawn");
-  if (drawn.normal > 0)
-    legend.explain(kNormalImpulseSwatch,
-                   (loads ? "normal force, " : "normal impulse, ") + scale(scales.impulse));
-  if (!drawn.friction.isZero(0))
-    legend.explain(kFrictionSwatch, scales.friction == scales.impulse
-                                        ? "friction, same scale"
-                                        : "friction, " + scale(scales.friction));
-}
-
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.impulse == 0) return;
-  const Moved moved = moved_of(scene, pair);
-  const bool loads = shows_loads(scene);
-  if (loads) draw_load(scene, pair, moved.side(), sketch);
+  // Impulses are drawn on the body that they move: b, unless only a is moved.
+  const bool moves_a = scene.frame.solver && scene.body(pair.a) != nullptr;
+  const bool moves_b = !scene.frame.solver || scene.body(pair.b) != nullptr;
+  const double side = moves_a && !moves_b ? -1 : 1;
+  if (shows_loads(scene)) draw_load(scene, pair, side, sketch);
   std::size_t points = 0;
-  for (const trace::Pair& other : scene.frame.pairs) points += point_count(other);
-  for (const auto& [manifold, point] : pushed_points(scene, pair)) {
+  for (const trace::Pair& other : scene.frame.pairs) {
+    for (const trace::Manifold& manifold : other.manifolds) points += manifold.points.size();
+  }
+  for (const auto& [manifold, point] : all_points(pair)) {
     const Vec3d& at = point->position;
-    const Vec3d out = moved.side() * manifold->normal;
-    const Drawn drawn = drawn_at(scene, *point, moved.side());
+    if (!point->impulse || !scene.camera.sees(at)) continue;
+    const Vec3d out = side * manifold->normal;
     if (!scene.shows(Layer::Contacts)) sketch.mark(MarkKind::Core, at, kContact);
-    draw_normal_impulse(scene, drawn, at, out, sketch);
-    if (moved.a && moved.b && points == 1) draw_normal_impulse(scene, drawn, at, -out, sketch);
-    draw_friction(scene, drawn, at, sketch);
-    explain_impulse(scene, drawn, loads, sketch.legend);
+    draw_normal_impulse(scene, *point, out, sketch);
+    if (moves_a && moves_b && points == 1) draw_normal_impulse(scene, *point, -out, sketch);
+    draw_friction(scene, *point, side, sketch);
     const double length = scene.scales.impulse * point->impulse->normal;
     const double pixels = scene.camera.pixels_per_metre(at);
-    if (loads || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
+    if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
     sketch.label(at + std::min(length, scene.scales.longest_impulse) * out,
                  spell_quantity(point->impulse->normal, "N s"), kContact, 15, 8, out);
   }

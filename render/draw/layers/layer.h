@@ -7,13 +7,15 @@
 
 namespace contactscope::draw {
 
+using trace::Stages;
+
 /// All of a layer but its name: what it needs recorded and what it draws, which it explains to the
 /// sketch's legend. It stands in the file of the layer.
 struct LayerDrawing {
   using OfFrame = void (*)(const Scene&, Sketch&);
   using OfPair = void (*)(const Scene&, const trace::Pair&, Sketch&);
 
-  std::array<bool trace::Stages::*, 3> needs{};
+  std::array<bool Stages::*, 3> needs{};
   OfFrame beneath = nullptr;  // once a frame, first
   OfPair search = nullptr;    // pair by pair: how its contact was looked for
   OfPair result = nullptr;    // pair by pair: its contact, which a story of steps tells last

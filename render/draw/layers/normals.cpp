@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cmath>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_points.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -29,34 +29,26 @@ bool has_room(const Camera& camera, const Arrow& arrow) {
 // way ends, for it would cover it.
 Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
                       const trace::Manifold& manifold) {
-  Vec3d sum = Vec3d::Zero();
-  for (const trace::Point& point : manifold.points) sum += point.position;
-  const Vec3d middle = sum / static_cast<double>(manifold.points.size());
+  const Vec3d middle = mean_of(mapped(manifold.points, &trace::Point::position));
   if (manifold.points.size() > 1 || !scene.shows(Layer::Contacts)) return middle;
-  const Whisker whisker = whisker_at(scene, pair, manifold, manifold.points.front());
-  const double ahead = std::max((whisker.on_a - middle).dot(manifold.normal),
-                                (whisker.on_b - middle).dot(manifold.normal));
+  const auto [on_a, on_b] = whisker_at(scene, pair, {&manifold, &manifold.points.front()});
+  const double ahead =
+      std::max((on_a - middle).dot(manifold.normal), (on_b - middle).dot(manifold.normal));
   return middle + std::max(0.0, ahead) * manifold.normal;
 }
 
-std::optional<Arrow> normal_of(const Scene& scene, const trace::Pair& pair,
-                               const trace::Manifold& manifold) {
-  if (manifold.points.empty()) return std::nullopt;
-  const bool many = pair.manifolds.size() > kMany;
-  const Arrow arrow{.from = start_of_normal(scene, pair, manifold),
-                    .direction = manifold.normal,
-                    .pixels = many ? 44.0f : 78.0f,
-                    .width = many ? 2.0f : 3.0f,
-                    .head = many ? 9.0f : 13.0f,
-                    .color = kNormal};
-  return has_room(scene.camera, arrow) ? std::optional(arrow) : std::nullopt;
-}
-
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const bool many = pair.manifolds.size() > kMany;
   for (const trace::Manifold& manifold : pair.manifolds) {
-    const std::optional<Arrow> arrow = normal_of(scene, pair, manifold);
-    if (!arrow) continue;
-    sketch.arrows.push_back(*arrow);
+    if (manifold.points.empty()) continue;
+    const Arrow arrow{.from = start_of_normal(scene, pair, manifold),
+                      .direction = manifold.normal,
+                      .pixels = many ? 44.0f : 78.0f,
+                      .width = many ? 2.0f : 3.0f,
+                      .head = many ? 9.0f : 13.0f,
+                      .color = kNormal};
+    if (!has_room(scene.camera, arrow)) continue;
+    sketch.arrows.push_back(arrow);
     sketch.explain(kNormalSwatch, "normal, from A to B");
   }
 }

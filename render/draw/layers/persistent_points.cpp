@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cmath>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/marks.h"
 #include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds": what became of each point in this frame, and
@@ -23,20 +21,6 @@ constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](auto& pen) {
                                     pen.disc(pen.at(at), 2.4, kContact);
                                 }};
 
-struct Anchors {
-  Vec3d from, to;
-};
-
-// Where the two places that met when the point was found are now. As long as the dot is wide, they
-// say nothing.
-std::optional<Anchors> anchors_of(const Scene& scene, const trace::PersistentPoint& point) {
-  const double factor = scene.scales.drift;
-  const double pixels = scene.camera.pixels_per_metre(point.point.position);
-  if (factor * pixels * (point.on_b - point.on_a).norm() < kLeastAnchors) return std::nullopt;
-  const Vec3d middle = 0.5 * (point.on_a + point.on_b);
-  return Anchors{middle + factor * (point.on_a - middle), middle + factor * (point.on_b - middle)};
-}
-
 // Whether a point that holds is drawn over this one.
 bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   return std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
@@ -48,11 +32,15 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
 void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
                            const trace::PersistentPoint& point, PointState state, Sketch& sketch) {
   const Vec3d& at = point.point.position;
-  if (const auto anchors = anchors_of(scene, point)) {
-    sketch.bordered_line(anchors->from, anchors->to, {1.5f, kContact}, 3.5f);
-    sketch.mark(MarkKind::Core, anchors->from, kContact);
-    sketch.mark(MarkKind::Core, anchors->to, kContact);
-    const double factor = scene.scales.drift;
+  const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
+  // Where the two places that met when the point was found are now. As long as the dot is wide, they
+  // say nothing.
+  if (factor * pixels * (point.on_b - point.on_a).norm() >= kLeastAnchors) {
+    const Vec3d middle = 0.5 * (point.on_a + point.on_b);
+    const Vec3d from = middle + factor * (point.on_a - middle);
+    const Vec3d to = middle + factor * (point.on_b - middle);
+    sketch.bordered_line(from, to, {1.5f, kContact}, 3.5f);
+    for (const Vec3d& end : {from, to}) sketch.mark(MarkKind::Core, end, kContact);
     sketch.explain(kAnchorsSwatch,
                    factor == 1 ? "places that met, and how far they are apart now"
                                : "places that met, now apart (× " + spell_number(factor) + ")");
@@ -64,10 +52,8 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
     return;
   }
   const bool is_new = state == PointState::New;
-  if (is_new)
-    sketch.explain(kStateSwatch<PointState::New>, "new point");
-  else
-    sketch.explain(kStateSwatch<PointState::Persisted>, "kept point, its age in frames");
+  sketch.explain(is_new ? kStateSwatch<PointState::New> : kStateSwatch<PointState::Persisted>,
+                 is_new ? "new point" : "kept point, its age in frames");
   sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
   if (scene.shows(Layer::Ids)) return;  // its id stands there
   sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 18, 12);

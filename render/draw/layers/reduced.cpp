@@ -33,6 +33,6 @@ void draw_reduced(const Scene&, const trace::Pair& pair, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kReducedLayer{.needs = {&trace::Stages::reduction}, .result = draw_reduced};
+const LayerDrawing kReducedLayer{.needs = {&Stages::reduction}, .result = draw_reduced};
 
 }  // namespace contactscope::draw

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_points.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -21,14 +20,8 @@ constexpr Swatch kPartSwatch{LegendGroup::Motion, 2,
 std::string spell_closing(double speed, double fastest) {
   const int decimals =
       fastest > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(fastest))), 0, 9) : 0;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(speed));
   if (std::abs(speed) < 0.5 * std::pow(10.0, -decimals)) return "0 m/s";
-  return (speed < 0 ? "−" : "") + std::string(text.data()) + " m/s";
-}
-
-bool is_seen(const Scene& scene, const trace::Point& point, const Vec3d& way) {
-  return way.norm() * scene.camera.pixels_per_metre(point.position) >= kLeastClosing;
+  return (speed < 0 ? "−" : "") + printed("%.*f m/s", decimals, std::abs(speed));
 }
 
 // Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part along
@@ -42,16 +35,18 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
     const double speed = before.dot(manifold->normal);
     const Vec3d whole = scales.velocity * before;
     const Vec3d part = scales.velocity * speed * manifold->normal;
-    if (is_seen(scene, *point, whole)) {
+    const auto is_seen = [&](const Vec3d& way) {
+      return way.norm() * scene.camera.pixels_per_metre(at) >= kLeastClosing;
+    };
+    if (is_seen(whole)) {
       sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kClipPolygon));
       sketch.arrows.back().open = true;
       sketch.line(at + whole, at + part, {1.2f, kClipPolygon, true});
       sketch.explain(kWholeSwatch, "relative velocity at the contact");
     }
     sketch.explain(kPartSwatch, "its part along the normal");
-    const bool visible = is_seen(scene, *point, part);
-    if (visible) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kClipPolygon));
-    sketch.label(at + (visible ? part : Vec3d::Zero()), spell_closing(speed, scales.closing),
+    if (is_seen(part)) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kClipPolygon));
+    sketch.label(is_seen(part) ? Vec3d(at + part) : at, spell_closing(speed, scales.closing),
                  rgb(0x00694D), 18, 12, scene.camera.right());
   }
 }

@@ -1,7 +1,5 @@
-#include <cstdlib>
-
 #include "draw/layers/layer.h"
-#include "draw/scene/arrows.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/swatches.h"
 
@@ -16,34 +14,13 @@ constexpr Swatch kClosestPointsSwatch{LegendGroup::Axes, 3,
                                       [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
 /// What a query of the test found: the best axis of the faces of one shape, or of the edges. The
-/// separation runs along the normal from a plane to the support point; the normal of a face of B
-/// opposes its axis.
+/// separation runs along the normal from a plane to the support point.
 struct Query {
   const char* name;
   Vec3d support, normal;
   double separation = 0;
   bool chosen = false;
-  const trace::FaceAxis* face = nullptr;  // none of edges
-  bool of_a = false;                      // the face
 };
-
-std::vector<Query> queries_of(const Scene& scene, const trace::Pair& pair, bool all) {
-  std::vector<Query> queries;
-  if (!pair.sat) return queries;
-  const trace::Sat& sat = *pair.sat;
-  for (const bool of_a : {true, false}) {
-    const auto& axis = of_a ? sat.face_a : sat.face_b;
-    const bool chosen = sat.chosen == (of_a ? "face_a" : "face_b");
-    if (!axis || !(all || chosen) || scene.find(of_a ? pair.a : pair.b) == nullptr) continue;
-    queries.push_back({of_a ? "face of A" : "face of B", axis->support,
-                       of_a ? axis->normal : Vec3d(-axis->normal), axis->separation, chosen, &*axis,
-                       of_a});
-  }
-  const bool chosen = sat.chosen == "edge_edge";
-  if (sat.edge && (all || chosen))
-    queries.push_back({"edges", sat.edge->point_b, sat.edge->normal, sat.edge->separation, chosen});
-  return queries;
-}
 
 std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
   if (pair.state == "separated") {
@@ -51,15 +28,15 @@ std::string words(const Scene& scene, const trace::Pair& pair, bool all) {
                                   : "separating axis and gap";
   }
   return (all ? "best axis of a query, its overlap" : "chosen axis, its overlap") +
-         spell_factor(scene.depth_factor);
+         spell_factor(scene.scales.overlap);
 }
 
 // From the support point towards the plane it is measured from, as long as the separation. Beside
 // that line where the contact's own whisker and normal are on it, as drawings put measures.
 void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& query, bool all,
                      Sketch& sketch) {
-  const auto& [name, from, normal, metres, chosen, face, of_a] = query;
-  const Vec3d to = from - (metres > 0 ? 1.0 : scene.depth_factor) * metres * normal;
+  const auto& [name, from, normal, metres, chosen] = query;
+  const Vec3d to = from - (metres > 0 ? 1.0 : scene.scales.overlap) * metres * normal;
   Vec3d aside = Vec3d::Zero();
   if (chosen && metres < 0 && !all && scene.shows(Layer::Contacts)) {
     aside = scene.camera.to_eye(from).cross(normal);
@@ -67,8 +44,8 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
     if (!aside.isZero()) aside.normalize();
     aside *= kBesideWhisker * scene.scales.pixel / scene.camera.pixels_per_metre(from);
   }
-  if (!aside.isZero()) {
-    for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
+  for (const Vec3d& end : {from, to}) {
+    if (!aside.isZero()) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
   }
   const Vec3d begin = from + aside, end = to + aside;
   draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
@@ -80,68 +57,60 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
 }
 
 void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sketch) {
-  for (const Query& query : queries_of(scene, pair, all)) {
-    if (query.face != nullptr) {
-      const PlacedShape& shape = *scene.find(query.of_a ? pair.a : pair.b);
-      sketch.face(shape.polygon(query.face->face), with_alpha(kAxis, query.chosen ? 0.30f : 0.14f),
-                  {query.chosen ? 2.5f : 1.5f, kAxis});
-    } else {
-      const trace::EdgeAxis& edge = *pair.sat->edge;
-      for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}}) {
-        if (const auto ends = scene.edge(*name, index))
-          sketch.line((*ends)[0], (*ends)[1], {query.chosen ? 5.0f : 3.5f, kAxis});
-      }
-      if (query.chosen) {
-        sketch.mark(MarkKind::Node, edge.point_a, kAxisText);
-        sketch.mark(MarkKind::Node, edge.point_b, kAxisText);
-        sketch.explain(kClosestPointsSwatch, "closest points of the edges");
-      }
-    }
-    draw_separation(scene, pair, query, all, sketch);
+  if (!pair.sat) return;
+  const trace::Sat& sat = *pair.sat;
+  for (const bool of_a : {true, false}) {
+    const auto& axis = of_a ? sat.face_a : sat.face_b;
+    const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
+    const bool chosen = sat.chosen == (of_a ? "face_a" : "face_b");
+    if (!axis || shape == nullptr || !(all || chosen)) continue;
+    sketch.face(shape->polygon(axis->face), with_alpha(kAxis, chosen ? 0.30f : 0.14f),
+                {chosen ? 2.5f : 1.5f, kAxis});
+    // The normal of a face of B opposes its axis.
+    const Vec3d normal = of_a ? axis->normal : Vec3d(-axis->normal);
+    draw_separation(
+        scene, pair,
+        {of_a ? "face of A" : "face of B", axis->support, normal, axis->separation, chosen}, all,
+        sketch);
   }
+  const bool chosen = sat.chosen == "edge_edge";
+  if (!sat.edge || !(all || chosen)) return;
+  const trace::EdgeAxis& edge = *sat.edge;
+  for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}}) {
+    if (const auto ends = scene.edge(*name, index))
+      sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
+  }
+  if (chosen) {
+    for (const Vec3d& point : {edge.point_a, edge.point_b})
+      sketch.mark(MarkKind::Node, point, kAxisText);
+    sketch.explain(kClosestPointsSwatch, "closest points of the edges");
+  }
+  draw_separation(scene, pair, {"edges", edge.point_b, edge.normal, edge.separation, chosen}, all,
+                  sketch);
 }
 
-/// The edge that "a:e3 b:e7" names of a shape; `owner` is "a:e" or "b:e".
-std::optional<int> edge_in_id(const std::string& id, const std::string& owner) {
-  const std::size_t at = id.find(owner);
-  if (at == std::string::npos) return std::nullopt;
-  const char* digits = id.c_str() + at + owner.size();
-  char* end = nullptr;
-  const long index = std::strtol(digits, &end, 10);
-  return end == digits ? std::nullopt : std::optional<int>(static_cast<int>(index));
-}
-
-/// The two edges of an edge contact.
-struct DecidingEdges {
-  int a, b;
-  bool drawn;  // by the axis of the test
-};
-
-/// Those of the separating axis test as far as the Gauss map is recorded, on which they bear
-/// numbers; without that test those in the id of the point.
-std::optional<DecidingEdges> deciding_edges(const trace::Pair& pair) {
+/// The two edges of an edge contact: those of the separating axis test as far as the Gauss map is
+/// recorded, on which they bear numbers; without that test those in the id of the point.
+std::vector<PairEdge> deciding_edges(const trace::Pair& pair) {
   if (pair.sat) {
     if (pair.sat->chosen != "edge_edge" || !pair.sat->edge || pair.sat->edge_pairs.empty())
-      return std::nullopt;
-    return DecidingEdges{pair.sat->edge->a, pair.sat->edge->b, true};
+      return {};
+    return {{true, pair.sat->edge->a}, {false, pair.sat->edge->b}};
   }
-  if (pair.manifolds.empty() || pair.manifolds.front().axis != "edge_edge") return std::nullopt;
-  if (pair.manifolds.front().points.empty()) return std::nullopt;
-  const std::string& id = pair.manifolds.front().points.front().id;
-  const std::optional<int> of_a = edge_in_id(id, "a:e"), of_b = edge_in_id(id, "b:e");
-  if (!of_a || !of_b) return std::nullopt;
-  return DecidingEdges{*of_a, *of_b, false};
+  if (pair.manifolds.empty() || pair.manifolds.front().axis != "edge_edge") return {};
+  if (pair.manifolds.front().points.empty()) return {};
+  return edges_in(pair.manifolds.front().points.front().id);
 }
 
 void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::optional<DecidingEdges> edges = deciding_edges(pair);
-  if (!edges) return;
+  const std::vector<PairEdge> edges = deciding_edges(pair);
+  if (edges.size() != 2 || edges[0].of_a == edges[1].of_a) return;
   sketch.explain(kDecidingEdgesSwatch, "edges that make the axis");
-  for (const auto& [name, edge] : {std::pair{&pair.a, edges->a}, {&pair.b, edges->b}}) {
-    const auto ends = scene.edge(*name, edge);
+  for (const auto& [of_a, edge] : edges) {
+    const auto ends = scene.edge(of_a ? pair.a : pair.b, edge);
     if (!ends) continue;
     const auto& [from, to] = *ends;
-    if (!edges->drawn) sketch.line(from, to, {5.0f, kAxis});
+    if (!pair.sat) sketch.line(from, to, {5.0f, kAxis});  // else drawn with the axis of the test
     // At the end that is nearer to the eye, where the other edge is not.
     const bool first = scene.camera.to_camera(from).z() < scene.camera.to_camera(to).z();
     const Vec3d& near = first ? from : to;
@@ -153,13 +122,13 @@ void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sk
 }  // namespace
 
 const LayerDrawing kSatAxesLayer{
-    .needs = {&trace::Stages::sat},
+    .needs = {&Stages::sat},
     .search = [](const Scene& scene, const trace::Pair& pair,
                  Sketch& sketch) { draw_axes(scene, pair, true, sketch); },
 };
 
 const LayerDrawing kContactAxisLayer{
-    .needs = {&trace::Stages::sat},
+    .needs = {&Stages::sat},
     .search =
         [](const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
           draw_axes(scene, pair, false, sketch);

@@ -1,6 +1,4 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/mesh_surface.h"
-#include "draw/scene/plane_patch.h"
 #include "draw/scene/solid.h"
 
 namespace contactscope::draw {
@@ -15,15 +13,14 @@ constexpr Swatch kShapeBSwatch{LegendGroup::Shapes, 1,
 
 void draw_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {
-    const trace::Shape& solid = *shape.mesh->shape;
-    if (solid.half_space) {
-      draw_plane(scene, shape, sketch);
-    } else if (solid.type == "mesh") {
-      draw_mesh(scene, shape, sketch);
-    } else if (solid.radius > 0) {
-      draw_round(scene.camera, shape, shape.is_a ? kShapeA : kShapeB, sketch);
+    const Color fill = shape.is_a ? kShapeA : kShapeB;
+    if (shape.is_mesh()) {
+      draw_mesh(scene, shape, fill, sketch);
     } else {
-      draw_solid(scene.camera, shape, shape.is_a ? kShapeA : kShapeB, sketch);
+      const auto draw = shape.traced().half_space   ? draw_plane
+                        : shape.traced().radius > 0 ? draw_round
+                                                    : draw_solid;
+      draw(scene.camera, shape, fill, sketch);
     }
   }
 }
@@ -33,8 +30,7 @@ void explain_shapes(const Scene& scene, Legend& legend) {
   for (const bool of_a : {true, false}) {
     std::vector<std::string> names;
     for (const PlacedShape& shape : scene.shapes) {
-      if (shape.is_a == of_a && in_view(scene.camera, shape))
-        names.push_back(shape.mesh->shape->name);
+      if (shape.is_a == of_a && in_view(scene.camera, shape)) names.push_back(shape.traced().name);
     }
     if (names.size() > kMostNames) names = {names.front() + " to " + names.back()};
     for (const std::string& name : names)

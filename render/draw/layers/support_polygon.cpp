@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/arrows.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/swatches.h"
 
@@ -16,13 +16,32 @@ constexpr double kFreeTurnShare = 0.085;  // of a small view
 constexpr double kClearTurns = 2.4;       // of the curved arrow's radius
 constexpr double kBeyondAxis = 0.35;      // of an axis beyond its two points, of the body's radius
 
-// Which way gravity, or whatever presses the bodies together, turns the body.
-Vec3d turning(const trace::Pair& pair, const Vec3d& from, const Vec3d& along) {
-  const trace::Stability& stability = *pair.stability;
-  const Vec3d& normal = pair.manifolds.front().normal;
-  const Vec3d down = stability.shape == pair.a ? normal : Vec3d(-normal);
-  const Vec3d torque = (stability.center_of_mass - from).cross(down);
-  return torque.dot(along) < 0 ? Vec3d(-along) : along;
+constexpr Swatch kCenterOfMassSwatch{
+    LegendGroup::Masses, 0,
+    [](auto& pen) { draw_quartered_disc(pen.middle(), pen.px(7.5), pen.px(1.4), pen.drawing()); }};
+
+// Quartered discs, as drawings have them, and where a body's centre of mass lies over its contact:
+// without one there is no plane to project into.
+void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
+  std::set<std::string_view> drawn;
+  bool any_projected = false;
+  const auto draw = [&](const std::string& name, const Vec3d& center) {
+    if (drawn.insert(name).second) sketch.mark(MarkKind::Quartered, center, kNormal);
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    if (!pair.stability) continue;
+    const trace::Stability& stability = *pair.stability;
+    draw(stability.shape, stability.center_of_mass);
+    if (stability.verdict == "no contact") continue;
+    any_projected = true;
+    sketch.bordered_line(stability.center_of_mass, stability.projection, {1.6f, kNormal, true},
+                         4.0f, with_alpha(kWhite, 0.8f));
+    sketch.mark(MarkKind::SmallQuartered, stability.projection, kNormal);
+  }
+  for (const trace::Body& body : scene.bodies()) draw(body.name, body.center_of_mass);
+  if (!drawn.empty())
+    sketch.explain(kCenterOfMassSwatch,
+                   any_projected ? "centre of mass, and its projection" : "centre of mass");
 }
 
 void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -42,7 +61,11 @@ void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const bool last = scene.camera.to_camera(to).z() < scene.camera.to_camera(from).z();
   const double inset = std::min(0.3 * beyond, 0.5 * turn);
   const Vec3d place = last ? Vec3d(to - inset * along) : Vec3d(from + inset * along);
-  const Vec3d axis = turning(pair, ends[0], along);
+  // Which way gravity, or whatever presses the bodies together, turns the body.
+  const Vec3d& normal = pair.manifolds.front().normal;
+  const Vec3d down = pair.stability->shape == pair.a ? normal : Vec3d(-normal);
+  const Vec3d torque = (pair.stability->center_of_mass - ends[0]).cross(down);
+  const Vec3d axis = torque.dot(along) < 0 ? Vec3d(-along) : along;
   // In balance on its axis it may turn either way: heads at both ends.
   for (const double way : {1.0, -1.0}) {
     if (way < 0 && pair.stability->margin != 0) break;
@@ -81,6 +104,9 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kSupportLayer{.needs = {&trace::Stages::stability}, .search = draw_support};
+const LayerDrawing kSupportLayer{.needs = {&Stages::stability}, .search = draw_support};
+
+const LayerDrawing kCenterOfMassLayer{.needs = {&Stages::stability},
+                                      .beneath = draw_centers_of_mass};
 
 }  // namespace contactscope::draw

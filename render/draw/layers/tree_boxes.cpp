@@ -15,23 +15,20 @@ constexpr Swatch kMissSwatch{LegendGroup::Trees, 2, [](auto& pen) {
                                pen.box(with_alpha(kDropped, 0), kDropped, 1.5, true);
                              }};
 
-/// The corner of a box by bits: 1 the upper x, 2 the upper y, 4 the upper z.
-Vec3d corner(const trace::Box& box, int bits) {
-  return {(bits & 1) != 0 ? box.upper.x() : box.lower.x(),
-          (bits & 2) != 0 ? box.upper.y() : box.lower.y(),
-          (bits & 4) != 0 ? box.upper.z() : box.lower.z()};
-}
-
 /// The twelve edges; of a flat box each but once.
 void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& style,
              Sketch& sketch) {
   int flat = 0;  // bits of the axes along which the box has no extent
   for (int k = 0; k < 3; ++k) flat |= box.lower[k] == box.upper[k] ? 1 << k : 0;
+  // By bits: 1 the upper x, 2 the upper y, 4 the upper z.
+  const auto corner = [&](int bits) {
+    const Eigen::AlignedBox3d solid(box.lower, box.upper);
+    return pose.transform(solid.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)));
+  };
   for (int bits = 0; bits < 8; ++bits) {
     for (const int axis : {1, 2, 4}) {
       if ((bits & axis) != 0 || ((bits | axis) & flat) != 0) continue;
-      sketch.line(pose.transform(corner(box, bits)), pose.transform(corner(box, bits | axis)),
-                  style);
+      sketch.line(corner(bits), corner(bits | axis), style);
     }
   }
 }
@@ -40,7 +37,7 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = pair.tree ? scene.find(pair.tree->shape) : nullptr;
   if (mesh == nullptr) return;
   for (const int candidate : pair.tree->candidates) {
-    if (candidate < 0 || candidate >= count_of(mesh->mesh->shape->faces)) continue;
+    if (candidate < 0 || candidate >= count_of(mesh->traced().faces)) continue;
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
     sketch.explain(kClipPolygonSwatch, "candidate triangle");
   }
@@ -64,6 +61,6 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kTreeLayer{.needs = {&trace::Stages::tree}, .search = draw_tree};
+const LayerDrawing kTreeLayer{.needs = {&Stages::tree}, .search = draw_tree};
 
 }  // namespace contactscope::draw

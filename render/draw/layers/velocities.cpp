@@ -1,9 +1,7 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/arrows.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -36,37 +34,23 @@ constexpr Swatch kSpinSwatch{
           kReferenceFace);
     }};
 
-// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn.
-
-double way_in_pixels(const Scene& scene, const trace::Body& body) {
-  return (scene.scales.velocity * body.velocity).norm() *
-         scene.camera.pixels_per_metre(body.center_of_mass);
-}
-
-bool has_numbers(const Scene& scene) {
-  return scene.bodies().size() <= kLabelledBodies;
-}
-
-void label_motion(const Vec3d& at, const std::string& text, const Vec3d& direction,
-                  Sketch& sketch) {
-  sketch.label(at, text, kReferenceFace, 16, 9, direction);
-}
-
-// A velocity that is too short for an arrow still has its number, beside those of other bodies.
-void draw_velocity(const Scene& scene, const trace::Body& body, Sketch& sketch) {
-  if (way_in_pixels(scene, body) < (has_numbers(scene) ? kLeastNamed : kLeastVelocity)) return;
+// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn. A
+// velocity that is too short for an arrow still has its number, beside those of other bodies.
+void draw_velocity(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
+  const Vec3d& center = body.center_of_mass;
+  const Vec3d way = scene.scales.velocity * body.velocity;
+  const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
+  if (pixels < (numbered ? kLeastNamed : kLeastVelocity)) return;
   sketch.explain(kVelocitySwatch,
                  "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
-  const Vec3d way = scene.scales.velocity * body.velocity;
-  const bool drawn = way_in_pixels(scene, body) >= kLeastVelocity;
-  if (drawn)
-    sketch.arrows.push_back(arrow_to_scale(body.center_of_mass, way, 3.5f, 13, kReferenceFace));
-  if (!has_numbers(scene)) return;
-  label_motion(drawn ? Vec3d(body.center_of_mass + way) : body.center_of_mass,
-               spell_quantity(body.velocity.norm(), "m/s"), way.normalized(), sketch);
+  const bool drawn = pixels >= kLeastVelocity;
+  if (drawn) sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kReferenceFace));
+  if (numbered)
+    sketch.label(drawn ? Vec3d(center + way) : center, spell_quantity(body.velocity.norm(), "m/s"),
+                 kReferenceFace, 16, 9, way.normalized());
 }
 
-void draw_spin(const Scene& scene, const trace::Body& body, Sketch& sketch) {
+void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
   const double spin = body.angular_velocity.norm();
   if (!(spin * scene.scales.spin >= kLeastSpin)) return;
   sketch.explain(kSpinSwatch, "spin, turn in " + spell_quantity(scene.scales.spin, "s", 1));
@@ -74,18 +58,18 @@ void draw_spin(const Scene& scene, const trace::Body& body, Sketch& sketch) {
   const double radius = kSpinRadius * (shape == nullptr ? 1 : shape->mesh->radius);
   const Vec3d axis = body.angular_velocity / spin;
   const Vec3d& center = body.center_of_mass;
-  sketch.line(center - 1.3 * radius * axis, center + 1.3 * radius * axis,
-              {1.5f, kReferenceFace, true});
+  const Vec3d tip = center + 1.3 * radius * axis;
+  sketch.line(center - 1.3 * radius * axis, tip, {1.5f, kReferenceFace, true});
   draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kReferenceFace,
                     sketch);
-  if (has_numbers(scene))
-    label_motion(center + 1.3 * radius * axis, spell_quantity(spin, "rad/s"), axis, sketch);
+  if (numbered) sketch.label(tip, spell_quantity(spin, "rad/s"), kReferenceFace, 16, 9, axis);
 }
 
 void draw_velocities(const Scene& scene, Sketch& sketch) {
+  const bool numbered = scene.bodies().size() <= kLabelledBodies;
   for (const trace::Body& body : scene.bodies()) {
-    draw_velocity(scene, body, sketch);
-    draw_spin(scene, body, sketch);
+    draw_velocity(scene, body, numbered, sketch);
+    draw_spin(scene, body, numbered, sketch);
   }
 }
 

@@ -1,9 +1,8 @@
-#include "draw/scene/arrows.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "draw/scene/quantity.h"
+#include "draw/scene/scene.h"
 #include "draw/scene/swatches.h"
 
 namespace contactscope::draw {

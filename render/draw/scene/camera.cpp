@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {
@@ -14,24 +15,8 @@ namespace {
 // floor under the camera is cropped by the picture and not by this plane.
 constexpr double kNearFraction = 0.02;
 
-// Sutherland-Hodgman step against one boundary, for whatever has a signed distance and a mix.
-template <class P, class Inside, class Mix>
-std::vector<P> clip_polygon(const std::vector<P>& polygon, Inside distance, Mix mix) {
-  std::vector<P> result;
-  result.reserve(polygon.size() + 1);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const P& from = polygon[i];
-    const P& to = polygon[(i + 1) % polygon.size()];
-    const double d0 = distance(from);
-    const double d1 = distance(to);
-    if (d0 >= 0) result.push_back(from);
-    if ((d0 >= 0) != (d1 >= 0)) result.push_back(mix(from, to, d0 / (d0 - d1)));
-  }
-  return result;
-}
-
 Point2 mix2(const Point2& a, const Point2& b, double t) {
-  return {static_cast<float>(a.x + t * (b.x - a.x)), static_cast<float>(a.y + t * (b.y - a.y))};
+  return pixel(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
 }
 
 std::array<std::function<double(const Point2&)>, 4> borders(const Rect& r) {
@@ -43,8 +28,9 @@ std::array<std::function<double(const Point2&)>, 4> borders(const Rect& r) {
 
 }  // namespace
 
-Camera::Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport)
-    : eye_(eye), viewport_(viewport) {
+Camera::Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport,
+               bool perspective, double scale)
+    : eye_(eye), viewport_(viewport), perspective_(perspective), scale_(scale) {
   const Vec3d forward = (target - eye).normalized();
   Vec3d right = forward.cross(up);
   if (right.norm() <= 1e-6 * up.norm()) {
@@ -61,17 +47,12 @@ Camera::Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rec
 
 Camera Camera::perspective(const Vec3d& eye, const Vec3d& target, const Vec3d& up,
                            double fov_radians, const Rect& viewport) {
-  Camera camera(eye, target, up, viewport);
-  camera.scale_ = 0.5 * viewport.height / std::tan(0.5 * fov_radians);
-  return camera;
+  return {eye, target, up, viewport, true, 0.5 * viewport.height / std::tan(0.5 * fov_radians)};
 }
 
 Camera Camera::orthographic(const Vec3d& eye, const Vec3d& target, const Vec3d& up, double height,
                             const Rect& viewport) {
-  Camera camera(eye, target, up, viewport);
-  camera.perspective_ = false;
-  camera.scale_ = viewport.height / height;
-  return camera;
+  return {eye, target, up, viewport, false, viewport.height / height};
 }
 
 Vec3d Camera::to_eye(const Vec3d& point) const {
@@ -82,14 +63,19 @@ bool Camera::faces(const Vec3d& point, const Vec3d& normal) const {
   return normal.dot(to_eye(point)) > 0;
 }
 
+Vec3d key_light(const Camera& camera) {
+  return (camera.up() * 1.0 - camera.right() * 0.55 + camera.right().cross(camera.up()) * 0.65)
+      .normalized();
+}
+
 Vec3d Camera::to_camera(const Vec3d& point) const {
   return axes_.transpose() * (point - eye_);
 }
 
 Point2 Camera::to_pixels(const Vec3d& p) const {
   const double scale = perspective_ ? scale_ / p.z() : scale_;
-  return {static_cast<float>(viewport_.x + 0.5 * viewport_.width + scale * p.x()),
-          static_cast<float>(viewport_.y + 0.5 * viewport_.height - scale * p.y())};
+  return pixel(viewport_.x + 0.5 * viewport_.width + scale * p.x(),
+               viewport_.y + 0.5 * viewport_.height - scale * p.y());
 }
 
 std::optional<Point2> Camera::project(const Vec3d& point) const {
@@ -112,58 +98,58 @@ std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const V
   return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
 }
 
-ViewAxes::ViewAxes(const Vec3d& direction, const Vec3d& world_up) : towards_eye(direction) {
-  right = world_up.cross(direction);
-  right = right.norm() > 1e-6 ? Vec3d(right.normalized()) : any_perpendicular(direction);
-  up = direction.cross(right);
-}
-
 // A point at (x, y, z) in the camera's axes is seen at x / (distance - z), so each asks for
 // distance >= z + |x| / (share * tangent of the half angle).
-ViewFit fit_view(const std::vector<Vec3d>& points, const ViewAxes& axes,
+ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, const Vec3d& world_up,
                  const std::optional<Vec3d>& target, double half_height, double aspect,
                  double share) {
+  const Vec3d across = world_up.cross(towards_eye);
+  const Vec3d right =
+      across.norm() > 1e-6 ? Vec3d(across.normalized()) : any_perpendicular(towards_eye);
+  const Vec3d up = towards_eye.cross(right);
   ViewFit result{target.value_or(center_of(points)), 0};
   for (int round = 0; round < 4; ++round) {
     double distance = 0;
     for (const Vec3d& p : points) {
       const Vec3d q = p - result.target;
-      const double side = std::max(std::abs(q.dot(axes.up)) / half_height,
-                                   std::abs(q.dot(axes.right)) / (half_height * aspect));
-      distance = std::max(distance, q.dot(axes.towards_eye) + side / share);
+      const double side = std::max(std::abs(q.dot(up)) / half_height,
+                                   std::abs(q.dot(right)) / (half_height * aspect));
+      distance = std::max(distance, q.dot(towards_eye) + side / share);
     }
     result.distance = distance;
     if (target || distance <= 0) return result;
     Eigen::AlignedBox2d seen;
     for (const Vec3d& p : points) {
       const Vec3d q = p - result.target;
-      const double depth = std::max(distance - q.dot(axes.towards_eye), 1e-6 * distance);
-      seen.extend(Eigen::Vector2d(q.dot(axes.right) / depth, q.dot(axes.up) / depth));
+      const double depth = std::max(distance - q.dot(towards_eye), 1e-6 * distance);
+      seen.extend(Eigen::Vector2d(q.dot(right) / depth, q.dot(up) / depth));
     }
     const Eigen::Vector2d both = seen.min() + seen.max();
-    result.target += 0.5 * distance * (both.x() * axes.right + both.y() * axes.up);
+    result.target += 0.5 * distance * (both.x() * right + both.y() * up);
   }
   return result;
 }
 
 std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3d>& polygon) {
-  std::vector<Vec3d> in_camera;
-  in_camera.reserve(polygon.size());
-  for (const Vec3d& p : polygon) in_camera.push_back(camera.to_camera(p));
-  in_camera = clip_polygon(
-      in_camera, [&](const Vec3d& p) { return p.z() - camera.near_distance(); },
-      [](const Vec3d& a, const Vec3d& b, double t) { return Vec3d(a + t * (b - a)); });
-
-  std::vector<Point2> pixels;
-  pixels.reserve(in_camera.size());
-  for (const Vec3d& p : in_camera) pixels.push_back(camera.to_pixels(p));
-  pixels = clip_polygon(camera.viewport(), std::move(pixels));
+  const std::vector<Vec3d> in_front = clipped(
+      mapped(polygon, [&](const Vec3d& p) { return camera.to_camera(p); }),
+      [&](const Vec3d& p) { return p.z() - camera.near_distance(); },
+      [](const Vec3d& a, const Vec3d& b, double at_a, double at_b) {
+        return Vec3d(a + at_a / (at_a - at_b) * (b - a));
+      });
+  std::vector<Point2> pixels = clip_polygon(
+      camera.viewport(), mapped(in_front, [&](const Vec3d& p) { return camera.to_pixels(p); }));
   if (pixels.size() < 3) pixels.clear();
   return pixels;
 }
 
 std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon) {
-  for (const auto& border : borders(rect)) polygon = clip_polygon(polygon, border, mix2);
+  for (const auto& border : borders(rect)) {
+    polygon =
+        clipped(polygon, border, [](const Point2& a, const Point2& b, double at_a, double at_b) {
+          return mix2(a, b, at_a / (at_a - at_b));
+        });
+  }
   return polygon;
 }
 

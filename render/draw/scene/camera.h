@@ -42,35 +42,32 @@ class Camera {
   double pixels_per_metre(const Vec3d& point) const;
 
  private:
-  Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport);
+  Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport,
+         bool perspective, double scale);
 
   Vec3d eye_;
   Mat3<double> axes_;  // columns right, up, forward
   Rect viewport_;
-  bool perspective_ = true;
-  double scale_ = 1;  // pixels per unit of tangent, or pixels per metre
+  bool perspective_;
+  double scale_;  // pixels per unit of tangent, or pixels per metre
   double near_ = 0;
 };
 
+/// Towards a flat light from the upper left of the camera, unit.
+Vec3d key_light(const Camera& camera);
+
 /// Pixels between two points as they are seen; nothing where one is behind the near plane.
 std::optional<float> seen_distance(const Camera& camera, const Vec3d& a, const Vec3d& b);
-
-/// Axes of a camera that looks against `direction`.
-struct ViewAxes {
-  Vec3d right, up, towards_eye;
-
-  ViewAxes(const Vec3d& direction, const Vec3d& world_up);
-};
 
 struct ViewFit {
   Vec3d target;
   double distance;  // of the eye from the target, metres
 };
 
-/// The nearest eye from which the points fill at most `share` of the view both ways, with the points
-/// in the middle unless the target is given. `half_height`: tangent of half the field of view;
-/// `aspect`: width by height.
-ViewFit fit_view(const std::vector<Vec3d>& points, const ViewAxes& axes,
+/// The nearest eye in a direction from which the points fill at most `share` of the view both ways,
+/// with the points in the middle unless the target is given. `half_height`: tangent of half the field
+/// of view; `aspect`: width by height.
+ViewFit fit_view(const std::vector<Vec3d>& points, const Vec3d& towards_eye, const Vec3d& world_up,
                  const std::optional<Vec3d>& target, double half_height, double aspect,
                  double share);
 

@@ -1,7 +1,6 @@
 #include "draw/scene/depth_order.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <span>
@@ -26,24 +25,16 @@ struct Item {
   bool parts = false;
 };
 
-Item item_of(Surface surface) {
-  const Vec3d normal = newell_normal(surface.polygon);
-  const double length = normal.norm();
-  const Vec3d unit = length > 0 ? Vec3d(normal / length) : normal;
-  const Plane<double> plane{unit, unit.dot(mean_of(surface.polygon))};
-  return {std::move(surface), plane, length, false};
-}
-
 bool is_small(const Item& item) {
   return item.surface.body == kSmallSurface;
 }
 
 /// Paints into `result`, farthest first.
-class Painter {
- public:
-  Painter(const Camera& camera, const std::vector<RoundBody>& bodies, double tolerance,
-          std::vector<Surface>& result)
-      : camera_(camera), bodies_(bodies), tolerance_(tolerance), result_(result) {}
+struct Painter {
+  const Camera& camera;
+  const std::vector<RoundBody>& bodies;
+  double tolerance;
+  std::vector<Surface>& result;
 
   // What is small and beyond one of the planes has nothing to do with the rest.
   void paint_apart(std::vector<Item> items, std::span<const Plane<double>> box) const {
@@ -59,7 +50,6 @@ class Painter {
     if (eye_in_front) paint(std::move(front));
   }
 
- private:
   struct Parts {
     std::vector<Item> front, back, on;
   };
@@ -73,20 +63,20 @@ class Painter {
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
       std::erase_if(items, is_small);
-      paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies_.size()));
+      paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies.size()));
       return;
     }
     const Plane<double> plane = largest->plane;
     largest->parts = true;
     auto [front, back, on] = part(plane, std::move(items));
-    const bool eye_in_front = in_front(plane);
-    paint(std::move(eye_in_front ? back : front));
+    if (in_front(plane)) std::swap(front, back);
+    paint(std::move(front));
     put(on);
-    paint(std::move(eye_in_front ? front : back));
+    paint(std::move(back));
   }
 
   void put(std::vector<Item>& items) const {
-    for (Item& item : items) result_.push_back(std::move(item.surface));
+    for (Item& item : items) result.push_back(std::move(item.surface));
   }
 
   // By the middle of each.
@@ -94,26 +84,25 @@ class Painter {
     std::vector<std::pair<double, const Item*>> sorted;
     for (const Item& item : items) {
       if (!is_small(item)) continue;
-      Vec3d middle = Vec3d::Zero();
-      for (const Vec3d& p : item.surface.polygon) middle += camera_.to_camera(p);
-      middle /= static_cast<double>(item.surface.polygon.size());
-      sorted.emplace_back(camera_.is_perspective() ? middle.norm() : middle.z(), &item);
+      const Vec3d middle = mean_of(
+          mapped(item.surface.polygon, [&](const Vec3d& p) { return camera.to_camera(p); }));
+      sorted.emplace_back(camera.is_perspective() ? middle.norm() : middle.z(), &item);
     }
     std::ranges::stable_sort(sorted, std::ranges::greater(),
                              [](const auto& entry) { return entry.first; });
-    for (const auto& [distance, item] : sorted) result_.push_back(item->surface);
+    for (const auto& [distance, item] : sorted) result.push_back(item->surface);
   }
 
   // Facets of round bodies alone: parted by the planes of the pairs from (first, second) on. `won`
   // counts for each body the pairs in which this region is on its side.
   void paint_bodies(std::vector<Item> items, std::size_t first, std::size_t second,
                     std::vector<int> won) const {
-    std::vector<bool> present(bodies_.size());
+    std::vector<bool> present(bodies.size());
     for (const Item& item : items) present[static_cast<std::size_t>(item.surface.body)] = true;
-    for (; first < bodies_.size(); ++first, second = first + 1) {
-      for (; present[first] && second < bodies_.size(); ++second) {
+    for (; first < bodies.size(); ++first, second = first + 1) {
+      for (; present[first] && second < bodies.size(); ++second) {
         if (!present[second]) continue;
-        const Plane<double> plane = power_plane(bodies_[first], bodies_[second]);
+        const Plane<double> plane = power_plane(bodies[first], bodies[second]);
         auto [front, back, on] = part(plane, std::move(items));
         std::ranges::move(on, std::back_inserter(back));
         std::vector<int> won_front = won;
@@ -133,7 +122,7 @@ class Painter {
 
   bool in_front(const Plane<double>& plane) const {
     const Vec3d on_plane = plane.normal * plane.offset;
-    return camera_.to_eye(on_plane).dot(plane.normal) > 0;
+    return camera.to_eye(on_plane).dot(plane.normal) > 0;
   }
 
   Parts part(const Plane<double>& plane, std::vector<Item> items) const {
@@ -143,8 +132,8 @@ class Painter {
       for (const Vec3d& p : item.surface.polygon) {
         if (item.parts) break;
         const double d = plane.distance(p);
-        front = front || d > tolerance_;
-        back = back || d < -tolerance_;
+        front = front || d > tolerance;
+        back = back || d < -tolerance;
       }
       if (!front || !back) {
         (front ? parts.front : back ? parts.back : parts.on).push_back(std::move(item));
@@ -152,38 +141,18 @@ class Painter {
       }
       for (const int sign : {1, -1}) {
         Item piece = item;
-        piece.surface.polygon = part(plane, item.surface.polygon, sign);
+        piece.surface.polygon = clipped(
+            item.surface.polygon, [&](const Vec3d& p) { return sign * plane.distance(p); },
+            [&](const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
+              return zero_between(p, q, sign * at_p, sign * at_q);
+            },
+            tolerance);
         if (piece.surface.polygon.size() < 3) continue;
         (sign > 0 ? parts.front : parts.back).push_back(std::move(piece));
       }
     }
     return parts;
   }
-
-  // The part of a polygon on one side (sign +1 or -1). New vertices are made from the lower to the
-  // higher end, so that both parts get the very same point and no gap opens between them.
-  std::vector<Vec3d> part(const Plane<double>& plane, const std::vector<Vec3d>& polygon,
-                          int sign) const {
-    std::vector<Vec3d> result;
-    const auto crossing = [](const Vec3d& low, const Vec3d& high, double dl, double dh) -> Vec3d {
-      return low + dl / (dl - dh) * (high - low);
-    };
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3d& p = polygon[i];
-      const Vec3d& q = polygon[(i + 1) % polygon.size()];
-      const double dp = plane.distance(p);
-      const double dq = plane.distance(q);
-      if (sign * dp >= -tolerance_) result.push_back(p);
-      if (dp < -tolerance_ && dq > tolerance_) result.push_back(crossing(p, q, dp, dq));
-      if (dq < -tolerance_ && dp > tolerance_) result.push_back(crossing(q, p, dq, dp));
-    }
-    return result;
-  }
-
-  const Camera& camera_;
-  const std::vector<RoundBody>& bodies_;
-  double tolerance_;
-  std::vector<Surface>& result_;
 };
 
 }  // namespace
@@ -198,9 +167,13 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
     const Eigen::AlignedBox3d own = box_around(surface.polygon);
     whole.extend(own);
     if (surface.body != kSmallSurface) middle.extend(own);
-    Item item = item_of(std::move(surface));
-    if (item.area > 0 && item.surface.body != kFlatSurface) item.area = -1;
-    if (item.area != 0) items.push_back(std::move(item));
+    const Vec3d normal = newell_normal(surface.polygon);
+    const double area = normal.norm();
+    if (!(area > 0)) continue;
+    const Vec3d unit = normal / area;
+    const Plane<double> plane{unit, unit.dot(mean_of(surface.polygon))};
+    const bool parts_others = surface.body == kFlatSurface;
+    items.push_back({std::move(surface), plane, parts_others ? area : -1});
   }
   std::vector<Plane<double>> sides;
   for (int axis = 0; axis < 3 && !middle.isEmpty(); ++axis) {
@@ -210,7 +183,7 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   std::vector<Surface> result;
   result.reserve(items.size());
   const double scale = items.empty() ? 0 : whole.sizes().maxCoeff();
-  Painter(camera, bodies, kOnPlane * scale, result).paint_apart(std::move(items), sides);
+  Painter{camera, bodies, kOnPlane * scale, result}.paint_apart(std::move(items), sides);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "draw/scene/hidden_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/at.h"
@@ -78,23 +79,18 @@ std::vector<int> HiddenLines::cells_of(std::span<const Point2> points) const {
   return cells;
 }
 
-std::vector<int> HiddenLines::candidates(const Vec3d& from, const Vec3d& to) const {
-  std::vector<int> found = everywhere_;
-  if (found.size() == shadows_.size()) return found;
-  const std::optional<Segment2> seen = project_segment(camera_, from, to);
-  if (!seen) return found;
-  for (const int cell : cells_of(std::array{seen->from, seen->to})) {
-    const std::vector<int>& here = at(cells_, cell);
-    found.insert(found.end(), here.begin(), here.end());
-  }
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
-
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
+  std::vector<int> candidates = everywhere_;
+  if (candidates.size() < shadows_.size()) {
+    if (const std::optional<Segment2> seen = project_segment(camera_, from, to)) {
+      for (const int cell : cells_of(std::array{seen->from, seen->to}))
+        candidates.insert(candidates.end(), at(cells_, cell).begin(), at(cells_, cell).end());
+    }
+    std::ranges::sort(candidates);
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  }
   std::vector<std::pair<double, double>> hidden;
-  for (const int index : candidates(from, to)) {
+  for (const int index : candidates) {
     double first = 0, last = 1;
     for (const Plane<double>& bound : at(shadows_, index)) {
       const double d0 = bound.distance(from);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -36,8 +35,6 @@ class HiddenLines {
  private:
   // The cells of the view in the box around points.
   std::vector<int> cells_of(std::span<const Point2> points) const;
-  // The shadows that may hide what is seen of the segment's projection.
-  std::vector<int> candidates(const Vec3d& from, const Vec3d& to) const;
 
   Camera camera_;
   std::vector<ConvexShadow> shadows_;

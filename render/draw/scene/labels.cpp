@@ -31,26 +31,20 @@ void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
   }
 }
 
-void LabelPlacer::avoid(const Point2& from, const Point2& to) {
-  lines_.push_back({from, to});
-}
-
-bool LabelPlacer::is_crossed(const Rect& box) const {
-  return std::ranges::any_of(lines_, [&](const Segment2& line) {
-    return clip_segment(box, line.from, line.to).has_value();
-  });
-}
-
-bool LabelPlacer::is_free(const Rect& box) const {
-  return view_.encloses(box) &&
-         std::ranges::none_of(taken_, [&](const Rect& other) { return box.overlaps(other); });
-}
-
 std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
                                                      float ascent, float descent, float clearance,
                                                      const Point2& direction, bool outwards) {
   const float height = ascent + descent;
   const double wanted = std::atan2(direction.y, direction.x);
+  const auto is_free = [&](const Rect& box) {
+    return view_.encloses(box) &&
+           std::ranges::none_of(taken_, [&](const Rect& other) { return box.overlaps(other); });
+  };
+  const auto is_crossed = [&](const Rect& box) {
+    return std::ranges::any_of(lines_, [&](const Segment2& line) {
+      return clip_segment(box, line.from, line.to).has_value();
+    });
+  };
   const int uncrossed_rings = outwards ? kUncrossedNearby : kUncrossedRings;
   for (int attempt = 0; attempt < uncrossed_rings + kRings; ++attempt) {
     const bool uncrossed = attempt < uncrossed_rings;
@@ -72,12 +66,9 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
                      width + 2 * kPadding, height + 2 * kPadding};
       if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
       taken_.push_back(box);
-      Place place;
-      place.left_baseline = {static_cast<float>(cx - 0.5 * width),
-                             static_cast<float>(cy + 0.5 * height - descent)};
-      place.leader_end = box.nearest(anchor);
-      place.needs_leader = distance(place.leader_end, anchor) > clearance + 0.8 * height;
-      return place;
+      const Point2 end = box.nearest(anchor);
+      return Place{pixel(cx - 0.5 * width, cy + 0.5 * height - descent),
+                   distance(end, anchor) > clearance + 0.8 * height, end};
     }
   }
   return std::nullopt;

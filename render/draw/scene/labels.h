@@ -22,7 +22,7 @@ class LabelPlacer {
   void block(const Point2& center, float radius);
   void block(const Point2& from, const Point2& to, float width);
   /// Keeps labels off a line where they can.
-  void avoid(const Point2& from, const Point2& to);
+  void avoid(const Segment2& line) { lines_.push_back(line); }
 
   struct Place {
     Point2 left_baseline;  // where the text begins
@@ -36,9 +36,6 @@ class LabelPlacer {
                              float clearance, const Point2& direction, bool outwards = false);
 
  private:
-  bool is_free(const Rect& box) const;
-  bool is_crossed(const Rect& box) const;
-
   Rect view_;
   std::vector<Rect> taken_;
   std::vector<Segment2> lines_;

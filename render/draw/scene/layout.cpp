@@ -1,7 +1,6 @@
 #include "draw/scene/layout.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
@@ -42,13 +41,10 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
   if (text_width(text, size, weight) <= available) return text;
   std::string shortened = text;
   while (!shortened.empty()) {
-    // Whole UTF-8 characters only.
-    do {
+    // Whole UTF-8 characters only: up to a byte that begins one.
+    while (shortened.size() > 1 && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0x80)
       shortened.pop_back();
-    } while (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0x80);
-    if (!shortened.empty() && (static_cast<unsigned char>(shortened.back()) & 0xC0) == 0xC0) {
-      shortened.pop_back();
-    }
+    shortened.pop_back();
     if (text_width(shortened + "…", size, weight) <= available) return shortened + "…";
   }
   return shortened;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "draw/scene/hatch.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/swatches.h"
@@ -50,8 +49,7 @@ void SwatchPen::box(const Color& fill_color, const Color& border, double width, 
 
 void SwatchPen::hatched(const Color& color) const {
   const double h = px(kHalfBox), w = px(kBox), x = left_.x, y = left_.y;
-  hatch({{x, y - h}, {x + w, y - h}, {x + w, y + h}, {x, y + h}}, {}, px(5), px(1.1), color,
-        drawing());
+  hatch({{x, y - h}, {x + w, y - h}, {x + w, y + h}, {x, y + h}}, {}, 5, 1.1, color);
 }
 
 void SwatchPen::head(double tip, double size, const Color& color) const {
@@ -75,7 +73,7 @@ void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, 
       x = layout.legend.x;
       middle += layout.px(kLegendRow);
     }
-    const SwatchPen pen(layout, {static_cast<float>(x), static_cast<float>(middle)}, drawing);
+    const SwatchPen pen(layout, pixel(x, middle), drawing);
     entry.swatch->draw(pen);
     const float size = layout.px(SwatchPen::kLegendSize);
     pen.text(entry.text, {pen.at(kSwatch + 6).x, static_cast<float>(middle) + 0.36f * size},

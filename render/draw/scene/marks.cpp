@@ -1,9 +1,9 @@
-#include "draw/scene/marks.h"
-
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "draw/scene/palette.h"
+#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {
@@ -20,68 +20,16 @@ constexpr double kCenterRadius = 9.5;
 constexpr double kFootRadius = 6.5;
 constexpr double kCoreRadius = 2.4;
 constexpr double kOriginRadius = 7.0;
+constexpr double kOriginHaloed = kOriginRadius + kDotHalo;
 constexpr double kNodeRadius = 4.0;
 constexpr double kSquare = 5.0;
 constexpr double kRingInner = 9.0;
 constexpr double kRingOuter = 11.2;
 constexpr double kCrossReach = 4.5;
 
-enum class Ink { Own, Faint, White, Veil };
-
-Color color_of(Ink ink, const Color& own) {
-  if (ink == Ink::Own) return own;
-  if (ink == Ink::Faint) return with_alpha(own, 0.3f);
-  return ink == Ink::White ? kWhite : with_alpha(kWhite, 0.85f);
-}
-
-/// A ring, or a disc where `inner` is 0.
-struct Ring {
-  double inner, outer;
-  Ink ink = Ink::Own;
-};
-
-/// A mark that consists of rings, in the order in which they are painted.
-struct RingMark {
-  std::vector<Ring> rings;
-  double clear = 0;  // radius that labels keep off
-};
-
-RingMark rings_of(MarkKind kind) {
-  switch (kind) {
-    case MarkKind::Dot:
-      return {{{0, kHaloed, Ink::White}, {0, kDotRadius}}, kHaloed};
-    case MarkKind::Hollow:
-      return {{{0, kHaloed, Ink::White}, {kDotRadius - kDotBorder, kDotRadius}}, kHaloed};
-    case MarkKind::Apart:
-      return {{{0, kHaloed, Ink::White},
-               {0, kDotRadius, Ink::Faint},
-               {kDotRadius - kApartBorder, kDotRadius}},
-              kHaloed};
-    case MarkKind::Core:
-      return {{{0, kCoreRadius}}};
-    case MarkKind::Node:
-      return {{{0, kNodeRadius + 0.5 * kDotHalo, Ink::White}, {0, kNodeRadius}}};
-    case MarkKind::Origin:
-      return {
-          {{0, kOriginRadius + kDotHalo, Ink::White}, {kOriginRadius - kDotHalo, kOriginRadius}},
-          kOriginRadius + kDotHalo};
-    case MarkKind::HeldOrigin:
-      return {{{0, 0.7 * kOriginRadius + kDotHalo, Ink::White}, {0, 0.7 * kOriginRadius}},
-              kOriginRadius + kDotHalo};
-    case MarkKind::WideRing:
-    case MarkKind::Ring:
-      return {{{kRingInner - 1.5, kRingOuter + 1.5, Ink::Veil},
-               {kRingInner, kind == MarkKind::Ring ? kRingOuter : kRingInner + 0.7 * kDotBorder}},
-              kRingOuter};
-    default:
-      return {};
-  }
-}
-
 /// Part of a disc, angles in quarters of a turn, clockwise on the screen from the right.
 Fill sector(const Point2& center, float radius, int from, int to, const Color& color) {
-  Fill fill;
-  fill.color = color;
+  Fill fill{{}, color};
   if (to - from < 2) fill.polygon.push_back(center);
   for (int i = from * kSteps; i <= to * kSteps; ++i) {
     const float angle = 0.5f * std::numbers::pi_v<float> * static_cast<float>(i) / kSteps;
@@ -89,6 +37,13 @@ Fill sector(const Point2& center, float radius, int from, int to, const Color& c
         {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
   }
   return fill;
+}
+
+/// A ring filled on its left, pixels.
+void draw_half_dot(const Point2& center, float radius, float border, const Color& color,
+                   Drawing& drawing) {
+  drawing.primitives.push_back(sector(center, radius - 0.5f * border, 1, 3, color));
+  drawing.primitives.push_back(Disc{center, radius - border, radius, color});
 }
 
 }  // namespace
@@ -99,20 +54,33 @@ PointState point_state(const std::string& state) {
 }
 
 float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen) {
+  struct Ring {
+    double inner, outer;
+    Color color;
+  };
+  const auto rings = [&](double clear, std::initializer_list<Ring> in_order) {
+    for (const Ring& ring : in_order) pen.ring(at, ring.inner, ring.outer, ring.color);
+    return pen.px(clear);
+  };
   switch (kind) {
+    case MarkKind::Dot:
+      return rings(kHaloed, {{0, kHaloed, kWhite}, {0, kDotRadius, color}});
     case MarkKind::Half:
       pen.disc(at, kHaloed, kWhite);
       draw_half_dot(at, pen.px(kDotRadius), pen.px(kDotBorder), color, pen.drawing());
       return pen.px(kHaloed);
-    case MarkKind::Quartered:
-    case MarkKind::SmallQuartered: {
-      const float radius = pen.px(kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
-      draw_quartered_disc(at, radius, pen.px(1.6), pen.drawing());
-      return radius + pen.px(2);
-    }
-    case MarkKind::Square:
-      draw_square(at, pen.px(kSquare), color, pen.drawing());
-      return pen.px(kSquare + kDotHalo);
+    case MarkKind::Hollow:
+      return rings(kHaloed, {{0, kHaloed, kWhite}, {kDotRadius - kDotBorder, kDotRadius, color}});
+    case MarkKind::Ring:
+    case MarkKind::WideRing:
+      return rings(kRingOuter,
+                   {{kRingInner - 1.5, kRingOuter + 1.5, with_alpha(kWhite, 0.85f)},
+                    {kRingInner,
+                     kind == MarkKind::Ring ? kRingOuter : kRingInner + 0.7 * kDotBorder, color}});
+    case MarkKind::Apart:
+      return rings(kHaloed, {{0, kHaloed, kWhite},
+                             {0, kDotRadius, with_alpha(color, 0.3f)},
+                             {kDotRadius - kApartBorder, kDotRadius, color}});
     case MarkKind::Cross:
     case MarkKind::SmallCross: {
       const bool small = kind == MarkKind::SmallCross;
@@ -121,27 +89,34 @@ float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& 
       pen.cross(at, reach, 2.2 * width, color, Cap::Round);
       return pen.px(reach) + pen.px(2);
     }
-    default:
-      break;
+    case MarkKind::Core:
+      return rings(0, {{0, kCoreRadius, color}});
+    case MarkKind::Quartered:
+    case MarkKind::SmallQuartered: {
+      const float radius = pen.px(kind == MarkKind::Quartered ? kCenterRadius : kFootRadius);
+      draw_quartered_disc(at, radius, pen.px(1.6), pen.drawing());
+      return radius + pen.px(2);
+    }
+    case MarkKind::Origin:
+      return rings(kOriginHaloed,
+                   {{0, kOriginHaloed, kWhite}, {kOriginRadius - kDotHalo, kOriginRadius, color}});
+    case MarkKind::HeldOrigin:
+      return rings(kOriginHaloed,
+                   {{0, 0.7 * kOriginRadius + kDotHalo, kWhite}, {0, 0.7 * kOriginRadius, color}});
+    case MarkKind::Square:
+      draw_square(at, pen.px(kSquare), color, pen.drawing());
+      return pen.px(kSquare + kDotHalo);
+    case MarkKind::Node:
+      return rings(0, {{0, kNodeRadius + 0.5 * kDotHalo, kWhite}, {0, kNodeRadius, color}});
   }
-  const RingMark mark = rings_of(kind);
-  for (const Ring& ring : mark.rings)
-    pen.ring(at, ring.inner, ring.outer, color_of(ring.ink, color));
-  return pen.px(mark.clear);
-}
-
-void draw_half_dot(const Point2& center, float radius, float border, const Color& color,
-                   Drawing& drawing) {
-  drawing.primitives.push_back(sector(center, radius - 0.5f * border, 1, 3, color));
-  drawing.primitives.push_back(Disc{center, radius - border, radius, color});
+  return 0;
 }
 
 void draw_quartered_disc(const Point2& center, float radius, float border, Drawing& drawing) {
   drawing.primitives.push_back(Disc{center, 0, radius + border, kWhite});
-  for (const int quarter : {0, 2}) {
+  for (const int quarter : {0, 2})
     drawing.primitives.push_back(
         sector(center, radius - 0.5f * border, quarter, quarter + 1, kNormal));
-  }
   drawing.primitives.push_back(Disc{center, radius - border, radius, kNormal});
 }
 

@@ -1,9 +1,6 @@
-#include "draw/scene/mesh_surface.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -23,6 +20,11 @@ constexpr float kThinAlpha = 0.45f;
 constexpr std::size_t kFewTriangles = 120;
 constexpr std::size_t kSampled = 400;  // edges are enough to know how long they are
 
+// A share that grows from 0 at `none` to 1 at `whole`.
+float share_between(double none, double whole, double value) {
+  return static_cast<float>(std::clamp((value - none) / (whole - none), 0.0, 1.0));
+}
+
 // How strong the lines between triangles are.
 float thin_alpha(const Scene& scene, const PlacedShape& shape) {
   const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
@@ -37,9 +39,7 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
     sum += (to - from).norm() * scene.camera.pixels_per_metre(middle);
     ++count;
   }
-  if (count == 0) return 0;
-  const double share = (sum / count - kFaded) / (kFull - kFaded);
-  return kThinAlpha * static_cast<float>(std::clamp(share, 0.0, 1.0));
+  return count == 0 ? 0 : kThinAlpha * share_between(kFaded, kFull, sum / count);
 }
 
 // How far apart two lines at least are on the screen, pixels, that both stay: closer ones make a
@@ -59,7 +59,7 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
   double spacing = std::numeric_limits<double>::infinity();
   for (const int face : {edge.left, edge.right}) {
     if (face < 0) continue;
-    for (const int v : at(shape.mesh->shape->faces, face)) {
+    for (const int v : at(shape.traced().faces, face)) {
       if (v == edge.from || v == edge.to) continue;
       const std::optional<Point2> apex = scene.camera.project(shape.vertex(v));
       if (!apex) continue;
@@ -67,31 +67,51 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
       spacing = std::min(spacing, std::abs(cross(along, way)) / length);
     }
   }
-  const double share = (spacing / scene.scales.pixel - kTooClose) / (kFarEnough - kTooClose);
-  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+  return share_between(kTooClose, kFarEnough, spacing / scene.scales.pixel);
 }
 
-// What the other shapes reach: there triangles have to be parted exactly.
-Eigen::AlignedBox3d reach_of_others(const Scene& scene, const PlacedShape& mesh) {
-  Eigen::AlignedBox3d reach;
-  for (const PlacedShape& other : scene.shapes) {
-    if (&other != &mesh && other.mesh->shape->type != "mesh")
-      reach.extend(box_around(extent_points(other)));
+// A triangle of a mesh with the strongest role that a manifold gives it.
+struct Touched {
+  const PlacedShape* mesh;
+  int triangle;
+  bool incident;
+};
+
+std::vector<Touched> touched_triangles(const Scene& scene) {
+  std::vector<Touched> touched;
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    for (const bool of_a : {true, false}) {
+      const PlacedShape* mesh = scene.find(of_a ? pair.a : pair.b);
+      if (mesh == nullptr || !mesh->is_mesh()) continue;
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        const int triangle = manifold.triangle.value_or(-1);
+        if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;
+        const bool incident = manifold.axis == (of_a ? "face_b" : "face_a");
+        auto known = std::ranges::find_if(touched, [&](const Touched& other) {
+          return other.mesh == mesh && other.triangle == triangle;
+        });
+        if (known == touched.end()) known = touched.insert(known, Touched{mesh, triangle, true});
+        known->incident &= incident;
+      }
+    }
   }
-  return reach;
+  return touched;
 }
 
 }  // namespace
 
-void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
+void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   const std::vector<ShapeMesh::Edge>& edges = shape.mesh->edges;
   const bool open =
       std::ranges::any_of(edges, [](const ShapeMesh::Edge& edge) { return edge.right < 0; });
-  const bool many = shape.mesh->shape->faces.size() > kFewTriangles;
+  const bool many = shape.traced().faces.size() > kFewTriangles;
   const std::size_t before = sketch.surfaces.size();
-  const std::vector<bool> front =
-      draw_faces(scene.camera, shape, shape.is_a ? kShapeA : kShapeB, open, sketch);
-  const Eigen::AlignedBox3d reach = reach_of_others(scene, shape);
+  const std::vector<bool> front = draw_faces(scene.camera, shape, fill, open, sketch);
+  // What the other shapes reach: there triangles have to be parted exactly.
+  Eigen::AlignedBox3d reach;
+  for (const PlacedShape& other : scene.shapes) {
+    if (&other != &shape && !other.is_mesh()) reach.extend(box_around(extent_points(other)));
+  }
   for (Surface& surface : std::span(sketch.surfaces).subspan(before)) {
     if (many && !reach.intersects(box_around(surface.polygon))) surface.body = kSmallSurface;
   }
@@ -121,44 +141,13 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
   }
 }
 
-namespace {
-
-// A triangle of a mesh with the strongest role that a manifold gives it.
-struct Touched {
-  const PlacedShape* mesh = nullptr;
-  int triangle = -1;
-  bool incident = false;
-};
-
-std::vector<Touched> touched_triangles(const Scene& scene) {
-  std::vector<Touched> touched;
-  std::map<std::pair<const PlacedShape*, int>, std::size_t> places;  // in `touched`
-  for (const trace::Pair& pair : scene.frame.pairs) {
-    for (const bool of_a : {true, false}) {
-      const PlacedShape* mesh = scene.find(of_a ? pair.a : pair.b);
-      if (mesh == nullptr || mesh->mesh->shape->type != "mesh") continue;
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        const int triangle = manifold.triangle.value_or(-1);
-        if (triangle < 0 || triangle >= count_of(mesh->mesh->shape->faces)) continue;
-        const bool incident = manifold.axis == (of_a ? "face_b" : "face_a");
-        const auto [known, is_new] = places.try_emplace({mesh, triangle}, touched.size());
-        if (is_new) touched.push_back({mesh, triangle, incident});
-        touched[known->second].incident &= incident;
-      }
-    }
-  }
-  return touched;
-}
-
-}  // namespace
-
 void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
   const std::vector<Touched> touched = touched_triangles(scene);
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   for (const auto& [mesh, triangle, incident] : touched) {
     const Color color = incident ? kIncidentFace : kReferenceFace;
     // On a landscape what stands before a triangle hides it.
-    const bool many = mesh->mesh->shape->faces.size() > kFewTriangles;
+    const bool many = mesh->traced().faces.size() > kFewTriangles;
     sketch.face(
         mesh->polygon(triangle), with_alpha(color, 0.35f),
         {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});

@@ -1,6 +1,9 @@
 #include "draw/scene/pair_points.h"
 
 #include <algorithm>
+#include <charconv>
+
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -27,18 +30,16 @@ double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
 
 }  // namespace
 
-std::size_t point_count(const trace::Pair& pair) {
-  std::size_t count = 0;
-  for (const trace::Manifold& manifold : pair.manifolds) count += manifold.points.size();
-  return count;
-}
-
 std::vector<PairPoint> all_points(const trace::Pair& pair) {
   std::vector<PairPoint> points;
   for (const trace::Manifold& manifold : pair.manifolds) {
     for (const trace::Point& point : manifold.points) points.push_back({&manifold, &point});
   }
   return points;
+}
+
+std::vector<Vec3d> positions_of(const trace::Pair& pair) {
+  return mapped(all_points(pair), [](const PairPoint& any) { return any.point->position; });
 }
 
 std::vector<PairPoint> kept_points(const trace::Pair& pair) {
@@ -57,24 +58,36 @@ std::vector<PairPoint> kept_points(const trace::Pair& pair) {
 
 bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
   const Vec3d& normal = pair.clip->reference.normal;
-  const trace::Polygon& face = pair.clip->incident.polygon;
-  double size = 0;
-  for (const Vec3d& p : face) size = std::max(size, (p - face.front()).norm());
+  const double size = reach_of(pair.clip->incident.polygon);
   return std::ranges::any_of(all_points(pair), [&](const PairPoint& kept) {
     const Vec3d way = dropped.position - kept.point->position;
     return (way - way.dot(normal) * normal).norm() < 1e-5 * size;
   });
 }
 
-Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
-                   const trace::Point& point) {
+OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
+  const auto& [manifold, point] = at;
   const auto radius = [&](const std::string& name) {
     const PlacedShape* shape = scene.find(name);
-    return shape == nullptr ? 0.0 : shape->mesh->shape->radius;
+    return shape == nullptr ? 0.0 : shape->traced().radius;
   };
-  const double behind_a = share_behind_a(pair, manifold, point, radius(pair.a), radius(pair.b));
-  const Vec3d overlap = scene.depth_factor * point.separation * manifold.normal;
-  return {point.position - behind_a * overlap, point.position + (1 - behind_a) * overlap};
+  const double behind_a = share_behind_a(pair, *manifold, *point, radius(pair.a), radius(pair.b));
+  const Vec3d overlap = scene.scales.overlap * point->separation * manifold->normal;
+  return {point->position - behind_a * overlap, point->position + (1 - behind_a) * overlap};
+}
+
+std::vector<PairEdge> edges_in(std::string_view id) {
+  std::vector<PairEdge> edges;
+  while (!id.empty()) {
+    const std::string_view word = id.substr(0, id.find(' '));
+    id.remove_prefix(std::min(word.size() + 1, id.size()));
+    if (word.size() < 4 || word.substr(1, 2) != ":e") continue;
+    int index = -1;
+    const auto parsed = std::from_chars(word.data() + 3, word.data() + word.size(), index);
+    if (parsed.ec == std::errc() && parsed.ptr == word.data() + word.size())
+      edges.push_back({word[0] == 'a', index});
+  }
+  return edges;
 }
 
 }  // namespace contactscope::draw

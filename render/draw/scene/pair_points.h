@@ -14,10 +14,10 @@ struct PairPoint {
   const trace::Point* point;
 };
 
-std::size_t point_count(const trace::Pair& pair);
-
 /// The points of all manifolds.
 std::vector<PairPoint> all_points(const trace::Pair& pair);
+
+std::vector<Vec3d> positions_of(const trace::Pair& pair);
 
 /// Those of them that were kept, as the reducer saw them where it is recorded: of several manifolds
 /// each was reduced by itself, and the record holds one of these.
@@ -33,13 +33,25 @@ inline bool stands_off(const trace::Point& point, const SequenceScales& scales) 
   return point.separation > scales.touching;
 }
 
-/// Where along the normal the two surfaces are at a contact point: an overlap from the surface of A
-/// to that of B, which is behind it. With the scene's depth factor the overlap is so many times as
-/// long, and begins at the surface on which the point lies, or in the middle of both.
-struct Whisker {
+/// A place on the surface of A and one on that of B, world.
+struct OnBoth {
   Vec3d on_a, on_b;
 };
-Whisker whisker_at(const Scene& scene, const trace::Pair& pair, const trace::Manifold& manifold,
-                   const trace::Point& point);
+
+/// Where along the normal the two surfaces are at a contact point: an overlap from the surface of A
+/// to that of B, which is behind it. With the scene's scale the overlap is so many times as
+/// long, and begins at the surface on which the point lies, or in the middle of both.
+OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
+
+/// An edge of A or of B.
+struct PairEdge {
+  bool of_a = false;
+  int index = 0;
+
+  bool operator==(const PairEdge&) const = default;
+};
+
+/// Those that an id such as "a:e3 b:e7" names.
+std::vector<PairEdge> edges_in(std::string_view id);
 
 }  // namespace contactscope::draw

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "draw/scene/drawing.h"
 
 /// Roles of the picture language: Okabe-Ito colours, always with a form of their own.
@@ -34,5 +36,15 @@ inline constexpr Color kAxisText = rgb(0xA2477B);
 inline constexpr Color kText = rgb(0x1A1D21);
 inline constexpr Color kQuietText = rgb(0x666666);
 inline constexpr Color kWhite = rgb(0xFFFFFF);
+
+/// A shape's surface has three tones. Cosines to the light at which one gives way to the next,
+/// brightest first.
+inline constexpr std::array<double, 2> kToneBorders = {0.6, 0.1};
+/// The colour of a surface whose normal has this cosine to the light. Light enough for the contact
+/// inside to be seen, dense enough for a shape to read as solid.
+constexpr Color toned(const Color& base, double lit) {
+  const float tone = lit > kToneBorders[0] ? 1.0f : lit > kToneBorders[1] ? 0.93f : 0.84f;
+  return {base.r * tone, base.g * tone, base.b * tone, 0.52f};
+}
 
 }  // namespace contactscope::draw

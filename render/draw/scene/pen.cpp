@@ -2,53 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace contactscope::draw {
 namespace {
 
 constexpr float kOnALine = 0.1f;  // pixels
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// How far a straight way from one point leads: slopes against its first direction that pass all
-/// points so far. A corridor as wide as the tolerance narrows with every point, so that a path of n
-/// points costs n steps. Williams 1978, "An efficient algorithm for the piecewise linear
-/// approximation of planar curves".
-class Corridor {
- public:
-  explicit Corridor(const Point2& from) : from_(from) {}
-
-  /// Whether the way may end at `point`, having passed all before; takes it in.
-  bool reaches(const Point2& point) {
-    const Point2 way = point - from_;
-    if (length_ == 0) {
-      const float first = length(way);
-      if (!(first > 0)) return true;  // the same place
-      along_ = way / first;
+/// The first of the points after `first` to which no straight way leads that passes all between. The
+/// slopes against the way's first direction that pass all points so far narrow with every point, so
+/// that a path of n points costs n steps. Williams 1978, "An efficient algorithm for the piecewise
+/// linear approximation of planar curves".
+std::size_t end_of_straight(const std::vector<Point2>& points, std::size_t first) {
+  Point2 along;
+  float reached = 0, least = -1, most = 1;
+  std::size_t next = first + 1;
+  for (; next < points.size(); ++next) {
+    const Point2 way = points[next] - points[first];
+    if (reached == 0) {
+      const float direct = length(way);
+      if (!(direct > 0)) continue;  // the same place
+      along = way / direct;
     }
-    const float run = dot(along_, way), aside = cross(along_, way);
-    if (run < length_) return false;  // it turns back
-    length_ = run;
+    const float run = dot(along, way), aside = cross(along, way);
     const float slope = aside / run;
-    if (slope < least_ || slope > most_) return false;
-    least_ = std::max(least_, (aside - kOnALine) / run);
-    most_ = std::min(most_, (aside + kOnALine) / run);
-    return true;
+    if (run < reached || slope < least || slope > most) break;  // it turns back, or aside
+    reached = run;
+    least = std::max(least, (aside - kOnALine) / run);
+    most = std::min(most, (aside + kOnALine) / run);
   }
-
- private:
-  Point2 from_, along_;
-  float length_ = 0;
-  float least_ = -1, most_ = 1;
-};
+  return next;
+}
 
 /// Without the points between which the way is straight.
 std::vector<Point2> straightened(const std::vector<Point2>& points) {
   std::vector<Point2> corners;
   for (std::size_t i = 0; i < points.size();) {
     corners.push_back(points[i]);
-    Corridor corridor(points[i]);
-    std::size_t next = i + 1;
-    while (next < points.size() && corridor.reaches(points[next])) ++next;
+    const std::size_t next = end_of_straight(points, i);
     if (next == points.size()) {
       if (next > i + 1) corners.push_back(points.back());
       break;
@@ -58,25 +52,33 @@ std::vector<Point2> straightened(const std::vector<Point2>& points) {
   return corners;
 }
 
+/// Where a line runs inside a convex polygon, as parameters along it (Cyrus and Beck 1978).
+std::optional<std::pair<double, double>> inside(const std::vector<Vec2d>& polygon,
+                                                const Vec2d& origin, const Vec2d& direction) {
+  if (polygon.size() < 3) return std::nullopt;
+  double first = -kInfinity, last = kInfinity;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const double distance = cross(edge, Vec2d(origin - polygon[i]));  // positive inside
+    const double speed = cross(edge, direction);
+    if (speed == 0 && distance < 0) return std::nullopt;
+    if (speed > 0) first = std::max(first, -distance / speed);
+    if (speed < 0) last = std::min(last, -distance / speed);
+  }
+  return first < last ? std::optional(std::pair(first, last)) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Point2> corners_of(const Rect& rect) {
-  const auto left = static_cast<float>(rect.x), top = static_cast<float>(rect.y);
-  const auto right = static_cast<float>(rect.right()), bottom = static_cast<float>(rect.bottom());
-  return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+  const Point2 low = pixel(rect.x, rect.y), high = pixel(rect.right(), rect.bottom());
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
 void Pen::text(const std::string& what, const Point2& at, Align align, const Color& color,
                Weight weight, double size, double halo) const {
-  Text text;
-  text.text = what;
-  text.at = at;
-  text.size = px(size > 0 ? size : text_size_);
-  text.weight = weight;
-  text.align = align;
-  text.color = color;
-  text.halo = px(halo);
-  out_.primitives.push_back(std::move(text));
+  out_.primitives.push_back(
+      Text{what, at, px(size > 0 ? size : text_size_), weight, align, color, px(halo)});
 }
 
 float Pen::width_of(const std::string& what, Weight weight) const {
@@ -85,10 +87,8 @@ float Pen::width_of(const std::string& what, Weight weight) const {
 
 Stroke Pen::stroke(const Point2& from, const Point2& to, double width, const Color& color,
                    double dash, double gap) const {
-  Stroke stroke{from, to, px(width), color};
-  stroke.dash = px(dash);
-  stroke.gap = gap > 0 ? px(gap) : 0.7f * stroke.dash;
-  return stroke;
+  const float drawn = px(dash);
+  return {from, to, px(width), color, Cap::Butt, drawn, gap > 0 ? px(gap) : 0.7f * drawn};
 }
 
 void Pen::line(const Point2& from, const Point2& to, double width, const Color& color, double dash,
@@ -143,8 +143,33 @@ void Pen::ring(const Point2& center, double inner, double outer, const Color& co
 void Pen::cross(const Point2& at, double radius, double width, const Color& color, Cap cap) const {
   const float r = px(radius);
   for (const float rise : {r, -r}) {
-    Stroke stroke{{at.x - r, at.y - rise}, {at.x + r, at.y + rise}, px(width), color, cap};
-    out_.primitives.push_back(stroke);
+    out_.primitives.push_back(
+        Stroke{{at.x - r, at.y - rise}, {at.x + r, at.y + rise}, px(width), color, cap});
+  }
+}
+
+void Pen::hatch(const std::vector<Vec2d>& whole, const std::vector<Vec2d>& hole, double spacing,
+                double width, const Color& color) const {
+  if (whole.size() < 3) return;
+  const Vec2d direction = Vec2d(1, -1) / std::sqrt(2.0), across = Vec2d(1, 1) / std::sqrt(2.0);
+  double low = kInfinity, high = -kInfinity;
+  for (const Vec2d& corner : whole) {
+    low = std::min(low, across.dot(corner));
+    high = std::max(high, across.dot(corner));
+  }
+  // Lines at multiples of the spacing, so that neighbouring regions continue each other.
+  const double step = px(spacing);
+  for (double offset = std::ceil(low / step) * step; offset < high; offset += step) {
+    const Vec2d origin = offset * across;
+    const auto seen = inside(whole, origin, direction), gone = inside(hole, origin, direction);
+    if (!seen) continue;
+    const auto draw = [&](double from, double to) {
+      if (!(to > from)) return;
+      const Vec2d a = origin + from * direction, b = origin + to * direction;
+      line(pixel(a.x(), a.y()), pixel(b.x(), b.y()), width, color);
+    };
+    draw(seen->first, gone ? std::min(seen->second, gone->first) : seen->second);
+    if (gone) draw(std::max(seen->first, gone->second), seen->second);
   }
 }
 

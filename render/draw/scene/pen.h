@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/convex_polygon.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
 #include "image/font.h"
@@ -44,6 +45,10 @@ class Pen {
   /// Two strokes, `radius` to each side of the middle along each axis.
   void cross(const Point2& at, double radius, double width, const Color& color,
              Cap cap = Cap::Butt) const;
+  /// Rising lines over what of convex polygon `whole` lies outside convex polygon `hole`, both in the
+  /// winding of convex_polygon. A hole of fewer than three corners is none.
+  void hatch(const std::vector<Vec2d>& whole, const std::vector<Vec2d>& hole, double spacing,
+             double width, const Color& color) const;
 
  private:
   Stroke stroke(const Point2& from, const Point2& to, double width, const Color& color, double dash,

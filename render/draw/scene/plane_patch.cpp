@@ -1,10 +1,6 @@
-#include "draw/scene/plane_patch.h"
-
 #include <algorithm>
-#include <cmath>
 
-#include "draw/scene/palette.h"
-#include "draw/scene/shading.h"
+#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 namespace {
@@ -13,33 +9,32 @@ constexpr double kMargin = 0.16;     // around the shapes, of their larger exten
 constexpr double kTickSpacing = 15;  // pixels at 720 lines
 constexpr double kTickLength = 12;
 
-PlanePatch rectangle(const trace::HalfSpace& plane, const Vec3d& level) {
-  return {plane.offset * plane.normal, level, plane.normal.cross(level), 1, 1};
-}
-
 }  // namespace
 
+PatchFit::PatchFit(const trace::HalfSpace& plane, const Pose<double>& pose, const Vec3d& up) {
+  const Vec3d normal = pose.rotate(plane.normal);
+  const Vec3d across = up.cross(normal);
+  // On level ground along the x axis.
+  const Vec3d level = across.norm() > 1e-3
+                          ? Vec3d(across.normalized())
+                          : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
+  const Vec3d u = pose.inverse_rotate(level);
+  square = {plane.offset * plane.normal, u, plane.normal.cross(u)};
+}
+
 void PatchFit::add(const Pose<double>& pose, const std::vector<Vec3d>& points) {
-  if (!first_) {
-    // Level on the ground of the first frame; on level ground, along the x axis.
-    const Vec3d normal = pose.rotate(plane_.normal);
-    const Vec3d across = up_.cross(normal);
-    const Vec3d level = across.norm() > 1e-3
-                            ? Vec3d(across.normalized())
-                            : Vec3d((Vec3d::UnitX() - normal.x() * normal).normalized());
-    first_ = rectangle(plane_, pose.inverse_rotate(level));
-  }
+  poses.push_back(pose);
   for (const Vec3d& point : points) {
-    const Vec3d p = pose.inverse_transform(point) - first_->center;
-    found_.extend(Eigen::Vector2d(p.dot(first_->u), p.dot(first_->v)));
+    const Vec3d p = pose.inverse_transform(point) - square.center;
+    found.extend(Eigen::Vector2d(p.dot(square.u), p.dot(square.v)));
   }
 }
 
 PlanePatch PatchFit::patch() const {
-  PlanePatch patch = first_.value_or(rectangle(plane_, any_perpendicular(plane_.normal)));
-  if (found_.isEmpty()) return patch;
-  const double margin = kMargin * found_.sizes().maxCoeff();
-  const Eigen::Vector2d middle = found_.center(), half = 0.5 * found_.sizes();
+  PlanePatch patch = square;
+  if (found.isEmpty()) return patch;
+  const double margin = kMargin * found.sizes().maxCoeff();
+  const Eigen::Vector2d middle = found.center(), half = 0.5 * found.sizes();
   patch.center += middle.x() * patch.u + middle.y() * patch.v;
   patch.half_u = half.x() + margin;
   patch.half_v = half.y() + margin;
@@ -54,18 +49,16 @@ std::vector<Vec3d> patch_corners(const PlanePatch& patch, const Pose<double>& po
   return corners;
 }
 
-void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
+void draw_plane(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   if (!shape.mesh->patch) return;
   const PlanePatch& patch = *shape.mesh->patch;
-  const Camera& camera = scene.camera;
-  const Vec3d normal = shape.pose.rotate(shape.mesh->shape->half_space->normal);
+  const Vec3d normal = shape.pose.rotate(shape.traced().half_space->normal);
   const std::vector<Vec3d> corners = patch_corners(patch, shape.pose);
   const Vec3d center = shape.pose.transform(patch.center);
   const bool outside = camera.faces(center, normal);
   if (outside) {
     sketch.occluders.push_back(corners);
-    sketch.surfaces.push_back(
-        {corners, toned(shape.is_a ? kShapeA : kShapeB, normal.dot(key_light(camera)))});
+    sketch.surfaces.push_back({corners, toned(fill, normal.dot(key_light(camera)))});
   }
   sketch.outline(corners, {1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint});
   if (!outside) return;
@@ -84,7 +77,7 @@ void draw_plane(const Scene& scene, const PlacedShape& shape, Sketch& sketch) {
     const Vec3d tick = kTickLength * metres * (aside - normal);
     for (int k = 1; k <= count; ++k) {
       const Vec3d at = from + along * k / count;
-      sketch.lines.push_back({at, at + tick, kTick});
+      sketch.line(at, at + tick, kTick);
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,13 @@ inline Vec3d mean_of(std::span<const Vec3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// How far a corner of a polygon is at most from its first one, metres.
+inline double reach_of(std::span<const Vec3d> polygon) {
+  double reach = 0;
+  for (const Vec3d& p : polygon) reach = std::max(reach, (p - polygon.front()).norm());
+  return reach;
+}
+
 /// Newell's normal, right for any flat polygon, also with collinear vertices. As long as twice the
 /// polygon's area.
 inline Vec3d newell_normal(std::span<const Vec3d> polygon) {
@@ -36,6 +44,32 @@ inline Vec3d newell_normal(std::span<const Vec3d> polygon) {
     normal += (polygon[i] - polygon[0]).cross(next - polygon[0]);
   }
   return normal;
+}
+
+/// The part of a convex polygon where the `value` of a corner is not negative (Sutherland and Hodgman
+/// 1974). New corners are mix(from, to, value there, value here). What is within `tolerance` of the
+/// border lies on it, stays, and makes no new corner.
+template <class P, class Value, class Mix>
+std::vector<P> clipped(const std::vector<P>& polygon, const Value& value, const Mix& mix,
+                       double tolerance = 0) {
+  std::vector<P> result;
+  result.reserve(polygon.size() + 1);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const P& from = polygon[i];
+    const P& to = polygon[(i + 1) % polygon.size()];
+    const double at_from = value(from), at_to = value(to);
+    if (at_from >= -tolerance) result.push_back(from);
+    if (std::min(at_from, at_to) < -tolerance && std::max(at_from, at_to) >= tolerance)
+      result.push_back(mix(from, to, at_from, at_to));
+  }
+  return result;
+}
+
+/// Where a value that runs evenly from `at_p` to `at_q` is 0. Made from the lower to the higher end,
+/// so that neighbours that are cut there get the very same point.
+inline Vec3d zero_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
+  if (at_p > at_q) return zero_between(q, p, at_q, at_p);
+  return p + at_p / (at_p - at_q) * (q - p);
 }
 
 inline void append(std::vector<Vec3d>& points, std::span<const Vec3d> more) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 
 namespace contactscope::draw {
 namespace {
@@ -19,22 +18,12 @@ double rounded_to(int digits, double value) {
   return std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
 }
 
-struct Unit {
-  double size;
-  double least;  // quantities from here on are spelled in it
-  const char* name;
-};
-
-/// In the first unit that is small enough, or the last. `value` is not 0.
-std::string in_unit(double value, std::span<const Unit> units, int digits) {
-  const double rounded = rounded_to(digits, value);
-  const auto fits = [&](const Unit& unit) { return !(std::abs(rounded) < unit.least); };
-  const auto found = std::ranges::find_if(units, fits);
-  const Unit& unit = found == units.end() ? units.back() : *found;
-  const double shown = rounded / unit.size;
-  const int whole = static_cast<int>(std::floor(std::log10(std::abs(shown)) + 1e-9)) + 1;
-  return with_minus_sign(printed("%.*f", std::clamp(digits - whole, 0, digits), shown)) + " " +
-         unit.name;
+/// With so many digits and a real minus sign; `value` is rounded to them.
+std::string spelled(double value, int digits, const std::string& unit) {
+  const double size = std::abs(value);
+  const int whole = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) + 1 : 1;
+  return with_minus_sign(printed("%.*f", std::clamp(digits - whole, 0, digits), value)) + " " +
+         unit;
 }
 
 }  // namespace
@@ -44,14 +33,11 @@ std::string spell_number(double value) {
 }
 
 std::string spell_length(double metres) {
-  constexpr double kAlmost = 1 - 1e-9;
-  // From 0.1 m on metres, below that millimetres: what a person would say.
-  constexpr Unit kUnits[] = {{1e3, 1e3 * kAlmost, "km"},
-                             {1.0, 0.1 * kAlmost, "m"},
-                             {1e-3, 1e-3 * kAlmost, "mm"},
-                             {1e-6, 1e-6 * kAlmost, "µm"},
-                             {1e-9, 0, "nm"}};
-  return metres == 0 ? "0 m" : in_unit(metres, kUnits, 3);
+  if (metres == 0) return "0 m";
+  const double rounded = rounded_to(3, metres);
+  Prefix prefix = prefix_for(rounded);
+  if (prefix.size > 1) prefix = {1e3, "k"};
+  return spelled(rounded / prefix.size, 3, std::string(prefix.name) + "m");
 }
 
 std::string spell_factor(double factor) {
@@ -65,9 +51,20 @@ std::string spell_margin(double metres) {
 }
 
 std::string spell_area(double square_metres) {
-  constexpr Unit kUnits[] = {
-      {1e6, 1e5, "km²"}, {1.0, 0.01, "m²"}, {1e-6, 1e-8, "mm²"}, {1e-12, 0, "µm²"}};
-  return std::abs(square_metres) > 0 ? in_unit(square_metres, kUnits, 4) : "0 m²";
+  if (!(std::abs(square_metres) > 0)) return "0 m²";
+  const double rounded = rounded_to(4, square_metres), size = std::abs(rounded);
+  const auto in = [&](double unit, const char* name) { return spelled(rounded / unit, 4, name); };
+  if (size >= 1e5) return in(1e6, "km²");
+  if (size >= 0.01) return in(1, "m²");
+  return size >= 1e-8 ? in(1e-6, "mm²") : in(1e-12, "µm²");
+}
+
+double round_down(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= value * (1 + 1e-12)) return step * decade;
+  }
+  return decade;
 }
 
 Prefix prefix_for(double value) {
@@ -85,11 +82,15 @@ Prefix prefix_for(double value) {
 std::string spell_quantity(double value, const std::string& unit, int digits) {
   const double rounded = rounded_to(digits, value);
   const Prefix prefix = prefix_for(rounded);
-  const double scaled = rounded / prefix.size;
-  int whole = std::abs(scaled) >= 1 * (1 - 1e-9) || scaled == 0 ? 1 : 0;
-  for (double left = std::abs(scaled); left >= 10 * (1 - 1e-9); left /= 10) ++whole;
-  return with_minus_sign(printed("%.*f", std::max(0, digits - whole), scaled)) + " " + prefix.name +
-         unit;
+  return spelled(rounded / prefix.size, digits, prefix.name + unit);
+}
+
+std::string spell_impulse_scale(double metres_per_unit, const std::string& unit) {
+  // As many units as give a length that a person can imagine beside the bodies.
+  double units = 1;
+  while (metres_per_unit * units > 1) units /= 10;
+  while (metres_per_unit * units < 0.1) units *= 10;
+  return spell_quantity(units, unit, 1) + " = " + spell_quantity(metres_per_unit * units, "m", 1);
 }
 
 }  // namespace contactscope::draw

@@ -41,4 +41,11 @@ Prefix prefix_for(double value);
 /// A number with unit and prefix, with at most so many significant digits: "12.3 mN s".
 std::string spell_quantity(double value, const std::string& unit, int digits = 3);
 
+/// "1 N s = 0.2 m", or of small impulses "10 mN s = 50 mm"; of another unit than newton seconds
+/// likewise.
+std::string spell_impulse_scale(double metres_per_unit, const std::string& unit = "N s");
+
+/// The largest 1, 2 or 5 times a power of ten that is at most `value` > 0.
+double round_down(double value);
+
 }  // namespace contactscope::draw

@@ -1,11 +1,12 @@
 #include "draw/scene/round_body.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "draw/scene/shading.h"
+#include "core/at.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -31,26 +32,8 @@ struct Tangency {
   double front(const Vec3d& normal) const { return normal.dot(towards) - offset; }
 };
 
-Vec3d mixed(const Vec3d& low, const Vec3d& high, double at_low, double at_high) {
-  return (low + at_low / (at_low - at_high) * (high - low)).normalized();
-}
-
-// What of a spherical polygon is where `value` is not negative. New corners are made from the low
-// to the high end, so that neighbours get the very same one.
-template <class Value>
-std::vector<Vec3d> kept(const std::vector<Vec3d>& polygon, const Value& value,
-                        std::vector<Vec3d>* cuts = nullptr) {
-  std::vector<Vec3d> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3d& p = polygon[i];
-    const Vec3d& q = polygon[(i + 1) % polygon.size()];
-    const double at_p = value(p), at_q = value(q);
-    if (at_p >= 0) result.push_back(p);
-    if ((at_p >= 0) == (at_q >= 0)) continue;
-    result.push_back(at_p < at_q ? mixed(p, q, at_p, at_q) : mixed(q, p, at_q, at_p));
-    if (cuts != nullptr) cuts->push_back(result.back());
-  }
-  return result;
+Vec3d cut_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
+  return zero_between(p, q, at_p, at_q).normalized();
 }
 
 struct Patch {
@@ -82,9 +65,8 @@ std::vector<Patch> patches_around(const Vec3d& light) {
   std::vector<Patch> patches;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
     for (int j = 0; j < kLongitudes; ++j) {
-      Patch patch;
-      patch.lit = std::cos(0.5 * (latitudes[i] + latitudes[i + 1]));
-      patch.normals = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+      Patch patch{{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)},
+                  std::cos(0.5 * (latitudes[i] + latitudes[i + 1]))};
       if (i == 0) patch.normals.erase(patch.normals.begin());
       if (i + 2 == latitudes.size()) patch.normals.erase(patch.normals.begin() + 1);
       patches.push_back(std::move(patch));
@@ -93,25 +75,30 @@ std::vector<Patch> patches_around(const Vec3d& light) {
   return patches;
 }
 
-}  // namespace
-
-bool RoundBody::contains_eye(const Camera& camera) const {
-  if (!camera.is_perspective()) return false;
-  const Vec3d from = camera.eye() - core_.front();
-  const Vec3d along = core_.back() - core_.front();
+Vec3d nearest_in(const std::vector<Vec3d>& core, const Vec3d& to) {
+  const Vec3d along = core.back() - core.front();
   const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-  return (from - t * along).norm() <= radius_;
+  if (length == 0) return core.front();
+  return core.front() + std::clamp((to - core.front()).dot(along) / length, 0.0, 1.0) * along;
 }
 
-std::vector<Vec3d> RoundBody::outline_normals(const Camera& camera,
-                                              std::vector<Vec3d>* points) const {
-  std::vector<Vec3d> normals;
-  if (contains_eye(camera)) return normals;
-  for (std::size_t end = 0; end < core_.size(); ++end) {
-    const Vec3d& core = core_[end];
-    const Vec3d outwards = core - core_[core_.size() - 1 - end];
-    const Tangency tangency(camera, core, radius_);
+bool contains_eye(const RoundBody& body, const Camera& camera) {
+  return camera.is_perspective() &&
+         (camera.eye() - nearest_in(body.core, camera.eye())).norm() <= body.radius;
+}
+
+// A point of the outline, and the surface's normal there.
+struct OutlinePoint {
+  Vec3d at, normal;
+};
+
+std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera) {
+  std::vector<OutlinePoint> outline;
+  if (contains_eye(body, camera)) return outline;
+  for (const Vec3d& core : body.core) {
+    const bool first = &core == &body.core.front();
+    const Vec3d outwards = core - (first ? body.core.back() : body.core.front());
+    const Tangency tangency(camera, core, body.radius);
     const double distance = tangency.towards.norm();
     if (distance <= tangency.offset) continue;  // beside the eye, which sees another part only
     // The normals that touch a view ray are a circle about the direction to the eye; this end has
@@ -127,7 +114,7 @@ std::vector<Vec3d> RoundBody::outline_normals(const Camera& camera,
     double from = 0, to = 2 * kPi;
     const bool whole = swing <= std::abs(constant);
     if (whole) {
-      if (constant < 0 || (constant == 0 && end > 0)) continue;
+      if (constant < 0 || (constant == 0 && !first)) continue;
     } else {
       const double middle = std::atan2(sine, cosine);
       const double half = std::acos(-constant / swing);
@@ -139,53 +126,52 @@ std::vector<Vec3d> RoundBody::outline_normals(const Camera& camera,
     for (int i = 0; i < (whole ? steps : steps + 1); ++i) {
       const double angle = from + (to - from) * i / steps;
       const Vec3d normal = height * axis + across * (std::cos(angle) * u + std::sin(angle) * v);
-      normals.push_back(normal);
-      if (points != nullptr) points->push_back(core + radius_ * normal);
+      outline.push_back({core + body.radius * normal, normal});
     }
   }
-  return normals;
+  return outline;
 }
 
+}  // namespace
+
 std::vector<Vec3d> RoundBody::outline(const Camera& camera) const {
-  std::vector<Vec3d> points;
-  outline_normals(camera, &points);
-  return points;
+  return mapped(outline_of(*this, camera), &OutlinePoint::at);
 }
 
 std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, const Vec3d& light) const {
   std::vector<Facet> facets;
-  if (contains_eye(camera)) return facets;
+  if (contains_eye(*this, camera)) return facets;
   const auto add = [&](std::vector<Vec3d> polygon, double lit) {
     if (polygon.size() >= 3) facets.push_back({std::move(polygon), lit});
   };
-  const Vec3d along = core_.back() - core_.front();
+  const Vec3d along = core.back() - core.front();
   const bool is_capsule = along.squaredNorm() > 0;
   for (const Patch& patch : patches_around(light)) {
     std::vector<Vec3d> seam;  // where the normals turn from one end of a capsule to the other
     for (std::size_t end = 0; end < (is_capsule ? 2u : 1u); ++end) {
-      const Vec3d& core = core_[end];
       std::vector<Vec3d> normals = patch.normals;
       if (is_capsule) {
         const double sign = end == 0 ? -1 : 1;
         seam.clear();
-        normals = kept(
-            normals, [&](const Vec3d& n) { return sign * n.dot(along); }, &seam);
+        normals = clipped(
+            normals, [&](const Vec3d& n) { return sign * n.dot(along); },
+            [&](const auto&... ends) { return seam.emplace_back(cut_between(ends...)); });
       }
-      const Tangency tangency(camera, core, radius_);
-      normals = kept(normals, [&](const Vec3d& n) { return tangency.front(n); });
-      for (Vec3d& n : normals) n = core + radius_ * n;
+      const Tangency tangency(camera, core[end], radius);
+      normals = clipped(
+          normals, [&](const Vec3d& n) { return tangency.front(n); }, cut_between);
+      for (Vec3d& n : normals) n = core[end] + radius * n;
       add(std::move(normals), patch.lit);
     }
     // A capsule's cylinder is that seam, stretched from end to end.
     if (seam.size() != 2) continue;
-    const Tangency tangency(camera, core_.front(), radius_);
+    const Tangency tangency(camera, core.front(), radius);
     const double at_first = tangency.front(seam[0]), at_second = tangency.front(seam[1]);
     if (at_first < 0 && at_second < 0) continue;
-    if (at_first < 0) seam[0] = mixed(seam[0], seam[1], at_first, at_second);
-    if (at_second < 0) seam[1] = mixed(seam[1], seam[0], at_second, at_first);
-    add({core_[0] + radius_ * seam[0], core_[0] + radius_ * seam[1], core_[1] + radius_ * seam[1],
-         core_[1] + radius_ * seam[0]},
-        patch.lit);
+    if (at_first < 0 || at_second < 0)
+      seam[at_first < 0 ? 0 : 1] = cut_between(seam[0], seam[1], at_first, at_second);
+    const Vec3d from = radius * seam[0], to = radius * seam[1];
+    add({core[0] + from, core[0] + to, core[1] + to, core[1] + from}, patch.lit);
   }
   return facets;
 }
@@ -193,17 +179,17 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, const Vec3d
 std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
   std::vector<Plane<double>> planes;
   const auto touching = [&](const Vec3d& normal) {
-    planes.push_back({normal, std::max(normal.dot(core_.front()), normal.dot(core_.back())) +
-                                  (1 - kBorder) * radius_});
+    planes.push_back({normal, std::max(normal.dot(core.front()), normal.dot(core.back())) +
+                                  (1 - kBorder) * radius});
   };
   // The outline first: most lines are beside the body.
-  for (const Vec3d& normal : outline_normals(camera, nullptr)) touching(normal);
+  for (const OutlinePoint& point : outline_of(*this, camera)) touching(point.normal);
   if (planes.empty()) return planes;
-  for (const Patch& patch : patches_around(camera.to_eye(core_.front()))) {
+  for (const Patch& patch : patches_around(camera.to_eye(core.front()))) {
     const Vec3d& normal = patch.normals.front();
     const Vec3d& farthest =
-        normal.dot(core_.back()) > normal.dot(core_.front()) ? core_.back() : core_.front();
-    if (Tangency(camera, farthest, radius_).front(normal) > 0) touching(normal);
+        normal.dot(core.back()) > normal.dot(core.front()) ? core.back() : core.front();
+    if (Tangency(camera, farthest, radius).front(normal) > 0) touching(normal);
   }
   return planes;
 }
@@ -211,27 +197,20 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
 Plane<double> power_plane(const RoundBody& a, const RoundBody& b) {
   // Closest points of the two cores, after Ericson 2005, "Real-Time Collision Detection", 5.1.9, by
   // alternating projections: two segments need few, and a picture no more digits than pixels.
-  const auto nearest = [](const std::vector<Vec3d>& core, const Vec3d& to) -> Vec3d {
-    const Vec3d along = core.back() - core.front();
-    const double length = along.squaredNorm();
-    if (length == 0) return core.front();
-    return core.front() + std::clamp((to - core.front()).dot(along) / length, 0.0, 1.0) * along;
-  };
-  Vec3d on_a = nearest(a.core(), 0.5 * (b.core().front() + b.core().back()));
-  Vec3d on_b = nearest(b.core(), on_a);
+  Vec3d on_a = nearest_in(a.core, 0.5 * (b.core.front() + b.core.back()));
+  Vec3d on_b = nearest_in(b.core, on_a);
   for (int i = 0; i < 60; ++i) {
-    on_a = nearest(a.core(), on_b);
-    on_b = nearest(b.core(), on_a);
+    on_a = nearest_in(a.core, on_b);
+    on_b = nearest_in(b.core, on_a);
   }
   const double distance = (on_b - on_a).norm();
   Vec3d normal = (on_b - on_a) / distance;
-  if (!(distance > 1e-9 * (a.radius() + b.radius()))) {
-    normal = (a.core().back() - a.core().front()).cross(b.core().back() - b.core().front());
+  if (!(distance > 1e-9 * (a.radius + b.radius))) {
+    normal = (a.core.back() - a.core.front()).cross(b.core.back() - b.core.front());
     normal = normal.norm() > 0 ? Vec3d(normal.normalized()) : Vec3d::UnitY();
     return {normal, normal.dot(on_a)};
   }
-  const double from_a =
-      0.5 * (distance + (a.radius() * a.radius() - b.radius() * b.radius()) / distance);
+  const double from_a = 0.5 * (distance + (a.radius * a.radius - b.radius * b.radius) / distance);
   return {normal, normal.dot(on_a) + from_a};
 }
 

@@ -11,13 +11,9 @@ namespace contactscope::draw {
 /// A sphere or a capsule in the world: all that is within a radius of a point or a segment. Its
 /// outward normals name its surface points: where the normal is n, the surface is at p + radius n,
 /// p being the end of the core that is farthest along n.
-class RoundBody {
- public:
-  /// `core`: one point or two, metres.
-  RoundBody(std::vector<Vec3d> core, double radius) : core_(std::move(core)), radius_(radius) {}
-
-  const std::vector<Vec3d>& core() const { return core_; }
-  double radius() const { return radius_; }
+struct RoundBody {
+  std::vector<Vec3d> core;  // one point or two, metres
+  double radius = 0;
 
   /// Where the view rays touch the surface, in order around it: a circle for a sphere, two arcs
   /// joined by straight lines for a capsule, or one circle where a capsule is seen end on. Empty
@@ -36,13 +32,6 @@ class RoundBody {
   /// shadow is convex, and bounded by the planes that touch the body on its front and along its
   /// outline.
   std::vector<Plane<double>> shadow(const Camera& camera) const;
-
- private:
-  bool contains_eye(const Camera& camera) const;
-  std::vector<Vec3d> outline_normals(const Camera& camera, std::vector<Vec3d>* points) const;
-
-  std::vector<Vec3d> core_;
-  double radius_;
 };
 
 /// The plane on which points have equal power over two bodies, normal from `a` to `b`: it parts

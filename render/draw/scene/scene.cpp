@@ -14,9 +14,7 @@ namespace {
 constexpr double kSmoothCosine = 0.90;  // 26 degrees
 
 std::vector<Vec3d> corners_of(const std::vector<int>& face, const std::vector<Vec3d>& vertices) {
-  std::vector<Vec3d> corners;
-  for (const int v : face) corners.push_back(at(vertices, v));
-  return corners;
+  return mapped(face, [&](int v) { return at(vertices, v); });
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ ShapeMesh make_mesh(const trace::Shape& shape) {
 }
 
 std::vector<Vec3d> extent_points(const PlacedShape& shape) {
-  const double radius = shape.mesh->shape->radius;
+  const double radius = shape.traced().radius;
   if (radius == 0) return shape.vertices;
   std::vector<Vec3d> points;
   for (const Vec3d& center : shape.vertices) {
@@ -128,9 +126,8 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
     }
   }
   for (PlacedShape& shape : placed) {
-    shape.vertices.reserve(shape.mesh->shape->vertices.size());
-    for (const Vec3d& v : shape.mesh->shape->vertices)
-      shape.vertices.push_back(shape.pose.transform(v));
+    shape.vertices =
+        mapped(shape.traced().vertices, [&](const Vec3d& v) { return shape.pose.transform(v); });
   }
   return placed;
 }
@@ -138,7 +135,7 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
 std::vector<Vec3d> extent_points(const std::vector<PlacedShape>& shapes) {
   std::vector<Vec3d> points, of_meshes;
   for (const PlacedShape& shape : shapes)
-    append(shape.mesh->shape->type == "mesh" ? of_meshes : points, extent_points(shape));
+    append(shape.is_mesh() ? of_meshes : points, extent_points(shape));
   if (points.empty()) return of_meshes;
   const Eigen::AlignedBox3d box = box_around(points);
   const Vec3d around = Vec3d::Constant(0.5 * box.sizes().maxCoeff());

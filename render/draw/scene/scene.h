@@ -11,7 +11,6 @@
 #include "core/at.h"
 #include "core/view.h"
 #include "draw/scene/camera.h"
-#include "draw/scene/sequence_scales.h"
 #include "draw/scene/sketch.h"
 #include "trace/trace.h"
 
@@ -67,6 +66,8 @@ struct PlacedShape {
   std::vector<Vec3d> vertices;  // world
   bool is_a = true;             // colour: the role in the first pair that names it
 
+  const trace::Shape& traced() const { return *mesh->shape; }
+  bool is_mesh() const { return traced().type == "mesh"; }
   Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
   const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
@@ -77,6 +78,25 @@ struct PlacedShape {
 /// The shapes of one frame, in the header's order.
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame);
 
+/// How long a whole sequence draws what is no length, or too short a one. All are 1, 2 or 5 times a power of ten, so
+/// that a legend can state them.
+struct SequenceScales {
+  double overlap = 1;          // overlaps are drawn this many times as long
+  double impulse = 0;          // metres for one newton second; 0 where there are no impulses
+  double longest_impulse = 0;  // metres; longer arrows are cut there, and marked as such
+  double friction = 0;         // metres for one newton second of friction
+  double velocity = 0;         // seconds: an arrow is the way in this time; 0 where nothing moves
+  double spin = 0;             // seconds: a curved arrow is the turn in this time
+  double drift = 1;            // how far anchors are apart is drawn this many times as long
+  double closing = 0;          // metres a second: largest relative velocity along a normal
+  double step = 0;             // seconds from a frame to the next; 0 of one frame alone
+  double pixel = 1;            // pixels for one at 720 lines
+  double touching = 0;         // metres: a contact point whose separation is larger does not touch
+};
+
+SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
+                          const Camera& camera, const Layout& layout, const View& view);
+
 /// All that the layers look at in one frame.
 struct Scene {
   const View& view;
@@ -84,7 +104,6 @@ struct Scene {
   const trace::Frame& frame;
   const ShapeMeshes& meshes;
   const Camera& camera;
-  double depth_factor = 1;  // overlaps are drawn this many times as long
   SequenceScales scales{};
   std::vector<PlacedShape> shapes = place_shapes(meshes, frame);
 
@@ -102,6 +121,20 @@ struct Scene {
 };
 
 Vec3d up_axis(const trace::Header& header);
+
+/// A length between two points, which `text` explains: a two-headed arrow, or where that would be too
+/// short to be one, two that point at it from outside.
+void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
+                  const std::string& text, Sketch& sketch);
+
+/// A gap of `metres` between two points, with its length `clearance` pixels away along `aside`.
+void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres,
+              double clearance, const Vec3d& aside, Sketch& sketch);
+
+/// Adds an arc of a circle about `axis` (unit) through `center` that ends in a head: a turn by
+/// `angle` radians > 0, counter-clockwise against the axis. Its middle is nearest to the eye.
+void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& axis, double radius,
+                       double angle, float width, const Color& color, Sketch& sketch);
 
 /// Points that a picture of the shape must hold: vertices, of a round shape points all around it,
 /// of a plane none.

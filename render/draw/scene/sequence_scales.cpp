@@ -1,31 +1,27 @@
-#include "draw/scene/sequence_scales.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/view.h"
-#include "draw/scene/camera.h"
-#include "draw/scene/layout.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/scene.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kUsualImpulse = 0.20;   // of the view's height
-constexpr double kUsualOfBody = 1.1;     // and of the smallest body's radius
-constexpr double kLeastUsual = 0.08;     // but this much of the view's height
-constexpr double kUsualFriction = 0.5;   // of a usual impulse's length, at a scale of its own
-constexpr double kLongestImpulse = 2.2;  // of a usual one
-constexpr double kLongestStated = 0.45;  // of the view's height, at a scale of the view's own
-constexpr double kFastest = 0.26;        // of the view's height
-constexpr double kWidestTurn = 1.2;      // of half a turn
-constexpr double kWidestDrift = 46;      // pixels
-constexpr double kPlainDrift = 16;       // pixels that need no exaggeration
-constexpr double kStill = 1e-3;          // pixels a frame: no faster, it is rounding
-constexpr double kTouching = 1e-4;       // of the smallest body's radius
+constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
+constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
+constexpr double kUsualImpulse = 0.20;    // of the view's height
+constexpr double kUsualOfBody = 1.1;      // and of the smallest body's radius
+constexpr double kLeastUsual = 0.08;      // but this much of the view's height
+constexpr double kUsualFriction = 0.5;    // of a usual impulse's length, at a scale of its own
+constexpr double kLongestImpulse = 2.2;   // of a usual one
+constexpr double kLongestStated = 0.45;   // of the view's height, at a scale of the view's own
+constexpr double kFastest = 0.26;         // of the view's height
+constexpr double kWidestTurn = 1.2;       // of half a turn
+constexpr double kWidestDrift = 46;       // pixels
+constexpr double kPlainDrift = 16;        // pixels that need no exaggeration
+constexpr double kStill = 1e-3;           // pixels a frame: no faster, it is rounding
+constexpr double kTouching = 1e-4;        // of the smallest body's radius
 
 // An impact is many times what a resting body needs: the usual frame sets the scale.
 double usual(std::vector<double> values) {
@@ -35,15 +31,18 @@ double usual(std::vector<double> values) {
   return *middle;
 }
 
-}  // namespace
-
-double round_down(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {5.0, 2.0}) {
-    if (step * decade <= value * (1 + 1e-12)) return step * decade;
+// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible. Pixels.
+double fit_overlap(double deepest, double pixel) {
+  if (deepest <= 0 || deepest >= kLegibleDepth * pixel) return 1;
+  const double wanted = kExaggeratedDepth * pixel / deepest;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (step * decade >= 0.75 * wanted) return step * decade;
   }
-  return decade;
+  return 10 * decade;
 }
+
+}  // namespace
 
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
                           const Camera& camera, const Layout& layout, const View& view) {
@@ -54,14 +53,18 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
   std::vector<double> impulses, frictions;  // largest of each frame that has any
   double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
-  double drift = 0;                         // pixels
+  double drift = 0, deepest = 0;            // pixels
   double pixels_per_metre = 0;
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
     for (const trace::Pair& pair : frame.pairs) {
       for (const auto& [manifold, point] : all_points(pair)) {
-        if (!point->impulse || !camera.sees(point->position)) continue;
+        if (!camera.sees(point->position)) continue;
         const double here = camera.pixels_per_metre(point->position);
+        // Points that are drawn by their age have no whiskers.
+        if (!pair.incremental || !view.shows(Layer::Persistent))
+          deepest = std::max(deepest, -point->separation * here);
+        if (!point->impulse) continue;
         pixels_per_metre = std::max(pixels_per_metre, here);
         largest = std::max(largest, point->impulse->normal);
         largest_friction = std::max(largest_friction, point->impulse->friction.norm());
@@ -89,6 +92,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
 
   scales.pixel = layout.scale;
+  scales.overlap = fit_overlap(deepest, scales.pixel);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   const double height = layout.view.height;
@@ -112,14 +116,6 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   if (drift > 0 && drift < layout.px(kPlainDrift))
     scales.drift = std::max(1.0, round_down(layout.px(kWidestDrift) / drift));
   return scales;
-}
-
-std::string spell_impulse_scale(double metres_per_unit, const std::string& unit) {
-  // As many units as give a length that a person can imagine beside the bodies.
-  double units = 1;
-  while (metres_per_unit * units > 1) units /= 10;
-  while (metres_per_unit * units < 0.1) units *= 10;
-  return spell_quantity(units, unit, 1) + " = " + spell_quantity(metres_per_unit * units, "m", 1);
 }
 
 }  // namespace contactscope::draw

@@ -9,59 +9,46 @@ namespace {
 
 using Vertices = std::vector<trace::SimplexVertex>;
 
-const Vertices& vertices_of(const trace::Simplex& simplex) {
-  return simplex;
-}
-const Vertices& vertices_of(const trace::Polytope& polytope) {
-  return polytope.vertices;
-}
-
-/// What is shown after the first `shown` of these `lists` of vertices, one for each step.
-template <class List>
-SimplexStep step_of(const std::vector<List>& lists, int shown) {
-  SimplexStep result;
-  Vertices known;  // support points in the order in which they were found
-  for (int k = 0; k < shown; ++k) {
-    result.vertices = vertices_of(at(lists, k));
-    result.numbers.clear();
-    for (const trace::SimplexVertex& vertex : result.vertices) {
-      const auto found = std::ranges::find(known, vertex);
-      result.numbers.push_back(static_cast<int>(found - known.begin()) + 1);
-      if (found == known.end()) known.push_back(vertex);
-    }
-  }
-  if (shown == count_of(lists)) return result;
-  const Vertices& next = vertices_of(at(lists, shown));
-  const auto is_new = [&](const auto& vertex) { return !std::ranges::count(known, vertex); };
-  const auto found = std::ranges::find_if(next, is_new);
-  if (found != next.end()) result.next = *found;
-  return result;
-}
-
 }  // namespace
 
 std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
                                         const trace::Pair& pair) {
   using Of = SimplexStep::Of;
-  const auto shown = [&](Of of, Story story, const auto& lists) {
+  // `lists`: of vertices, one for each step.
+  const auto shown = [&](Of of, Story story, const std::vector<Vertices>& lists) {
     // Polytope k is what k expansions made, simplex k what step k + 1 found.
     const int before = of == Of::Epa ? 1 : 0;
-    const int steps = count_of(lists) - before;
-    const int done = view.story == story ? std::clamp(frame.frame, 0, steps) : steps;
-    SimplexStep step = step_of(lists, done + before);
-    step.of = of;
-    step.step = done;
-    step.steps = steps;
-    return step;
+    SimplexStep result;
+    result.of = of;
+    result.steps = count_of(lists) - before;
+    result.step = view.story == story ? std::clamp(frame.frame, 0, result.steps) : result.steps;
+    Vertices known;  // support points in the order in which they were found
+    for (int k = 0; k < result.step + before; ++k) {
+      result.vertices = at(lists, k);
+      result.numbers.clear();
+      for (const trace::SimplexVertex& vertex : result.vertices) {
+        const auto found = std::ranges::find(known, vertex);
+        result.numbers.push_back(static_cast<int>(found - known.begin()) + 1);
+        if (found == known.end()) known.push_back(vertex);
+      }
+    }
+    if (result.last()) return result;
+    const Vertices& next = at(lists, result.step + before);
+    const auto is_new = [&](const auto& vertex) { return !std::ranges::count(known, vertex); };
+    const auto found = std::ranges::find_if(next, is_new);
+    if (found != next.end()) result.next = *found;
+    return result;
   };
   if (pair.penetration && view.story != Story::GjkSteps) {
-    const trace::Penetration& penetration = *pair.penetration;
-    if (!penetration.polytopes.empty()) {
-      SimplexStep step = shown(Of::Epa, Story::EpaSteps, penetration.polytopes);
-      step.polytope = &at(penetration.polytopes, step.step);
+    const std::vector<trace::Polytope>& polytopes = pair.penetration->polytopes;
+    if (!polytopes.empty()) {
+      SimplexStep step =
+          shown(Of::Epa, Story::EpaSteps, mapped(polytopes, &trace::Polytope::vertices));
+      step.polytope = &at(polytopes, step.step);
       return step;
     }
-    if (!penetration.portals.empty()) return shown(Of::Mpr, Story::EpaSteps, penetration.portals);
+    const std::vector<trace::Simplex>& portals = pair.penetration->portals;
+    if (!portals.empty()) return shown(Of::Mpr, Story::EpaSteps, portals);
   }
   if (!pair.gjk || pair.gjk->steps.empty()) return std::nullopt;
   return shown(Of::Gjk, Story::GjkSteps, pair.gjk->steps);

@@ -8,6 +8,7 @@
 #include "draw/scene/depth_order.h"
 #include "draw/scene/drawing.h"
 #include "draw/scene/hidden_lines.h"
+#include "draw/scene/layout.h"
 #include "draw/scene/legend.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/round_body.h"
@@ -142,5 +143,28 @@ struct Sketch {
   }
   void explain(const Swatch& swatch, const std::string& text) { legend.explain(swatch, text); }
 };
+
+/// A mark at its place on the screen. Returns the radius that labels keep off, pixels of the canvas;
+/// 0: they may cover it.
+float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
+
+/// A disc quartered black and white, as drawings mark a centre of mass, with a white halo; pixels.
+void draw_quartered_disc(const Point2& center, float radius, float border, Drawing& drawing);
+
+/// A filled square with a white halo; `half`: of its width, pixels.
+void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing);
+
+/// What became of a point of an incremental manifold in a frame.
+enum class PointState { New, Persisted, Broken };
+/// As a trace spells it.
+PointState point_state(const std::string& state);
+
+/// How such a point looks: new ones filled, persisted ones half-filled, broken ones hollow.
+void draw_state_dot(PointState state, const Point2& center, float radius, const Color& color,
+                    Drawing& drawing);
+
+/// Resolves a sketch into pixels: surfaces in depth order, lines split into seen and hidden parts,
+/// arrows, marks, and labels where they find place. Adds to `drawing`.
+void compose(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing);
 
 }  // namespace contactscope::draw

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "draw/scene/shading.h"
-
 namespace contactscope::draw {
 namespace {
 
@@ -17,7 +15,7 @@ std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, con
                              bool both_sides, Sketch& sketch) {
   const Vec3d light = key_light(camera);
   std::vector<bool> front;
-  for (int f = 0; f < count_of(shape.mesh->shape->faces); ++f) {
+  for (int f = 0; f < count_of(shape.traced().faces); ++f) {
     const std::vector<Vec3d> polygon = shape.polygon(f);
     const Vec3d normal = shape.normal(f);
     front.push_back(camera.faces(polygon.front(), normal));
@@ -43,7 +41,7 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   constexpr Color kCore = with_alpha(kShapeEdge, 0.6f);
-  const RoundBody body(shape.vertices, shape.mesh->shape->radius);
+  const RoundBody body{shape.vertices, shape.traced().radius};
   const int index = count_of(sketch.bodies);
   for (RoundBody::Facet& facet : body.front(camera, key_light(camera)))
     sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
@@ -53,12 +51,12 @@ void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fil
     sketch.curves.push_back({outline, kSilhouette, true});
   }
   sketch.bodies.push_back(body);
-  if (body.core().size() == 2) sketch.line(body.core()[0], body.core()[1], {1.0f, kCore, true});
-  for (const Vec3d& point : body.core()) sketch.mark(MarkKind::Core, point, kCore);
+  if (body.core.size() == 2) sketch.line(body.core[0], body.core[1], {1.0f, kCore, true});
+  for (const Vec3d& point : body.core) sketch.mark(MarkKind::Core, point, kCore);
 }
 
 bool in_view(const Camera& camera, const PlacedShape& shape) {
-  if (shape.mesh->shape->half_space || shape.mesh->shape->type == "mesh") return true;
+  if (shape.traced().half_space || shape.is_mesh()) return true;
   const auto is_seen = [&](const Vec3d& point) { return camera.sees(point); };
   // Corners first: of what is in the middle of a picture the first one is seen.
   if (std::ranges::any_of(shape.vertices, is_seen)) return true;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "draw/scene/legend.h"
-#include "draw/scene/marks.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/sketch.h"
 #include "trace/trace.h"
 
 /// Swatches of signs that several drawings share: the same thing looks the same in a view, in the
