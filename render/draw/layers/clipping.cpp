@@ -19,18 +19,14 @@ constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](auto& pen) {
                                   }};
 
 // Gregorius 2015, "Hull vs Hull: Face Contact".
-void draw_reference_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+template <bool kReference>
+void draw_clip_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
-  const LineStyle border{3.0f, kReferenceFace};
-  sketch.face(pair.clip->reference.polygon, with_alpha(kReferenceFace, 0.35f), border);
-  sketch.explain(kReferenceFaceSwatch, "reference face");
-}
-
-void draw_incident_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip) return;
-  const LineStyle border{3.0f, kIncidentFace, true};
-  sketch.face(pair.clip->incident.polygon, with_alpha(kIncidentFace, 0.35f), border);
-  sketch.explain(kIncidentFaceSwatch, "incident face");
+  const trace::Polygon& polygon = (kReference ? pair.clip->reference : pair.clip->incident).polygon;
+  const Color color = kReference ? kReferenceFace : kIncidentFace;
+  sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, !kReference});
+  sketch.explain(kReference ? kReferenceFaceSwatch : kIncidentFaceSwatch,
+                 kReference ? "reference face" : "incident face");
 }
 
 std::size_t steps_to_show(const Scene& scene, const trace::Pair& pair) {
@@ -90,8 +86,8 @@ void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }  // namespace
 
 const LayerDrawing kReferenceFaceLayer{
-    .needs = {&Stages::clip}, .beneath = draw_touched_triangles, .search = draw_reference_face};
-const LayerDrawing kIncidentFaceLayer{.needs = {&Stages::clip}, .search = draw_incident_face};
+    .needs = {&Stages::clip}, .beneath = draw_touched_triangles, .search = draw_clip_face<true>};
+const LayerDrawing kIncidentFaceLayer{.needs = {&Stages::clip}, .search = draw_clip_face<false>};
 const LayerDrawing kSidePlanesLayer{.needs = {&Stages::clip}, .search = draw_side_planes};
 const LayerDrawing kClipPolygonsLayer{.needs = {&Stages::clip}, .search = draw_clip_polygons};
 const LayerDrawing kDroppedLayer{.needs = {&Stages::clip}, .search = draw_dropped};
