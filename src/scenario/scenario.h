@@ -53,7 +53,7 @@ struct ScenarioShape {
   std::optional<double> restitution{};  // default: the world's
 
   /// What is rounded and collided: `geometry`, or where that is far from its own origin the same
-  /// about its middle (see far_shape.h), which is at `collider_origin` in the file's frame, metres.
+  /// about its middle (see shape.h), which is at `collider_origin` in the file's frame, metres.
   /// Traces tell shapes and poses as the file has them.
   std::shared_ptr<const Shape<double>> collider{};
   Vec3d collider_origin = Vec3d::Zero();
