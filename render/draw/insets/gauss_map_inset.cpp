@@ -17,12 +17,12 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Swatch kArcsOfASwatch{LegendGroup::Directions, 0,
-                                [](const SwatchPen& pen) { pen.level_line(0, 22, 2.5, kArcOfA); }};
+                                [](auto& pen) { pen.level_line(0, 22, 2.5, kArcOfA); }};
 constexpr Swatch kArcsOfBSwatch{LegendGroup::Directions, 1,
-                                [](const SwatchPen& pen) { pen.dashes(2.5, kArcOfB); }};
+                                [](auto& pen) { pen.dashes(2.5, kArcOfB); }};
 constexpr Swatch kCrossingSwatch{LegendGroup::Directions, 2,
-                                 [](const SwatchPen& pen) { pen.dot(0, 4.8, kAxis); }};
-constexpr Swatch kBestAxisSwatch{LegendGroup::Directions, 3, [](const SwatchPen& pen) {
+                                 [](auto& pen) { pen.dot(0, 4.8, kAxis); }};
+constexpr Swatch kBestAxisSwatch{LegendGroup::Directions, 3, [](auto& pen) {
                                    pen.dot(0, 3.6, kAxisText);
                                    pen.dot(6.2, 8.2, kAxisText);
                                  }};
@@ -104,13 +104,16 @@ class ShapeMap {
     return found;
   }
 
-  void draw(const Camera& camera, const std::set<int>& lit, Sketch& sketch) const {
+  /// What crosses an arc of the other shape stands out.
+  void draw(const Camera& camera, const std::vector<MapCrossing>& crossings, Sketch& sketch) const {
     const std::string name = is_a_ ? "A" : "−B";
     if (is_ring()) {
       draw_curve(camera, map_ring(*ring_axis_), true, sketch);
       sketch.explain(swatch(), "ring of " + name + "'s segment");
       return;
     }
+    std::set<int> lit;
+    for (const MapCrossing& crossing : crossings) lit.insert(is_a_ ? crossing.a : crossing.b);
     for (const MapArc& arc : arcs_)
       draw_curve(camera, map_arc(arc.from, arc.to), lit.contains(arc.edge), sketch);
     for (int face = 0; face < static_cast<int>(shape_.mesh->normals.size()); ++face) {
@@ -136,24 +139,14 @@ class ShapeMap {
                   Sketch& sketch) const {
     const LineStyle front{lit ? 3.0f : 1.5f, with_alpha(ink(), lit ? 1.0f : 0.6f), !is_a_};
     const LineStyle back{1.0f, with_alpha(ink(), 0.28f), false};
-    Curve curve;
     bool seen = false;
-    const auto finish = [&] {
-      if (curve.points.size() > 1) sketch.curves.push_back(curve);
-    };
-    for (const Vec3d& point : points) {
-      const bool faces = camera.faces(point, point);
-      if (curve.points.empty() || faces != seen) {
-        const bool first = curve.points.empty();
-        const Vec3d joint = first ? point : curve.points.back();
-        finish();
-        curve = {{joint}, faces ? front : back, false};
-        seen = faces;
-        if (first) continue;
-      }
-      curve.points.push_back(point);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const bool faces = camera.faces(points[i], points[i]);
+      if (i == 1 || faces != seen)
+        sketch.curves.push_back({{points[i - 1]}, faces ? front : back, false});
+      sketch.curves.back().points.push_back(points[i]);
+      seen = faces;
     }
-    finish();
   }
 
   const PlacedShape& shape_;
@@ -180,12 +173,11 @@ void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const 
 }
 
 void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch) {
-  for (const bool of_a : {true, false}) {
-    const auto& face = of_a ? sat.face_a : sat.face_b;
-    if (!face || sat.chosen != (of_a ? "face_a" : "face_b")) continue;
-    const std::string name = of_a ? "face of A: " : "face of B: ";
-    draw_best(face->normal, name + spell_length(face->separation), true, camera, sketch);
-  }
+  const bool of_a = sat.chosen == "face_a";
+  const auto& face = of_a ? sat.face_a : sat.face_b;
+  if (face && (of_a || sat.chosen == "face_b"))
+    draw_best(face->normal, (of_a ? "face of A: " : "face of B: ") + spell_length(face->separation),
+              true, camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
               "edge " + std::to_string(sat.edge->a) + " of A × edge " +
@@ -236,18 +228,12 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
         false;
     return picture;
   }
-  const PlacedShape* placed_a = scene.find(pair->a);
-  const PlacedShape* placed_b = scene.find(pair->b);
+  const PlacedShape *placed_a = scene.find(pair->a), *placed_b = scene.find(pair->b);
   if (placed_a == nullptr || placed_b == nullptr) return picture;
   const ShapeMap a(*placed_a, true), b(*placed_b, false);
   const std::vector<MapCrossing> crossings = crossings_of(*pair, a, b);
-  std::set<int> lit_a, lit_b;
-  for (const MapCrossing& crossing : crossings) {
-    lit_a.insert(crossing.a);
-    lit_b.insert(crossing.b);
-  }
-  a.draw(inset.camera, lit_a, sketch);
-  b.draw(inset.camera, lit_b, sketch);
+  a.draw(inset.camera, crossings, sketch);
+  b.draw(inset.camera, crossings, sketch);
   std::size_t in_front = 0;
   for (const MapCrossing& crossing : crossings) {
     if (!inset.camera.faces(crossing.normal, crossing.normal)) continue;

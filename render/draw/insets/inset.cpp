@@ -56,8 +56,7 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     }
     insets.push_back({panels[i], frame,
                       Camera::perspective(fit.target + fit.distance * direction, fit.target,
-                                          world_up, kInsetFieldOfView, viewport),
-                      layout.scale});
+                                          world_up, kInsetFieldOfView, viewport)});
   }
   return insets;
 }

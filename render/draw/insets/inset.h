@@ -3,21 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "core/view.h"
-#include "draw/scene/camera.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/scene.h"
-#include "trace/trace.h"
 
 /// A second viewport beside the shapes, into a space of its own: the Minkowski difference, or the
 /// sphere of directions. A view asks for it by naming the panel.
 namespace contactscope::draw {
 
 struct Inset {
-  Panel panel;      // Minkowski or GaussMap
-  Rect frame;       // of the canvas, with its heading
-  Camera camera;    // looks from where the camera of the shapes does, so that directions agree
-  float scale = 1;  // pixels for one pixel at 720 lines
+  Panel panel;    // Minkowski or GaussMap
+  Rect frame;     // of the canvas, with its heading
+  Camera camera;  // looks from where the camera of the shapes does, so that directions agree
 };
 
 /// What an inset shows of one frame.

@@ -2,13 +2,14 @@
 #include <cmath>
 #include <set>
 
+#include "core/at.h"
 #include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
+#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/simplex_steps.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/swatches.h"
-#include "image/font.h"
 
 /// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
 /// van den Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
@@ -16,19 +17,18 @@ namespace contactscope::draw {
 namespace {
 
 constexpr Color kDifference = rgb(0xE4E4E8);
-constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0, [](const SwatchPen& pen) {
-                                     pen.box(kDifference, kShapeEdge, 1.5);
-                                   }};
-constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1, [](const SwatchPen& pen) {
+constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0,
+                                   [](auto& pen) { pen.box(kDifference, kShapeEdge, 1.5); }};
+constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1, [](auto& pen) {
                                   pen.box(with_alpha(kClipPolygon, 0.16f), kClipPolygon, 2);
                                 }};
-constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2, [](const SwatchPen& pen) {
+constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2, [](auto& pen) {
                                    pen.box(with_alpha(kReferenceFace, 0.06f), kReferenceFace, 1.2);
                                  }};
-constexpr Swatch kNextOfSimplexSwatch{
-    LegendGroup::Differences, 5, [](const SwatchPen& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
-constexpr Swatch kNextOfPolytopeSwatch{
-    LegendGroup::Differences, 6, [](const SwatchPen& pen) { pen.dot(2.6, 4.8, kReferenceFace); }};
+constexpr Swatch kNextOfSimplexSwatch{LegendGroup::Differences, 5,
+                                      [](auto& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
+constexpr Swatch kNextOfPolytopeSwatch{LegendGroup::Differences, 6,
+                                       [](auto& pen) { pen.dot(2.6, 4.8, kReferenceFace); }};
 
 constexpr std::size_t kManyFaces = 120;
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
@@ -43,124 +43,122 @@ bool holds_origin(const trace::Pair& pair) {
 }
 
 std::vector<Vec3d> differences(const std::vector<trace::SimplexVertex>& vertices) {
-  std::vector<Vec3d> points;
-  for (const trace::SimplexVertex& vertex : vertices) points.push_back(difference(vertex));
-  return points;
+  return mapped(vertices, difference);
 }
 
 Color step_color(const SimplexStep& step) {
   return step.of == SimplexStep::Of::Epa ? kReferenceFace : kClipPolygon;
 }
 
-void draw_vertex(const SimplexStep& step, std::size_t i, Sketch& sketch) {
-  const Vec3d at = difference(step.vertices[i]);
-  sketch.mark(MarkKind::Dot, at, step_color(step));
-  sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 17, 10);
-}
+/// Adds to a sketch of the difference. Nearer to the origin than `smallest` (metres) is as good as in
+/// it.
+struct DifferencePen {
+  const Camera& camera;
+  float scale;  // pixels for one at 720 lines
+  double smallest;
+  Sketch& sketch;
 
-/// From the origin to a point, with its length. A number that is longer than its arrow would hide
-/// it, and stands aside.
-void draw_distance(const Inset& inset, const Vec3d& to, double distance, const std::string& name,
-                   double smallest, Sketch& sketch) {
-  if (to.norm() <= smallest) return;
-  // A halo would cover the origin.
-  sketch.arrows.push_back(
-      {.to = to, .double_headed = true, .width = 3, .color = kAxis, .halo = false});
-  Label& label = sketch.label(0.5 * to, name + spell_length(distance), kAxisText, 16, 14);
-  const std::optional<Point2> from = inset.camera.project(Vec3d::Zero());
-  const std::optional<Point2> tip = inset.camera.project(to);
-  if (from && tip) {
-    const float size = inset.scale * static_cast<float>(label.size);
-    label.leader = length(*tip - *from) < text_width(label.text, size, Weight::Bold);
+  void vertex(const SimplexStep& step, std::size_t i) const {
+    const Vec3d at = difference(step.vertices[i]);
+    sketch.mark(MarkKind::Dot, at, step_color(step));
+    sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 17, 10);
+  }
+
+  /// From the origin to a point, with its length. A number that is longer than its arrow would hide
+  /// it, and stands aside.
+  void distance(const Vec3d& to, double metres, const std::string& name) const {
+    if (to.norm() <= smallest) return;
+    // A halo would cover the origin.
+    sketch.arrows.push_back(
+        {.to = to, .double_headed = true, .width = 3, .color = kAxis, .halo = false});
+    Label& label = sketch.label(0.5 * to, name + spell_length(metres), kAxisText, 16, 14);
+    const std::optional<float> seen = seen_distance(camera, Vec3d::Zero(), to);
+    label.leader = seen && *seen < text_width(label.text, scale * label.size, Weight::Bold);
     if (label.leader) {  // on the other side of the origin's name
       label.clearance = kNumberAside;
-      label.direction = inset.camera.right();
+      label.direction = camera.right();
     }
   }
-}
 
-void draw_next(const SimplexStep& step, Sketch& sketch) {
-  if (!step.next) return;
-  sketch.mark(MarkKind::Hollow, difference(*step.next), step_color(step));
-  sketch.explain(step.polytope != nullptr ? kNextOfPolytopeSwatch : kNextOfSimplexSwatch,
-                 "next support point");
-}
-
-// A simplex has all of its edges and triangles.
-void draw_simplex(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
-  const std::size_t count = step.vertices.size();
-  const Color color = step_color(step);
-  const std::vector<Vec3d> points = differences(step.vertices);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count; ++j) {
-      sketch.lines.push_back({points[i], points[j], {2.0f, color}, true});
-      for (std::size_t k = j + 1; k < count; ++k)
-        sketch.surfaces.push_back({{points[i], points[j], points[k]}, with_alpha(color, 0.16f)});
-    }
+  void next(const SimplexStep& step) const {
+    if (!step.next) return;
+    sketch.mark(MarkKind::Hollow, difference(*step.next), step_color(step));
+    sketch.explain(step.polytope != nullptr ? kNextOfPolytopeSwatch : kNextOfSimplexSwatch,
+                   "next support point");
   }
-  for (std::size_t i = 0; i < count; ++i) draw_vertex(step, i, sketch);
-  draw_next(step, sketch);
-  const bool mpr = step.of == SimplexStep::Of::Mpr;
-  if (count == 0) return;
-  sketch.explain(kSimplexSwatch, mpr ? "portal and inner point" : "simplex");
-  if (mpr) return;
-  const Vec3d nearest = nearest_to_origin(points);
-  draw_distance(inset, nearest, nearest.norm(), "", smallest, sketch);
-  if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
-}
 
-void draw_polytope(const Inset& inset, const SimplexStep& step, double smallest, Sketch& sketch) {
-  const trace::Polytope& polytope = *step.polytope;
-  const std::vector<Vec3d> points = differences(polytope.vertices);
-  const auto at = [&](int vertex) { return points[static_cast<std::size_t>(vertex)]; };
-  std::set<std::pair<int, int>> edges;
-  std::set<int> corners;  // of faces: the others are inside by now
-  for (const std::array<int, 3>& face : polytope.faces) {
-    sketch.surfaces.push_back(
-        {{at(face[0]), at(face[1]), at(face[2])}, with_alpha(kReferenceFace, 0.06f)});
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
-      corners.insert(face[i]);
+  /// A simplex has all of its edges and triangles.
+  void simplex(const SimplexStep& step) const {
+    const std::size_t count = step.vertices.size();
+    const Color color = step_color(step);
+    const std::vector<Vec3d> points = differences(step.vertices);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = i + 1; j < count; ++j) {
+        sketch.lines.push_back({points[i], points[j], {2.0f, color}, true});
+        for (std::size_t k = j + 1; k < count; ++k)
+          sketch.surfaces.push_back({{points[i], points[j], points[k]}, with_alpha(color, 0.16f)});
+      }
     }
+    for (std::size_t i = 0; i < count; ++i) vertex(step, i);
+    next(step);
+    if (count == 0) return;
+    const bool mpr = step.of == SimplexStep::Of::Mpr;
+    sketch.explain(kSimplexSwatch, mpr ? "portal and inner point" : "simplex");
+    if (mpr) return;
+    const Vec3d nearest = nearest_to_origin(points);
+    distance(nearest, nearest.norm(), "");
+    if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
   }
-  for (const auto& [from, to] : edges)
-    sketch.lines.push_back({at(from), at(to), {1.5f, with_alpha(kReferenceFace, 0.75f)}});
-  for (const int corner : corners) sketch.mark(MarkKind::Core, at(corner), kReferenceFace);
-  sketch.explain(kPolytopeSwatch, "polytope");
-  if (polytope.nearest < 0) return;
-  const std::array<int, 3>& face = polytope.faces[static_cast<std::size_t>(polytope.nearest)];
-  const std::vector<Vec3d> triangle = {at(face[0]), at(face[1]), at(face[2])};
-  sketch.surfaces.push_back({triangle, with_alpha(kReferenceFace, 0.35f)});
-  for (std::size_t i = 0; i < 3; ++i)
-    sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
-  for (const int corner : face) draw_vertex(step, static_cast<std::size_t>(corner), sketch);
-  sketch.explain(kReferenceFaceSwatch, "face nearest to the origin");
-  draw_next(step, sketch);
-  const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-  draw_distance(inset, polytope.distance * normal, polytope.distance, step.last() ? "depth " : "",
-                smallest, sketch);
-  sketch.explain(kAxisSwatch, "distance of its plane");
-}
 
-/// Without steps of an algorithm the difference itself tells how far the origin is from its border:
-/// outside the gap, inside the depth, along the normal of the nearest face.
-void draw_border_distance(const Inset& inset, const trace::Minkowski& difference, bool held,
-                          double smallest, Sketch& sketch) {
-  std::optional<Vec3d> nearest;
-  for (const std::vector<int>& face : difference.faces) {
-    const auto corner = [&](std::size_t i) {
-      return difference.vertices[static_cast<std::size_t>(face[i])];
+  void polytope(const SimplexStep& step) const {
+    const trace::Polytope& polytope = *step.polytope;
+    const std::vector<Vec3d> points = differences(polytope.vertices);
+    const auto triangle_of = [&](const std::array<int, 3>& face) {
+      return mapped(face, [&](int vertex) { return at(points, vertex); });
     };
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      const Vec3d place = nearest_to_origin({corner(0), corner(i - 1), corner(i)});
-      if (!nearest || place.norm() < nearest->norm()) nearest = place;
+    std::set<std::pair<int, int>> edges;
+    std::set<int> corners;  // of faces: the others are inside by now
+    for (const std::array<int, 3>& face : polytope.faces) {
+      sketch.surfaces.push_back({triangle_of(face), with_alpha(kReferenceFace, 0.06f)});
+      for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
+      corners.insert(face.begin(), face.end());
     }
+    for (const auto& [from, to] : edges)
+      sketch.line(at(points, from), at(points, to), {1.5f, with_alpha(kReferenceFace, 0.75f)});
+    for (const int corner : corners)
+      sketch.mark(MarkKind::Core, at(points, corner), kReferenceFace);
+    sketch.explain(kPolytopeSwatch, "polytope");
+    if (polytope.nearest < 0) return;
+    const std::array<int, 3>& face = at(polytope.faces, polytope.nearest);
+    const std::vector<Vec3d> triangle = triangle_of(face);
+    sketch.surfaces.push_back({triangle, with_alpha(kReferenceFace, 0.35f)});
+    for (std::size_t i = 0; i < 3; ++i)
+      sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
+    for (const int corner : face) vertex(step, static_cast<std::size_t>(corner));
+    sketch.explain(kReferenceFaceSwatch, "face nearest to the origin");
+    next(step);
+    const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+    distance(polytope.distance * normal, polytope.distance, step.last() ? "depth " : "");
+    sketch.explain(kAxisSwatch, "distance of its plane");
   }
-  if (!nearest) return;
-  draw_distance(inset, *nearest, nearest->norm(), held ? "depth " : "gap ", smallest, sketch);
-  if (nearest->norm() > smallest)
-    sketch.explain(kAxisSwatch, "from the origin to the nearest point of the border");
-}
+
+  /// Without steps of an algorithm the difference itself tells how far the origin is from its border:
+  /// outside the gap, inside the depth, along the normal of the nearest face.
+  void border_distance(const trace::Minkowski& difference, bool held) const {
+    std::optional<Vec3d> nearest;
+    for (const std::vector<int>& face : difference.faces) {
+      const auto corner = [&](std::size_t i) { return at(difference.vertices, face[i]); };
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        const Vec3d place = nearest_to_origin({corner(0), corner(i - 1), corner(i)});
+        if (!nearest || place.norm() < nearest->norm()) nearest = place;
+      }
+    }
+    if (!nearest) return;
+    distance(*nearest, nearest->norm(), held ? "depth " : "gap ");
+    if (nearest->norm() > smallest)
+      sketch.explain(kAxisSwatch, "from the origin to the nearest point of the border");
+  }
+};
 
 std::string note_of(const trace::Pair& pair, const std::optional<SimplexStep>& step) {
   if (!step) return pair.state == "touching" ? "holds the origin" : "the origin is outside";
@@ -178,15 +176,13 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
   for (const trace::Frame& frame : frames) {
     const trace::Pair* pair = first_pair(frame, has_difference);
     if (pair == nullptr) continue;
-    const auto add = [&](const std::vector<Vec3d>& more) {
-      points.insert(points.end(), more.begin(), more.end());
-    };
-    if (pair->minkowski) add(pair->minkowski->vertices);
+    if (pair->minkowski) append(points, pair->minkowski->vertices);
     if (pair->gjk) {
-      for (const trace::Simplex& simplex : pair->gjk->steps) add(differences(simplex));
+      for (const trace::Simplex& simplex : pair->gjk->steps) append(points, differences(simplex));
     }
     if (pair->penetration) {
-      for (const trace::Polytope& p : pair->penetration->polytopes) add(differences(p.vertices));
+      for (const trace::Polytope& polytope : pair->penetration->polytopes)
+        append(points, differences(polytope.vertices));
     }
   }
   return points;
@@ -221,17 +217,15 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   if (pair == nullptr) return picture;
   const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
   picture.note = note_of(*pair, step);
-  // Nearer than this is as good as in it: what rounding in float leaves.
-  const double smallest = 1e-6 * size;
-  if (!step) {
-    if (pair->minkowski) draw_border_distance(inset, *pair->minkowski, held, smallest, sketch);
-    return picture;
-  }
-  if (step->polytope != nullptr) {
-    draw_polytope(inset, *step, smallest, sketch);
-  } else {
-    draw_simplex(inset, *step, smallest, sketch);
-  }
+  // Rounding in float leaves so much of nothing.
+  const DifferencePen pen{inset.camera, static_cast<float>(scene.scales.pixel), 1e-6 * size,
+                          sketch};
+  if (step && step->polytope != nullptr)
+    pen.polytope(*step);
+  else if (step)
+    pen.simplex(*step);
+  else if (pair->minkowski)
+    pen.border_distance(*pair->minkowski, held);
   return picture;
 }
 
