@@ -36,21 +36,17 @@ std::vector<const trace::Pair*> distinct_pairs(const std::vector<trace::Frame>& 
   return pairs;
 }
 
-bool same_pair(const trace::Pair& one, const trace::Pair& other) {
-  return one.a == other.a && one.b == other.b && one.label == other.label;
-}
-
 std::vector<const trace::Pair*> pair_history(const std::vector<trace::Frame>& frames,
                                              const trace::Pair& wanted) {
   std::vector<const trace::Pair*> history;
+  const auto is_wanted = [&](const trace::Pair& pair) {
+    return pair.a == wanted.a && pair.b == wanted.b && pair.label == wanted.label;
+  };
   std::size_t usual = 0;  // where it was: mostly each frame has all in the same order
   for (const trace::Frame& frame : frames) {
     const std::vector<trace::Pair>& pairs = frame.pairs;
-    if (usual >= pairs.size() || !same_pair(pairs[usual], wanted)) {
-      const auto found = std::ranges::find_if(
-          pairs, [&](const trace::Pair& pair) { return same_pair(pair, wanted); });
-      usual = static_cast<std::size_t>(found - pairs.begin());
-    }
+    if (usual >= pairs.size() || !is_wanted(pairs[usual]))
+      usual = static_cast<std::size_t>(std::ranges::find_if(pairs, is_wanted) - pairs.begin());
     history.push_back(usual < pairs.size() ? &pairs[usual] : nullptr);
   }
   return history;

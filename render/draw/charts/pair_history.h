@@ -15,8 +15,6 @@ const trace::Pair* first_pair(const trace::Frame& frame, bool (*holds)(const tra
 std::vector<const trace::Pair*> distinct_pairs(const std::vector<trace::Frame>& frames,
                                                bool (*holds)(const trace::Pair&));
 
-bool same_pair(const trace::Pair& one, const trace::Pair& other);
-
 /// The pair in every frame; null where a frame has none. Traces of other engines may leave out
 /// pairs that are far apart.
 std::vector<const trace::Pair*> pair_history(const std::vector<trace::Frame>& frames,

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/insets/contact_plane.h"
+#include "core/at.h"
+#include "draw/insets/contact_cells.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -14,36 +14,7 @@ constexpr double kLabelSize = 17;
 constexpr double kDigit = 22;
 constexpr Color kEdgeSeenInside = kReferenceFace;
 
-class ChoicePen : Pen {
- public:
-  ChoicePen(const ContactPlane& plane, const std::vector<Point2>& places,
-            const std::vector<int>& kept)
-      : Pen(plane.drawing(), plane.scale(), kLabelSize),
-        plane_(plane),
-        places_(places),
-        kept_(kept),
-        middle_(middle_of(places)),
-        placer_(plane.map) {}
-
-  void run(const std::vector<trace::Choice>& choices, std::size_t wanted) {
-    shown_ = std::min(wanted, kept_.size());
-    for (const Point2& place : places_) placer_.block(place, px(9));
-    if (shown_ > 3) triangle(kept_[0], kept_[1], kept_[2]);
-    if (shown_ == 3) side(kept_[0], kept_[1], 2.5, kContact);
-    if (shown_ > 0 && shown_ <= choices.size()) {
-      const trace::Choice& choice = choices[shown_ - 1];
-      if (choice.rule == "support" && wanted <= choices.size()) support(choice.direction);
-      for (const bool winner : {false, true}) {  // the winner on top
-        for (const trace::Measure& measure : choice.measures) {
-          if ((measure.point == chosen()) == winner) candidate(choice.rule, measure, winner);
-        }
-      }
-    }
-    points();
-    for (const Label& label : labels_) write(label);
-  }
-
- private:
+struct ChoicePen : Pen {
   struct Label {
     Vec2d at;
     std::string text;
@@ -52,8 +23,37 @@ class ChoicePen : Pen {
     bool inwards = false;  // goes to the middle's side of its place
   };
 
-  Vec2d place(int point) const { return flat(places_[static_cast<std::size_t>(point)]); }
-  int chosen() const { return kept_[shown_ - 1]; }
+  const ContactPlane& plane;
+  const std::vector<Point2>& places;
+  const ContactCell& cell;
+  std::size_t wanted;
+
+  const std::vector<int>& kept = cell.kept;
+  const std::vector<trace::Choice>& choices = cell.choices;
+  std::size_t shown = std::min(wanted, kept.size());
+  Vec2d middle = middle_of(places);
+  LabelPlacer placer{plane.map};
+  std::vector<Label> labels{};
+
+  void run() {
+    for (const Point2& place : places) placer.block(place, px(9));
+    if (shown > 3) triangle(kept[0], kept[1], kept[2]);
+    if (shown == 3) side(kept[0], kept[1], 2.5, kContact);
+    if (shown > 0 && shown <= choices.size()) {
+      const trace::Choice& choice = choices[shown - 1];
+      if (choice.rule == "support" && wanted <= choices.size()) support(choice.direction);
+      for (const bool winner : {false, true}) {  // the winner on top
+        for (const trace::Measure& measure : choice.measures) {
+          if ((measure.point == chosen()) == winner) candidate(choice.rule, measure, winner);
+        }
+      }
+    }
+    points();
+    for (const Label& label : labels) write(label);
+  }
+
+  Vec2d place(int point) const { return flat(at(places, point)); }
+  int chosen() const { return kept[shown - 1]; }
 
   void stroke(const Vec2d& a, const Vec2d& b, double width, const Color& color,
               double dash = 0) const {
@@ -73,20 +73,20 @@ class ChoicePen : Pen {
 
   /// The fixed direction, and the line at right angles to it through the point that is farthest.
   void support(const Vec3d& direction) {
-    const Vec2d on_page(plane_.axes.u.dot(direction), -plane_.axes.v.dot(direction));
+    const Vec2d on_page(plane.axes.u.dot(direction), -plane.axes.v.dot(direction));
     if (on_page.norm() < 0.5) return;
     const Vec2d along = on_page.normalized(), across(-along.y(), along.x());
     const Vec2d at = place(chosen());
-    const double half = 0.22 * std::min(plane_.map.width, plane_.map.height);
+    const double half = 0.22 * std::min(plane.map.width, plane.map.height);
     stroke(at - half * across, at + half * across, 2, kNormal, 7);
-    const Vec2d tip = middle_ + half * along;
-    stroke(middle_, tip - px(8) * along, 3, kNormal);
+    const Vec2d tip = middle + half * along;
+    stroke(middle, tip - px(8) * along, 3, kNormal);
     const double head = px(13);
     fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
           pixel(tip - head * along - 0.42 * head * across)},
          kNormal);
-    placer_.block(pixel(middle_), pixel(tip), px(8));
-    labels_.push_back({middle_ - px(10) * along, "fixed direction", kText, false});
+    placer.block(pixel(middle), pixel(tip), px(8));
+    labels.push_back({middle - px(10) * along, "fixed direction", kText, false});
   }
 
   void candidate(const std::string& rule, const trace::Measure& measure, bool winner) {
@@ -95,25 +95,21 @@ class ChoicePen : Pen {
     const std::string value = by_distance || rule == "farthest" ? spell_length(measure.value)
                               : rule == "deepest"               ? spell_length(-measure.value)
                                                                 : spell_signed(measure.value);
-    const auto label = [&](const Vec2d& at) { labels_.push_back({at, value, color, winner}); };
+    const bool grows = rule == "outside" || by_distance;
+    if (grows && winner) return outside(measure, value, by_distance);
+    Vec2d at = place(measure.point);
     if (rule == "farthest") {
-      side(kept_[0], measure.point, winner ? 3.0 : 1.2,
+      side(kept[0], measure.point, winner ? 3.0 : 1.2,
            winner ? kContact : with_alpha(kDropped, 0.7f));
-      label((1 - 0.62) * place(kept_[0]) + 0.62 * place(measure.point));
-    } else if (rule == "triangle") {
-      if (winner) {
-        triangle(measure.edge[0], measure.edge[1], measure.point);
-      } else {
-        sides(measure, 1.2, with_alpha(kDropped, 0.55f));
-      }
-      label(place(measure.point));
-    } else if (rule == "outside" || by_distance) {
-      if (winner) return outside(measure, value, by_distance);
+      at = (1 - 0.62) * place(kept[0]) + 0.62 * at;
+    } else if (rule == "triangle" && winner) {
+      triangle(measure.edge[0], measure.edge[1], measure.point);
+    } else if (rule == "triangle" || grows) {
       sides(measure, 1.2, with_alpha(kDropped, 0.55f));
-      label(place(measure.point));
-    } else if (rule == "deepest") {
-      label(place(measure.point));
+    } else if (rule != "deepest") {
+      return;
     }
+    labels.push_back({at, value, color, winner});
   }
 
   /// The winner with each edge, as on the talk's slides: one negative area (or distance), and
@@ -121,21 +117,21 @@ class ChoicePen : Pen {
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance) {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
-    const Vec2d middle = (from + to + point) / 3;
+    const Vec2d centroid = (from + to + point) / 3;
     if (!(measure.value < 0)) {
       if (by_distance) return;  // the edges that see it inside decide nothing
       fill({pixel(from), pixel(to), pixel(point)}, with_alpha(kEdgeSeenInside, 0.07f));
       for (const Vec2d& end : {from, to}) {
         stroke(end, point, 1.2f, with_alpha(kEdgeSeenInside, 0.6f), 6);
-        placer_.block(pixel(end), pixel(point), px(4));
+        placer.block(pixel(end), pixel(point), px(4));
       }
-      labels_.push_back({middle, spelled, kEdgeSeenInside, false, true});
+      labels.push_back({centroid, spelled, kEdgeSeenInside, false, true});
       return;
     }
     hatch(convex_polygon({from, to, point}), {}, 5, 1.3, kContact);
     sides(measure, 2.5, kContact);
     if (!by_distance) {
-      labels_.push_back({middle, spelled, kContact, true});
+      labels.push_back({centroid, spelled, kContact, true});
       return;
     }
     // What it went by, and what that gained.
@@ -145,44 +141,44 @@ class ChoicePen : Pen {
     if (share < 0 || share > 1) stroke(share < 0 ? from : to, foot, 1.2f, kAxis, 4);
     stroke(foot, point, 4.5, kWhite);
     stroke(foot, point, 2.2, kAxis);
-    labels_.push_back({0.5 * (foot + point), spelled, kAxisText, true});
+    labels.push_back({0.5 * (foot + point), spelled, kAxisText, true});
     const double area = 0.5 * std::abs(contactscope::cross(edge, point - from)) /
-                        std::pow(plane_.pixels_per_metre, 2);
-    labels_.push_back({middle, spell_signed(-area), kContact, true});
+                        std::pow(plane.pixels_per_metre, 2);
+    labels.push_back({centroid, spell_signed(-area), kContact, true});
   }
 
   /// Areas as the talk has them: negative outside.
   static std::string spell_signed(double area) { return (area > 0 ? "+" : "") + spell_area(area); }
 
   void points() {
-    const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(shown_);
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const auto found = std::find(kept_.begin(), end, static_cast<int>(i));
+    const auto end = kept.begin() + static_cast<std::ptrdiff_t>(shown);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto found = std::find(kept.begin(), end, static_cast<int>(i));
       if (found == end) {
-        draw_plain_point(places_[i], *this);
+        draw_plain_point(places[i], *this);
         continue;
       }
-      draw_kept_point(places_[i], *this, 1);
-      number(places_[i], static_cast<int>(found - kept_.begin()) + 1);
+      draw_kept_point(places[i], *this, 1);
+      number(places[i], static_cast<int>(found - kept.begin()) + 1);
     }
   }
 
   /// Beside the point, away from the middle.
   void number(const Point2& at, int number) {
-    const Vec2d out = way_out(middle_, flat(at));
+    const Vec2d out = way_out(middle, flat(at));
     const double reach = px(kKeptReach + 0.5 * kDigit);
     text(std::to_string(number), pixel(flat(at) + reach * out) + Point2{0, px(0.34 * kDigit)},
          Align::Center, kContact, Weight::Bold, kDigit, 2);
-    placer_.block(pixel(flat(at) + px(19) * out), px(12));
+    placer.block(pixel(flat(at) + px(19) * out), px(12));
   }
 
   void write(const Label& label) {
     const float size = px(kLabelSize);
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
-    const Vec2d way = (label.inwards ? -1.0 : 1.0) * way_out(middle_, label.at);
+    const Vec2d way = (label.inwards ? -1.0 : 1.0) * way_out(middle, label.at);
     const auto found =
-        placer_.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
-                      descent(size, weight), px(14), pixel(way));
+        placer.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
+                     descent(size, weight), px(14), pixel(way));
     if (!found) return;
     if (found->needs_leader) {
       stroke(label.at, flat(found->leader_end), 3.5, with_alpha(kWhite, 0.8f));
@@ -190,22 +186,14 @@ class ChoicePen : Pen {
     }
     text(label.text, found->left_baseline, Align::Left, label.color, weight, 0, 2.5);
   }
-
-  const ContactPlane& plane_;
-  const std::vector<Point2>& places_;
-  const std::vector<int>& kept_;
-  std::size_t shown_ = 0;
-  Vec2d middle_;
-  LabelPlacer placer_;
-  std::vector<Label> labels_;
 };
 
 }  // namespace
 
 void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
-                 const std::vector<int>& kept, const std::vector<trace::Choice>& choices,
-                 int shown) {
-  ChoicePen(plane, places, kept).run(choices, static_cast<std::size_t>(shown));
+                 const ContactCell& cell, int shown) {
+  const Pen pen(plane.drawing(), plane.scale(), kLabelSize);
+  ChoicePen{pen, plane, places, cell, static_cast<std::size_t>(shown)}.run();
 }
 
 }  // namespace contactscope::draw

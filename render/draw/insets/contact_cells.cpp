@@ -4,8 +4,8 @@
 #include <numeric>
 #include <optional>
 
+#include "core/at.h"
 #include "draw/scene/swatches.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -49,43 +49,38 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
 }
 
 // The signs of the contact plane alone. Its legend stands in the order in which it is made.
-constexpr Swatch kKeptPolygonSwatch{LegendGroup::Points, 12, [](const SwatchPen& pen) {
-                                      pen.box(with_alpha(kContact, 0.16f), kContact, 2);
-                                    }};
-constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13, [](const SwatchPen& pen) {
-                                  draw_deepest_mark(pen.middle(), pen, 0.72);
-                                }};
-constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14,
-                                 [](const SwatchPen& pen) { pen.hatched(kDropped); }};
-constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15, [](const SwatchPen& pen) {
+constexpr Swatch kKeptPolygonSwatch{
+    LegendGroup::Points, 12, [](auto& pen) { pen.box(with_alpha(kContact, 0.16f), kContact, 2); }};
+constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13,
+                                [](auto& pen) { draw_deepest_mark(pen.middle(), pen, 0.72); }};
+constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14, [](auto& pen) { pen.hatched(kDropped); }};
+constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15, [](auto& pen) {
                                       pen.box(with_alpha(kNormal, 0), kNormal, 1.6, true);
                                     }};
-constexpr Swatch kAxesBoxSwatch{LegendGroup::Points, 16, [](const SwatchPen& pen) {
-                                  pen.box(with_alpha(kAxis, 0), kAxis, 2, true);
-                                }};
-constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](const SwatchPen& pen) {
+constexpr Swatch kAxesBoxSwatch{LegendGroup::Points, 16,
+                                [](auto& pen) { pen.box(with_alpha(kAxis, 0), kAxis, 2, true); }};
+constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](auto& pen) {
                                     pen.level_line(0, 22, 1.5, with_alpha(kDropped, 0.7f));
                                   }};
 constexpr Swatch kOutsideTriangleSwatch{LegendGroup::Points, 18,
-                                        [](const SwatchPen& pen) { pen.hatched(kContact); }};
-constexpr Swatch kInsideTriangleSwatch{LegendGroup::Points, 19, [](const SwatchPen& pen) {
+                                        [](auto& pen) { pen.hatched(kContact); }};
+constexpr Swatch kInsideTriangleSwatch{LegendGroup::Points, 19, [](auto& pen) {
                                          pen.box(with_alpha(kReferenceFace, 0.12f),
                                                  with_alpha(kReferenceFace, 0.6f), 1.2, true);
                                        }};
 // Two rows of a strip: one kept to the end, one given up for the other.
-constexpr Swatch kKeptIdsSwatch{LegendGroup::Points, 20, [](const SwatchPen& pen) {
-                                  const auto bar = [&](double from, double to, double top,
-                                                       const Color& color) {
-                                    const Point2 low = pen.at(from, top);
-                                    const float x1 = pen.at(to).x, y1 = low.y + pen.px(5);
-                                    pen.fill({low, {x1, low.y}, {x1, y1}, {low.x, y1}}, color);
-                                  };
-                                  constexpr Color kFaint = rgb(0xD5D8DC);
-                                  bar(0, 12, -6, kContact);
-                                  bar(12, 22, -6, kFaint);
-                                  bar(0, 12, 1, kFaint);
-                                  bar(12, 22, 1, kContact);
-                                }};
+constexpr Swatch kKeptIdsSwatch{
+    LegendGroup::Points, 20, [](auto& pen) {
+      const auto bar = [&](double from, double to, double top, const Color& color) {
+        const Point2 low = pen.at(from, top), end = pen.at(to);
+        pen.fill(Rect{low.x, low.y, double(end.x) - low.x, pen.px(5)}, color);
+      };
+      constexpr Color kFaint = rgb(0xD5D8DC);
+      bar(0, 12, -6, kContact);
+      bar(12, 22, -6, kFaint);
+      bar(0, 12, 1, kFaint);
+      bar(12, 22, 1, kContact);
+    }};
 
 }  // namespace
 
@@ -98,56 +93,48 @@ ContactCells::ContactCells(const std::string& title, const std::string& source,
   fit(width, height);
 }
 
-bool ContactCells::any_cell(const std::function<bool(const ContactCell&)>& holds) const {
-  return std::ranges::any_of(moments_, [&](const ContactMoment& moment) {
-    return std::ranges::any_of(moment.cells, holds);
-  });
-}
-
 std::vector<LegendEntry> ContactCells::legend() const {
   if (cell_count() == 0 || !shows(Detail::Legend)) return {};
-  if (choices_ > 0) return legend_of_choice();
-  const bool reduces =
-      any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
-  const bool deepest =
-      any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); });
-  const bool best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });
-  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"}};
-  if (reduces) entries.push_back({&kReducedSwatch, "reduced away"});
-  entries.push_back({&kKeptSwatch, reduces ? "kept, in order of choice" : "kept"});
-  if (deepest) entries.push_back({&kDeepestSwatch, "deepest"});
-  if (reduces) entries.push_back({&kKeptPolygonSwatch, "kept area"});
-  if (reduces) entries.push_back({&kLostAreaSwatch, "lost area"});
-  if (best) entries.push_back({&kBestPolygonSwatch, "best polygon"});
-  if (any_cell(by_extremes)) entries.push_back({&kAxesBoxSwatch, "box along the axes"});
-  if (moments_.size() > 1) entries.push_back({&kKeptIdsSwatch, "ids kept, over the frames"});
-  return entries;
-}
-
-/// What the shown choice was made by.
-std::vector<LegendEntry> ContactCells::legend_of_choice() const {
-  std::vector<LegendEntry> entries = {{&kClipPolygonSwatch, "contact polygon"},
-                                      {&kPlainPointSwatch, "contact point"},
-                                      {&kKeptSwatch, "kept, in order of choice"}};
-  const auto by_rule = [&](const std::string& rule) {
-    return any_cell([&](const ContactCell& cell) {
-      const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
-      return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
-    });
-  };
+  const auto any_cell = [&](const auto& holds) { return std::ranges::any_of(all_cells(), holds); };
+  std::vector<LegendEntry> entries;
   // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
-  const auto add = [&entries](const Swatch& swatch, const char* text) {
+  const auto add = [&entries](bool shown, const Swatch& swatch, const char* text) {
+    if (!shown) return;
     LegendEntry& entry = entries.emplace_back();
     entry.swatch = &swatch;
     entry.text = text;
   };
-  const bool grows = by_rule("outside") || by_rule("distance");
-  const bool triangle = by_rule("triangle") || grows;
-  if (triangle) add(kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
-  if (grows) add(kOutsideTriangleSwatch, "added outside");
-  if (by_rule("outside")) add(kInsideTriangleSwatch, "edge sees it inside");
-  if (by_rule("distance")) add(kDecidingEdgesSwatch, "distance to the edge");
-  if (by_rule("farthest") || triangle) add(kCandidateSwatch, "other candidates");
+  add(true, kClipPolygonSwatch, "contact polygon");
+  if (choices_ > 0) {  // what the shown one was made by
+    const auto by_rule = [&](const char* rule) {
+      return any_cell([&](const ContactCell& cell) {
+        const std::size_t shown = std::min(static_cast<std::size_t>(choices_), cell.kept.size());
+        return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
+      });
+    };
+    const bool outside = by_rule("outside"), by_distance = by_rule("distance");
+    const bool grows = outside || by_distance, triangle = by_rule("triangle") || grows;
+    add(true, kPlainPointSwatch, "contact point");
+    add(true, kKeptSwatch, "kept, in order of choice");
+    add(triangle, kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
+    add(grows, kOutsideTriangleSwatch, "added outside");
+    add(outside, kInsideTriangleSwatch, "edge sees it inside");
+    add(by_distance, kDecidingEdgesSwatch, "distance to the edge");
+    add(triangle || by_rule("farthest"), kCandidateSwatch, "other candidates");
+    return entries;
+  }
+  const bool reduces =
+      any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+  add(reduces, kReducedSwatch, "reduced away");
+  add(true, kKeptSwatch, reduces ? "kept, in order of choice" : "kept");
+  add(any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); }),
+      kDeepestSwatch, "deepest");
+  add(reduces, kKeptPolygonSwatch, "kept area");
+  add(reduces, kLostAreaSwatch, "lost area");
+  add(any_cell([](const ContactCell& cell) { return cell.best.size() > 2; }), kBestPolygonSwatch,
+      "best polygon");
+  add(any_cell(by_extremes), kAxesBoxSwatch, "box along the axes");
+  add(moments_.size() > 1, kKeptIdsSwatch, "ids kept, over the frames");
   return entries;
 }
 
@@ -200,21 +187,24 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
     ids_[number].draw_rows({rect.x, map.bottom() + inset, rect.width, grid_.strip - 2 * inset},
                            moment, moments_.size(), pen);
   }
-  const double top = map.bottom() + grid_.strip;
-  draw_rows({rect.x, top, rect.width, rect.bottom() - top}, cell, pen);
+  double baseline = map.bottom() + grid_.strip + 0.8 * pen.px(kNumberRow);
+  for (const ContactCell::Row& row : shown_rows(cell)) {
+    const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
+    pen.text(fitted(left_of(row), pen.px(kNumber), weight, width), pixel(rect.x, baseline),
+             Align::Left, kText, weight);
+    if (shows(Detail::RowEnds) && !row.right.empty())
+      pen.text(row.right, pixel(rect.right(), baseline), Align::Right, kQuietText);
+    baseline += pen.px(kNumberRow);
+  }
 }
 
 void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) const {
   const std::vector<Point2> places = plane.at(cell.points);
   const auto polygon_of = [&](const std::vector<int>& points) {
-    std::vector<Vec2d> corners;
-    for (const int i : points) corners.push_back(flat(places[static_cast<std::size_t>(i)]));
-    return convex_polygon(corners);
+    return convex_polygon(mapped(points, [&](int i) { return flat(at(places, i)); }));
   };
   const auto pixels = [](const std::vector<Vec2d>& polygon) {
-    std::vector<Point2> corners;
-    for (const Vec2d& corner : polygon) corners.push_back(pixel(corner));
-    return corners;
+    return mapped(polygon, [](const Vec2d& corner) { return pixel(corner); });
   };
   std::vector<int> every(places.size());
   std::iota(every.begin(), every.end(), 0);
@@ -222,7 +212,7 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
   plane.fill(pixels(all), with_alpha(kClipPolygon, 0.10f));
   if (choices_ > 0) {
     plane.outline(pixels(all), 2, kClipPolygon);
-    draw_choice(plane, places, cell.kept, cell.choices, choices_);
+    draw_choice(plane, places, cell, choices_);
     return;
   }
   const std::vector<Vec2d> kept = polygon_of(cell.kept);
@@ -235,25 +225,12 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
 
   for (const int i : every) {
     if (std::ranges::find(cell.kept, i) == cell.kept.end())
-      draw_dropped_point(places[static_cast<std::size_t>(i)], plane, grid_.mark);
+      draw_dropped_point(at(places, i), plane, grid_.mark);
   }
-  for (const int i : cell.kept)
-    draw_kept_point(places[static_cast<std::size_t>(i)], plane, grid_.mark);
+  for (const int i : cell.kept) draw_kept_point(at(places, i), plane, grid_.mark);
   const std::optional<std::size_t> deepest = deepest_of(cell.points);
   if (deepest) draw_deepest_mark(places[*deepest], plane, grid_.mark);
   if (cell.kept.size() < places.size()) plane.number_kept(places, cell.kept, grid_.mark, deepest);
-}
-
-void ContactCells::draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const {
-  double baseline = rect.y + 0.8 * pen.px(kNumberRow);
-  for (const ContactCell::Row& row : shown_rows(cell)) {
-    const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
-    pen.text(fitted(left_of(row), pen.px(kNumber), weight, static_cast<float>(rect.width)),
-             pixel(rect.x, baseline), Align::Left, kText, weight);
-    if (shows(Detail::RowEnds) && !row.right.empty())
-      pen.text(row.right, pixel(rect.right(), baseline), Align::Right, kQuietText);
-    baseline += pen.px(kNumberRow);
-  }
 }
 
 }  // namespace contactscope::draw

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <functional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/view.h"
 #include "draw/charts/id_strip.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/scene/drawing.h"
-#include "draw/scene/layout.h"
-#include "draw/scene/legend.h"
 #include "trace/exploration.h"
-#include "trace/trace.h"
 
 namespace contactscope::draw {
 
@@ -78,8 +73,8 @@ class ContactCells {
     int columns = 1;
     double cell_width = 0, cell_height = 0;  // pixels
     double map_height = 0, strip = 0;
-    double pixels_per_metre = 1;
-    double mark = 1;  // size of the marks of points, 1 where there is room
+    double pixels_per_metre = 0;  // where there is no room
+    double mark = 1;              // size of the marks of points, 1 where there is room
   };
 
   /// Where the contacts of one cell are in the world, in all frames.
@@ -105,18 +100,18 @@ class ContactCells {
   double strip_height() const;
   std::size_t row_count() const;
   std::span<const ContactCell::Row> shown_rows(const ContactCell& cell) const;
-  bool any_cell(const std::function<bool(const ContactCell&)>& holds) const;
-  std::size_t id_count() const { return ids_.empty() ? 0 : ids_.front().row_count(); }
   std::string left_of(const ContactCell::Row& row) const;
   double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
+  /// Of every moment.
+  auto all_cells() const {
+    return moments_ | std::views::transform(&ContactMoment::cells) | std::views::join;
+  }
   std::vector<LegendEntry> legend() const;
-  std::vector<LegendEntry> legend_of_choice() const;
   void frame_patches(const Vec3d& above);
   void gather_ids();
   void draw_cell(std::size_t cell, std::size_t moment, const Pen& pen) const;
   void draw_map(const ContactCell& cell, const ContactPlane& plane) const;
-  void draw_rows(const Rect& rect, const ContactCell& cell, const Pen& pen) const;
 
   std::string title_, source_;
   std::vector<ContactMoment> moments_;
@@ -128,5 +123,11 @@ class ContactCells {
   Detail given_up_ = Detail{};    // all before this one
   Grid grid_;
 };
+
+/// The first `shown` choices of a reducer, the last of them with its candidates. Gregorius 2015,
+/// "Contact Point Reduction: 1st Point" to "4th Point (4)": what each was worth, and why the last
+/// shown one won. `places`: of all points.
+void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
+                 const ContactCell& cell, int shown);
 
 }  // namespace contactscope::draw

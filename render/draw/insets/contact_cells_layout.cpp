@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/at.h"
 #include "draw/insets/contact_cells.h"
-#include "image/font.h"
 
 // Where the parts of contact cells go, and what a canvas has no room for.
 namespace contactscope::draw {
@@ -25,9 +25,9 @@ constexpr double kLeastMap = 44;  // height of a map that shows anything
 void ContactCells::fit(int width, int height) {
   for (int given_up = 0; given_up <= static_cast<int>(Detail::None); ++given_up) {
     given_up_ = static_cast<Detail>(given_up);
-    std::vector<float> widths;
-    for (const LegendEntry& entry : legend())
-      widths.push_back(legend_entry_width(entry, interface_scale(width, height)));
+    const std::vector<float> widths = mapped(legend(), [&](const LegendEntry& entry) {
+      return legend_entry_width(entry, interface_scale(width, height));
+    });
     layout_ = make_layout(width, height, false, {widths});
     grid_ = best_grid();
     if (grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width()) return;
@@ -57,18 +57,17 @@ double ContactCells::nearest_points() const {
 
 std::vector<std::string> ContactCells::left_out() const {
   std::vector<std::string> list;
-  const bool has_rows =
-      choices_ == 0 && any_cell([](const ContactCell& cell) { return !cell.rows.empty(); });
-  const bool has_row_ends = any_cell([](const ContactCell& cell) {
-    return std::ranges::any_of(cell.rows, [](const auto& row) { return !row.right.empty(); });
-  });
-  if (has_rows && !shows(Detail::Rows)) {
-    list.emplace_back("the numbers");
-  } else if (has_rows && !shows(Detail::AllRows)) {
-    list.emplace_back("all numbers but the first");
-  } else if (has_rows && !shows(Detail::WholeRows)) {
-    list.emplace_back("parts of the numbers");
-  } else if (has_row_ends && choices_ == 0 && !shows(Detail::RowEnds)) {
+  const auto any_row = [&](const auto& holds) {
+    return choices_ == 0 && std::ranges::any_of(all_cells(), [&](const ContactCell& cell) {
+             return std::ranges::any_of(cell.rows, holds);
+           });
+  };
+  if (any_row([](const ContactCell::Row&) { return true; }) && !shows(Detail::WholeRows)) {
+    list.emplace_back(!shows(Detail::Rows)      ? "the numbers"
+                      : !shows(Detail::AllRows) ? "all numbers but the first"
+                                                : "parts of the numbers");
+  } else if (any_row([](const ContactCell::Row& row) { return !row.right.empty(); }) &&
+             !shows(Detail::RowEnds)) {
     list.emplace_back("the numbers on the right");
   }
   if (!shows(Detail::Strip) && moments_.size() > 1 && choices_ == 0)
@@ -104,10 +103,8 @@ void ContactCells::frame_patches(const Vec3d& above) {
 void ContactCells::gather_ids() {
   if (moments_.size() < 2) return;
   std::map<std::string, std::size_t> known;  // rows, in the order of appearance
-  for (const ContactMoment& moment : moments_) {
-    for (const ContactCell& cell : moment.cells) {
-      for (const trace::Point& point : cell.points) known.try_emplace(point.id, known.size());
-    }
+  for (const ContactCell& cell : all_cells()) {
+    for (const trace::Point& point : cell.points) known.try_emplace(point.id, known.size());
   }
   const std::vector<IdState> absent(moments_.size(), IdState::Absent);
   for (std::size_t cell = 0; cell < cell_count(); ++cell) {
@@ -124,17 +121,16 @@ void ContactCells::gather_ids() {
 }
 
 double ContactCells::strip_height() const {
-  if (!shows(Detail::Strip) || moments_.size() < 2 || choices_ > 0 || id_count() == 0) return 0;
+  if (!shows(Detail::Strip) || choices_ > 0 || ids_.empty()) return 0;
+  const auto rows = static_cast<double>(ids_.front().row_count());
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
-  return wide * std::min(kMostStrip, kStripRow * static_cast<double>(id_count())) + 6;
+  return rows == 0 ? 0 : wide * std::min(kMostStrip, kStripRow * rows) + 6;
 }
 
 std::size_t ContactCells::row_count() const {
   if (!shows(Detail::Rows) || choices_ > 0) return 0;  // the result of choices is another picture's
   std::size_t most = 0;
-  for (const ContactMoment& moment : moments_) {
-    for (const ContactCell& cell : moment.cells) most = std::max(most, cell.rows.size());
-  }
+  for (const ContactCell& cell : all_cells()) most = std::max(most, cell.rows.size());
   return shows(Detail::AllRows) ? most : std::min<std::size_t>(most, 1);
 }
 
@@ -151,14 +147,12 @@ std::string ContactCells::left_of(const ContactCell::Row& row) const {
 double ContactCells::row_width() const {
   const float size = layout_.px(kNumber);
   double widest = 0;
-  for (const ContactMoment& moment : moments_) {
-    for (const ContactCell& cell : moment.cells) {
-      for (const ContactCell::Row& row : shown_rows(cell)) {
-        double width = text_width(left_of(row), size, row.strong ? Weight::Bold : Weight::Regular);
-        if (shows(Detail::RowEnds) && !row.right.empty())
-          width += layout_.px(kRowGap) + text_width(row.right, size, Weight::Regular);
-        widest = std::max(widest, width);
-      }
+  for (const ContactCell& cell : all_cells()) {
+    for (const ContactCell::Row& row : shown_rows(cell)) {
+      double width = text_width(left_of(row), size, row.strong ? Weight::Bold : Weight::Regular);
+      if (shows(Detail::RowEnds) && !row.right.empty())
+        width += layout_.px(kRowGap) + text_width(row.right, size, Weight::Regular);
+      widest = std::max(widest, width);
     }
   }
   return widest;
@@ -177,34 +171,31 @@ ContactCells::Grid ContactCells::best_grid() const {
       layout_.px(name_height() + strip_height() + kNumberRow * static_cast<double>(row_count()));
   const auto grid_of = [&](int columns) {
     const int rows = (count + columns - 1) / columns;
-    Grid grid;
-    grid.columns = columns;
+    Grid grid{.columns = columns};
     grid.cell_width = (layout_.view.width - (columns - 1) * gap) / columns;
     grid.cell_height = (layout_.view.height - (rows - 1) * gap) / rows;
     grid.map_height = grid.cell_height - furniture;
-    grid.pixels_per_metre = 0;
+    // Without room at all 0.
+    grid.pixels_per_metre = std::max(0.0, std::min((grid.cell_width - reserve) / extent_.x(),
+                                                   (grid.map_height - reserve) / extent_.y()));
     return grid;
   };
   Grid best;
-  best.pixels_per_metre = 0;
   for (int columns = 1; columns <= count; ++columns) {
-    Grid grid = grid_of(columns);
-    if (grid.cell_width <= reserve || grid.map_height <= reserve) continue;
-    grid.pixels_per_metre = std::min((grid.cell_width - reserve) / extent_.x(),
-                                     (grid.map_height - reserve) / extent_.y());
+    const Grid grid = grid_of(columns);
+    if (grid.pixels_per_metre == 0) continue;
     const bool fits = grid.cell_width >= needed;
     const bool best_fits = best.cell_width >= needed;
     const bool is_larger = grid.pixels_per_metre > best.pixels_per_metre;
     if (fits == best_fits ? is_larger : fits) best = grid;
   }
   // No room at all: what a canvas this small shows is a dot in each cell.
-  if (best.pixels_per_metre <= 0)
-    best = grid_of(std::max(1, static_cast<int>(std::ceil(std::sqrt(count)))));
+  if (best.pixels_per_metre == 0) best = grid_of(static_cast<int>(std::ceil(std::sqrt(count))));
 
   best.strip = layout_.px(strip_height());
   if (best.strip > 0) {
     const double used = reserve + best.pixels_per_metre * extent_.y();
-    const double wide = layout_.px(kWideRow * static_cast<double>(id_count()) + 6);
+    const double wide = layout_.px(kWideRow * static_cast<double>(ids_.front().row_count()) + 6);
     const double more = std::clamp(wide - best.strip, 0.0, std::max(0.0, best.map_height - used));
     best.strip += more;
     best.map_height -= more;

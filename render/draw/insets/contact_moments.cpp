@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/at.h"
 #include "draw/charts/pair_history.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
@@ -15,16 +16,14 @@ std::string percent(double share) {
 }
 
 std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
-  std::vector<ContactCell::Row> rows;
   const std::string area = "area " + percent(answer.area_ratio);
-  rows.push_back({area, answer.median ? printed("%.0f ns", *answer.median) : "", area, false});
-  if (answer.wrench_error > 1e-6) {
-    const double lost = 100 * answer.wrench_error;
-    rows.push_back(
-        {printed("lost arm %.1f %% of r", lost), "", printed("arm −%.0f %%", lost), false});
-  } else {
-    rows.push_back({"no arm lost", "", "arm whole", false});
-  }
+  std::vector<ContactCell::Row> rows = {
+      {area, answer.median ? printed("%.0f ns", *answer.median) : "", area}};
+  const double lost = 100 * answer.wrench_error;
+  if (answer.wrench_error > 1e-6)
+    rows.push_back({printed("lost arm %.1f %% of r", lost), "", printed("arm −%.0f %%", lost)});
+  else
+    rows.push_back({"no arm lost", "", "arm whole"});
   const bool tips_over = !answer.supports_center_of_mass;
   const std::string verdict = answer.deepest_kept ? "kept" : "lost";
   const std::string brief = tips_over ? verdict + ", tips over" : "deepest " + verdict;
@@ -34,20 +33,17 @@ std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
 }
 
 std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
-  std::vector<ContactCell::Row> rows;
   const bool has_best = reduction.best_area > 0;
   const std::string area = spell_area(reduction.area);
   const std::string share = has_best ? percent(reduction.area / reduction.best_area) : area;
-  rows.push_back({"area " + area + (has_best ? ", " + share : ""), "", "area " + share, false});
   double deepest = 0, kept = 0;
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
-  for (const int i : reduction.kept)
-    kept = std::min(kept, reduction.points[static_cast<std::size_t>(i)].separation);
+  for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept == deepest;
-  rows.push_back({has_deepest ? "deepest kept, " + spell_length(deepest)
-                              : "deepest lost by " + spell_length(kept - deepest),
-                  "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest});
-  return rows;
+  return {{"area " + area + (has_best ? ", " + share : ""), "", "area " + share},
+          {has_deepest ? "deepest kept, " + spell_length(deepest)
+                       : "deepest lost by " + spell_length(kept - deepest),
+           "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest}};
 }
 
 }  // namespace
@@ -86,18 +82,18 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames) {
   const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair* pair) {
     return pair->a != cells.front()->a || pair->b != cells.front()->b;
   });
-  std::vector<ContactMoment> moments;
-  for (const trace::Frame& frame : frames) {
-    ContactMoment& moment = moments.emplace_back();
-    moment.frame = frame.frame;
-    moment.caption = printed("frame %d, t = %.3f s", frame.frame, frame.time);
-    for (const trace::Pair* known : cells) {
-      ContactCell& cell = moment.cells.emplace_back();
-      cell.name = known->label.empty() ? known->reduction->method : known->label;
-      if (several_bodies) cell.name = known->a + " and " + known->b + ": " + cell.name;
-      const auto pair = std::ranges::find_if(
-          frame.pairs, [&](const trace::Pair& other) { return same_pair(*known, other); });
-      if (pair == frame.pairs.end() || !pair->reduction || pair->manifolds.empty()) continue;
+  std::vector<ContactMoment> moments = mapped(frames, [](const trace::Frame& frame) {
+    return ContactMoment{frame.frame, printed("frame %d, t = %.3f s", frame.frame, frame.time), {}};
+  });
+  for (const trace::Pair* known : cells) {
+    std::string name = known->label.empty() ? known->reduction->method : known->label;
+    if (several_bodies) name = known->a + " and " + known->b + ": " + name;
+    const std::vector<const trace::Pair*> history = pair_history(frames, *known);
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      ContactCell& cell = moments[f].cells.emplace_back();
+      cell.name = name;
+      const trace::Pair* pair = history[f];
+      if (pair == nullptr || !pair->reduction || pair->manifolds.empty()) continue;
       const trace::Reduction& reduction = *pair->reduction;
       cell.normal = pair->manifolds.front().normal;
       cell.points = reduction.points;

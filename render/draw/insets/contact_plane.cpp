@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/at.h"
 #include "draw/charts/pair_history.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pair_points.h"
@@ -25,15 +26,14 @@ PlaneAxes axes_about(const Vec3d& normal, const Vec3d& right, double least) {
 
 constexpr double kShortMargin = 0.06;  // of the support: too short to be drawn
 
-constexpr Swatch kMarginSwatch{LegendGroup::Masses, 2, [](const SwatchPen& pen) {
+constexpr Swatch kMarginSwatch{LegendGroup::Masses, 2, [](auto& pen) {
                                  pen.level_line(0, 16, 2.2, kAxis);
                                  pen.head(22, 8, kAxis);
                                }};
 
 void explain_stability(const trace::Pair& pair, Legend& legend) {
-  if (!pair.stability || pair.manifolds.empty()) return;
+  if (stability_of(pair) == nullptr) return;
   const trace::Stability& stability = *pair.stability;
-  if (stability.verdict == "no contact") return;
   explain_support(stability, stability.axis && stability.verdict != "stable", legend);
   double reach = 0;
   for (const Vec3d& corner : stability.support)
@@ -78,15 +78,11 @@ Point2 ContactPlane::at(const Vec3d& point) const {
 }
 
 std::vector<Point2> ContactPlane::at(const std::vector<Vec3d>& points) const {
-  std::vector<Point2> places;
-  for (const Vec3d& point : points) places.push_back(at(point));
-  return places;
+  return mapped(points, [&](const Vec3d& point) { return at(point); });
 }
 
 std::vector<Point2> ContactPlane::at(const std::vector<trace::Point>& points) const {
-  std::vector<Point2> places;
-  for (const trace::Point& point : points) places.push_back(at(point.position));
-  return places;
+  return at(mapped(points, &trace::Point::position));
 }
 
 void ContactPlane::area(const std::vector<Point2>& polygon, const Color& color) const {
@@ -129,7 +125,7 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
   if (deepest) placer.block(places[*deepest], px(12 * size));
   const float height = px(kOrderDigit);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    const Point2& place = places[static_cast<std::size_t>(kept[k])];
+    const Point2& place = contactscope::at(places, kept[k]);
     const std::string digit = std::to_string(k + 1);
     const auto found = placer.place(place, text_width(digit, height, FontWeight::Bold),
                                     0.76f * ascent(height, FontWeight::Bold), 0,
@@ -168,15 +164,10 @@ void draw_kept_point(const Point2& at, const Pen& pen, double size) {
   pen.ring(at, 6.4 * size, kKeptReach * size, kContact);
 }
 
-void draw_plain_point(const Point2& at, const Pen& pen) {
+void draw_plain_point(const Point2& at, const Pen& pen, bool apart) {
   pen.disc(at, 6.6, kWhite);
-  pen.disc(at, 5, kContact);
-}
-
-void draw_apart_point(const Point2& at, const Pen& pen) {
-  pen.disc(at, 6.6, kWhite);
-  pen.disc(at, 5, with_alpha(kContact, 0.3f));
-  pen.ring(at, 4, 5.2, kContact);
+  pen.disc(at, 5, with_alpha(kContact, apart ? 0.3f : 1.0f));
+  if (apart) pen.ring(at, 4, 5.2, kContact);
 }
 
 void draw_dropped_point(const Point2& at, const Pen& pen, double size) {
@@ -198,6 +189,11 @@ const trace::Pair* pair_of_contact_plane(const trace::Frame& frame) {
 bool reduction_in_contact_plane(const trace::Pair& pair) {
   return pair.manifolds.size() == 1 && pair.reduction &&
          (pair.reduction->points.size() > 2 || pair.kind == "hull-hull");
+}
+
+const trace::Stability* stability_of(const trace::Pair& pair) {
+  const bool known = pair.stability && pair.stability->verdict != "no contact";
+  return known && !pair.manifolds.empty() ? &*pair.stability : nullptr;
 }
 
 void explain_panels(const View& view, const trace::Frame& frame, Legend& legend) {

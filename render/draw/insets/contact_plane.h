@@ -78,27 +78,22 @@ Vec2d way_out(const Vec2d& middle, const Vec2d& at);
 /// The marks of the contact plane, in pixels: the same in every picture of it, but for their size
 /// where points stand close; 1 is that of a single patch.
 void draw_kept_point(const Point2& at, const Pen& pen, double size);
-void draw_plain_point(const Point2& at, const Pen& pen);
-/// A point that does not touch yet.
-void draw_apart_point(const Point2& at, const Pen& pen);
+/// `apart`: it does not touch yet.
+void draw_plain_point(const Point2& at, const Pen& pen, bool apart = false);
 void draw_dropped_point(const Point2& at, const Pen& pen, double size);
 /// A square about the point, whatever became of it.
 void draw_deepest_mark(const Point2& at, const Pen& pen, double size);
 /// Half the width of a kept point, at 720 lines.
 inline constexpr double kKeptReach = 8.2;
 
-/// The first `shown` choices of a reducer, the last of them with its candidates. Gregorius 2015,
-/// "Contact Point Reduction: 1st Point" to "4th Point (4)": what each was worth, and why the last
-/// shown one won. `places`: of all points.
-void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
-                 const std::vector<int>& kept, const std::vector<trace::Choice>& choices,
-                 int shown);
-
 /// The pair whose contact plane is shown, the first that touches; nullptr where none does.
 const trace::Pair* pair_of_contact_plane(const trace::Frame& frame);
 
 /// Whether its panel shows which points were kept; of many manifolds each was reduced by itself.
 bool reduction_in_contact_plane(const trace::Pair& pair);
+
+/// What its panel shows: how a pair that touches stands. Null where that was not recorded.
+const trace::Stability* stability_of(const trace::Pair& pair);
 
 /// What the legend has to say about the panels: it is one for the whole picture.
 void explain_panels(const View& view, const trace::Frame& frame, Legend& legend);

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -19,31 +18,22 @@ constexpr float kCaptionLines = 2.4f;
 constexpr int kRoundSteps = 96;
 
 /// Shapes of the pair that are round: their outline along the normal is context for one or two
-/// points, which have no extent of their own.
-std::vector<const ShapeMesh*> round_shapes(const Staging& staging, const trace::Pair& pair) {
-  std::vector<const ShapeMesh*> round;
-  for (const ShapeMesh& mesh : staging.meshes) {
-    const bool is_of_pair = mesh.shape->name == pair.a || mesh.shape->name == pair.b;
-    if (is_of_pair && mesh.shape->radius > 0) round.push_back(&mesh);
-  }
-  return round;
-}
-
-/// The role in the first pair that names it, as its colour in the 3D view.
-bool is_a(const trace::Frame& frame, const std::string& shape) {
-  const auto named = std::ranges::find_if(
-      frame.pairs, [&](const trace::Pair& pair) { return pair.a == shape || pair.b == shape; });
-  return named != frame.pairs.end() && named->a == shape;
-}
-
-/// The centre of a sphere, or both ends of a capsule's core.
-std::vector<Vec3d> core_of(const trace::Shape& shape, const trace::Frame& frame) {
-  std::vector<Vec3d> core;
-  for (const auto& [name, pose] : frame.poses) {
-    if (name != shape.name) continue;
-    for (const Vec3d& vertex : shape.vertices) core.push_back(pose.transform(vertex));
-  }
-  return core;
+/// points, which have no extent of their own. Their vertices are the centre of a sphere, or both ends
+/// of a capsule's core.
+std::vector<PlacedShape> round_shapes(const ShapeMeshes& meshes, const trace::Frame& frame,
+                                      const trace::Pair& pair) {
+  const auto is_round = [&](const std::string& name) {
+    const std::optional<std::size_t> place = meshes.find(name);
+    return place && meshes[*place].shape->radius > 0;
+  };
+  if (!is_round(pair.a) && !is_round(pair.b)) return {};
+  std::vector<PlacedShape> shapes = place_shapes(meshes, frame);
+  std::erase_if(shapes, [&](const PlacedShape& shape) {
+    const trace::Shape& solid = *shape.mesh->shape;
+    return solid.radius == 0 || shape.vertices.empty() ||
+           (solid.name != pair.a && solid.name != pair.b);
+  });
+  return shapes;
 }
 
 /// A sphere or capsule seen along the normal.
@@ -107,15 +97,13 @@ class ContactPlanePanel : public PanelContent {
     const trace::Pair* pair = pair_of_contact_plane(frame);
     if (pair == nullptr) return;
     for (const PairPoint& any : all_points(*pair)) points_.push_back(any.point->position);
-    if (pair->clip) {
-      const trace::Polygon& incident = pair->clip->incident.polygon;
-      points_.insert(points_.end(), incident.begin(), incident.end());
-    }
-    const std::vector<const ShapeMesh*> round = round_shapes(staging_, *pair);
-    const auto smallest = std::ranges::min_element(round, {}, &ShapeMesh::radius);
+    if (pair->clip) append(points_, pair->clip->incident.polygon);
+    const std::vector<PlacedShape> round = round_shapes(staging_.meshes, frame, *pair);
+    const auto smallest = std::ranges::min_element(
+        round, {}, [](const PlacedShape& shape) { return shape.mesh->radius; });
     if (smallest == round.end()) return;
-    const trace::Shape& ball = *(*smallest)->shape;
-    for (const Vec3d& center : core_of(ball, frame)) balls_.push_back({center, ball.radius});
+    for (const Vec3d& center : smallest->vertices)
+      balls_.push_back({center, smallest->mesh->shape->radius});
   }
 
   /// One scale for the sequence: the largest frame fits.
@@ -125,8 +113,7 @@ class ContactPlanePanel : public PanelContent {
     for (const Vec3d& point : points_) extent.extend(axes.along(point));
     for (const auto& [center, radius] : balls_) {
       for (const Vec3d& side : {axes.u, axes.v}) {
-        extent.extend(axes.along(center + radius * side));
-        extent.extend(axes.along(center - radius * side));
+        for (const double way : {radius, -radius}) extent.extend(axes.along(center + way * side));
       }
     }
     const Vec2d sizes = extent.sizes().cwiseMax(Vec2d::Constant(1e-12));
@@ -137,13 +124,11 @@ class ContactPlanePanel : public PanelContent {
 
   void draw_round_shapes(const trace::Pair& pair, const trace::Frame& frame,
                          const ContactPlane& plane) const {
-    for (const ShapeMesh* mesh : round_shapes(staging_, pair)) {
-      const trace::Shape& shape = *mesh->shape;
-      const std::vector<Point2> core = plane.at(core_of(shape, frame));
-      if (core.empty()) continue;
-      const auto radius = static_cast<float>(shape.radius * plane.pixels_per_metre);
+    for (const PlacedShape& shape : round_shapes(staging_.meshes, frame, pair)) {
+      const std::vector<Point2> core = plane.at(shape.vertices);
+      const auto radius = static_cast<float>(shape.mesh->shape->radius * plane.pixels_per_metre);
       const std::vector<Point2> outline = outline_of(core, radius);
-      plane.area(outline, with_alpha(is_a(frame, shape.name) ? kShapeA : kShapeB, 0.55f));
+      plane.area(outline, with_alpha(shape.is_a ? kShapeA : kShapeB, 0.55f));
       plane.border(outline, 1.5, pale(kShapeEdge));
       if (core.size() == 2) plane.line(core[0], core[1], 1, pale(kShapeEdge), 8, 5);
     }
@@ -208,19 +193,13 @@ class ContactPlanePanel : public PanelContent {
   }
 
   void draw_point(const trace::Point& point, const ContactPlane& plane) const {
-    const auto draw = stands_off(point, staging_.scales) ? draw_apart_point : draw_plain_point;
-    draw(plane.at(point.position), plane);
+    draw_plain_point(plane.at(point.position), plane, stands_off(point, staging_.scales));
   }
-
-  struct Ball {
-    Vec3d center;
-    double radius;  // metres
-  };
 
   const Staging& staging_;
   const Frames& frames_;
-  std::vector<Vec3d> points_;  // to be seen whole in some frame
-  std::vector<Ball> balls_;
+  std::vector<Vec3d> points_;                    // to be seen whole in some frame
+  std::vector<std::pair<Vec3d, double>> balls_;  // middle and radius, likewise
 };
 
 }  // namespace
