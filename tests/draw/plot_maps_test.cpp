@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "draw/charts/plot_page.h"
+#include "draw/charts/plot.h"
 #include "draw/scene/camera.h"
 #include "image/font.h"
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/at.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -30,13 +32,9 @@ double length_inside(const Point2& from, const Point2& to, const Rect& box) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   double enter = 0, leave = 1;
   const auto clip = [&](double step, double room) {
-    if (step == 0) {
-      if (room < 0) leave = -1;
-    } else if (step < 0) {
-      enter = std::max(enter, room / step);
-    } else {
-      leave = std::min(leave, room / step);
-    }
+    if (step == 0 && room < 0) leave = -1;
+    if (step < 0) enter = std::max(enter, room / step);
+    if (step > 0) leave = std::min(leave, room / step);
   };
   clip(-dx, from.x - box.x);
   clip(dx, box.right() - from.x);
@@ -54,30 +52,24 @@ bool cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
-class Placement {
- public:
-  Placement(const std::vector<LineLabel>& labels, const LabelObstacles& obstacles,
-            const Rect& frame, float height, float scale)
-      : labels_(labels),
-        obstacles_(obstacles),
-        frame_(frame),
-        height_(height),
-        scale_(scale),
-        places_(labels.size()) {}
+struct Placement {
+  const std::vector<LineLabel>& labels;
+  const LabelObstacles& obstacles;
+  const Rect& frame;
+  double height, scale;
+  std::vector<std::optional<PlacedLabel>> places{};
 
   std::vector<PlacedLabel> run() {
+    places.resize(labels.size());
     for (int round = 0; round < kRounds; ++round) {
-      for (std::size_t i = 0; i < labels_.size(); ++i) places_[i] = best(i);
+      for (std::size_t i = 0; i < labels.size(); ++i) places[i] = best(i);
     }
-    std::vector<PlacedLabel> result;
-    for (const std::optional<PlacedLabel>& place : places_) result.push_back(*place);
-    return result;
+    return mapped(places, [](const std::optional<PlacedLabel>& place) { return *place; });
   }
 
- private:
   PlacedLabel placed(const Rect& box, const Point2& anchor) const {
     PlacedLabel place{box, anchor, box.nearest(anchor), false};
-    place.needs_leader = distance(place.leader_end, anchor) > kLeaderFrom * scale_;
+    place.needs_leader = distance(place.leader_end, anchor) > kLeaderFrom * scale;
     return place;
   }
 
@@ -89,92 +81,82 @@ class Placement {
   }
 
   double cost(const PlacedLabel& place, std::size_t label, bool first_anchor) const {
-    const Rect room = place.box.grown(kPadding * scale_);
+    const Rect room = place.box.grown(kPadding * scale);
     double sum = distance(place.leader_end, place.anchor);
-    if (!first_anchor) sum += kOtherEnd * scale_;
-    if (place.box.x < place.anchor.x) sum += kAgainstTheLine * scale_;
-    for (const auto& [from, to, weight] : obstacles_.lines) {
+    if (!first_anchor) sum += kOtherEnd * scale;
+    if (place.box.x < place.anchor.x) sum += kAgainstTheLine * scale;
+    for (const auto& [from, to, weight] : obstacles.lines) {
       sum += kCoveredPixel * weight * length_inside(from, to, room);
-      if (leader_crosses(place, from, to)) sum += kLeaderCrossesLine * weight * scale_;
+      if (leader_crosses(place, from, to)) sum += kLeaderCrossesLine * weight * scale;
     }
-    for (const Point2& marker : obstacles_.markers) {
-      const double radius = kMarkerRadius * scale_;
+    for (const Point2& marker : obstacles.markers) {
+      const double radius = kMarkerRadius * scale;
       const Rect box{marker.x - radius, marker.y - radius, 2 * radius, 2 * radius};
-      if (distance(room.nearest(marker), marker) < radius) sum += kCoveredMarker * scale_;
+      if (distance(room.nearest(marker), marker) < radius) sum += kCoveredMarker * scale;
       if (distance(marker, place.anchor) >= 1 && leader_meets(place, box))
-        sum += kLeaderCrossesMarker * scale_;
+        sum += kLeaderCrossesMarker * scale;
     }
-    for (std::size_t other = 0; other < places_.size(); ++other) {
-      if (other == label || !places_[other]) continue;
-      const PlacedLabel& fixed = *places_[other];
-      if (leader_meets(place, fixed.box)) sum += 4 * kCoveredMarker * scale_;
-      if (leader_meets(fixed, room)) sum += 4 * kCoveredMarker * scale_;
+    for (std::size_t other = 0; other < places.size(); ++other) {
+      if (other == label || !places[other]) continue;
+      const PlacedLabel& fixed = *places[other];
+      if (leader_meets(place, fixed.box)) sum += 4 * kCoveredMarker * scale;
+      if (leader_meets(fixed, room)) sum += 4 * kCoveredMarker * scale;
       if (fixed.needs_leader && leader_crosses(place, fixed.anchor, fixed.leader_end))
-        sum += kCoveredMarker * scale_;
+        sum += kCoveredMarker * scale;
     }
     return sum;
   }
 
   bool allowed(const Rect& box, std::size_t label) const {
-    if (!frame_.encloses(box)) return false;
-    const double between = kBetween * scale_;
-    const Rect padded = box.grown(kPadding * scale_);
+    if (!frame.encloses(box)) return false;
+    const double between = kBetween * scale;
+    const Rect padded = box.grown(kPadding * scale);
     const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
     const auto takes_room = [&](const Rect& taken) { return room.overlaps(taken); };
-    if (std::ranges::any_of(obstacles_.boxes, takes_room)) return false;
-    for (std::size_t other = 0; other < places_.size(); ++other) {
-      if (other != label && places_[other] && takes_room(places_[other]->box)) return false;
+    if (std::ranges::any_of(obstacles.boxes, takes_room)) return false;
+    for (std::size_t other = 0; other < places.size(); ++other) {
+      if (other != label && places[other] && takes_room(places[other]->box)) return false;
     }
     return true;
   }
 
   PlacedLabel best(std::size_t label) const {
-    const LineLabel& request = labels_[label];
+    const float width = labels[label].width;
+    const std::vector<Point2>& anchors = labels[label].anchors;
     std::optional<PlacedLabel> found;
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](double center_x, double center_y, std::size_t anchor) {
-      const Rect box{center_x - 0.5 * request.width, center_y - 0.5 * height_, request.width,
-                     height_};
+      const Rect box{center_x - 0.5 * width, center_y - 0.5 * height, width, height};
       if (!allowed(box, label)) return;
-      const PlacedLabel place = placed(box, request.anchors[anchor]);
+      const PlacedLabel place = placed(box, anchors[anchor]);
       const double sum = cost(place, label, anchor == 0);
       if (sum >= least) return;
       least = sum;
       found = place;
     };
-    for (std::size_t anchor = 0; anchor < request.anchors.size(); ++anchor) {
-      const Point2& at = request.anchors[anchor];
+    for (std::size_t anchor = 0; anchor < anchors.size(); ++anchor) {
+      const Point2& at = anchors[anchor];
       for (const double ring : kRings) {
         for (int i = 0; i < kDirections; ++i) {
           const double angle = 2 * std::numbers::pi * i / kDirections;
-          const double ux = std::cos(angle), uy = std::sin(angle);
-          consider(at.x + ux * (ring * scale_ + 0.5 * request.width),
-                   at.y + uy * (ring * scale_ + 0.5 * height_), anchor);
+          consider(at.x + std::cos(angle) * (ring * scale + 0.5 * width),
+                   at.y + std::sin(angle) * (ring * scale + 0.5 * height), anchor);
         }
       }
     }
     if (found) return *found;
-    for (double y = frame_.y + 0.5 * height_; y < frame_.bottom(); y += 0.5 * height_) {
-      for (double x = frame_.x + 0.5 * request.width; x < frame_.right(); x += height_) {
-        consider(x, y, 0);
-      }
+    for (double y = frame.y + 0.5 * height; y < frame.bottom(); y += 0.5 * height) {
+      for (double x = frame.x + 0.5 * width; x < frame.right(); x += height) consider(x, y, 0);
     }
     if (found) return *found;
     // Nowhere free: at the anchor, pushed into the frame.
-    const Point2& at = request.anchors.front();
-    const double most_x = std::max(frame_.x, frame_.right() - request.width);
-    const double most_y = std::max(frame_.y, frame_.bottom() - height_);
-    return placed({std::clamp(at.x + kRings[0], frame_.x, most_x),
-                   std::clamp(at.y - 0.5 * height_, frame_.y, most_y), request.width, height_},
+    const Point2& at = anchors.front();
+    const double most_x = std::max(frame.x, frame.right() - width);
+    const double most_y = std::max(frame.y, frame.bottom() - height);
+    return placed({std::clamp(at.x + kRings[0], frame.x, most_x),
+                   std::clamp(at.y - 0.5 * height, frame.y, most_y), width, height},
                   at);
   }
-
-  const std::vector<LineLabel>& labels_;
-  const LabelObstacles& obstacles_;
-  Rect frame_;
-  double height_;
-  double scale_;
-  std::vector<std::optional<PlacedLabel>> places_;
 };
 
 }  // namespace
@@ -182,7 +164,7 @@ class Placement {
 std::vector<PlacedLabel> place_line_labels(const std::vector<LineLabel>& labels,
                                            const LabelObstacles& obstacles, const Rect& frame,
                                            float height, float scale) {
-  return Placement(labels, obstacles, frame, height, scale).run();
+  return Placement{labels, obstacles, frame, height, scale}.run();
 }
 
 }  // namespace contactscope::draw

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "draw/scene/camera.h"
 #include "draw/scene/drawing.h"
 
 namespace contactscope::draw {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 
+#include "core/at.h"
+#include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
 
@@ -28,9 +29,7 @@ double luminance(const Color& color) {
 // Darkened until its contrast with white reaches 4.5, what the same guidelines ask of text.
 Color legible(Color color) {
   while (1.05 / (luminance(color) + 0.05) < 4.5) {
-    color.r *= 0.97f;
-    color.g *= 0.97f;
-    color.b *= 0.97f;
+    for (float* channel : {&color.r, &color.g, &color.b}) *channel *= 0.97f;
   }
   return color;
 }
@@ -48,12 +47,9 @@ std::vector<Point2> corners_of(Marker marker) {
       return {{0, -1.25f}, {1.15f, 0.8f}, {-1.15f, 0.8f}};
     case Marker::TriangleDown:
       return {{0, 1.25f}, {-1.15f, -0.8f}, {1.15f, -0.8f}};
-    case Marker::Circle:
-    case Marker::Ring:
-    case Marker::Plus:
-      break;
+    default:
+      return {};
   }
-  return {};
 }
 
 }  // namespace
@@ -104,16 +100,14 @@ std::vector<bool> on_front(const trace::Study& study, ErrorKind kind) {
   };
   const auto unbeaten = [&](const trace::StudyPoint& point) {
     return error_of(point, kind) &&
-           std::ranges::none_of(
-               study.series | std::views::transform(&trace::StudySeries::points) | std::views::join,
-               [&](const trace::StudyPoint& rival) { return beats(rival, point); });
+           std::ranges::none_of(points_of(study), [&](const trace::StudyPoint& rival) {
+             return beats(rival, point);
+           });
   };
-  std::vector<bool> front;
-  for (const trace::StudySeries& series : study.series) {
+  return mapped(study.series, [&](const trace::StudySeries& series) {
     const auto count = static_cast<std::size_t>(std::ranges::count_if(series.points, unbeaten));
-    front.push_back(count > 0 && 2 * count >= series.points.size());
-  }
-  return front;
+    return count > 0 && 2 * count >= series.points.size();
+  });
 }
 
 }  // namespace contactscope::draw

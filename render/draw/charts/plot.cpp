@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/at.h"
 #include "draw/charts/plot_geometry.h"
-#include "draw/charts/plot_page.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
@@ -23,14 +23,8 @@ constexpr double kSubtitle = 15;
 constexpr double kLegend = 24;
 constexpr double kCaption = 20;
 
-/// A power of ten on an axis.
-struct Decade {
-  float at = 0;  // pixels
-  std::string label{};
-};
-
-/// Those of an axis, labelled as often as labels have room.
-std::vector<Decade> decades_of(const Axis& axis, float room) {
+/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room.
+std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float room) {
   const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
   int every = 1;
   if (ticks.size() > 1) {
@@ -38,13 +32,10 @@ std::vector<Decade> decades_of(const Axis& axis, float room) {
     while (every < 7 && static_cast<float>(every) * decade < room) ++every;
     if (every == 7) every = 8;
   }
-  std::vector<Decade> decades;
-  for (const Axis::Tick& tick : ticks) {
-    Decade& decade = decades.emplace_back(Decade{tick.at});
-    if (std::lround(std::log10(tick.value)) % every == 0)
-      decade.label = spell_tick_error(tick.value, "");
-  }
-  return decades;
+  return mapped(ticks, [&](const Axis::Tick& tick) {
+    const bool labelled = std::lround(std::log10(tick.value)) % every == 0;
+    return std::pair(tick.at, labelled ? spell_tick_error(tick.value, "") : "");
+  });
 }
 
 /// "CPU · compiler · build · date", and if asked for the scalar.
@@ -59,9 +50,7 @@ std::string spell_context(const trace::StudyContext& context, bool with_scalar) 
 
 std::string subtitle(const trace::Study& study) {
   std::set<double> parameters;
-  for (const trace::StudySeries& series : study.series) {
-    for (const trace::StudyPoint& point : series.points) parameters.insert(point.parameter);
-  }
+  for (const trace::StudyPoint& point : points_of(study)) parameters.insert(point.parameter);
   std::string along;
   for (const double parameter : parameters)
     along += (along.empty() ? "" : ", ") + spell_number(parameter);
@@ -73,19 +62,16 @@ std::string subtitle(const trace::Study& study) {
          "or more nothing in the panel as fast is as close.";
 }
 
-bool has_worst(const trace::Study& study) {
-  return std::ranges::any_of(study.series, [](const trace::StudySeries& series) {
-    return std::ranges::any_of(series.points, [](const trace::StudyPoint& point) {
-      return point.error_worst.has_value();
-    });
-  });
+/// One of so many equal cells of a page, row by row, with as much between them.
+Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size_t i, double across,
+             double down) {
+  const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+  const double width =
+      (space.width - across * static_cast<double>(columns - 1)) / static_cast<double>(columns);
+  const double height =
+      (space.height - down * static_cast<double>(rows - 1)) / static_cast<double>(rows);
+  return {space.x + column * (width + across), space.y + row * (height + down), width, height};
 }
-
-/// One diagram of the page.
-struct Part {
-  ErrorKind kind = ErrorKind::Mean;
-  std::string panel{};
-};
 
 }  // namespace
 
@@ -112,6 +98,11 @@ void PositiveRange::include(double value) {
   if (!(value > 0)) return;
   low = std::min(low, value);
   high = std::max(high, value);
+}
+
+Axis PositiveRange::axis(float from, float to, float before, float after) const {
+  return high > 0 ? Axis::logarithmic(low, high, from, to, before, after)
+                  : Axis::logarithmic(1, 1, from, to, before, after);
 }
 
 double largest_error(const trace::StudyPoint& point) {
@@ -167,16 +158,13 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
   std::vector<PlotPanel> panels = panels_of(study);
   const std::size_t rows = panels.size() > 2 ? 2 : 1;
   const std::size_t columns = (panels.size() + rows - 1) / rows;
-  const double scale = page.scale;
-  const double label = scale * left, between = scale * kBetween;
-  const double width = (page.panels.width - label - between * static_cast<double>(columns - 1)) /
-                       static_cast<double>(columns);
-  const double height = page.panels.height / static_cast<double>(rows);
+  const double scale = page.scale, label = scale * left;
+  const Rect space{page.panels.x + label, page.panels.y, page.panels.width - label,
+                   page.panels.height};
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-    panels[i].area = {page.panels.x + label + column * (width + between),
-                      page.panels.y + row * height + scale * kHeading, width,
-                      height - scale * (kHeading + kUnder)};
+    Rect& area = panels[i].area = cell_of(space, columns, rows, i, scale * kBetween, 0);
+    area.y += scale * kHeading;
+    area.height -= scale * (kHeading + kUnder);
     panels[i].begins_row = i % columns == 0;
   }
   return panels;
@@ -187,28 +175,24 @@ Drawing plot(const trace::Study& study, int width, int height) {
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
 
   const bool in_panels = trace::has_panels(study);
-  std::vector<Part> parts;
+  std::vector<std::pair<ErrorKind, std::string>> parts;  // of which error, and in which panel
   if (in_panels) {
-    for (const PlotPanel& panel : panels_of(study)) parts.push_back({ErrorKind::Mean, panel.name});
+    for (const PlotPanel& panel : panels_of(study)) parts.emplace_back(ErrorKind::Mean, panel.name);
   } else {
-    parts.push_back({ErrorKind::Mean});
-    if (has_worst(study)) parts.push_back({ErrorKind::Worst});
+    parts.emplace_back(ErrorKind::Mean, "");
+    const auto has_worst = [](const trace::StudyPoint& p) { return p.error_worst.has_value(); };
+    if (std::ranges::any_of(points_of(study), has_worst)) parts.emplace_back(ErrorKind::Worst, "");
   }
   std::size_t rows = height > width ? parts.size() : 1;
   if (in_panels) rows = parts.size() > 2 ? 2 : 1;
   const std::size_t columns = (parts.size() + rows - 1) / rows;
 
   PlotPage page = plot_page(study, subtitle(study), width, height);
-  const Rect& space = page.panels;
   const double gutter = page.scale * static_cast<float>(kGutter);
-  const double between_rows = in_panels ? 0.5 * gutter : gutter;
-  const double across = (space.width + gutter) / static_cast<double>(columns);
-  const double down = (space.height + between_rows) / static_cast<double>(rows);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Rect rect{space.x + across * static_cast<double>(i % columns),
-                    space.y + down * static_cast<double>(i / columns), across - gutter,
-                    down - between_rows};
-    draw_plot_panel(study, parts[i].kind, rect, page, parts[i].panel);
+    const Rect rect =
+        cell_of(page.panels, columns, rows, i, gutter, in_panels ? 0.5 * gutter : gutter);
+    draw_plot_panel(study, parts[i].first, rect, page, parts[i].second);
   }
   return page.drawing;
 }

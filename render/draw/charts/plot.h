@@ -1,11 +1,17 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
+#include <limits>
+#include <ranges>
+#include <string>
+#include <vector>
+
+#include "draw/charts/axis.h"
+#include "draw/scene/pen.h"
 #include "trace/study.h"
 
 namespace contactscope::draw {
 
-/// A study in its form; plot_page.h has those of curves and maps.
+/// A study in its form; those of curves and maps are below.
 ///
 /// Work precision: error against run time, both axes logarithmic, a line a method, a panel for the
 /// mean error and one for the worst where the study has it, one above the other on a page that is
@@ -18,5 +24,74 @@ namespace contactscope::draw {
 /// within the study's resolution, stand in a row under the axis; failures are crosses in rows above
 /// it, with their count.
 Drawing plot(const trace::Study& study, int width, int height);
+
+/// Small multiples of a study of form Curves: in each panel the largest error of every series
+/// against the parameter, both logarithmic. The error axis is the same in all panels. Series of the
+/// same name look the same everywhere: solid and filled, or dashed and hollow where the name goes on
+/// after a comma ("float, unrounded" beside "float"). The series that study.signal names is a grey
+/// line: errors above it drown what is measured. Failures are crosses in rows at the top, with how
+/// many of how many cases.
+Drawing plot_curves(const trace::Study& study, int width, int height);
+
+/// Panels of a study of form Map: a cell for every parameter (to the right, logarithmic) and row (up,
+/// logarithmic, or a line each for rows that are names), in the colour of the decade of its largest
+/// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white.
+Drawing plot_map(const trace::Study& study, int width, int height);
+
+/// Labels as many decades of a logarithmic axis as fit under the lower edge of the area, and draws
+/// their grid lines if asked to.
+void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen);
+/// The same along its left edge; without labels the grid alone.
+void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen);
+
+/// Values > 0 that an axis is to hold.
+struct PositiveRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+
+  void include(double value);
+  /// So many pixels before and after them, as Axis::logarithmic has it. An axis about 1 where nothing
+  /// was included.
+  Axis axis(float from, float to, float before, float after) const;
+};
+
+/// Those of all series.
+inline auto points_of(const trace::Study& study) {
+  return study.series | std::views::transform(&trace::StudySeries::points) | std::views::join;
+}
+
+/// The larger error of a point.
+double largest_error(const trace::StudyPoint& point);
+
+/// "3 of 120": how many of the cases of a series failed.
+std::string spell_failures(const trace::StudySeries& series);
+
+/// Size of text in plots of a study, pixels at 720 lines.
+inline constexpr double kPlotText = 14;
+
+/// A picture of a study: its frame is drawn, and says where the rest belongs.
+struct PlotPage {
+  Drawing drawing;
+  float scale;    // pixels for one at 720 lines
+  Point2 legend;  // its left end, half-way up
+  Rect panels;
+};
+/// With the captions of a study, and under its title a line that says what is shown. Below that is
+/// room for a legend, unless the lines themselves are labelled: those of work precision.
+PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height);
+
+/// A panel of a study, and its place on a page of small multiples.
+struct PlotPanel {
+  std::string name;
+  std::string parameter;
+  std::vector<const trace::StudySeries*> series;
+  Rect area{};
+  bool begins_row = false;  // the labels left of it are those of the whole row
+};
+/// The panels of a study, in the order of the series, which stay together.
+std::vector<PlotPanel> panels_of(const trace::Study& study);
+/// The same placed in up to two rows of a page, with room for labels to the left of each row and
+/// under each panel, and for a heading over it; `left` in pixels at 720 lines.
+std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study, double left);
 
 }  // namespace contactscope::draw

@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <set>
 
 #include "draw/charts/method_style.h"
-#include "draw/charts/plot_page.h"
+#include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {
@@ -34,26 +35,19 @@ CurveStyle style_of(const trace::Study& study, const std::string& method) {
   return {kColors[index % std::size(kColors)], method.find(',') != std::string::npos, false};
 }
 
-class Curves : Pen {
- public:
-  Curves(const trace::Study& study, PlotPage& page)
-      : Pen(page.drawing, page.scale, kPlotText), study_(study) {
-    for (const trace::StudySeries& series : study.series) {
-      for (const trace::StudyPoint& point : series.points) errors_.include(largest_error(point));
-    }
-    if (errors_.high == 0) errors_ = {1e-16, 1};
-  }
+struct Curves : Pen {
+  const trace::Study& study;
+  PositiveRange errors;  // of all panels
 
   void legend(Point2 at) const {
-    std::vector<std::string> told;
+    std::set<std::string> told;
     const auto name = [&](const std::string& what) {
       text(what, at + Point2{px(36), px(5)}, Align::Left, kText);
       at.x += px(36) + width_of(what) + px(26);
     };
-    for (const trace::StudySeries& series : study_.series) {
-      if (std::ranges::find(told, series.method) != told.end()) continue;
-      told.push_back(series.method);
-      const CurveStyle style = style_of(study_, series.method);
+    for (const trace::StudySeries& series : study.series) {
+      if (!told.insert(series.method).second) continue;
+      const CurveStyle style = style_of(study, series.method);
       line(at, {at.x + px(30), at.y}, style.signal ? 1.5 : 2.5, style.color, style.dash());
       if (!style.signal) marker({at.x + px(15), at.y}, style);
       name(series.method);
@@ -72,28 +66,24 @@ class Curves : Pen {
     const auto above = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
     // Room for the rows of all panels alike, so that one height means one error everywhere.
     const float top = above + px(4 * kFailureRow + 4);
-    const Axis x = Axis::logarithmic(parameters.low, parameters.high, left, right, px(8), px(8));
-    const Axis y = Axis::logarithmic(errors_.low, errors_.high, bottom, top, px(6), px(6));
+    const Axis x = parameters.axis(left, right, px(8), px(8));
+    const Axis y = errors.axis(bottom, top, px(6), px(6));
     draw_decades_along(x, area, true, *this);
     draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
     text(panel.parameter, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
     for (const bool signal : {true, false}) {
       for (const trace::StudySeries* series : panel.series) {
-        const CurveStyle style = style_of(study_, series->method);
+        const CurveStyle style = style_of(study, series->method);
         if (style.signal == signal) curve(*series, style, x, y);
       }
     }
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
-      if (std::ranges::all_of(series->points, [](const auto& p) { return p.failed == 0; }))
-        continue;
-      failures(*series, x, left, right, row);
-      row += px(kFailureRow);
+      if (failures(*series, x, left, right, row)) row += px(kFailureRow);
     }
   }
 
- private:
   void marker(const Point2& at, const CurveStyle& style) const {
     draw_marker(Marker::Circle, at, px(3.4), style.color, drawing());
     if (style.dashed) draw_marker(Marker::Circle, at, px(1.9), kWhite, drawing());
@@ -115,8 +105,8 @@ class Curves : Pen {
     }
   }
 
-  /// Crosses, and their count at the end where fewer of them are.
-  void failures(const trace::StudySeries& series, const Axis& x, float left, float right,
+  /// Crosses, and their count at the end where fewer of them are. False where there are none.
+  bool failures(const trace::StudySeries& series, const Axis& x, float left, float right,
                 float row) const {
     int on_the_left = 0, crosses = 0;
     for (const trace::StudyPoint& point : series.points) {
@@ -124,22 +114,24 @@ class Curves : Pen {
       const float at = x.at(point.parameter);
       ++crosses;
       on_the_left += at < 0.5f * (left + right);
-      cross({at, row}, 3.6, 1.8, style_of(study_, series.method).color);
+      cross({at, row}, 3.6, 1.8, style_of(study, series.method).color);
     }
+    if (crosses == 0) return false;
     const bool at_left = 2 * on_the_left < crosses;
     text(spell_failures(series), {at_left ? left + px(6) : right - px(6), row + px(5)},
          at_left ? Align::Left : Align::Right, kQuietText);
+    return true;
   }
-
-  const trace::Study& study_;
-  PositiveRange errors_;
 };
 
 }  // namespace
 
 Drawing plot_curves(const trace::Study& study, int width, int height) {
   PlotPage page = plot_page(study, "Largest " + study.error, width, height);
-  const Curves curves(study, page);
+  PositiveRange errors;
+  for (const trace::StudyPoint& point : points_of(study)) errors.include(largest_error(point));
+  if (errors.high == 0) errors = {1e-16, 1};
+  const Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors};
   curves.legend(page.legend);
   for (const PlotPanel& panel : panels_on(page, study, kLeft)) curves.panel(panel);
   return page.drawing;

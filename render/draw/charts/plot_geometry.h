@@ -4,10 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "draw/charts/axis.h"
 #include "draw/charts/method_style.h"
-#include "draw/charts/plot_page.h"
-#include "trace/study.h"
+#include "draw/charts/plot.h"
 
 namespace contactscope::draw {
 

@@ -2,7 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "draw/charts/plot_page.h"
+#include "core/at.h"
+#include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {
@@ -32,15 +33,9 @@ Axis axis_through(const std::vector<double>& values, double from, double to) {
                            static_cast<float>(to), half, half);
 }
 
-class Map : Pen {
- public:
-  Map(const trace::Study& study, PlotPage& page)
-      : Pen(page.drawing, page.scale, kPlotText), study_(study) {
-    numbered_ = std::ranges::all_of(study.series,
-                                    [](const auto& series) { return series.row.has_value(); });
-  }
-
-  double left() const { return numbered_ ? kLeftNumbers : kLeftNames; }
+struct Map : Pen {
+  const trace::Study& study;
+  bool numbered;  // its rows
 
   void legend(const Point2& begin) const {
     float at = begin.x;
@@ -50,10 +45,8 @@ class Map : Pen {
     };
     const auto box = [&] { return Rect{at, begin.y - px(8), px(26), px(16)}; };
     std::size_t most = 0;
-    for (const trace::StudySeries& series : study_.series) {
-      for (const trace::StudyPoint& point : series.points) {
-        if (point.error) most = std::max(most, decade_of(largest_error(point)));
-      }
+    for (const trace::StudyPoint& point : points_of(study)) {
+      if (point.error) most = std::max(most, decade_of(largest_error(point)));
     }
     for (std::size_t i = 0; i <= most; ++i) {
       fill(box(), kDecades[i]);
@@ -72,10 +65,10 @@ class Map : Pen {
 
   void panel(const PlotPanel& panel) const {
     const Rect& area = panel.area;
-    std::vector<double> parameters, rows;
-    for (const trace::StudyPoint& point : panel.series.front()->points)
-      parameters.push_back(point.parameter);
+    const std::vector<double> parameters =
+        mapped(panel.series.front()->points, &trace::StudyPoint::parameter);
     if (parameters.empty()) return;
+    std::vector<double> rows;
     const auto left = static_cast<float>(area.x);
     const Axis x = axis_through(parameters, area.x, area.right());
     const double width = area.width / static_cast<double>(parameters.size());
@@ -83,38 +76,34 @@ class Map : Pen {
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
       const trace::StudySeries& series = *panel.series[i];
       // Numbers grow upwards, names are read downwards.
-      const double row = static_cast<double>(numbered_ ? panel.series.size() - 1 - i : i);
+      const double row = static_cast<double>(numbered ? panel.series.size() - 1 - i : i);
       const double top = area.y + row * height;
       for (const trace::StudyPoint& point : series.points)
         cell(point, {x.at(point.parameter) - 0.5 * width, top, width, height});
-      if (numbered_) {
+      if (numbered) {
         rows.push_back(*series.row);
       } else if (panel.begins_row) {
         const auto middle = static_cast<float>(top + 0.5 * height);
         text(series.method, {left - px(8), middle + px(5)}, Align::Right, kText);
       }
     }
-    if (numbered_)
+    if (numbered)
       draw_decades_up(axis_through(rows, area.bottom(), area.y), area, false, panel.begins_row,
                       *this);
     draw_decades_along(x, area, false, *this);
     frame(area, 1.2, kChartBorder);
     const float above = static_cast<float>(area.y) - px(6);
     text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
-    const std::string axes =
-        "across: " + panel.parameter + (numbered_ ? ", up: " + study_.row : "");
+    const std::string axes = "across: " + panel.parameter + (numbered ? ", up: " + study.row : "");
     if (width_of(axes) + width_of(panel.name, Weight::Bold) + px(12) < area.width)
       text(axes, {static_cast<float>(area.right()), above}, Align::Right, kQuietText);
   }
 
- private:
   /// A cell without a value is hatched: white alone would look like the smallest error.
   void hatched(const Rect& rect) const {
-    hatch({{rect.x, rect.y},
-           {rect.right(), rect.y},
-           {rect.right(), rect.bottom()},
-           {rect.x, rect.bottom()}},
-          {}, 6, 1, with_alpha(kDropped, 0.4f));
+    const double right = rect.right(), bottom = rect.bottom();
+    hatch({{rect.x, rect.y}, {right, rect.y}, {right, bottom}, {rect.x, bottom}}, {}, 6, 1,
+          with_alpha(kDropped, 0.4f));
   }
 
   void cell(const trace::StudyPoint& point, const Rect& rect) const {
@@ -125,18 +114,18 @@ class Map : Pen {
     cross(pixel(rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height), std::clamp(room, 2.0, 5.0),
           1.8, kFailure);
   }
-
-  const trace::Study& study_;
-  bool numbered_ = true;
 };
 
 }  // namespace
 
 Drawing plot_map(const trace::Study& study, int width, int height) {
   PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
-  const Map map(study, page);
+  const bool numbered =
+      std::ranges::all_of(study.series, [](const auto& series) { return series.row.has_value(); });
+  const Map map{Pen(page.drawing, page.scale, kPlotText), study, numbered};
   map.legend(page.legend);
-  for (const PlotPanel& panel : panels_on(page, study, map.left())) map.panel(panel);
+  const double left = numbered ? kLeftNumbers : kLeftNames;
+  for (const PlotPanel& panel : panels_on(page, study, left)) map.panel(panel);
   return page.drawing;
 }
 

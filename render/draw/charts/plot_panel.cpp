@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/at.h"
 #include "draw/charts/line_labels.h"
 #include "draw/charts/plot_geometry.h"
 #include "draw/scene/palette.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -32,30 +32,25 @@ Rect area_in(const Rect& rect, float scale) {
   return {left, top, rect.right() - left, bottom - top};
 }
 
-class Diagram : Pen {
- public:
-  /// `study` is `whole` or one panel of it.
-  Diagram(const trace::Study& study, const trace::Study& whole, ErrorKind kind, const Rect& rect,
-          PlotPage& page)
-      : Pen(page.drawing, page.scale, kPlotText),
-        study_(study),
-        kind_(kind),
-        rect_(rect),
-        plot_(plot_geometry(study, kind, area_in(rect, page.scale), page.scale, whole)),
-        left_(static_cast<float>(plot_.area.x)),
-        right_(static_cast<float>(plot_.area.right())),
-        top_(static_cast<float>(plot_.area.y)),
-        bottom_(static_cast<float>(plot_.area.bottom())) {}
+struct Diagram : Pen {
+  const trace::Study& study;
+  const trace::Study& whole;  // that `study` is, or is a panel of
+  ErrorKind kind;
+  const Rect& rect;
+
+  PlotGeometry plot = plot_geometry(study, kind, area_in(rect, scale()), scale(), whole);
+  float left = static_cast<float>(plot.area.x), right = static_cast<float>(plot.area.right());
+  float top = static_cast<float>(plot.area.y), bottom = static_cast<float>(plot.area.bottom());
 
   void run() {
     draw_grid();
     draw_headings();
-    for (const Course& course : plot_.courses) {
+    for (const Course& course : plot.courses) {
       if (course.strong) draw_spread(course);
     }
     for (const bool strong : {false, true}) {
       for (const auto part : {&Diagram::draw_line, &Diagram::draw_markers}) {
-        for (const Course& course : plot_.courses) {
+        for (const Course& course : plot.courses) {
           if (course.strong == strong) (this->*part)(course);
         }
       }
@@ -65,38 +60,40 @@ class Diagram : Pen {
     draw_labels(draw_arrow());
   }
 
- private:
   void draw_grid() {
     for (const bool decades : {false, true}) {
       const Color& color = decades ? kChartGrid : kMinorGrid;
-      for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) line({tick.at, top_}, {tick.at, bottom_}, 1, color);
+      for (const Axis::Tick& tick : plot.x.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) line({tick.at, top}, {tick.at, bottom}, 1, color);
       }
-      for (const Axis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
-        if (tick.decade == decades) line({left_, tick.at}, {right_, tick.at}, 1, color);
+      for (const Axis::Tick& tick : plot.y.ticks(px(kLeastDecade))) {
+        if (tick.decade == decades) line({left, tick.at}, {right, tick.at}, 1, color);
       }
     }
     draw_time_ticks();
     draw_error_ticks();
   }
 
-  // Decades first: another tick is labelled where that leaves them free.
+  /// Decades first: another tick is labelled where that leaves them free.
+  std::vector<Axis::Tick> labelled_ticks(const Axis& axis) const {
+    std::vector<Axis::Tick> ticks = axis.ticks(px(kLeastDecade));
+    std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
+    std::ranges::stable_partition(ticks, &Axis::Tick::decade);
+    return ticks;
+  }
+
   void draw_time_ticks() {
     std::vector<std::array<float, 2>> taken;
-    for (const bool decades : {true, false}) {
-      for (const Axis::Tick& tick : plot_.x.ticks(px(kLeastDecade))) {
-        if (!tick.labelled || tick.decade != decades) continue;
-        const std::string label = spell_tick_time(tick.value);
-        const float half = 0.5f * width_of(label);
-        const float center = std::clamp(tick.at, left_ + half - px(kTickColumn), right_ - half);
-        const float begin = center - half - px(5), end = center + half + px(5);
-        if (std::ranges::any_of(taken, [&](const auto& t) { return begin < t[1] && t[0] < end; })) {
-          continue;
-        }
-        taken.push_back({begin, end});
-        line({tick.at, bottom_}, {tick.at, bottom_ + px(4)}, 1, kChartBorder);
-        text(label, {center, bottom_ + px(kPlotText + 2)}, Align::Center, kText);
-      }
+    for (const Axis::Tick& tick : labelled_ticks(plot.x)) {
+      const std::string label = spell_tick_time(tick.value);
+      const float half = 0.5f * width_of(label);
+      const float center = std::clamp(tick.at, left + half - px(kTickColumn), right - half);
+      const float begin = center - half - px(5), end = center + half + px(5);
+      if (std::ranges::any_of(taken, [&](const auto& t) { return begin < t[1] && t[0] < end; }))
+        continue;
+      taken.push_back({begin, end});
+      line({tick.at, bottom}, {tick.at, bottom + px(4)}, 1, kChartBorder);
+      text(label, {center, bottom + px(kPlotText + 2)}, Align::Center, kText);
     }
   }
 
@@ -106,32 +103,26 @@ class Diagram : Pen {
       const float clear = px(kPlotText);
       if (std::ranges::any_of(taken, [&](float t) { return std::abs(t - y) < clear; })) return;
       taken.push_back(y);
-      text(what, {left_ - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
+      text(what, {left - px(8), y + 0.34f * px(kPlotText)}, Align::Right, kText);
     };
-    if (plot_.zeros_begin < bottom_) {
-      label(plot_.zeros_label, 0.5f * (plot_.zeros_begin + bottom_));
-    }
-    if (plot_.failures_end > top_) label("failed", 0.5f * (top_ + plot_.failures_end));
-    for (const bool decades : {true, false}) {
-      for (const Axis::Tick& tick : plot_.y.ticks(px(kLeastDecade))) {
-        if (!tick.labelled || tick.decade != decades) continue;
-        label(spell_tick_error(tick.value, study_.unit), tick.at);
-      }
-    }
+    if (plot.zeros_begin < bottom) label(plot.zeros_label, 0.5f * (plot.zeros_begin + bottom));
+    if (plot.failures_end > top) label("failed", 0.5f * (top + plot.failures_end));
+    for (const Axis::Tick& tick : labelled_ticks(plot.y))
+      label(spell_tick_error(tick.value, study.unit), tick.at);
   }
 
   void draw_headings() {
-    const float x = static_cast<float>(rect_.x);
-    const float baseline = static_cast<float>(rect_.y) + 0.8f * px(kHeading);
+    const float x = static_cast<float>(rect.x);
+    const float baseline = static_cast<float>(rect.y) + 0.8f * px(kHeading);
     const auto heading = [&](const std::string& what, float at, Weight weight) {
       text(what, {at, baseline}, Align::Left, kText, weight, kHeading);
     };
-    text("time of a call, median", {right_, bottom_ + px(2 * kPlotText + 5)}, Align::Right, kText);
-    if (!study_.series.empty() && !study_.series.front().panel.empty())
-      return heading(study_.series.front().panel, x, Weight::Bold);
-    heading(study_.error, x, Weight::Regular);
-    const float used = text_width(study_.error + "  ", px(kHeading), Weight::Regular);
-    heading(kind_ == ErrorKind::Mean ? "mean" : "worst", x + used, Weight::Bold);
+    text("time of a call, median", {right, bottom + px(2 * kPlotText + 5)}, Align::Right, kText);
+    if (!study.series.empty() && !study.series.front().panel.empty())
+      return heading(study.series.front().panel, x, Weight::Bold);
+    heading(study.error, x, Weight::Regular);
+    const float used = text_width(study.error + "  ", px(kHeading), Weight::Regular);
+    heading(kind == ErrorKind::Mean ? "mean" : "worst", x + used, Weight::Bold);
   }
 
   void draw_spread(const Course& course) {
@@ -163,7 +154,7 @@ class Diagram : Pen {
   }
 
   void draw_failures() {
-    for (const Course& course : plot_.courses) {
+    for (const Course& course : plot.courses) {
       if (course.failures.empty()) continue;
       for (const float x : course.failures)
         cross({x, course.failure_row}, kCross, 2, course.style.color);
@@ -172,16 +163,16 @@ class Diagram : Pen {
   }
 
   void draw_border() {
-    frame(plot_.area, 1.2, kChartBorder);
-    for (const float y : {plot_.failures_end, plot_.zeros_begin}) {
-      if (y > top_ && y < bottom_) line({left_, y}, {right_, y}, 1.2, kChartBorder, 4, 4);
+    frame(plot.area, 1.2, kChartBorder);
+    for (const float y : {plot.failures_end, plot.zeros_begin}) {
+      if (y > top && y < bottom) line({left, y}, {right, y}, 1.2, kChartBorder, 4, 4);
     }
   }
 
   // How much of the data a box would hide.
   int covered(const Rect& box) const {
     int count = 0;
-    for (const Course& course : plot_.courses) {
+    for (const Course& course : plot.courses) {
       for (std::size_t i = 0; i < course.points.size(); ++i) {
         // Points along the way to the next, and the point itself.
         const Point2& at = course.points[i];
@@ -198,30 +189,16 @@ class Diagram : Pen {
     const float reach = px(30);
     const std::string word = "better";
     const double width = reach + width_of(word, Weight::Bold) + px(8), height = reach + px(6);
-    const double floor = plot_.zeros_begin - px(8) - height;
-    const double rise = std::max(0.0, floor - plot_.failures_end - px(8));
-    const double run = std::max(0.0, right_ - px(8) - width - (left_ + px(8)));
-    Rect best;
-    int least = -1;
-    constexpr std::array<std::array<double, 2>, 12> kPlaces = {{{0, 0},
-                                                                {0, 0.15},
-                                                                {0.15, 0},
-                                                                {0, 0.3},
-                                                                {0.3, 0},
-                                                                {0, 0.5},
-                                                                {0.5, 0},
-                                                                {0, 0.7},
-                                                                {0, 1},
-                                                                {0.7, 0},
-                                                                {1, 0},
-                                                                {1, 1}}};
-    for (const auto& [along, up] : kPlaces) {
-      const Rect box{left_ + px(8) + along * run, floor - up * rise, width, height};
-      const int hidden = covered(box);
-      if (least >= 0 && hidden >= least) continue;
-      least = hidden;
-      best = box;
-    }
+    const double floor = plot.zeros_begin - px(8) - height;
+    const double rise = std::max(0.0, floor - plot.failures_end - px(8));
+    const double run = std::max(0.0, right - px(8) - width - (left + px(8)));
+    // Shares of the way to the right, and up.
+    constexpr double kAlong[] = {0, 0, 0.15, 0, 0.3, 0, 0.5, 0, 0, 0.7, 1, 1};
+    constexpr double kUp[] = {0, 0.15, 0, 0.3, 0, 0.5, 0, 0.7, 1, 0, 0, 1};
+    std::vector<Rect> boxes;
+    for (std::size_t i = 0; i < std::size(kUp); ++i)
+      boxes.push_back({left + px(8) + kAlong[i] * run, floor - kUp[i] * rise, width, height});
+    const Rect best = std::ranges::min(boxes, {}, [&](const Rect& box) { return covered(box); });
     const Point2 tip = pixel(best.x, best.bottom()) + Point2{px(3), -px(3)};
     const float head = px(11);
     line(tip + head * Point2{0.6f, -0.6f}, tip + Point2{reach, -reach}, 3, kText);
@@ -233,18 +210,9 @@ class Diagram : Pen {
   void draw_labels(const Rect& arrow) {
     LabelObstacles obstacles;
     obstacles.boxes.push_back(arrow);
-    // The strong ones choose first.
-    std::vector<const Course*> order;
-    std::vector<LineLabel> labels;
-    for (const bool strong : {true, false}) {
-      for (const Course& course : plot_.courses) {
-        if (course.strong != strong || course.points.empty()) continue;
-        order.push_back(&course);
-        labels.push_back({width_of(course.method, weight_of(course)),
-                          {course.points.back(), course.points.front()}});
-      }
-    }
-    for (const Course& course : plot_.courses) {
+    std::vector<const Course*> order;  // the strong ones choose first
+    for (const Course& course : plot.courses) {
+      if (!course.points.empty()) order.push_back(&course);
       for (std::size_t i = 0; i < course.points.size(); ++i) {
         obstacles.markers.push_back(course.points[i]);
         if (i == 0) continue;
@@ -252,10 +220,18 @@ class Diagram : Pen {
             {course.points[i - 1], course.points[i], course.strong ? 1.5f : 0.7f});
       }
     }
+    std::ranges::stable_partition(order, &Course::strong);
+    const auto weight_of = [](const Course* course) {
+      return course->strong ? Weight::Bold : Weight::Regular;
+    };
+    const std::vector<LineLabel> labels = mapped(order, [&](const Course* course) {
+      return LineLabel{width_of(course->method, weight_of(course)),
+                       {course->points.back(), course->points.front()}};
+    });
     const float height = px(kPlotText);
     const double inset = px(3);
-    const Rect room{left_ + inset, plot_.failures_end + inset, right_ - left_ - 2 * inset,
-                    bottom_ - plot_.failures_end - 2 * inset};
+    const Rect room{left + inset, plot.failures_end + inset, right - left - 2 * inset,
+                    bottom - plot.failures_end - 2 * inset};
     const std::vector<PlacedLabel> places =
         place_line_labels(labels, obstacles, room, height, scale());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -265,19 +241,9 @@ class Diagram : Pen {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Point2 at =
           pixel(places[i].box.x, places[i].box.y) + Point2{0, 0.5f * (height + 0.68f * height)};
-      text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(*order[i]), 0, 2);
+      text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(order[i]), 0, 2);
     }
   }
-
-  static Weight weight_of(const Course& course) {
-    return course.strong ? Weight::Bold : Weight::Regular;
-  }
-
-  const trace::Study& study_;
-  ErrorKind kind_;
-  Rect rect_;
-  PlotGeometry plot_;
-  float left_, right_, top_, bottom_;
 };
 
 }  // namespace
@@ -286,7 +252,7 @@ void draw_plot_panel(const trace::Study& study, ErrorKind kind, const Rect& rect
                      const std::string& panel) {
   trace::Study part = study;
   std::erase_if(part.series, [&](const trace::StudySeries& one) { return one.panel != panel; });
-  Diagram(part, study, kind, rect, page).run();
+  Diagram{Pen(page.drawing, page.scale, kPlotText), part, study, kind, rect}.run();
 }
 
 }  // namespace contactscope::draw
