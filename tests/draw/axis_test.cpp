@@ -67,7 +67,7 @@ TEST(LogarithmicAxis, ShortDecadesHaveNoMinorTicks) {
 }
 
 TEST(LinearAxis, EqualStepsAreEqualDistances) {
-  const Axis axis = Axis::linear(-1, 3, 400, 0);  // upwards on the canvas
+  const Axis axis{-1, 3, 400, 0};  // upwards on the canvas
   EXPECT_NEAR(axis.at(-1), 400, 1e-3);
   EXPECT_NEAR(axis.at(0), 300, 1e-3);
   EXPECT_NEAR(axis.at(3), 0, 1e-3);

@@ -183,7 +183,7 @@ TEST(Sheet, WordsGoOnInAnotherLineAndLongOnesAreCut) {
   Drawing drawing;
   Sheet sheet({0, 0, 160, 140}, 1, drawing);
   sheet.heading("contact plane, seen along the normal");
-  sheet.row({"separation", "an overlap of many words"});
+  sheet.row("separation", "an overlap of many words");
   expect_inside(drawing, {0, 0, 160, 140});
   EXPECT_THAT(texts(drawing), Contains(::testing::EndsWith("…")));
 }

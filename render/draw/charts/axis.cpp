@@ -31,36 +31,30 @@ std::string power_of_ten(double value) {
 
 }  // namespace
 
-Axis Axis::linear(double low, double high, float from, float to) {
-  return {false, low, high, from, to};
-}
-
 Axis Axis::logarithmic(double low, double high, float from, float to, float before, float after) {
-  Axis axis(true, std::log10(low), std::log10(high), from, to);
-  const double missing = kLeastSpan - (axis.high_ - axis.low_);
-  if (missing > 0) {
-    axis.low_ -= 0.5 * missing;
-    axis.high_ += 0.5 * missing;
-  }
+  Axis axis{std::log10(low), std::log10(high), from, to, true};
+  const double missing = std::max(0.0, kLeastSpan - (axis.high - axis.low));
+  axis.low -= 0.5 * missing;
+  axis.high += 0.5 * missing;
   const double length = std::abs(to - from);
-  const double per_pixel = (axis.high_ - axis.low_) / std::max(1.0, length - before - after);
-  axis.low_ -= before * per_pixel;
-  axis.high_ += after * per_pixel;
+  const double per_pixel = (axis.high - axis.low) / std::max(1.0, length - before - after);
+  axis.low -= before * per_pixel;
+  axis.high += after * per_pixel;
   return axis;
 }
 
 float Axis::at(double value) const {
-  const double share = ((logarithmic_ ? std::log10(value) : value) - low_) / (high_ - low_);
-  return from_ + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to_ - from_);
+  const double share = ((is_logarithmic ? std::log10(value) : value) - low) / (high - low);
+  return from + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to - from);
 }
 
 std::vector<Axis::Tick> Axis::ticks(float least_decade) const {
-  const bool minor = std::abs(to_ - from_) >= least_decade * (high_ - low_);
+  const bool minor = std::abs(to - from) >= least_decade * (high - low);
   std::vector<Tick> list;
-  for (int exponent = static_cast<int>(std::floor(low_)); exponent <= high_; ++exponent) {
+  for (int exponent = static_cast<int>(std::floor(low)); exponent <= high; ++exponent) {
     for (int factor = 1; factor <= (minor ? 9 : 1); ++factor) {
       const double logarithm = exponent + std::log10(factor);
-      if (logarithm < low_ - kRounding || logarithm > high_ + kRounding) continue;
+      if (logarithm < low - kRounding || logarithm > high + kRounding) continue;
       const double value = factor * std::pow(10.0, exponent);
       list.push_back({value, at(value), factor == 1, factor == 1 || factor == 2 || factor == 5});
     }

@@ -11,12 +11,12 @@ namespace contactscope::draw {
 inline constexpr Color kChartGrid{0.835f, 0.855f, 0.875f, 1};
 inline constexpr Color kChartBorder{0.541f, 0.565f, 0.600f, 1};
 
-/// Values to pixels of the canvas, along x or y. `from` is the pixel of the low end, `to` of the
-/// high one.
-class Axis {
- public:
-  Axis() = default;
-  static Axis linear(double low, double high, float from, float to);
+/// Values to pixels of the canvas, along x or y.
+struct Axis {
+  double low = 0, high = 1;  // or their logarithms
+  float from = 0, to = 1;    // pixels of these ends
+  bool is_logarithmic = false;
+
   /// Spans at least `low` to `high` (0 < low <= high), widened to a factor of three, with so many
   /// pixels before and after.
   static Axis logarithmic(double low, double high, float from, float to, float before, float after);
@@ -34,14 +34,6 @@ class Axis {
   /// `least_decade` pixels long, in growing order. Decades are labelled; where there are fewer than
   /// three of them, 2 and 5 as well.
   std::vector<Tick> ticks(float least_decade = 0) const;
-
- private:
-  Axis(bool logarithmic, double low, double high, float from, float to)
-      : logarithmic_(logarithmic), low_(low), high_(high), from_(from), to_(to) {}
-
-  bool logarithmic_ = false;
-  double low_ = 0, high_ = 1;  // or their logarithms
-  float from_ = 0, to_ = 1;
 };
 
 /// "50 ns", "1 µs", "2 ms" for a tick at 1, 2 or 5 times a power of ten.

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "draw/scene/camera.h"
 #include "draw/scene/pen.h"
 
 namespace contactscope::draw {
@@ -27,26 +25,24 @@ class IdHistory {
   /// Frames before `until`; a line marks frame `moment`.
   void draw_rows(const Rect& strip, std::size_t moment, std::size_t until, const Pen& pen) const;
 
-  /// The same where rows would be too many to tell apart: one band a pair, the first `count`, as
-  /// high as it has kept points of the most that it has had until then, and cut where one of them
-  /// becomes another.
-  void draw_bands(const Rect& strip, std::size_t moment, std::size_t until, std::size_t count,
-                  const Pen& pen) const;
+  /// The same where rows would be too many to tell apart: one band a pair, the first `count`, up to
+  /// `moment`, as high as it has kept points of the most that it has had until then, and cut where
+  /// one of them becomes another.
+  void draw_bands(const Rect& strip, std::size_t moment, std::size_t count, const Pen& pen) const;
 
  private:
-  /// Frames in which nothing changes: from the first on, before the last.
+  /// Frames in which nothing changes.
   struct Run {
-    std::size_t from = 0, to = 0;
+    std::size_t from = 0, length = 0;
     IdState state = IdState::Absent;  // of a row
     std::size_t kept = 0;             // points of a band
   };
+  /// On the strip, as far as its frames are before `until`.
+  Rect place_of(const Run& run, const Rect& strip, std::size_t until) const;
 
   std::size_t frames_ = 0;
   std::vector<std::vector<Run>> rows_;   // in the order of the pairs
   std::vector<std::vector<Run>> bands_;  // a pair each
 };
-
-/// A line at a frame of so many, from a little above a chart to a little below it.
-void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen);
 
 }  // namespace contactscope::draw

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "draw/charts/axis.h"
-#include "draw/charts/id_strip.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -34,77 +33,74 @@ Prefix axis_prefix(const std::string& unit, double largest) {
   return unit == "m" && largest < 1 && largest >= 1e-4 ? Prefix{1e-3, "m"} : prefix_for(largest);
 }
 
-class ChartPen : Pen {
- public:
-  ChartPen(const SeriesChart& chart, std::size_t moment, const Rect& rect, const Pen& pen)
-      : Pen(pen),
-        chart_(chart),
-        moment_(moment),
-        rect_(rect),
-        area_(chart_area(rect, kChartHeading, pen)),
-        y_(Axis::linear(kChartHeadroom * chart.low, kChartHeadroom * chart.high,
-                        static_cast<float>(area_.bottom()), static_cast<float>(area_.y))),
-        prefix_(axis_prefix(chart.unit, std::max(chart.high, -chart.low))),
-        frames_(chart.curves.empty() ? 0 : chart.curves.front().size()) {}
+struct ChartPen : Pen {
+  const SeriesChart& chart;
+  std::size_t moment;
+  const Rect& rect;
+
+  Rect area = chart_area(rect, kChartHeading, *this);
+  Axis y{kChartHeadroom * chart.low, kChartHeadroom* chart.high, static_cast<float>(area.bottom()),
+         static_cast<float>(area.y)};
+  Prefix prefix = axis_prefix(chart.unit, std::max(chart.high, -chart.low));
+  std::size_t frames = chart.curves.empty() ? 0 : chart.curves.front().size();
 
   void run() const {
-    if (frames_ == 0) return;
+    if (frames == 0) return;
     head();
-    fill(area_, with_alpha(kQuietText, 0.07f));
+    fill(area, with_alpha(kQuietText, 0.07f));
     tick(0);
-    if (chart_.high > 0) tick(round_down(chart_.high));
-    if (chart_.low < 0) tick(-round_down(-chart_.low));
-    for (const SeriesChange& change : chart_.changes) draw_change(change);
-    for (std::size_t i = 0; i < chart_.curves.size(); ++i) curve(chart_.curves[i], style(i));
-    draw_moment(area_, frames_, moment_, *this);
-    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
-      const double newest = chart_.curves[i][moment_];
-      if (!std::isnan(newest)) disc(place(moment_, newest), 3.6, style(i).color);
+    if (chart.high > 0) tick(round_down(chart.high));
+    if (chart.low < 0) tick(-round_down(-chart.low));
+    for (const SeriesChart::Change& change : chart.changes) draw_change(change);
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) curve(chart.curves[i], style(i));
+    draw_moment(area, frames, moment, *this);
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+      const double newest = chart.curves[i][moment];
+      if (!std::isnan(newest)) disc(place(moment, newest), 3.6, style(i).color);
     }
   }
 
- private:
   SeriesStyle style(std::size_t curve) const {
-    return chart_.total ? SeriesStyle{kText, 0} : series_style(curve);
+    return chart.total ? SeriesStyle{kText, 0} : series_style(curve);
   }
 
   Point2 place(std::size_t frame, double value) const {
-    const double share = (static_cast<double>(frame) + 0.5) / static_cast<double>(frames_);
-    return pixel(area_.x + area_.width * share, y_.at(value));
+    const double share = (static_cast<double>(frame) + 0.5) / static_cast<double>(frames);
+    return pixel(area.x + area.width * share, y.at(value));
   }
 
   void head() const {
-    const auto baseline = static_cast<float>(rect_.y + px(kChartHeading - 8));
-    std::string name = chart_.name;
-    if (!chart_.unit.empty()) name += ", " + (prefix_.name + chart_.unit);
+    const auto baseline = static_cast<float>(rect.y + px(kChartHeading - 8));
+    std::string name = chart.name;
+    if (!chart.unit.empty()) name += ", " + (prefix.name + chart.unit);
     // The newest values stand above the newest end of the axis, each in its curve's colour.
-    auto right = static_cast<float>(area_.right());
-    for (std::size_t i = chart_.curves.size(); i-- > 0;) {
-      std::string value = newest_value(chart_, chart_.curves[i][moment_], prefix_);
-      if (moment_ < chart_.subjects.size() && !chart_.subjects[moment_].empty())
-        value = chart_.subjects[moment_] + " " + value;
+    auto right = static_cast<float>(area.right());
+    for (std::size_t i = chart.curves.size(); i-- > 0;) {
+      std::string value = newest_value(chart, chart.curves[i][moment], prefix);
+      if (moment < chart.subjects.size() && !chart.subjects[moment].empty())
+        value = chart.subjects[moment] + " " + value;
       text(value, {right, baseline}, Align::Right, style(i).color, Weight::Bold);
       right -= width_of(value, Weight::Bold) + px(10);
     }
-    text(name, pixel(rect_.x, baseline), Align::Left, kText);
+    text(name, pixel(rect.x, baseline), Align::Left, kText);
   }
 
   void tick(double value) const {
-    const Point2 left = pixel(area_.x, y_.at(value));
-    const bool strong = value == 0 && chart_.baseline;
-    line(left, pixel(area_.right(), left.y), strong ? 1.6 : 1.0, strong ? kText : kChartBorder);
+    const Point2 left = pixel(area.x, y.at(value));
+    const bool strong = value == 0 && chart.baseline;
+    line(left, pixel(area.right(), left.y), strong ? 1.6 : 1.0, strong ? kText : kChartBorder);
     const float size = px(kChartText - 1);
-    if (value != 0 && std::abs(left.y - y_.at(0)) < 0.9f * size) return;  // no room beside zero
-    text(value == 0 ? "0" : spell_number(value / prefix_.size), left + Point2{-px(6), 0.34f * size},
+    if (value != 0 && std::abs(left.y - y.at(0)) < 0.9f * size) return;  // no room beside zero
+    text(value == 0 ? "0" : spell_number(value / prefix.size), left + Point2{-px(6), 0.34f * size},
          Align::Right, kQuietText);
   }
 
   // A thin line across, with what was on its left and what is on its right.
-  void draw_change(const SeriesChange& change) const {
-    if (change.frame == 0 || change.frame > moment_ || change.frame >= frames_) return;
+  void draw_change(const SeriesChart::Change& change) const {
+    if (change.frame == 0 || change.frame > moment || change.frame >= frames) return;
     const float x = 0.5f * (place(change.frame - 1, 0).x + place(change.frame, 0).x);
-    const Point2 low = pixel(x, area_.bottom());
-    line(pixel(x, area_.y), low, 1.4, kAxisText, 4);
+    const Point2 low = pixel(x, area.bottom());
+    line(pixel(x, area.y), low, 1.4, kAxisText, 4);
     text(change.before, low - Point2{px(5), px(5)}, Align::Right, kAxisText);
     text(change.after, low + Point2{px(5), -px(5)}, Align::Left, kAxisText);
   }
@@ -115,13 +111,13 @@ class ChartPen : Pen {
       path(points, 2.2, style.color, style.dash);
       points.clear();
     };
-    for (std::size_t f = 0; f <= moment_ && f < values.size(); ++f) {
+    for (std::size_t f = 0; f <= moment && f < values.size(); ++f) {
       if (std::isnan(values[f])) {
         finish();
         continue;
       }
       const Point2 at = place(f, values[f]);
-      if (chart_.steps && !points.empty() && points.back().y != at.y) {
+      if (chart.steps && !points.empty() && points.back().y != at.y) {
         const float middle = 0.5f * (points.back().x + at.x);
         points.push_back({middle, points.back().y});
         points.push_back({middle, at.y});
@@ -130,13 +126,6 @@ class ChartPen : Pen {
     }
     finish();
   }
-
-  const SeriesChart& chart_;
-  std::size_t moment_;
-  Rect rect_, area_;
-  Axis y_;
-  Prefix prefix_;
-  std::size_t frames_;
 };
 
 }  // namespace
@@ -145,9 +134,8 @@ void SeriesChart::fit() {
   low = high = 0;
   for (const std::vector<double>& curve : curves) {
     for (const double value : curve) {
-      if (std::isnan(value)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
+      low = std::fmin(low, value);  // passes over NaN
+      high = std::fmax(high, value);
     }
   }
   if (!unit.empty() && high < kNothing && low > -kNothing) low = high = 0;
@@ -167,12 +155,20 @@ Rect chart_area(const Rect& rect, double heading, const Pen& pen) {
 
 void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,
                        const Pen& pen) {
-  ChartPen(chart, moment, rect, pen).run();
+  ChartPen{pen, chart, moment, rect}.run();
 }
 
 void draw_series_swatch(std::size_t index, const Point2& left, double length, const Pen& pen) {
   const SeriesStyle style = series_style(index);
   pen.line(left, {left.x + pen.px(length), left.y}, 2.4, style.color, style.dash);
+}
+
+void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen) {
+  const double column = chart.width / static_cast<double>(frames);
+  const double x = chart.x + column * (static_cast<double>(moment) + 0.5);
+  const Point2 top = pixel(x, chart.y - pen.px(2)), low = pixel(x, chart.bottom() + pen.px(2));
+  pen.line(top, low, 3.5, with_alpha(kWhite, 0.8f));
+  pen.line(top, low, 1.5, kNormal);
 }
 
 void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen) {

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "draw/charts/pair_history.h"
 #include "draw/panels/panel.h"
@@ -30,14 +28,8 @@ bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
 }
 
-/// One pair through the sequence.
-struct PairAxes {
-  std::string name;
-  std::vector<AxisMoment> moments;
-};
-
-std::string number_of(int number, const char* one, const char* many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
+std::string number_of(int number, const std::string& one, const char* plural) {
+  return std::to_string(number) + " " + one + (number == 1 ? "" : plural);
 }
 
 /// Up to a frame: "2 switches", and where a cache is at work how often the full test ran.
@@ -48,10 +40,9 @@ std::string told(const std::vector<AxisMoment>& moments, std::size_t now) {
     switches += moment.switched;
     ++(from_cache(*moment.pair) ? hits : tests);
   }
-  std::string text = number_of(switches, "switch", "switches");
+  std::string text = number_of(switches, "switch", "es");
   if (hits > 0)
-    text += ", " + number_of(tests, "full test", "full tests") + ", " +
-            number_of(hits, "cache hit", "cache hits");
+    text += ", " + number_of(tests, "full test", "s") + ", " + number_of(hits, "cache hit", "s");
   return text;
 }
 
@@ -61,9 +52,8 @@ std::string told(const std::vector<AxisMoment>& moments, std::size_t now) {
 class AxisHistoryPanel : public PanelContent {
  public:
   AxisHistoryPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
-    cached_ = std::ranges::any_of(frames, [](const trace::Frame& frame) {
-      return std::ranges::any_of(frame.pairs, from_cache);
-    });
+    cached_ = std::ranges::any_of(
+        frames, [](const trace::Frame& frame) { return first_pair(frame, from_cache) != nullptr; });
     const std::vector<const trace::Pair*> pairs =
         distinct_pairs(frames, [](const trace::Pair& pair) { return !axis_of(pair).empty(); });
     count_ = pairs.size();
@@ -76,10 +66,10 @@ class AxisHistoryPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
-    const std::size_t pairs = std::max<std::size_t>(1, count_);
     const float frame = Sheet::heading_height(scale_) + (cached_ ? line : 0);
     const float each = kLeastHistory * line;
-    return {frame + each + (pairs > 1 ? line : 0), frame + each * static_cast<float>(pairs), 0, 1};
+    return {frame + each + (count_ > 1 ? line : 0),
+            frame + each * std::max(1.0f, static_cast<float>(count_)), 0, 1};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -99,9 +89,9 @@ class AxisHistoryPanel : public PanelContent {
     const float row =
         std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
                                       static_cast<float>(kAxisRows.size()));
-    for (std::size_t p = 0; p < shown; ++p) {
-      sheet.line(pairs_[p].name + ": " + told(pairs_[p].moments, moment.frame), kText);
-      draw_rows(pairs_[p].moments, moment.frame, row, sheet);
+    for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
+      sheet.line(name + ": " + told(moments, moment.frame), kText);
+      draw_rows(moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()) + 0.5f * line);
     }
     return sheet.more(count_ - shown, "pair", "pairs");
@@ -124,22 +114,18 @@ class AxisHistoryPanel : public PanelContent {
       const auto is_here = [&](std::size_t f) {
         return moments[f].pair != nullptr && moments[f].axis == kAxisRows[r].axis;
       };
-      const auto bar = [&](std::size_t from, std::size_t to, bool cached, const Color& color) {
-        const double top = cached ? y + 0.5 * row : y + gap;
+      const auto bar = [&](std::size_t from, std::size_t to, const Color& color) {
+        const double top = from_cache(*moments[from].pair) ? y + 0.5 * row : y + gap;
         pen.fill({at(from), top, at(to) - at(from), y + row - gap - top}, color);
       };
-      for (std::size_t from = 0; from < now;) {
-        if (!is_here(from)) {
-          ++from;
-          continue;
-        }
+      for (std::size_t from = 0, to = 0; from < now; from = to) {
+        to = from + 1;
+        if (!is_here(from)) continue;
         const bool cached = from_cache(*moments[from].pair);
-        std::size_t to = from + 1;
         while (to < now && is_here(to) && from_cache(*moments[to].pair) == cached) ++to;
-        bar(from, to, cached, kAxis);
-        from = to;
+        bar(from, to, kAxis);
       }
-      if (is_here(now)) bar(now, now + 1, from_cache(*moments[now].pair), kAxisText);
+      if (is_here(now)) bar(now, now + 1, kAxisText);
       for (std::size_t f = 0; f <= now; ++f) {
         if (!is_here(f) || !moments[f].switched) continue;
         pen.fill({at(f) - pen.px(1.5), y, pen.px(3), static_cast<double>(row)}, kWhite);
@@ -150,7 +136,7 @@ class AxisHistoryPanel : public PanelContent {
   float scale_;
   bool cached_ = false;    // some answers came from the cache
   std::size_t count_ = 0;  // pairs of which an axis is known
-  std::vector<PairAxes> pairs_;
+  std::vector<std::pair<std::string, std::vector<AxisMoment>>> pairs_;  // of the first, by name
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace contactscope::draw {
 namespace {
@@ -18,33 +19,6 @@ constexpr PanelRow kPanelRows[] = {
     {Panel::Stability, make_stability_panel},
     {Panel::Plots, make_plots_panel},
 };
-
-/// Divides `room` by shares; who would get less than it has in `heights` keeps that, and the others
-/// divide what then is left.
-void divide_by_share(const std::vector<PanelNeed>& needs, float room, std::vector<float>& heights) {
-  const std::vector<float> least = heights;
-  std::vector<bool> settled(heights.size());
-  for (bool again = true; again;) {
-    again = false;
-    float shares = 0, left = room;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      if (needs[i].wanted > 0) continue;
-      if (settled[i])
-        left -= heights[i];
-      else
-        shares += needs[i].share;
-    }
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      if (needs[i].wanted > 0 || settled[i]) continue;
-      heights[i] = left * needs[i].share / shares;
-      if (heights[i] >= least[i]) continue;
-      heights[i] = least[i];
-      settled[i] = true;
-      again = true;
-      break;
-    }
-  }
-}
 
 }  // namespace
 
@@ -81,11 +55,30 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
       left -= more;
     }
   }
-  float divided = room;
+  // The others divide the rest by their shares; who would get less than it has keeps that.
+  float rest = room;
+  std::vector<float> shares(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (needs[i].wanted > 0) divided -= heights[i];
+    if (needs[i].wanted > 0)
+      rest -= heights[i];
+    else
+      shares[i] = needs[i].share;
   }
-  divide_by_share(needs, divided, heights);
+  const auto part_of = [&](std::size_t i) {
+    float divided = rest;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (shares[k] == 0 && needs[k].wanted == 0) divided -= heights[k];
+    }
+    return divided * shares[i] / std::accumulate(shares.begin(), shares.end(), 0.0f);
+  };
+  for (std::size_t i = 0; i < count;) {
+    const bool starves = shares[i] > 0 && part_of(i) < heights[i];
+    if (starves) shares[i] = 0;
+    i = starves ? 0 : i + 1;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (shares[i] > 0) heights[i] = part_of(i);
+  }
   if (count == 1) heights[0] = std::min(heights[0], room);
   heights.resize(needs.size());
   return heights;

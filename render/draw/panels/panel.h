@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/layers.h"
 #include "draw/panels/sheet.h"
 #include "draw/staging.h"
-#include "trace/trace.h"
 
 /// Panels beside a picture are content: rows of text, charts and maps, made from facts of the trace
 /// alone and laid out on a sheet as primitives. Where the sheets stand, and what is around them,

@@ -81,21 +81,17 @@ void Sheet::write(const std::vector<std::string>& lines, float x, const Color& c
   skip(text_ * static_cast<float>(lines.size()));
 }
 
-void Sheet::lines(const std::vector<std::string>& all, const Color& color) {
-  write(all, static_cast<float>(rect_.x), color);
-}
-
 void Sheet::paragraph(const std::string& text, const Color& color) {
   lines(wrapped(text, text_, static_cast<float>(rect_.width)), color);
 }
 
-void Sheet::row(const NamedValue& row) {
+void Sheet::row(const std::string& name, const std::string& value) {
   const auto left = static_cast<float>(rect_.x);
   const float values = left + std::floor(pen_.px(kValueColumn));
   const float top = y_;
-  write({row.first}, left, kQuietText);
+  write({name}, left, kQuietText);
   y_ = top;
-  write(wrapped(row.second, text_, static_cast<float>(rect_.right()) - values), values, kText);
+  write(wrapped(value, text_, static_cast<float>(rect_.right()) - values), values, kText);
 }
 
 std::string Sheet::more(std::size_t count, const char* one, const char* many) {

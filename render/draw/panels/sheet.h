@@ -1,16 +1,11 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "draw/scene/camera.h"
 #include "draw/scene/pen.h"
 
 namespace contactscope::draw {
-
-/// A name and what it comes to.
-using NamedValue = std::pair<std::string, std::string>;
 
 /// Rows of text on a panel, from the top down, in the embedded fonts. What is too wide is cut with
 /// an ellipsis, or goes on in another line.
@@ -23,10 +18,12 @@ class Sheet {
   void heading(const std::string& text);
   void line(const std::string& text, const Color& color) { lines({text}, color); }
   /// Close under each other.
-  void lines(const std::vector<std::string>& all, const Color& color);
+  void lines(const std::vector<std::string>& all, const Color& color) {
+    write(all, static_cast<float>(rect_.x), color);
+  }
   void paragraph(const std::string& text, const Color& color);
   /// Names in a column of their own, left of the values.
-  void row(const NamedValue& row);
+  void row(const std::string& name, const std::string& value);
   /// Moves down past something this high. Rows begin on whole pixels.
   void skip(float pixels);
   /// Goes on at this height of the canvas.

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -29,22 +30,14 @@ std::string types_of(const trace::Pair& pair) {
   return text;
 }
 
-std::string answered(const std::string& answer) {
-  return answer == "skip" ? "no contact made" : "fallback";
-}
-
 std::string counted(const trace::Pair& pair) {
-  std::size_t kept = 0;
-  for (const trace::Manifold& manifold : pair.manifolds) kept += manifold.points.size();
-  std::string text = std::to_string(kept);
-  if (pair.manifolds.size() > 1) {
+  const std::size_t kept = point_count(pair);
+  const std::string text = std::to_string(kept);
+  if (pair.manifolds.size() > 1)
     return text + " in " + std::to_string(pair.manifolds.size()) + " manifolds";
-  }
-  if (pair.reduction && pair.reduction->points.size() > kept) {
-    text +=
-        " of " + std::to_string(pair.reduction->points.size()) + ", by " + pair.reduction->method;
-  }
-  return text;
+  if (!pair.reduction || pair.reduction->points.size() <= kept) return text;
+  return text + " of " + std::to_string(pair.reduction->points.size()) + ", by " +
+         pair.reduction->method;
 }
 
 /// Calls `add` with the name of each row and with what spells its value.
@@ -64,8 +57,10 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
     add("confirmed", [&] { return "by " + incremental.confirm; });
   }
   if (pair.degenerate) {
-    add("no normal",
-        [&] { return pair.degenerate->geometry + "; " + answered(pair.degenerate->answer); });
+    add("no normal", [&] {
+      return pair.degenerate->geometry +
+             (pair.degenerate->answer == "skip" ? "; no contact made" : "; fallback");
+    });
   }
 }
 
@@ -74,11 +69,6 @@ std::size_t lines_of(const trace::Pair& pair) {
   std::size_t lines = pair.degenerate ? 1 : 0;
   for_each_row(pair, [&](const char*, auto&&) { ++lines; });
   return lines;
-}
-
-std::string title_of(const trace::Pair& pair) {
-  const std::string names = pair.a + ", " + pair.b;
-  return pair.label.empty() ? names : pair.label + ": " + names;
 }
 
 /// What the pipeline says of each pair, and when that is.
@@ -113,23 +103,19 @@ class SummaryPanel : public PanelContent {
                                       pairs.size() - 1);
     }
     for (std::size_t i = 0; i < shown; ++i) {
-      sheet.heading(title_of(pairs[i]));
-      for_each_row(pairs[i], [&](const char* name, auto&& spell) { sheet.row({name, spell()}); });
+      const std::string label = pairs[i].label.empty() ? "" : pairs[i].label + ": ";
+      sheet.heading(label + pairs[i].a + ", " + pairs[i].b);
+      for_each_row(pairs[i], [&](const char* name, auto&& spell) { sheet.row(name, spell()); });
       sheet.skip(kBetweenPairs * sheet.text_height());
     }
     std::string missing = sheet.more(pairs.size() - shown, "pair", "pairs");
-    for (const NamedValue& row : time_rows(moment)) sheet.row(row);
+    sheet.row("time", printed("%.3f s", frames_[moment.frame].time));
+    if (moment.pipeline_nanoseconds)
+      sheet.row("pipeline", printed("%.2f µs", *moment.pipeline_nanoseconds / 1000));
     return missing;
   }
 
  private:
-  std::vector<NamedValue> time_rows(const PanelMoment& moment) const {
-    std::vector<NamedValue> rows{{"time", printed("%.3f s", frames_[moment.frame].time)}};
-    if (moment.pipeline_nanoseconds)
-      rows.emplace_back("pipeline", printed("%.2f µs", *moment.pipeline_nanoseconds / 1000));
-    return rows;
-  }
-
   /// With so many of the frame's pairs, and a line that tells of the others.
   float height_of(std::size_t pairs, const PanelMoment& moment) const {
     const bool all = pairs == frames_[moment.frame].pairs.size();

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <optional>
+
+#include "draw/charts/time_series.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/palette.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kLeastPlot = 46;
+constexpr double kMostPlot = 120;
+constexpr double kTimeAxis = 20;
+constexpr double kNamesRow = 20;
+constexpr double kCurveSwatch = 22;
+constexpr double kStripHeading = 19;
+constexpr double kMostIdStrip = 72;
+constexpr double kStripShare = 0.16;  // of the height of all charts
+constexpr double kIdRow = 9;
+constexpr double kLeastIdRow = 2.6;
+constexpr double kLegibleIdRow = 3.4;  // thinner rows are a solid block
+
+/// What the solver made of it, up to the current frame: charts over each other, one time axis under
+/// them, and the strip of contact ids. Of two to four pairs each has lines of its own. Where there is
+/// little room, the strip, then the last charts are left out. The series are gathered for the first
+/// picture that has room for them.
+class PlotsPanel : public PanelContent {
+ public:
+  PlotsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
+    solved_ = std::ranges::any_of(
+        frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
+  }
+
+  PanelNeed need(const PanelMoment&) const override {
+    const Layout& layout = staging_.layout;
+    const float least =
+        Sheet::heading_height(layout.scale) + layout.px(kTimeAxis + kNamesRow + kLeastPlot);
+    const int charts = solved_ ? 4 : 2;
+    return {least, least + layout.px((charts - 1) * kLeastPlot), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    if (!ids_) gather();
+    sheet.heading("over time");
+    if (charts_.empty()) return {};
+    const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
+    const Rect rect = sheet.rest();
+    const double line = sheet.line_height();
+    const double named = draw_names(rect, pen);
+    double room = 0, strip = 0;
+    std::size_t shown = 0;
+    for (const double below : {0.0, line}) {  // where some are missing, a line that says so
+      if (shown == charts_.size()) break;
+      room = rect.height - below - pen.px(kTimeAxis) - named;
+      strip = strip_height(room, pen);
+      const double fitting = std::max(0.0, room - strip) / pen.px(kLeastPlot);
+      shown = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, charts_.size());
+    }
+    const double height =
+        std::min<double>(pen.px(kMostPlot), (room - strip) / static_cast<double>(shown));
+    double y = rect.y + named;
+    for (std::size_t i = 0; i < shown; ++i, y += height)
+      draw_series_chart(charts_[i], moment.frame, {rect.x, y, rect.width, height}, pen);
+    if (strip > 0) draw_ids(moment.frame, {rect.x, y, rect.width, strip}, pen);
+    const double gutter = pen.px(kChartGutter);
+    draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
+                   y + strip + pen.px(kTimeAxis - 4), pen);
+    sheet.skip_to(rect.bottom() - line);
+    return sheet.more(charts_.size() - shown, "chart", "charts");
+  }
+
+ private:
+  /// Lines of pairs in the charts that have them; the other quantities belong to no pair.
+  void gather() {
+    const std::vector<TimeSeries> all = time_series(frames_);
+    // With the time of a frame, impulses are shown as the forces that they are over it.
+    const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
+    SeriesChart penetration{"penetration", "m"}, energy{"kinetic energy", "J"},
+        impulse{step > 0 ? "normal forces" : "normal impulses", step > 0 ? "N" : "N s"},
+        points{"contact points", ""};
+    points.steps = true;
+    energy.total = points.total = all.size() == 1 && !all[0].pairs.empty();
+    const auto add = [&](const PairSeries& one) {
+      names_.push_back(one.name);
+      penetration.curves.push_back(one.penetration);
+      impulse.curves.push_back(one.impulse);
+      for (double& value : impulse.curves.back()) value /= step > 0 ? step : 1;
+    };
+    std::vector<std::vector<IdState>> ids;
+    std::vector<std::size_t> pairs;  // of each row; those of one series have numbers of their own
+    for (const TimeSeries& one : all) {
+      if (energy.total)
+        std::ranges::for_each(one.pairs, add);
+      else
+        add(one);
+      energy.curves.push_back(one.energy);
+      points.curves.push_back(one.points);
+      ids.insert(ids.end(), one.ids.begin(), one.ids.end());
+      const std::size_t before = pairs.empty() ? 0 : std::ranges::max(pairs) + 1;
+      for (const std::size_t pair : one.id_pairs) pairs.push_back(before + pair);
+    }
+    ids_.emplace(ids, pairs);
+    if (all.size() == 1) penetration.subjects = all[0].deepest;
+    if (!all.empty()) penetration.changes = all[0].queries;
+    for (SeriesChart* chart : {&penetration, &energy, &impulse, &points}) {
+      if (chart->curves.empty() || chart->curves[0].empty()) continue;
+      chart->fit();
+      charts_.push_back(std::move(*chart));
+    }
+  }
+
+  /// The names of the curves, in as many rows as they take. Returns the height of these.
+  double draw_names(const Rect& rect, const Pen& pen) const {
+    if (names_.size() < 2) return 0;
+    const float swatch = pen.px(kCurveSwatch + 6);
+    double x = rect.x, y = rect.y;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const double width = swatch + pen.width_of(names_[i]);
+      if (x > rect.x && x + width > rect.right()) {
+        x = rect.x;
+        y += pen.px(kNamesRow);
+      }
+      const Point2 left = pixel(x, y + 0.45 * pen.px(kNamesRow));
+      draw_series_swatch(i, left, kCurveSwatch, pen);
+      pen.text(names_[i], left + Point2{swatch, pen.px(5)}, Align::Left, kText);
+      x += width + pen.px(16);
+    }
+    return y + pen.px(kNamesRow) - rect.y;
+  }
+
+  /// 0 where the charts need all the room.
+  double strip_height(double room, const Pen& pen) const {
+    if (ids_->row_count() == 0) return 0;
+    const auto rows = static_cast<double>(ids_->row_count());
+    const double share = kStripShare * room;
+    const double wanted = std::min<double>({pen.px(kMostIdStrip), share, pen.px(kIdRow) * rows});
+    const double strip =
+        pen.px(kStripHeading) + std::max(wanted, std::min(share, pen.px(kLeastIdRow) * rows));
+    const double charts = pen.px(kLeastPlot) * static_cast<double>(charts_.size());
+    return room - strip < charts ? 0 : strip;
+  }
+
+  void draw_ids(std::size_t moment, const Rect& strip, const Pen& pen) const {
+    const Rect inner = chart_area(strip, kStripHeading, pen);
+    const auto rows = static_cast<double>(ids_->row_count());
+    const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_->pair_count() > 1;
+    const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
+    std::string text = "contact ids, a row each";
+    if (bands && ids_->pair_count() > most) {
+      text = "contact ids of the first " + std::to_string(most) + " of " +
+             std::to_string(ids_->pair_count()) + " pairs";
+    } else if (bands) {
+      text = "contact ids by pair, cut where one changes";
+    }
+    pen.text(text, pixel(strip.x, strip.y + pen.px(kStripHeading - 6)), Align::Left, kText);
+    if (bands) {
+      ids_->draw_bands(inner, moment, most, pen);
+    } else {
+      ids_->draw_rows(inner, moment, moment + 1, pen);
+    }
+  }
+
+  const Staging& staging_;
+  const Frames& frames_;
+  bool solved_ = false;
+  std::vector<SeriesChart> charts_;
+  std::vector<std::string> names_;  // of the curves
+  std::optional<IdHistory> ids_;    // once gathered
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_plots_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<PlotsPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

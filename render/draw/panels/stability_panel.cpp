@@ -1,0 +1,306 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "draw/charts/pair_history.h"
+#include "draw/charts/series_chart.h"
+#include "draw/insets/contact_plane.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/marks.h"
+#include "draw/scene/pair_points.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kWordsLine = 19;
+constexpr double kMapReserve = 15;  // around what a map shows
+constexpr double kLeastStabilityMap = 70;
+constexpr double kWordsAndMap = 65 + kLeastStabilityMap;  // the words under the map, a name over it
+constexpr double kStabilityOverTime = 64;
+constexpr double kLeastMarginChart = 58;
+constexpr double kMostMarginChart = 120;
+constexpr double kVerdictRow = 17;
+constexpr double kTimeRow = 20;
+constexpr double kNameSwatch = 30;
+constexpr double kMapDot = 5.2;
+constexpr double kMapSquare = 4.6;
+constexpr double kMapCenter = 7.5;
+constexpr std::size_t kMostMaps = 3;
+
+// A row each, named by the last word.
+constexpr std::array<std::string_view, 3> kVerdicts{"stable", "turns about a line",
+                                                    "turns about a point"};
+
+Point2 nearest_on(const Point2& from, const Point2& to, const Point2& p) {
+  const Point2 way = to - from;
+  const float squared = dot(way, way);
+  if (!(squared > 0)) return from;
+  return from + std::clamp(dot(p - from, way) / squared, 0.0f, 1.0f) * way;
+}
+
+/// From the projection to the nearest place of the border.
+void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pen& pen) {
+  if (border.empty()) return;
+  std::vector<Point2> places;
+  for (std::size_t i = 0; i < border.size(); ++i)
+    places.push_back(nearest_on(border[i], border[(i + 1) % border.size()], from));
+  const auto reach = [&](const Point2& place) { return distance(place, from); };
+  const Point2 nearest = std::ranges::min(places, {}, reach);
+  const float least = reach(nearest);
+  if (least <= pen.px(14)) return;
+  pen.path({from, nearest}, 2.2, kAxis);
+  const Point2 back = pen.px(8) / least * (from - nearest);
+  const Point2 aside = 0.45f * perpendicular(back);
+  pen.fill({nearest, nearest + back + aside, nearest + back - aside}, kAxis);
+}
+
+/// Whether the centre of mass projects into the manifold, by what margin, and over time. For each pair
+/// whose stability was recorded (the first three) the contact plane seen along the normal, right as in
+/// the camera's picture, with the points, the hull of them that a body can rest on, its projected
+/// centre of mass and how far that is from the border; what that means in words; then the margin over
+/// the time up to a moment, and in which row, one a verdict, each pair is. One scale in all frames and
+/// pairs. Without room for both, the map goes first.
+class StabilityPanel : public PanelContent {
+ public:
+  StabilityPanel(const Staging& staging, const Frames& frames)
+      : staging_(staging), frames_(frames) {
+    has_ages_ = std::ranges::any_of(frames, [](const trace::Frame& frame) {
+      return first_pair(frame, [](const trace::Pair& pair) {
+               return pair.incremental.has_value();
+             }) != nullptr;
+    });
+    std::vector<const trace::Pair*> pairs =
+        distinct_pairs(frames, [](const trace::Pair& pair) { return pair.stability.has_value(); });
+    if (pairs.size() > kMostMaps) pairs.resize(kMostMaps);
+    for (const trace::Pair* wanted : pairs) {
+      History& history = histories_.emplace_back();
+      history.name = pair_name(*wanted);
+      history.pairs = pair_history(frames, *wanted);
+      for (const trace::Pair*& pair : history.pairs) {
+        if (pair != nullptr && stability_of(*pair) == nullptr) pair = nullptr;
+      }
+      const auto first =
+          std::ranges::find_if(history.pairs, [](auto* pair) { return pair != nullptr; });
+      const trace::Pair* newest = first == history.pairs.end() ? nullptr : *first;
+      std::vector<double>& margins = margins_.curves.emplace_back();
+      for (const trace::Pair* pair : history.pairs) {
+        if (pair != nullptr) newest = pair;
+        history.seen.push_back(newest);
+        margins.push_back(pair == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                          : pair->stability->margin);
+        if (pair == nullptr) continue;
+        append(history.points, pair->stability->support);
+        history.points.push_back(pair->stability->projection);
+        for (const PairPoint& any : all_points(*pair))
+          history.points.push_back(any.point->position);
+      }
+    }
+    margins_.baseline = true;
+    margins_.fit();
+  }
+
+  PanelNeed need(const PanelMoment&) const override {
+    const Layout& layout = staging_.layout;
+    const float least = Sheet::heading_height(layout.scale) + layout.px(kWordsAndMap);
+    return {least, least + layout.px(kStabilityOverTime), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("stability: centre of mass over the contact");
+    // Charts have a text size of their own, which is not a whole number of pixels everywhere.
+    const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
+    const Rect rect = sheet.rest();
+    if (histories_.empty()) {
+      pen.text("no stability in this sequence", pixel(rect.x, rect.y + 0.8 * pen.px(kWordsLine)),
+               Align::Left, kQuietText);
+      return {};
+    }
+    const double words = pen.px(kWordsLine) * (histories_.size() > 1 ? 3 : 2) + pen.px(8);
+    double chart =
+        std::clamp<double>(0.26 * rect.height, pen.px(kLeastMarginChart), pen.px(kMostMarginChart));
+    double band =
+        pen.px(kVerdictRow) * static_cast<double>(kVerdicts.size()) + pen.px(kTimeRow + 6);
+    // The map says most; over time comes next, and the verdicts' rows last.
+    const auto map_height = [&] { return rect.height - words - chart - band; };
+    if (frames_.size() < 2) chart = band = 0;
+    if (map_height() < pen.px(kLeastStabilityMap)) band = 0;
+    if (map_height() < pen.px(kLeastStabilityMap)) chart = 0;
+    const double map = map_height();
+    if (map > pen.px(0.5 * kLeastStabilityMap)) draw_maps(moment.frame, rect, map, pen);
+    double y = rect.y + words + std::max(0.0, map);
+    if (chart > 0) draw_series_chart(margins_, moment.frame, {rect.x, y, rect.width, chart}, pen);
+    y += chart + pen.px(6);
+    if (band > 0) draw_verdicts(moment.frame, {rect.x, y, rect.width, band}, pen);
+    return {};
+  }
+
+ private:
+  /// One pair through the sequence.
+  struct History {
+    std::string name;
+    std::vector<const trace::Pair*> pairs;  // in every frame; null where they do not touch
+    std::vector<const trace::Pair*> seen;   // the newest, or where there was none the first to come
+    std::vector<Vec3d> points;              // what must be in sight in any of them
+  };
+
+  // One scale for all pairs and frames; each pair has a middle of its own.
+  void draw_maps(std::size_t moment, const Rect& rect, double height, const Pen& pen) const {
+    const bool named = histories_.size() > 1;
+    const double above = named ? pen.px(kWordsLine) : 0;
+    const double column = rect.width / static_cast<double>(histories_.size());
+    const double width = column - (named ? pen.px(8) : 0);
+    double scale = std::numeric_limits<double>::max();
+    std::vector<ContactPlane> planes;
+    for (const History& history : histories_) {
+      const trace::Pair* seen = history.seen[moment];
+      const PlaneAxes axes = seen == nullptr
+                                 ? PlaneAxes{}
+                                 : axes_as_seen(staging_.camera, seen->manifolds.front().normal);
+      PlaneExtent extent;
+      for (const Vec3d& point : history.points) extent.extend(axes.along(point));
+      const double x = rect.x + column * static_cast<double>(planes.size());
+      planes.emplace_back(axes, extent.center(), 0, Rect{x, rect.y + above, width, height}, pen);
+      if (extent.isEmpty()) continue;
+      const double least = 1e-9 * std::max(1.0, extent.center().cwiseAbs().maxCoeff());
+      const double reserve = pen.px(2 * kMapReserve);
+      const Vec2d room = Vec2d(width - reserve, height - reserve).cwiseMax(pen.px(10));
+      const Vec2d sizes = extent.sizes().cwiseMax(least);
+      scale = std::min(scale, room.cwiseQuotient(sizes).minCoeff());
+    }
+    for (std::size_t h = 0; h < planes.size(); ++h) {
+      ContactPlane& plane = planes[h];
+      plane.pixels_per_metre = scale;
+      const Rect& map = plane.map;
+      if (named) {
+        const Point2 left = pixel(map.x, rect.y);
+        const float swatch = pen.px(kNameSwatch);
+        draw_series_swatch(h, {left.x, left.y + 0.5f * pen.px(kWordsLine)}, kNameSwatch - 6, pen);
+        pen.text(fitted(histories_[h].name, pen.px(kChartText), Weight::Bold,
+                        static_cast<float>(map.width) - swatch),
+                 left + Point2{swatch, 0.75f * pen.px(kWordsLine)}, Align::Left,
+                 series_style(h).color, Weight::Bold);
+      }
+      const trace::Pair* pair = histories_[h].pairs[moment];
+      if (pair != nullptr) draw_map(*pair, plane);
+      draw_words(pair, map, pen);
+    }
+    if (scale <= 1e299) {
+      const ContactPlane& last = planes.back();
+      last.scale_bar(0.25, last.map.bottom() + pen.px(0.5 * kWordsLine));
+    }
+  }
+
+  void draw_map(const trace::Pair& pair, const ContactPlane& plane) const {
+    const trace::Stability& stability = *pair.stability;
+    const std::vector<Point2> support = plane.at(stability.support);
+    if (support.size() > 2) plane.fill(support, with_alpha(kClipPolygon, 0.25f));
+    if (stability.axis && stability.verdict != "stable")
+      plane.line_through((*stability.axis)[0], (*stability.axis)[1], 2.2, kNormal, 7);
+    if (support.size() > 1) plane.outline(support, 2.6, kClipPolygon);
+    const Point2 projection = plane.at(stability.projection);
+    draw_margin(projection, support, plane);
+    const auto dot = [&](const trace::Point& point, PointState state) {
+      draw_state_dot(state, plane.at(point.position), plane.px(kMapDot), kContact, plane.drawing());
+    };
+    if (pair.incremental) {
+      for (const trace::PersistentPoint& point : pair.incremental->points) {
+        const PointState state = point_state(point.state);
+        if (state != PointState::Broken) dot(point.point, state);
+      }
+    } else {
+      for (const PairPoint& any : all_points(pair)) {
+        if (has_ages_)
+          draw_square(plane.at(any.point->position), plane.px(kMapSquare), kContact,
+                      plane.drawing());
+        else
+          dot(*any.point, PointState::New);
+      }
+    }
+    draw_quartered_disc(projection, plane.px(kMapCenter), plane.px(1.4), plane.drawing());
+  }
+
+  void draw_words(const trace::Pair* pair, const Rect& map, const Pen& pen) const {
+    double baseline = map.bottom() + 0.75 * pen.px(kWordsLine);
+    const auto write = [&](const std::string& what, Weight weight) {
+      pen.text(fitted(what, pen.px(kChartText), weight, static_cast<float>(map.width)),
+               pixel(map.x, baseline), Align::Left, kText, weight);
+      baseline += pen.px(kWordsLine);
+    };
+    write(pair == nullptr ? "no contact" : pair->stability->verdict, Weight::Bold);
+    if (pair == nullptr) return;
+    const double margin = pair->stability->margin;
+    std::string side = margin < 0 ? " outside" : " inside";
+    if (histories_.size() == 1) side += " of the support";
+    write(margin == 0 ? "on the border of the support" : spell_margin(std::abs(margin)) + side,
+          Weight::Regular);
+  }
+
+  // A row a verdict, and in them a stepped line a pair, drawn as in the chart above.
+  void draw_verdicts(std::size_t moment, const Rect& rect, const Pen& pen) const {
+    const double gutter = pen.px(kChartGutter), row = pen.px(kVerdictRow);
+    const Rect rows{rect.x + gutter, rect.y, rect.width - gutter,
+                    row * static_cast<double>(kVerdicts.size())};
+    double top = rows.y;
+    for (const std::string_view verdict : kVerdicts) {
+      const std::string name(verdict.substr(verdict.rfind(' ') + 1));
+      pen.text(name, pixel(rows.x, top + 0.78 * row) - Point2{pen.px(6), 0}, Align::Right,
+               kQuietText);
+      pen.fill({rows.x, top + pen.px(1), rows.width, row - pen.px(2)},
+               with_alpha(kQuietText, 0.10f));
+      top += row;
+    }
+    const double column = rows.width / static_cast<double>(frames_.size());
+    for (std::size_t h = 0; h < histories_.size(); ++h) {
+      const SeriesStyle style = series_style(h);
+      // Beside each other where verdicts are the same.
+      const double aside =
+          pen.px(4.5) * (static_cast<double>(h) - 0.5 * static_cast<double>(histories_.size() - 1));
+      std::vector<Point2> corners;
+      const auto finish = [&] {
+        pen.path(corners, 2.6, style.color, style.dash);
+        corners.clear();
+      };
+      for (std::size_t f = 0; f <= moment; ++f) {
+        const trace::Pair* pair = histories_[h].pairs[f];
+        const auto* known = pair == nullptr
+                                ? kVerdicts.end()
+                                : std::ranges::find(kVerdicts, pair->stability->verdict);
+        if (known == kVerdicts.end()) {
+          finish();
+          continue;
+        }
+        const auto level = static_cast<double>(known - kVerdicts.begin());
+        const Point2 from = pixel(rows.x + column * static_cast<double>(f),
+                                  rows.y + pen.px(kVerdictRow) * (level + 0.5) + aside);
+        if (corners.size() > 1 && corners.back().y == from.y)
+          corners.pop_back();  // goes on
+        else
+          corners.push_back(from);
+        corners.push_back(from + Point2{static_cast<float>(column), 0});
+      }
+      finish();
+    }
+    draw_moment(rows, frames_.size(), moment, pen);
+    draw_time_axis(frames_.back().time, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
+  }
+
+  const Staging& staging_;
+  const Frames& frames_;
+  std::vector<History> histories_;
+  SeriesChart margins_{"margin", "m"};
+  bool has_ages_ = false;  // beside points that have an age, those without are drawn as such
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_stability_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<StabilityPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw
