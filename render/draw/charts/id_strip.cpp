@@ -7,11 +7,6 @@
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {
-namespace {
-
-constexpr Color kThere = rgb(0xD5D8DC);
-
-}  // namespace
 
 IdHistory::IdHistory(const std::vector<std::vector<IdState>>& rows,
                      const std::vector<std::size_t>& pairs)
@@ -52,6 +47,7 @@ void IdHistory::draw_rows(const Rect& strip, std::size_t moment, std::size_t unt
                           const Pen& pen) const {
   const double row = strip.height / static_cast<double>(rows_.size());
   const double gap = row > 2.5 ? 0.18 * row : 0;
+  constexpr Color kThere = rgb(0xD5D8DC);
   double y = strip.y;
   for (const std::vector<Run>& runs : rows_) {
     for (const Run& run : runs) {

@@ -1,5 +1,3 @@
-#include "draw/charts/method_style.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +5,6 @@
 #include "core/at.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 namespace {

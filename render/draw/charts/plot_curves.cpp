@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <set>
 
-#include "draw/charts/method_style.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "draw/charts/method_style.h"
 #include "draw/charts/plot.h"
 
 namespace contactscope::draw {

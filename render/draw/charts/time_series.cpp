@@ -6,25 +6,22 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "draw/scene/pair_points.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// A chart can tell so many lines apart.
 constexpr std::size_t kMostPairLines = 4;
 
 /// In one frame; the first of equals, empty where none touches.
 std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
-  const PairSeries* most = nullptr;
-  for (const PairSeries& series : pairs) {
-    if (std::isnan(series.penetration[frame])) continue;
-    if (most == nullptr || series.penetration[frame] > most->penetration[frame]) most = &series;
-  }
-  return most == nullptr ? "" : most->name;
+  const auto depth = [&](const PairSeries& series) { return series.penetration[frame]; };
+  const auto most = std::ranges::max_element(
+      pairs, {}, [&](const PairSeries& series) { return std::fmax(-1, depth(series)); });
+  return std::isnan(depth(*most)) ? "" : most->name;
 }
 
 /// A pair that touches in some frame: where its series is, and the rows of its ids.
@@ -33,95 +30,102 @@ struct KnownPair {
   std::map<std::string_view, std::size_t> rows{};
 };
 
-/// Which labels a body has pairs of.
-using Groups = std::map<std::string_view, std::set<std::string_view>>;
-
-TimeSeries one_series(const std::vector<trace::Frame>& frames, const std::string& label,
-                      const Groups& groups) {
+/// A label's series while the frames are looked through.
+struct Group {
   TimeSeries series;
-  series.name = label;
   std::vector<PairSeries> pairs;  // in the order of their first contact
   std::map<std::pair<std::string_view, std::string_view>, KnownPair> known;
-  const bool solved = std::ranges::any_of(
-      frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
-  std::string last_query;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    double deepest = 0, points = 0, impulse = 0, energy = 0;
-    std::string query;
-    for (const trace::Pair& pair : frames[f].pairs) {
-      if (pair.label != label) continue;
-      if (pair.incremental && query.empty()) query = pair.incremental->query;
-      const std::vector<PairPoint> contacts = all_points(pair);
-      if (contacts.empty() && (!pair.reduction || pair.reduction->points.empty())) continue;
-      const auto [entry, is_new] = known.try_emplace({pair.a, pair.b}, KnownPair{pairs.size()});
-      KnownPair& own = entry->second;
-      if (is_new) {
-        const std::vector<double> none(frames.size(), kNone);
-        pairs.push_back({pair.a + "–" + pair.b, none, none});
-      }
-      const auto note_id = [&](const trace::Point& point, IdState state) {
-        const auto [row, is_new_id] = own.rows.try_emplace(point.id, series.ids.size());
-        if (is_new_id) {
-          series.ids.emplace_back(frames.size(), IdState::Absent);
-          series.id_pairs.push_back(own.index);
-        }
-        IdState& now = series.ids[row->second][f];
-        now = std::max(now, state);
-      };
-      for (const PairPoint& any : contacts) {
-        const trace::Point& point = *any.point;
-        const double depth = -point.separation, load = point.impulse ? point.impulse->normal : 0;
-        deepest = std::max(deepest, depth);
-        points += 1;
-        impulse += load;
-        double& own_depth = pairs[own.index].penetration[f];
-        double& own_impulse = pairs[own.index].impulse[f];
-        own_depth = std::fmax(own_depth, std::max(0.0, depth));  // of NaN and a number the number
-        own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
-        note_id(point, IdState::Kept);
-      }
-      if (!pair.reduction) continue;
-      for (const trace::Point& point : pair.reduction->points) note_id(point, IdState::Dropped);
-    }
-    if (frames[f].solver) {
-      for (const trace::Body& body : frames[f].solver->bodies) {
-        const auto group = groups.find(body.name);
-        if (group == groups.end() || group->second.contains(label)) energy += body.kinetic_energy;
-      }
-    }
-    series.penetration.push_back(deepest);
-    series.points.push_back(points);
-    if (!query.empty() && !last_query.empty() && query != last_query)
-      series.queries.push_back({f, last_query, query});
-    last_query = query;
-    if (!solved) continue;
-    series.energy.push_back(energy);
-    series.impulse.push_back(impulse);
+  std::set<std::string_view> bodies;
+  std::string query, last_query;  // of a frame and of the one before it
+};
+
+void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group& group) {
+  TimeSeries& series = group.series;
+  for (const std::string* body : {&pair.a, &pair.b}) group.bodies.insert(*body);
+  if (pair.incremental && group.query.empty()) group.query = pair.incremental->query;
+  const std::vector<PairPoint> contacts = all_points(pair);
+  if (contacts.empty() && (!pair.reduction || pair.reduction->points.empty())) return;
+  const auto [entry, is_new] =
+      group.known.try_emplace({pair.a, pair.b}, KnownPair{group.pairs.size()});
+  if (is_new) {
+    const std::vector<double> none(frames, std::numeric_limits<double>::quiet_NaN());
+    group.pairs.push_back({pair.a + "–" + pair.b, none, none});
   }
-  if (pairs.size() > kMostPairLines) {
-    for (std::size_t f = 0; f < frames.size(); ++f) series.deepest.push_back(deepest_of(pairs, f));
-  } else if (pairs.size() > 1) {
-    series.pairs = std::move(pairs);
-    for (PairSeries& pair : series.pairs) {
-      if (!solved) pair.impulse.clear();
+  KnownPair& own = entry->second;
+  const auto note_id = [&](const trace::Point& point, IdState state) {
+    const auto [row, is_new_id] = own.rows.try_emplace(point.id, series.ids.size());
+    if (is_new_id) {
+      series.ids.emplace_back(frames, IdState::Absent);
+      series.id_pairs.push_back(own.index);
     }
+    IdState& now = series.ids[row->second][f];
+    now = std::max(now, state);
+  };
+  for (const PairPoint& any : contacts) {
+    const trace::Point& point = *any.point;
+    const double depth = -point.separation, load = point.impulse ? point.impulse->normal : 0;
+    series.penetration[f] = std::max(series.penetration[f], depth);
+    series.points[f] += 1;
+    series.impulse[f] += load;
+    double& own_depth = group.pairs[own.index].penetration[f];
+    double& own_impulse = group.pairs[own.index].impulse[f];
+    own_depth = std::fmax(own_depth, std::max(0.0, depth));  // of NaN and a number the number
+    own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
+    note_id(point, IdState::Kept);
   }
-  return series;
+  if (!pair.reduction) return;
+  for (const trace::Point& point : pair.reduction->points) note_id(point, IdState::Dropped);
 }
 
 }  // namespace
 
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
-  Groups groups;
-  std::vector<std::string> labels;
-  for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
-      if (std::ranges::find(labels, pair.label) == labels.end()) labels.push_back(pair.label);
-      for (const std::string* body : {&pair.a, &pair.b}) groups[*body].insert(pair.label);
+  std::vector<Group> groups;  // by label, in the order of appearance
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    for (const trace::Pair& pair : frames[f].pairs) {
+      auto group = std::ranges::find(
+          groups, pair.label, [](const Group& g) -> const std::string& { return g.series.name; });
+      if (group == groups.end()) {
+        group = groups.emplace(group);
+        TimeSeries& series = group->series;
+        series.name = pair.label;
+        for (auto* values : {&series.penetration, &series.impulse, &series.points, &series.energy})
+          values->assign(frames.size(), 0);
+      }
+      add_pair(pair, f, frames.size(), *group);
+    }
+    for (Group& group : groups) {
+      if (!group.query.empty() && !group.last_query.empty() && group.query != group.last_query)
+        group.series.queries.push_back({f, group.last_query, group.query});
+      group.last_query = std::exchange(group.query, "");
+    }
+  }
+  const bool solved = std::ranges::any_of(
+      frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (!frames[f].solver) continue;
+    for (const trace::Body& body : frames[f].solver->bodies) {
+      const auto has_body = [&](const Group& group) { return group.bodies.contains(body.name); };
+      const bool is_alone = std::ranges::none_of(groups, has_body);
+      for (Group& group : groups) {
+        if (is_alone || has_body(group)) group.series.energy[f] += body.kinetic_energy;
+      }
     }
   }
   std::vector<TimeSeries> all;
-  for (const std::string& label : labels) all.push_back(one_series(frames, label, groups));
+  for (Group& group : groups) {
+    TimeSeries& series = all.emplace_back(std::move(group.series));
+    if (group.pairs.size() > kMostPairLines) {
+      for (std::size_t f = 0; f < frames.size(); ++f)
+        series.deepest.push_back(deepest_of(group.pairs, f));
+    } else if (group.pairs.size() > 1) {
+      series.pairs = std::move(group.pairs);
+    }
+    if (solved) continue;
+    series.energy.clear();
+    series.impulse.clear();
+    for (PairSeries& pair : series.pairs) pair.impulse.clear();
+  }
   return all;
 }
 

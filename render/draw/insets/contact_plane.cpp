@@ -31,35 +31,6 @@ constexpr Swatch kMarginSwatch{LegendGroup::Masses, 2, [](auto& pen) {
                                  pen.head(22, 8, kAxis);
                                }};
 
-void explain_stability(const trace::Pair& pair, Legend& legend) {
-  if (stability_of(pair) == nullptr) return;
-  const trace::Stability& stability = *pair.stability;
-  explain_support(stability, stability.axis && stability.verdict != "stable", legend);
-  double reach = 0;
-  for (const Vec3d& corner : stability.support)
-    reach = std::max(reach, (corner - stability.projection).norm());
-  if (std::abs(stability.margin) > kShortMargin * reach)
-    legend.explain(kMarginSwatch, "margin: to the border of the support");
-}
-
-void explain_contact_plane(const View& view, const trace::Pair& pair, Legend& legend) {
-  if (pair.clip && pair.manifolds.size() == 1) {
-    legend.explain(kReferenceFaceSwatch, "reference face");
-    legend.explain(kIncidentFaceSwatch, "incident face");
-    if (!pair.clip->steps.empty() && !pair.clip->steps.back().polygon.empty())
-      legend.explain(kClipPolygonSwatch, "clip polygon");
-    for (const trace::DroppedPoint& dropped : pair.clip->dropped) {
-      if (!is_kept(pair, dropped)) legend.explain(kDroppedSwatch, dropped.reason);
-    }
-  }
-  if (!view.shows(Layer::Contacts)) legend.explain(kPlainPointSwatch, "contact point");
-  if (reduction_in_contact_plane(pair) &&
-      pair.reduction->kept.size() < pair.reduction->points.size()) {
-    legend.explain(kReducedSwatch, "reduced away");
-    legend.explain(kKeptSwatch, "kept, in order of choice");
-  }
-}
-
 }  // namespace
 
 PlaneAxes axes_as_seen(const Camera& camera, const Vec3d& normal) {
@@ -197,12 +168,33 @@ const trace::Stability* stability_of(const trace::Pair& pair) {
 }
 
 void explain_panels(const View& view, const trace::Frame& frame, Legend& legend) {
-  if (view.shows(Panel::Stability)) {
-    for (const trace::Pair& pair : frame.pairs) explain_stability(pair, legend);
+  for (const trace::Pair& pair : frame.pairs) {
+    const trace::Stability* stability = stability_of(pair);
+    if (stability == nullptr || !view.shows(Panel::Stability)) continue;
+    explain_support(*stability, stability->axis && stability->verdict != "stable", legend);
+    double reach = 0;
+    for (const Vec3d& corner : stability->support)
+      reach = std::max(reach, (corner - stability->projection).norm());
+    if (std::abs(stability->margin) > kShortMargin * reach)
+      legend.explain(kMarginSwatch, "margin: to the border of the support");
   }
   const trace::Pair* pair = pair_of_contact_plane(frame);
-  if (view.shows(Panel::ContactPlane) && pair != nullptr)
-    explain_contact_plane(view, *pair, legend);
+  if (pair == nullptr || !view.shows(Panel::ContactPlane)) return;
+  if (pair->clip && pair->manifolds.size() == 1) {
+    legend.explain(kReferenceFaceSwatch, "reference face");
+    legend.explain(kIncidentFaceSwatch, "incident face");
+    if (!pair->clip->steps.empty() && !pair->clip->steps.back().polygon.empty())
+      legend.explain(kClipPolygonSwatch, "clip polygon");
+    for (const trace::DroppedPoint& dropped : pair->clip->dropped) {
+      if (!is_kept(*pair, dropped)) legend.explain(kDroppedSwatch, dropped.reason);
+    }
+  }
+  if (!view.shows(Layer::Contacts)) legend.explain(kPlainPointSwatch, "contact point");
+  if (reduction_in_contact_plane(*pair) &&
+      pair->reduction->kept.size() < pair->reduction->points.size()) {
+    legend.explain(kReducedSwatch, "reduced away");
+    legend.explain(kKeptSwatch, "kept, in order of choice");
+  }
 }
 
 }  // namespace contactscope::draw

@@ -58,7 +58,20 @@ class ContactPlanePanel : public PanelContent {
  public:
   ContactPlanePanel(const Staging& staging, const Frames& frames)
       : staging_(staging), frames_(frames) {
-    for (const trace::Frame& frame : frames) gather_extent(frame);
+    // What must be seen whole: the patch and the incident face. The reference face may be a whole
+    // floor, and is cut off at the map's border; of round shapes the smaller one counts.
+    for (const trace::Frame& frame : frames) {
+      const trace::Pair* pair = pair_of_contact_plane(frame);
+      if (pair == nullptr) continue;
+      append(points_, positions_of(*pair));
+      if (pair->clip) append(points_, pair->clip->incident.polygon);
+      const std::vector<PlacedShape> round = round_shapes(staging.meshes, frame, *pair);
+      const auto smallest = std::ranges::min_element(
+          round, {}, [](const PlacedShape& shape) { return shape.mesh->radius; });
+      if (smallest == round.end()) continue;
+      for (const Vec3d& center : smallest->vertices)
+        balls_.emplace_back(center, smallest->mesh->shape->radius);
+    }
   }
 
   PanelNeed need(const PanelMoment&) const override {
@@ -91,21 +104,6 @@ class ContactPlanePanel : public PanelContent {
   }
 
  private:
-  // What must be seen whole: the patch and the incident face. The reference face may be a whole
-  // floor, and is cut off at the map's border; of round shapes the smaller one counts.
-  void gather_extent(const trace::Frame& frame) {
-    const trace::Pair* pair = pair_of_contact_plane(frame);
-    if (pair == nullptr) return;
-    for (const PairPoint& any : all_points(*pair)) points_.push_back(any.point->position);
-    if (pair->clip) append(points_, pair->clip->incident.polygon);
-    const std::vector<PlacedShape> round = round_shapes(staging_.meshes, frame, *pair);
-    const auto smallest = std::ranges::min_element(
-        round, {}, [](const PlacedShape& shape) { return shape.mesh->radius; });
-    if (smallest == round.end()) return;
-    for (const Vec3d& center : smallest->vertices)
-      balls_.push_back({center, smallest->mesh->shape->radius});
-  }
-
   /// One scale for the sequence: the largest frame fits.
   ContactPlane plane_of(const trace::Pair& pair, const Rect& map, const Pen& pen) const {
     const PlaneAxes axes = axes_as_seen(staging_.camera, pair.manifolds.front().normal);

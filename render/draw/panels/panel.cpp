@@ -7,12 +7,7 @@
 namespace contactscope::draw {
 namespace {
 
-struct PanelRow {
-  Panel panel;
-  std::unique_ptr<PanelContent> (*make)(const Staging&, const Frames&);
-};
-
-constexpr PanelRow kPanelRows[] = {
+constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Summary, make_summary_panel},
     {Panel::ContactPlane, make_contact_plane_panel},
     {Panel::AxisHistory, make_axis_history_panel},
@@ -25,8 +20,9 @@ constexpr PanelRow kPanelRows[] = {
 std::vector<FilledPanel> make_panels(const Staging& staging, const Frames& frames) {
   std::vector<FilledPanel> panels;
   for (const Panel panel : staging.view.panels) {
-    const auto* const row = std::ranges::find(kPanelRows, panel, &PanelRow::panel);
-    if (row != std::end(kPanelRows)) panels.push_back({panel, row->make(staging, frames)});
+    for (const auto& [known, make] : kPanelRows) {
+      if (known == panel) panels.push_back({panel, make(staging, frames)});
+    }
   }
   return panels;
 }

@@ -64,11 +64,8 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
                                  float note);
 
 // The panels, one file each.
-std::unique_ptr<PanelContent> make_summary_panel(const Staging& staging, const Frames& frames);
-std::unique_ptr<PanelContent> make_contact_plane_panel(const Staging& staging,
-                                                       const Frames& frames);
-std::unique_ptr<PanelContent> make_axis_history_panel(const Staging& staging, const Frames& frames);
-std::unique_ptr<PanelContent> make_stability_panel(const Staging& staging, const Frames& frames);
-std::unique_ptr<PanelContent> make_plots_panel(const Staging& staging, const Frames& frames);
+using MakePanel = std::unique_ptr<PanelContent>(const Staging&, const Frames&);
+MakePanel make_summary_panel, make_contact_plane_panel, make_axis_history_panel;
+MakePanel make_stability_panel, make_plots_panel;
 
 }  // namespace contactscope::draw

@@ -146,13 +146,11 @@ class PlotsPanel : public PanelContent {
     const auto rows = static_cast<double>(ids_->row_count());
     const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_->pair_count() > 1;
     const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
-    std::string text = "contact ids, a row each";
-    if (bands && ids_->pair_count() > most) {
-      text = "contact ids of the first " + std::to_string(most) + " of " +
-             std::to_string(ids_->pair_count()) + " pairs";
-    } else if (bands) {
-      text = "contact ids by pair, cut where one changes";
-    }
+    const std::string text = !bands ? "contact ids, a row each"
+                             : ids_->pair_count() <= most
+                                 ? "contact ids by pair, cut where one changes"
+                                 : "contact ids of the first " + std::to_string(most) + " of " +
+                                       std::to_string(ids_->pair_count()) + " pairs";
     pen.text(text, pixel(strip.x, strip.y + pen.px(kStripHeading - 6)), Align::Left, kText);
     if (bands) {
       ids_->draw_bands(inner, moment, most, pen);

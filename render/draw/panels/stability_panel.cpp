@@ -8,11 +8,11 @@
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/marks.h"
 #include "draw/scene/pair_points.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {
@@ -97,8 +97,7 @@ class StabilityPanel : public PanelContent {
         if (pair == nullptr) continue;
         append(history.points, pair->stability->support);
         history.points.push_back(pair->stability->projection);
-        for (const PairPoint& any : all_points(*pair))
-          history.points.push_back(any.point->position);
+        append(history.points, positions_of(*pair));
       }
     }
     margins_.baseline = true;

@@ -31,7 +31,7 @@ std::string types_of(const trace::Pair& pair) {
 }
 
 std::string counted(const trace::Pair& pair) {
-  const std::size_t kept = point_count(pair);
+  const std::size_t kept = all_points(pair).size();
   const std::string text = std::to_string(kept);
   if (pair.manifolds.size() > 1)
     return text + " in " + std::to_string(pair.manifolds.size()) + " manifolds";
