@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -34,16 +33,23 @@ constexpr std::array<std::string_view, 46> kStatements = {
     "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
     "bsp",      "bzp",  "cdc",        "cdp",       "res",    "vw"};
 
+/// What a file has.
+struct Contents {
+  std::vector<Vec3d> vertices;
+  std::vector<std::vector<int>> faces;  // vertex indices, counted from 0, in the order of the file
+  std::vector<int> lines;               // of each face, from 1
+};
+
 /// tinyobjloader reads what it can and takes the rest as zero; this pass over the same text finds
 /// what it would pass over: a vertex without three finite numbers, a face that names a vertex that
-/// does not exist.
+/// does not exist. It reads the faces as well, whole: tinyobjloader can triangulate, but by a test that
+/// depends on where the origin is, which loses part of concave faces.
 class Checker {
  public:
   Checker(const std::string& path, std::string_view text) : path_(path), text_(text) {}
 
-  /// Throws InputError with line and column, or returns the line of each face, from 1, in the order
-  /// of the file.
-  std::vector<int> run() {
+  /// Throws InputError with line and column, or returns the faces and their lines.
+  Contents run() {
     while (next_line()) {
       const std::string_view statement = next_word();
       if (statement.empty() || statement[0] == '#') continue;
@@ -63,7 +69,7 @@ class Checker {
                        "the face names vertex " + std::to_string(largest_index_) +
                            ", but the file has " + std::to_string(vertices_));
     }
-    return std::move(face_lines_);
+    return std::move(contents_);
   }
 
  private:
@@ -105,7 +111,8 @@ class Checker {
   }
 
   void check_face() {
-    face_lines_.push_back(line_number_);
+    contents_.lines.push_back(line_number_);
+    std::vector<int>& face = contents_.faces.emplace_back();
     std::string_view word = next_word();
     if (word.empty()) fail("the face has no vertex; a face is 'f' and at least three of them");
     for (; !word.empty(); word = next_word()) {
@@ -116,6 +123,7 @@ class Checker {
       if (error != std::errc{} || !number_ends || index == 0 || index < -vertices_) {
         fail(quoted(word) + " names no vertex; vertices count from 1, or from -1 backwards");
       }
+      face.push_back(static_cast<int>(index > 0 ? index - 1 : vertices_ + index));
       if (index > largest_index_) {
         largest_index_ = index;
         line_of_largest_ = line_number_;
@@ -143,15 +151,7 @@ class Checker {
   long vertices_ = 0;
   long largest_index_ = 0;
   int line_of_largest_ = 0;
-  std::vector<int> face_lines_;
-};
-
-/// What tinyobjloader reports. It can triangulate, but by a test that depends on where the origin
-/// is: it loses part of concave faces. So faces are taken whole, in the order of the file.
-struct Contents {
-  std::vector<Vec3d> vertices;
-  std::vector<std::vector<int>> faces;  // vertex indices, counted from 0
-  std::vector<int> lines;               // of each face, from 1
+  Contents contents_;
 };
 
 Contents read(const std::string& path) {
@@ -165,25 +165,15 @@ Contents read(const std::string& path) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (text.empty()) refuse("the file is empty; expected a Wavefront .obj");
 
-  Contents contents;
-  contents.lines = Checker(path, text).run();
+  Contents contents = Checker(path, text).run();
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = [](void* to, double x, double y, double z, double) {
     static_cast<Contents*>(to)->vertices.emplace_back(x, y, z);
-  };
-  callbacks.index_cb = [](void* to, tinyobj::index_t* indices, int count) {
-    auto& [vertices, faces, lines] = *static_cast<Contents*>(to);
-    std::vector<int>& face = faces.emplace_back();
-    for (int i = 0; i < count; ++i) {
-      const int index = indices[i].vertex_index;  // from 1, or from -1 backwards
-      face.push_back(index > 0 ? index - 1 : count_of(vertices) + index);
-    }
   };
   std::istringstream stream(text);
   std::string error;
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &contents, nullptr, nullptr, &error))
     refuse("the file cannot be read as .obj: " + error);
-  assert(contents.lines.size() == contents.faces.size());
   return contents;
 }
 

@@ -7,7 +7,6 @@
 #include "manifold/edge_contact.h"
 #include "manifold/face_contact.h"
 #include "manifold/recorder.h"
-#include "query/far_axes.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
 

@@ -1,10 +1,9 @@
-#include "query/penetration_methods.h"
+#include "query/polytope.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/at.h"
-#include "query/polytope.h"
 
 namespace contactscope {
 namespace {
@@ -111,7 +110,7 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
 template <class S>
 bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
   for (int i = 0; i < 4; ++i) {
-    if (tetrahedron.face(i).offset < -S(16) * rounding) return false;
+    if (at(tetrahedron.faces, i).offset < -S(16) * rounding) return false;
   }
   return true;
 }
@@ -122,16 +121,16 @@ void record(const Polytope<S>& polytope, int nearest, const MinkowskiDifference<
   PolytopeStep<S>& step = steps.polytopes.emplace_back();
   std::array<int, Polytope<S>::kMaxVertices> place;
   place.fill(-1);
-  step.distance = difference.unit() * polytope.face(nearest).distance;
-  for (const PolytopeFace<S>& face : polytope.faces()) {
+  step.distance = difference.unit() * at(polytope.faces, nearest).distance;
+  for (const PolytopeFace<S>& face : polytope.faces) {
     if (!face.is_alive) continue;
-    if (&face == &polytope.face(nearest)) step.nearest = count_of(step.faces);
+    if (&face == &at(polytope.faces, nearest)) step.nearest = count_of(step.faces);
     std::array<int, 3>& corners = step.faces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       int& told = at(place, face.vertices[k]);
       if (told < 0) {
         told = count_of(step.vertices);
-        step.vertices.push_back(difference.vertex(polytope.vertex(face.vertices[k]).pair));
+        step.vertices.push_back(difference.vertex(at(polytope.vertices, face.vertices[k]).pair));
       }
       corners[k] = told;
     }
@@ -145,7 +144,7 @@ void weigh(const Polytope<S>& polytope, BoundedDifference<S>& difference) {
   const Vec3<S> met = difference.upper() * difference.outward();
   const PolytopeFace<S>* best = nullptr;
   S least = std::numeric_limits<S>::infinity();
-  for (const PolytopeFace<S>& face : polytope.faces()) {
+  for (const PolytopeFace<S>& face : polytope.faces) {
     if (!face.is_alive) continue;
     Vec3<S> nearest = Vec3<S>::Zero();
     for (int k = 0; k < 3; ++k) nearest += at(face.weights, k) * polytope.corner(face, k).point;
@@ -214,13 +213,13 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
   int iteration = 0;
   while (iteration < allowed) {
     const int nearest = polytope.nearest_open();
-    if (nearest < 0 || difference.upper() - polytope.face(nearest).distance <= tolerance) {
+    if (nearest < 0 || difference.upper() - at(polytope.faces, nearest).distance <= tolerance) {
       const bool is_certain = difference.upper() - polytope.distance() <= tolerance;
       status = is_certain ? PenetrationStatus::Converged : PenetrationStatus::Stalled;
       break;
     }
     ++iteration;
-    const PolytopeFace<S> face = polytope.face(nearest);
+    const PolytopeFace<S> face = at(polytope.faces, nearest);
     if (steps != nullptr) record(polytope, nearest, difference, *steps);
 
     DifferencePoint<S> support;
@@ -228,10 +227,10 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
     if (!difference.is_finite() || difference.is_separated()) break;
     const S beyond = face.direction.dot(support.point) - face.distance;
     if (beyond <= tolerance) {
-      polytope.close(nearest);
+      at(polytope.faces, nearest).is_closed = true;
     } else if (polytope.has_vertex(support.pair) || !polytope.expand(nearest, support)) {
       turn_about_longest_edge(polytope, face, support, tolerance, difference);
-      polytope.close(nearest);
+      at(polytope.faces, nearest).is_closed = true;
     }
   }
   if (difference.is_separated()) status = PenetrationStatus::Separated;

@@ -1,9 +1,8 @@
-#include "query/far_axes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "query/sat.h"
 #include "query/support_set.h"
 
 namespace contactscope {

@@ -82,12 +82,6 @@ GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>&
 }
 
 template <class S>
-void tell_step(const Simplex<S>& simplex, const MinkowskiDifference<S>& difference,
-               GjkRun<S>& run) {
-  run.steps.push_back(to_result(simplex, difference));
-}
-
-template <class S>
 GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
                     const MinkowskiDifference<S>& difference, GjkRun<S>* run) {
   GjkResult<S> result;
@@ -135,37 +129,35 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
       difference.has(warm_start)
           ? warm_simplex(*warm_start, difference)
           : first_simplex(difference.support_against(difference.between_middles()), difference);
+  const auto ended = [&](GjkStatus status, int iterations) {
+    return finish(status, iterations, *simplex, difference, run);
+  };
   int stalls = 0;
   for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
     if (run != nullptr) [[unlikely]]
-      tell_step(*simplex, difference, *run);
+      run->steps.push_back(to_result(*simplex, difference));
     const NearestOnSimplex<S>& nearest = simplex->nearest;
-    if (nearest.count == 4) return finish(GjkStatus::Overlap, iteration, *simplex, difference, run);
-    if (nearest.squared_distance <= rounding * rounding) {
-      return finish(GjkStatus::Touching, iteration, *simplex, difference, run);
-    }
+    if (nearest.count == 4) return ended(GjkStatus::Overlap, iteration);
+    if (nearest.squared_distance <= rounding * rounding)
+      return ended(GjkStatus::Touching, iteration);
 
     const IndexPair support = difference.support_against(nearest.direction);
-    if (simplex->has(support)) {
-      return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
-    }
+    if (simplex->has(support)) return ended(GjkStatus::Separated, iteration);
     const Vec3<S> point = difference.point(support);
     const S gain = simplex->least_along(nearest.direction) - nearest.direction.dot(point);
     const bool is_farther =
         gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
-    if (!is_farther) return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
+    if (!is_farther) return ended(GjkStatus::Separated, iteration);
 
     grow(*simplex, support, point, difference.scale(), *next);
     if (!(next->nearest.squared_distance < nearest.squared_distance)) {
       const S farther = std::sqrt(next->nearest.squared_distance);
       const bool is_worse = farther > std::sqrt(nearest.squared_distance) + rounding;
-      if (is_worse || ++stalls > kMaxGjkStalls) {
-        return finish(GjkStatus::Separated, iteration, *simplex, difference, run);
-      }
+      if (is_worse || ++stalls > kMaxGjkStalls) return ended(GjkStatus::Separated, iteration);
     }
     std::swap(simplex, next);
   }
-  return finish(GjkStatus::OutOfIterations, kMaxGjkIterations, *simplex, difference, run);
+  return ended(GjkStatus::OutOfIterations, kMaxGjkIterations);
 }
 
 template decltype(gjk<float>) gjk<float>;

@@ -1,11 +1,10 @@
-#include "query/penetration_methods.h"
+#include "query/penetration_bounds.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "core/at.h"
-#include "query/penetration_bounds.h"
 
 namespace contactscope {
 namespace {
@@ -13,16 +12,14 @@ namespace {
 /// The inner point, the ray from it through the origin, and the portal: a triangle of points of the
 /// difference that the ray passes through, counter-clockwise seen from outside.
 template <class S>
-class Portal {
- public:
+struct Portal {
   Portal(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
          BoundedDifference<S>& difference)
-      : difference_(difference) {
-    inner_vertex_ = {-1, -1, middle_of(a), b_in_a.transform(middle_of(b))};
-    inner_ = (inner_vertex_.b - inner_vertex_.a) / difference.unit();
-    const S length = inner_.norm();
+      : inner_vertex{-1, -1, middle_of(a), b_in_a.transform(middle_of(b))},
+        inner((inner_vertex.b - inner_vertex.a) / difference.unit()) {
+    const S length = inner.norm();
     if (length > difference.rounding()) {
-      ray_ = -inner_ / length;
+      ray = -inner / length;
     } else {
       // Concentric: any ray will do. Of the six along the axes, the one with the nearest support.
       S least = std::numeric_limits<S>::infinity();
@@ -30,27 +27,26 @@ class Portal {
         for (int axis = 0; axis < 3; ++axis) {
           const Vec3<S> unit = sign * Vec3<S>::Unit(axis);
           const S along = unit.dot(difference.support(unit).point);
-          if (along < least) least = along, ray_ = unit;
+          if (along < least) least = along, ray = unit;
         }
       }
     }
   }
 
-  const Vec3<S>& ray() const { return ray_; }
-  DifferencePoint<S>& operator[](int i) { return at(points_, i); }
+  DifferencePoint<S>& operator[](int i) { return at(points, i); }
   /// From the inner point.
-  Vec3<S> from_inner(const DifferencePoint<S>& point) const { return point.point - inner_; }
-  Vec3<S> from_inner(int i) const { return from_inner(at(points_, i)); }
+  Vec3<S> from_inner(const DifferencePoint<S>& point) const { return point.point - inner; }
+  Vec3<S> from_inner(int i) const { return from_inner(at(points, i)); }
   /// On which side of the plane through the inner point and two others the ray passes: the sign.
-  S side(const Vec3<S>& one, const Vec3<S>& other) const { return ray_.dot(one.cross(other)); }
+  S side(const Vec3<S>& one, const Vec3<S>& other) const { return ray.dot(one.cross(other)); }
   S side(int i, int j) const { return side(from_inner(i), from_inner(j)); }
 
   /// Outward, any length; zero where the portal has no area.
   Vec3<S> normal() const {
     S longest = S(0);
     const Vec3<S> cross =
-        triangle_normal(points_[0].point, points_[1].point, points_[2].point, longest);
-    return cross.dot(ray_) < S(0) ? Vec3<S>(-cross) : cross;
+        triangle_normal(points[0].point, points[1].point, points[2].point, longest);
+    return cross.dot(ray) < S(0) ? Vec3<S>(-cross) : cross;
   }
   /// Where the ray passes, in weights of the corners.
   void weigh(WeightedPairs<S>& weights) const {
@@ -59,23 +55,16 @@ class Portal {
     const S sum = sides[0] + sides[1] + sides[2];
     if (!(sum > S(0))) return;  // the support point that was measured last stands
     weights.count = 0;
-    for (std::size_t i = 0; i < 3; ++i) weights.add(points_[i].pair, sides[i] / sum);
+    for (std::size_t i = 0; i < 3; ++i) weights.add(points[i].pair, sides[i] / sum);
   }
   bool has(const IndexPair& pair) const {
-    return std::ranges::find(points_, pair, &DifferencePoint<S>::pair) != points_.end();
-  }
-  void record(PenetrationSteps<S>* steps) const {
-    if (steps == nullptr) return;
-    const auto vertex = [&](int i) { return difference_.vertex(at(points_, i).pair); };
-    steps->portals.push_back({inner_vertex_, vertex(0), vertex(1), vertex(2)});
+    return std::ranges::find(points, pair, &DifferencePoint<S>::pair) != points.end();
   }
 
- private:
-  BoundedDifference<S>& difference_;
-  GjkVertex<S> inner_vertex_;
-  Vec3<S> inner_;
-  Vec3<S> ray_ = Vec3<S>::UnitX();  // unit
-  std::array<DifferencePoint<S>, 3> points_;
+  GjkVertex<S> inner_vertex;
+  Vec3<S> inner;
+  Vec3<S> ray = Vec3<S>::UnitX();  // unit
+  std::array<DifferencePoint<S>, 3> points;
 };
 
 /// Searches the first portal; what it comes to where it finds none. Flat: the last direction that was
@@ -90,10 +79,10 @@ std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S
     difference.measure(outward, portal[place]);
     return outward.dot(portal.from_inner(place));
   };
-  measure(portal.ray(), 0);
+  measure(portal.ray, 0);
   if (difference.is_separated()) return PenetrationStatus::Converged;
 
-  Vec3<S> across = portal.from_inner(0).cross(portal.ray());
+  Vec3<S> across = portal.from_inner(0).cross(portal.ray);
   S length = across.norm();
   if (length <= thin) return PenetrationStatus::Converged;
   if (measure(across / length, 1) <= thin) return PenetrationStatus::Flat;
@@ -145,7 +134,10 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
   PenetrationStatus status = ended.value_or(PenetrationStatus::OutOfIterations);
   while (!ended && iterations < allowed) {
     ++iterations;
-    portal.record(steps);
+    if (steps != nullptr) {
+      const auto vertex = [&](int i) { return difference.vertex(portal[i].pair); };
+      steps->portals.push_back({portal.inner_vertex, vertex(0), vertex(1), vertex(2)});
+    }
     const Vec3<S> normal = portal.normal();
     const S length = normal.norm();
     if (!(length > S(0))) {

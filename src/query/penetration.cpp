@@ -5,7 +5,7 @@
 #include "core/at.h"
 #include "query/capsule_sat.h"
 #include "query/closest_points.h"
-#include "query/penetration_methods.h"
+#include "query/penetration_bounds.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
 

@@ -25,10 +25,10 @@ S weight_on_edge(const Vec3<S>& from, const Vec3<S>& to) {
 
 template <class S>
 Polytope<S>::Polytope(const StartSimplex<S>& tetrahedron, S rounding) : rounding_(rounding) {
-  for (const DifferencePoint<S>& point : tetrahedron.points) vertices_.push_back(point);
-  const Vec3<S> side1 = vertex(1).point - vertex(0).point;
-  const Vec3<S> side2 = vertex(2).point - vertex(0).point;
-  const Vec3<S> side3 = vertex(3).point - vertex(0).point;
+  for (const DifferencePoint<S>& point : tetrahedron.points) vertices.push_back(point);
+  const Vec3<S> side1 = vertices[1].point - vertices[0].point;
+  const Vec3<S> side2 = vertices[2].point - vertices[0].point;
+  const Vec3<S> side3 = vertices[3].point - vertices[0].point;
   // Seen from outside, that is from the other side than vertex 3.
   const bool flip = side1.cross(side2).dot(side3) > S(0);
   const int one = flip ? 2 : 1, two = flip ? 1 : 2;
@@ -42,17 +42,9 @@ Polytope<S>::Polytope(const StartSimplex<S>& tetrahedron, S rounding) : rounding
 }
 
 template <class S>
-int Polytope<S>::edge_from(int index, int from) const {
-  for (int e = 0; e < 3; ++e) {
-    if (at(face(index).vertices, e) == from) return e;
-  }
-  return -1;
-}
-
-template <class S>
 void Polytope<S>::link(int one, int edge, int other, int other_edge) {
-  at(at(faces_, one).neighbours, edge) = other;
-  at(at(faces_, other).neighbours, other_edge) = one;
+  at(at(faces, one).neighbours, edge) = other;
+  at(at(faces, other).neighbours, other_edge) = one;
 }
 
 template <class S>
@@ -64,12 +56,12 @@ int Polytope<S>::add_face(int first, int second, int third) {
   added.is_closed = false;
   measure(added);
   if (free_.empty()) {
-    faces_.push_back(added);
-    return count_of(faces_) - 1;
+    faces.push_back(added);
+    return count_of(faces) - 1;
   }
   const int slot = free_.back();
   free_.truncate(free_.size() - 1);
-  at(faces_, slot) = added;
+  at(faces, slot) = added;
   return slot;
 }
 
@@ -135,8 +127,8 @@ template <class S>
 int Polytope<S>::nearest_open() const {
   int best = -1;
   S least = std::numeric_limits<S>::infinity();
-  for (int i = 0; i < count_of(faces_); ++i) {
-    const PolytopeFace<S>& candidate = face(i);
+  for (int i = 0; i < count_of(faces); ++i) {
+    const PolytopeFace<S>& candidate = at(faces, i);
     if (candidate.is_alive && !candidate.is_closed && candidate.distance < least) {
       least = candidate.distance;
       best = i;
@@ -148,7 +140,7 @@ int Polytope<S>::nearest_open() const {
 template <class S>
 S Polytope<S>::distance() const {
   S least = std::numeric_limits<S>::infinity();
-  for (const PolytopeFace<S>& candidate : faces_) {
+  for (const PolytopeFace<S>& candidate : faces) {
     if (candidate.is_alive) least = std::min(least, candidate.distance);
   }
   return least;
@@ -156,7 +148,7 @@ S Polytope<S>::distance() const {
 
 template <class S>
 bool Polytope<S>::has_vertex(const IndexPair& pair) const {
-  return std::ranges::find(vertices_, pair, &DifferencePoint<S>::pair) != vertices_.end();
+  return std::ranges::find(vertices, pair, &DifferencePoint<S>::pair) != vertices.end();
 }
 
 /// On the plane counts as seen: faces in one plane are replaced together, so that no new triangle is
@@ -171,12 +163,12 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   // Flood fill over neighbours from the face that is known to be seen.
   StaticVector<int, kMaxFaces> region;
   std::array<bool, kMaxFaces> is_in_region;
-  std::fill_n(is_in_region.begin(), faces_.size(), false);
+  std::fill_n(is_in_region.begin(), faces.size(), false);
   region.push_back(seen);
   at(is_in_region, seen) = true;
   for (std::size_t i = 0; i < region.size(); ++i) {
-    for (const int neighbour : face(region[i]).neighbours) {
-      if (at(is_in_region, neighbour) || !is_seen_from(face(neighbour), point.point)) continue;
+    for (const int neighbour : at(faces, region[i]).neighbours) {
+      if (at(is_in_region, neighbour) || !is_seen_from(at(faces, neighbour), point.point)) continue;
       at(is_in_region, neighbour) = true;
       region.push_back(neighbour);
     }
@@ -189,7 +181,7 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   std::array<HorizonEdge, kMaxVertices> horizon;
   int edges = 0, first = -1;
   for (const int inside : region) {
-    const PolytopeFace<S>& from = face(inside);
+    const PolytopeFace<S>& from = at(faces, inside);
     for (std::size_t e = 0; e < 3; ++e) {
       const int outer = from.neighbours[e];
       if (at(is_in_region, outer)) continue;
@@ -208,16 +200,18 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   if (edges < 3 || walked != edges) return false;
 
   for (const int inside : region) {
-    at(faces_, inside).is_alive = false;
+    at(faces, inside).is_alive = false;
     free_.push_back(inside);
   }
-  const int apex = count_of(vertices_);
-  vertices_.push_back(point);
+  const int apex = count_of(vertices);
+  vertices.push_back(point);
   int from = first, previous = -1, first_added = -1;
   do {
     const HorizonEdge& edge = at(horizon, from);
     const int added = add_face(from, edge.to, apex);
-    link(added, 0, edge.outer, edge_from(edge.outer, edge.to));
+    const auto& corners = at(faces, edge.outer).vertices;
+    const auto shared = std::ranges::find(corners, edge.to) - corners.begin();
+    link(added, 0, edge.outer, static_cast<int>(shared));
     if (previous >= 0) {
       link(previous, 1, added, 2);
     } else {

@@ -5,7 +5,6 @@
 #include "core/at.h"
 #include "core/static_vector.h"
 #include "query/penetration_bounds.h"
-#include "query/penetration_methods.h"
 
 namespace contactscope {
 
@@ -34,8 +33,7 @@ struct PolytopeFace {
 /// The polytope of EPA: a closed surface of triangles inside the Minkowski difference around the
 /// origin, in units. Room for every expansion that EPA may make; nothing on the heap.
 template <class S>
-class Polytope {
- public:
+struct Polytope {
   static constexpr int kMaxVertices = 4 + kMaxEpaIterations;
   static constexpr int kMaxFaces = 2 * kMaxVertices;
 
@@ -43,37 +41,31 @@ class Polytope {
   /// it.
   Polytope(const StartSimplex<S>& tetrahedron, S rounding);
 
-  const PolytopeFace<S>& face(int index) const { return at(faces_, index); }
-  const DifferencePoint<S>& vertex(int index) const { return at(vertices_, index); }
   /// Corner k of a face, modulo 3.
   const DifferencePoint<S>& corner(const PolytopeFace<S>& face, int k) const {
-    return vertex(at(face.vertices, k % 3));
+    return at(vertices, at(face.vertices, k % 3));
   }
-  /// Also those that are no longer alive.
-  const auto& faces() const { return faces_; }
-
   /// The open face nearest to the origin; -1 when all are closed.
   int nearest_open() const;
   /// Distance of the surface from the origin.
   S distance() const;
-  void close(int face) { at(faces_, face).is_closed = true; }
   bool has_vertex(const IndexPair& pair) const;
 
   /// Replaces the faces that `point` sees, among them `seen`, by those between it and their horizon.
   /// False, and nothing changed, where rounding has made the horizon no simple loop.
   bool expand(int seen, const DifferencePoint<S>& point);
 
+  StaticVector<DifferencePoint<S>, kMaxVertices> vertices;
+  StaticVector<PolytopeFace<S>, kMaxFaces> faces;  // also those that are no longer alive
+
  private:
   int add_face(int first, int second, int third);
   void measure(PolytopeFace<S>& face) const;
   bool is_seen_from(const PolytopeFace<S>& face, const Vec3<S>& point) const;
   void link(int face, int edge, int neighbour, int neighbour_edge);
-  int edge_from(int face, int vertex) const;
 
   S rounding_;
-  StaticVector<DifferencePoint<S>, kMaxVertices> vertices_;
-  StaticVector<PolytopeFace<S>, kMaxFaces> faces_;
-  StaticVector<int, kMaxFaces> free_;
+  StaticVector<int, kMaxFaces> free_;  // faces that are no longer alive
 };
 
 }  // namespace contactscope

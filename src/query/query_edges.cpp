@@ -10,49 +10,46 @@
 namespace contactscope {
 namespace {
 
-/// One edge of A: on the Gauss map, the arc between the normals of its faces.
-template <class S>
-struct Arc {
-  int half_edge;
-  Vec3<S> first;  // normal of the face on the left of the half-edge
-  Vec3<S> second;
-  Vec3<S> on_edge;  // a vertex of the edge
-};
-
-/// One end of an arc: B's support vertex there, and the separation that it gives.
+/// One end of an arc: a unit direction, B's support vertex along it, and the separation that it gives.
 template <class S>
 struct ArcEnd {
+  Vec3<S> direction;
   int support;
   S separation;  // metres
 };
 
+/// One edge of A: on the Gauss map, the arc from the normal of the face on the left of the half-edge to
+/// that of the other. Of a flat A, one half of it.
 template <class S>
-ArcEnd<S> end_at(const FaceSeparations<S>& faces_a, int face) {
-  return {faces_a.support(face), faces_a.separation(face)};
-}
+struct Arc {
+  int half_edge;
+  Vec3<S> on_edge;  // a vertex of the edge
+  ArcEnd<S> first, second;
+};
 
 /// `direction` is unit, and `on_a` a support point of A along it.
 template <class S>
 ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3<S>& on_a) {
-  ArcEnd<S> end{0, std::numeric_limits<S>::infinity()};
+  ArcEnd<S> end{direction, 0, std::numeric_limits<S>::infinity()};
   for (int v = 0; v < b.vertices.count(); ++v) {
     const S separation = direction.dot(Vec3<S>(b.vertices[v] - on_a));
-    if (separation < end.separation) end = {v, separation};
+    if (separation < end.separation) end = {direction, v, separation};
   }
   return end;
 }
 
-/// An upper bound of the separation along any direction of the arc, from the support vertices at
-/// its ends. Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a point
-/// of the edge is a minimum over vertices of linear functions of t: concave, and below the line of
-/// each single vertex. Where that is negative, dividing by |n(t)| <= 1 only lowers it.
+/// Whether no direction of the arc has a separation above `bound`, by the support vertices at its ends.
+/// Along n(t) = (1 - t) first + t second the distance of B's deepest vertex from a point of the edge is
+/// a minimum over vertices of linear functions of t: concave, and below the line of each single vertex.
+/// Where that is negative, dividing by |n(t)| <= 1 only lowers it.
 template <class S>
-bool arc_stays_below(const Arc<S>& arc, S first_separation, S second_separation,
-                     const Vec3<S>& first_support, const Vec3<S>& second_support, S bound) {
-  const S first_at_second = arc.second.dot(Vec3<S>(first_support - arc.on_edge));
-  if (std::max(first_separation, first_at_second) <= bound) return true;
-  const S second_at_first = arc.first.dot(Vec3<S>(second_support - arc.on_edge));
-  return std::max(second_separation, second_at_first) <= bound;
+bool arc_stays_below(const PlacedHull<S>& b, const Arc<S>& arc, S bound) {
+  const ArcEnd<S>&first = arc.first, &second = arc.second;
+  const S most = std::min(bound, S(0));
+  const S first_at_second = second.direction.dot(Vec3<S>(b.vertices[first.support] - arc.on_edge));
+  if (std::max(first.separation, first_at_second) <= most) return true;
+  const S second_at_first = first.direction.dot(Vec3<S>(b.vertices[second.support] - arc.on_edge));
+  return std::max(second.separation, second_at_first) <= most;
 }
 
 /// Separation along a unit direction by the support points of both whole hulls. Valid for every
@@ -79,50 +76,43 @@ S support_separation(const HullPair<S>& pair, const Vec3<S>& direction) {
 /// the walk goes along edges of B for which the last factor is positive.
 template <class S>
 S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
-  const bool wide = arc.first.dot(arc.second) < S(0);
-  return wide || cross.dot(Vec3<S>(arc.first + arc.second)) >= S(0) ? S(1) : S(-1);
+  const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
+  const bool wide = first.dot(second) < S(0);
+  return wide || cross.dot(Vec3<S>(first + second)) >= S(0) ? S(1) : S(-1);
 }
 
-/// Measures one Minkowski face. The axis is the cross product of the unit edges, which have no
-/// scale. The edges themselves are the support, so the separation is the distance between a point
-/// of each. An axis that would win and is either uncertain (nearly parallel edges) or would
-/// separate is measured again with the support points of both hulls: no slip at the limit of
+/// The axis of a crossing, into `found`: the cross product of the unit edges, which have no scale. The
+/// edges themselves are the support, so the separation is the distance between a point of each. Returns
+/// the sine between the edges; where it is less than kParallelSine, they have no axis.
+template <class S>
+[[gnu::always_inline]] inline S cross_edges(const HullPair<S>& pair, const Arc<S>& arc,
+                                            const Vec3<S>& along_a, int edge_b,
+                                            EdgeQuery<S>& found) {
+  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
+  const S sine = cross.norm();
+  if (sine < kParallelSine<S>) return sine;
+  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
+  const Vec3<S> between = pair.b.origin(edge_b) - arc.on_edge;
+  found = {arc.half_edge, edge_b, normal.dot(between), normal};
+  return sine;
+}
+
+/// Measures one Minkowski face. An axis that would win and is either uncertain (nearly parallel edges)
+/// or would separate is measured again with the support points of both hulls: no slip at the limit of
 /// rounding can then report a gap that is not there. Returns whether it won, into `best`.
 template <class S>
 [[gnu::always_inline]] inline bool measure(const HullPair<S>& pair, const Arc<S>& arc,
                                            const Vec3<S>& along_a, int edge_b, S to_beat,
                                            EdgeQuery<S>& best) {
-  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
-  const S sine = cross.norm();
-  if (sine < kParallelSine<S>) return false;
-  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
-  S separation = normal.dot(Vec3<S>(pair.b.origin(edge_b) - arc.on_edge));
-  if (!(separation > to_beat)) return false;
-  if (sine < kNoisySine<S> || separation > S(0)) {
-    separation = support_separation(pair, normal);
-    if (!(separation > to_beat)) return false;
+  EdgeQuery<S> found;
+  const S sine = cross_edges(pair, arc, along_a, edge_b, found);
+  if (sine < kParallelSine<S> || !(found.separation > to_beat)) return false;
+  if (sine < kNoisySine<S> || found.separation > S(0)) {
+    found.separation = support_separation(pair, found.normal);
+    if (!(found.separation > to_beat)) return false;
   }
-  best = {arc.half_edge, edge_b, separation, normal};
+  best = found;
   return true;
-}
-
-/// Calls visit(arc, start, end) for every edge of a flat A, each end of an arc with the separation
-/// there and B's support vertex. The two faces of a flat hull are half a turn apart, and their normals
-/// alone do not say on which way; its arcs come as two quarters, by way of the direction in the plane
-/// that points away from the edge.
-template <class S, class Visit>
-void each_arc_of_flat(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
-                      const Visit& visit) {
-  const PlacedHull<S>& a = pair.a;
-  for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
-    const int first = a.half_edge(edge).face;
-    const int second = a.half_edge(edge + 1).face;
-    const Vec3<S> on_edge = a.origin(edge);
-    const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
-    const ArcEnd<S> middle = end_along(pair.b, side, on_edge);
-    visit(Arc<S>{edge, a.normals[first], side, on_edge}, end_at(faces_a, first), middle);
-    visit(Arc<S>{edge, side, a.normals[second], on_edge}, middle, end_at(faces_a, second));
-  }
 }
 
 /// Calls visit(arc, along_a, edge_b) for every edge of A and each edge of B whose arc crosses its arc,
@@ -133,25 +123,33 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
   const PlacedHull<S>& a = pair.a;
   const PlacedHull<S>& b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
-  const auto walk = [&](const Arc<S>& arc, const ArcEnd<S>& start, const ArcEnd<S>& end) {
-    if (start.support == end.support) return;
-    if (arc_stays_below(arc, start.separation, end.separation, b.vertices[start.support],
-                        b.vertices[end.support], std::min(to_beat, S(0))))
-      return;
+  const auto walk = [&](const Arc<S>& arc) {
+    const ArcEnd<S>&first = arc.first, &second = arc.second;
+    if (first.support == second.support || arc_stays_below(b, arc, to_beat)) return;
     const Vec3<S> along_a = a.direction(arc.half_edge);
-    const Vec3<S> first_in_b = a_to_b * arc.first;
-    const Vec3<S> second_in_b = a_to_b * arc.second;
-    walk_arc(b.hull, first_in_b, second_in_b, start.support, end.support,
+    const Vec3<S> first_in_b = a_to_b * first.direction;
+    const Vec3<S> second_in_b = a_to_b * second.direction;
+    walk_arc(b.hull, first_in_b, second_in_b, first.support, second.support,
              [&](int edge_b) { visit(arc, along_a, edge_b); });
   };
-  if (a.hull.flat()) [[unlikely]]
-    return each_arc_of_flat(pair, faces_a, walk);
+  const auto end_at = [&](int face) {
+    return ArcEnd<S>{a.normals[face], faces_a.support(face), faces_a.separation(face)};
+  };
+  const bool flat = a.hull.flat();
   for (int edge = 0; edge < 2 * a.hull.edge_count(); edge += 2) {
     const int first = a.half_edge(edge).face;
     const int second = a.half_edge(edge + 1).face;
-    if (faces_a.support(first) == faces_a.support(second)) continue;
-    walk(Arc<S>{edge, a.normals[first], a.normals[second], a.origin(edge)}, end_at(faces_a, first),
-         end_at(faces_a, second));
+    if (flat) [[unlikely]] {
+      // The two faces are half a turn apart, and their normals alone do not say on which way: the arc
+      // comes as two quarters, by way of the direction in the plane that points away from the edge.
+      const Vec3<S> on_edge = a.origin(edge);
+      const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
+      const ArcEnd<S> middle = end_along(b, side, on_edge);
+      walk({edge, on_edge, end_at(first), middle});
+      walk({edge, on_edge, middle, end_at(second)});
+    } else if (faces_a.support(first) != faces_a.support(second)) {
+      walk({edge, a.origin(edge), end_at(first), end_at(second)});
+    }
   }
 }
 
@@ -190,12 +188,9 @@ std::vector<EdgeQuery<S>> all_crossings(const HullPair<S>& pair,
   std::vector<EdgeQuery<S>> crossings;
   each_crossing(pair, faces_a, -std::numeric_limits<S>::infinity(),
                 [&](const Arc<S>& arc, const Vec3<S>& along_a, int edge_b) {
-                  const Vec3<S> cross = along_a.cross(pair.b.direction(edge_b));
-                  const S sine = cross.norm();
-                  if (sine < kParallelSine<S>) return;
-                  const Vec3<S> normal = cross * (orientation(arc, cross) / sine);
-                  const Vec3<S> between = pair.b.origin(edge_b) - arc.on_edge;
-                  crossings.push_back({arc.half_edge, edge_b, normal.dot(between), normal});
+                  EdgeQuery<S> found;
+                  if (cross_edges(pair, arc, along_a, edge_b, found) >= kParallelSine<S>)
+                    crossings.push_back(found);
                 });
   return crossings;
 }

@@ -1,9 +1,7 @@
-#include "query/penetration_methods.h"
+#include "query/penetration_bounds.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "query/penetration_bounds.h"
 
 namespace contactscope {
 namespace {

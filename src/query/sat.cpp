@@ -20,15 +20,6 @@ AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   return AxisKind::EdgeEdge;
 }
 
-template <class S>
-AxisKind deepest_axis(const SatResult<S>& queries) {
-  AxisKind kind = AxisKind::FaceA;
-  if (queries.face_b.separation > queries.separation(kind)) kind = AxisKind::FaceB;
-  const bool has_edge = queries.edge.edge_a >= 0;
-  if (has_edge && queries.edge.separation > queries.separation(kind)) kind = AxisKind::EdgeEdge;
-  return kind;
-}
-
 }  // namespace
 
 template <class S>
@@ -65,7 +56,10 @@ SatResult<S> sat(const HullPair<S>& pair, S margin, Preference preference,
 
   // No separating axis: the hulls overlap, or are within the margin of each other.
   result.status = SatStatus::Touching;
-  result.deepest = deepest_axis(result);
+  if (!has_edge || !(result.edge.separation > floor)) {
+    const bool is_of_b = result.face_b.separation > result.face_a.separation;
+    result.deepest = is_of_b ? AxisKind::FaceB : AxisKind::FaceA;
+  }
   const S tolerance = preference == Preference::Relative
                           ? preference_tolerance(result.separation(result.deepest), pair.min_radius)
                           : S(0);

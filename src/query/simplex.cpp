@@ -182,13 +182,12 @@ class Nearest {
     keep_nearer(found);
     return triangle.has_sine_above(kNoisySine<S>);
   }
-  void offer_edge(int i, int j) {
+  /// The edges that end in the last point, and that point.
+  void offer_edges_and_vertex(int last) {
     NearestOnSimplex<S> found;
-    if (on_edge(points_, i, j, found)) keep_nearer(found);
-  }
-  void offer_vertex(int i) {
-    NearestOnSimplex<S> found;
-    on_vertex(points_, i, found);
+    for (int i = 0; i < last; ++i)
+      if (on_edge(points_, i, last, found)) keep_nearer(found);
+    on_vertex(points_, last, found);
     keep_nearer(found);
   }
 
@@ -255,10 +254,7 @@ void on_tetrahedron(const Points<S>& points, S scale, NearestOnSimplex<S>& resul
     result.squared_distance = S(0);
     return;
   }
-  nearest.offer_edge(0, 3);
-  nearest.offer_edge(1, 3);
-  nearest.offer_edge(2, 3);
-  nearest.offer_vertex(3);
+  nearest.offer_edges_and_vertex(3);
 }
 
 }  // namespace
@@ -281,13 +277,8 @@ void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale
   if (count == 3) {
     Triangle<S> triangle(points, 0, 1, 2);
     if (nearest.offer(triangle, 0, 1, 2)) return;
-    nearest.offer_edge(0, 2);
-    nearest.offer_edge(1, 2);
-    nearest.offer_vertex(2);
-  } else {
-    nearest.offer_edge(0, 1);
-    nearest.offer_vertex(1);
   }
+  nearest.offer_edges_and_vertex(count - 1);
 }
 
 template decltype(nearest_on_simplex<float>) nearest_on_simplex<float>;

@@ -1,4 +1,4 @@
-#include "query/far_axes.h"
+#include "query/sat.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "geometry/hull_builder.h"
 #include "query/penetration.h"
-#include "query/penetration_methods.h"
+#include "query/penetration_bounds.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "geometry/hull_builder.h"
-#include "query/penetration_methods.h"
+#include "query/penetration_bounds.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
 
