@@ -5,7 +5,6 @@
 #include "core/at.h"
 #include "core/manifold.h"
 #include "query/hull_pair.h"
-#include "query/placed_features.h"
 
 namespace contactscope {
 

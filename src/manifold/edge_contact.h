@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "query/placed_features.h"
 #include "query/sat.h"
 
 namespace contactscope {

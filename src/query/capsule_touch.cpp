@@ -4,7 +4,6 @@
 
 #include "core/at.h"
 #include "query/closest_points.h"
-#include "query/gjk.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

@@ -163,8 +163,7 @@ ClosestOfSegments<S> at_parameters(S parameter_a, S parameter_b, const Segment<S
                                    const Segment<S>& b) {
   const Vec3<S> on_a = a.at(parameter_a);
   const Vec3<S> on_b = b.at(parameter_b);
-  const Vec3<S> between = on_b - on_a;
-  return {on_a, on_b, parameter_a, parameter_b, between.norm()};
+  return {on_a, on_b, parameter_a, parameter_b, Vec3<S>(on_b - on_a).norm()};
 }
 
 }  // namespace

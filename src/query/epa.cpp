@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 
@@ -109,10 +107,9 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
 /// simplex of an earlier pose need not hold.
 template <class S>
 bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
-  for (int i = 0; i < 4; ++i) {
-    if (at(tetrahedron.faces, i).offset < -S(16) * rounding) return false;
-  }
-  return true;
+  return std::ranges::none_of(tetrahedron.faces, [&](const PolytopeFace<S>& face) {
+    return face.offset < -S(16) * rounding;
+  });
 }
 
 template <class S>

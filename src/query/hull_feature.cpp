@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/at.h"
 #include "core/static_vector.h"
 
 namespace contactscope {
@@ -16,10 +15,9 @@ bool has(const Corners& corners, int vertex) {
 
 template <class S>
 bool has_all(const Hull<S>& hull, int face, const Corners& corners) {
-  std::size_t found = 0;
-  for (const int edge : hull.around_face(face))
-    found += has(corners, at(hull.half_edges, edge).origin) ? 1 : 0;
-  return found == corners.size();
+  return std::ranges::count_if(hull.around_face(face), [&](int edge) {
+           return has(corners, at(hull.half_edges, edge).origin);
+         }) == count_of(corners);
 }
 
 /// Outward normal of a side plane, as long as its edge: nobody needs the square root.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/at.h"
 #include "query/capsule_sat.h"
 #include "query/closest_points.h"
 #include "query/penetration_bounds.h"
@@ -83,10 +82,8 @@ PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&en
 
 template <class S>
 bool is_finite(const SupportSet<S>& set) {
-  for (int i = 0; i < set.count; ++i) {
-    if (!set.points[i].allFinite()) return false;
-  }
-  return true;
+  return std::all_of(set.points, set.points + set.count,
+                     [](const Vec3<S>& point) { return point.allFinite(); });
 }
 
 /// The separating axis test: exact, and what the others are held against. Two hulls by sat(), a hull

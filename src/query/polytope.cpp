@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 
