@@ -3,24 +3,19 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "core/at.h"
 #include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "scenario/run.h"
-#include "study/measurement.h"
-#include "study/patch_motion.h"
-#include "study/reduction_quality.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
 
 /// Names of both shapes, the label, and the triangle of a mesh or -1.
 using ManifoldName = std::tuple<std::string, std::string, std::string, int>;
-
-ManifoldName manifold_name(const trace::Exploration& exploration) {
-  return {exploration.a, exploration.b, exploration.label, exploration.triangle.value_or(-1)};
-}
 
 /// The scenario without reduction, each pair of shapes once for each setting but the reducer. What
 /// then stands for several pairs goes by no label of one of them, unless it needs one.
@@ -45,31 +40,66 @@ Scenario unreduced(const Scenario& scenario) {
   return result;
 }
 
-/// Ids of the trace as ids that a reducer can compare: any spelling has its own, in all frames.
-class Ids {
- public:
-  FeatureId of(const std::string& spelled) {
-    const auto number = static_cast<std::uint32_t>(known_.size());
-    const std::uint32_t edge = known_.emplace(spelled, number).first->second;
-    return FeatureId::of({Owner::A, edge}, {Owner::B, edge});
-  }
+using Points = std::vector<trace::Point>;
 
- private:
-  std::map<std::string, std::uint32_t> known_;
-};
-
-/// What a reducer kept in the last frame.
-struct Memory {
-  std::vector<FeatureId> ids;
-  std::vector<trace::Point> points;
-};
-
-int changed(const std::vector<FeatureId>& before, const std::vector<FeatureId>& now) {
-  const auto missing = [](const std::vector<FeatureId>& from, const std::vector<FeatureId>& in) {
-    return std::ranges::count_if(
-        from, [&](const FeatureId& id) { return std::ranges::find(in, id) == in.end(); });
+/// How many ids came or went.
+int changed(const Points& before, const Points& now) {
+  const auto missing = [](const Points& from, const Points& in) {
+    return std::ranges::count_if(from, [&](const trace::Point& point) {
+      return std::ranges::find(in, point.id, &trace::Point::id) == in.end();
+    });
   };
   return static_cast<int>(missing(before, now) + missing(now, before));
+}
+
+/// The largest way of a point of `some` to where `others` have its id, or else to the nearest.
+double farthest_way(const Points& some, const Points& others) {
+  double most = 0;
+  for (const trace::Point& place : some) {
+    const auto way = [&](const trace::Point& other) {
+      return (place.position - other.position).norm();
+    };
+    const auto same = std::ranges::find(others, place.id, &trace::Point::id);
+    most =
+        std::max(most, same != others.end() ? way(*same) : std::ranges::min(mapped(others, way)));
+  }
+  return most;
+}
+
+Vec3d middle_of(const Points& places) {
+  Vec3d sum = Vec3d::Zero();
+  for (const trace::Point& place : places) sum += place.position;
+  return sum / static_cast<double>(places.size());
+}
+
+/// How far a manifold moved from one frame to the next, in metres: the largest move of any of its
+/// points, or of their middle if that is more. A point that bears the same id in both moves between
+/// its two places; one that came is as far as the nearest place before, one that went as the
+/// nearest place after. So four points that give way to four others about the same middle have
+/// moved, and an id that is spelled anew at the same place has not. 0 where either frame has no
+/// points.
+double patch_move(const Points& before, const Points& now) {
+  if (before.empty() || now.empty()) return 0;
+  return std::max({farthest_way(before, now), farthest_way(now, before),
+                   (middle_of(now) - middle_of(before)).norm()});
+}
+
+/// How far any surface point of a shape moved between two poses, in metres, of those looked at: its
+/// vertices and, as a plane has none and a sphere's is its centre, what it has now at `contacts`
+/// (world). Exactly 0 where the pose is the same.
+double surface_move(const trace::Shape& shape, const Pose<double>& before, const Pose<double>& now,
+                    const Points& contacts) {
+  // There and back through the local frame would leave rounding.
+  if (before.position == now.position && before.rotation.coeffs() == now.rotation.coeffs())
+    return 0;
+  double most = 0;
+  for (const Vec3d& vertex : shape.vertices)
+    most = std::max(most, (now.transform(vertex) - before.transform(vertex)).norm());
+  for (const trace::Point& point : contacts) {
+    const Vec3d then = before.transform(now.inverse_transform(point.position));
+    most = std::max(most, (point.position - then).norm());
+  }
+  return most;
 }
 
 /// Answers for the manifolds of one pair, or of one triangle of a mesh, frame after frame.
@@ -77,74 +107,57 @@ template <class S>
 class Explorer {
  public:
   Explorer(const std::vector<std::string>& names, int max_points)
-      : names_(names), max_points_(max_points) {
-    for (const std::string& name : names) reducers_.push_back(find_reducer<S>(name));
-  }
+      : names_(names), reducers_(mapped(names, find_reducer<S>)), max_points_(max_points) {}
 
   /// All but whether the centre of mass is supported, which takes all manifolds of a pair.
-  void answer(int frame, const trace::Manifold& manifold, bool measure_time,
-              trace::Exploration& result) {
+  void answer(bool measure_time, trace::Exploration& result) {
     // What was kept is forgotten after a frame in which the shapes did not touch.
-    if (frame != last_frame_ + 1) memories_.assign(names_.size(), {});
-    last_frame_ = frame;
+    if (result.frame != last_frame_ + 1) memories_.assign(names_.size(), {});
+    last_frame_ = result.frame;
     std::vector<ContactPoint<double>> exact;
     std::vector<ContactPoint<S>> points;
-    std::vector<Vec3d> places;
-    for (const trace::Point& point : manifold.points) {
-      const FeatureId id = ids_.of(point.id);
-      places.push_back(point.position);
+    for (const trace::Point& point : result.points) {
+      const FeatureId id = id_of(point.id);
       exact.push_back({point.position, point.separation, id});
       // Exact: the trace holds what was computed in S.
       points.push_back({point.position.cast<S>(), static_cast<S>(point.separation), id});
     }
-    const Vec3<S> normal = manifold.normal.cast<S>();
-    const auto run = [&](Reducer<S> reducer, std::span<const FeatureId> previous) {
+    const auto previous = mapped(memories_, [&](const Points& kept) {
+      return mapped(kept, [&](const trace::Point& point) { return id_of(point.id); });
+    });
+    const Vec3<S> normal = result.normal.cast<S>();
+    const auto run = [&](Reducer<S> reducer, std::span<const FeatureId> before) {
       ReduceOptions options;
       options.max_points = max_points_;
-      options.previous = previous;
+      options.previous = before;
       return reduce<S>(reducer, points, normal, options).kept;
     };
 
-    std::vector<Memory> memories;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      const KeptIndices kept = run(reducers_[i], memories_[i].ids);
-      Memory& now = memories.emplace_back();
-      for (const int index : kept) {
-        now.ids.push_back(at(points, index).id);
-        now.points.push_back(at(manifold.points, index));
-      }
-      trace::ReducerAnswer& answer = result.reducers.emplace_back();
-      answer.name = names_[i];
-      answer.kept.assign(kept.begin(), kept.end());
+      const KeptIndices kept = run(reducers_[i], previous[i]);
       // `none` keeps more than max_points: it is measured against itself.
-      const ReductionQuality quality = measure_reduction(exact, manifold.normal, answer.kept,
-                                                         std::max(max_points_, count_of(kept)));
-      answer.area = quality.area;
-      answer.area_ratio = quality.area_ratio;
-      answer.deepest_kept = quality.deepest_kept;
-      answer.wrench_error = quality.wrench_error;
-      answer.depth_error = quality.depth_error;
-      if (memories_[i].ids.empty()) continue;
-      answer.ids_changed = changed(memories_[i].ids, now.ids);
-      answer.patch_moved = patch_move(memories_[i].points, now.points);
+      trace::ReducerAnswer& answer = result.reducers.emplace_back(
+          measure_reduction(exact, result.normal, {kept.begin(), kept.size()},
+                            std::max(max_points_, count_of(kept))));
+      answer.name = names_[i];
+      const Points now = mapped(kept, [&](int index) { return at(result.points, index); });
+      const Points before = std::exchange(memories_[i], now);
+      if (before.empty()) continue;
+      answer.ids_changed = changed(before, now);
+      answer.patch_moved = patch_move(before, now);
     }
-    result.best_area = best_convex_area(places, manifold.normal, max_points_);
+    const std::vector<Vec3d> places = mapped(exact, &ContactPoint<double>::position);
+    result.best_area = best_convex_area(places, result.normal, max_points_);
     const KeptIndices best = run(find_reducer<S>("optimal"), {});
     result.best.assign(best.begin(), best.end());
-    if (measure_time && count_of(points) > max_points_) time_all(run, result);
-    memories_ = std::move(memories);
-  }
-
- private:
-  template <class Run>
-  void time_all(const Run& run, trace::Exploration& result) const {
+    if (!measure_time || count_of(points) <= max_points_) return;
     constexpr int kRounds = 41;
     constexpr int kCalls = 24;
     std::vector<PassTimes> times(names_.size());
     for (int round = 0; round < kRounds; ++round) {
       for (std::size_t i = 0; i < names_.size(); ++i) {
         times[i].measure(kCalls, [&](int) {
-          return static_cast<double>(run(reducers_[i], memories_[i].ids).size());
+          return static_cast<double>(run(reducers_[i], previous[i]).size());
         });
       }
     }
@@ -156,47 +169,21 @@ class Explorer {
     }
   }
 
+ private:
+  /// Ids of the trace as ids that a reducer can compare: any spelling has its own, in all frames.
+  FeatureId id_of(const std::string& spelled) {
+    const auto number = static_cast<std::uint32_t>(ids_.size());
+    const std::uint32_t edge = ids_.emplace(spelled, number).first->second;
+    return FeatureId::of({Owner::A, edge}, {Owner::B, edge});
+  }
+
   const std::vector<std::string>& names_;
   std::vector<Reducer<S>> reducers_;
-  std::vector<Memory> memories_;
+  std::vector<Points> memories_;  // what each kept in the last frame
   int max_points_;
   int last_frame_ = -2;
-  Ids ids_;
+  std::map<std::string, std::uint32_t> ids_;
 };
-
-const Pose<double>& pose_of(const trace::Frame& frame, const std::string& shape) {
-  return std::ranges::find(frame.poses, shape, &std::pair<std::string, Pose<double>>::first)
-      ->second;
-}
-
-Vec3d up_of(const trace::Header& header) {
-  return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-}
-
-const trace::Shape& shape_of(const trace::Header& header, const std::string& name) {
-  return *std::ranges::find(header.shapes, name, &trace::Shape::name);
-}
-
-/// The centre of mass, in the world, of the body of a pair that is higher up: the one that rests.
-Vec3d resting_center(const trace::Header& header, const trace::Frame& frame,
-                     const trace::Pair& pair) {
-  const auto center = [&](const std::string& name) -> Vec3d {
-    return pose_of(frame, name).transform(shape_of(header, name).center_of_mass);
-  };
-  const Vec3d a = center(pair.a);
-  const Vec3d b = center(pair.b);
-  return a.dot(up_of(header)) > b.dot(up_of(header)) ? a : b;
-}
-
-double bodies_move(const trace::Header& header, const trace::Frame& before, const trace::Frame& now,
-                   const trace::Pair& pair, const std::vector<trace::Point>& points) {
-  double most = 0;
-  for (const std::string& name : {pair.a, pair.b}) {
-    most = std::max(most, surface_move(shape_of(header, name), pose_of(before, name),
-                                       pose_of(now, name), points));
-  }
-  return most;
-}
 
 /// A weight goes straight down, whichever way the contact leans, and rests on what is kept of all
 /// the pair's manifolds together: a triangle of a floor alone holds few boxes.
@@ -221,8 +208,12 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
 
 template <class S>
 std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_frame,
-                                           const std::vector<std::string>& names,
-                                           bool measure_time) {
+                                           const ExploreOptions& options) {
+  std::vector<std::string> names = options.reducers;
+  if (names.empty()) {
+    for (const ReducerInfo& info : reducers())
+      if (info.name != "none") names.push_back(info.name);
+  }
   const Scenario source = unreduced(scenario);
   Runner runner(source);
   const trace::Header header = runner.header();
@@ -236,26 +227,33 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
       const std::size_t first = result.size();
       for (const trace::Manifold& manifold : pair.manifolds) {
         if (manifold.points.empty()) continue;
-        trace::Exploration exploration;
-        exploration.scenario = scenario.name;
-        exploration.frame = f;
-        exploration.a = pair.a;
-        exploration.b = pair.b;
-        exploration.label = pair.label;
-        exploration.triangle = manifold.triangle;
-        exploration.points = manifold.points;
-        exploration.normal = manifold.normal;
-        if (f > 0)
-          exploration.bodies_moved = bodies_move(header, before, frame, pair, manifold.points);
-        explorers
-            .try_emplace(manifold_name(exploration), names, source.pairs[i].pipeline.max_points)
-            .first->second.answer(f, manifold, measure_time, exploration);
+        trace::Exploration exploration{.scenario = scenario.name,
+                                       .frame = f,
+                                       .a = pair.a,
+                                       .b = pair.b,
+                                       .label = pair.label,
+                                       .triangle = manifold.triangle,
+                                       .points = manifold.points,
+                                       .normal = manifold.normal};
+        for (const int body : {source.pairs[i].a, source.pairs[i].b}) {
+          if (f == 0) break;
+          const double moved = surface_move(at(header.shapes, body), at(before.poses, body).second,
+                                            at(frame.poses, body).second, manifold.points);
+          exploration.bodies_moved = std::max(exploration.bodies_moved, moved);
+        }
+        const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1));
+        explorers.try_emplace(name, names, source.pairs[i].pipeline.max_points)
+            .first->second.answer(options.measure_time, exploration);
         result.push_back(std::move(exploration));
       }
-      if (result.size() > first) {
-        find_supported(up_of(header), resting_center(header, frame, pair),
-                       std::span(result).subspan(first));
-      }
+      if (result.size() == first) continue;
+      // The body that is higher up rests on the other one.
+      const Vec3d up = header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+      const auto center = [&](int body) {
+        return at(frame.poses, body).second.transform(at(header.shapes, body).center_of_mass);
+      };
+      const Vec3d a = center(source.pairs[i].a), b = center(source.pairs[i].b);
+      find_supported(up, a.dot(up) > b.dot(up) ? a : b, std::span(result).subspan(first));
     }
     before = frame;
   }
@@ -266,15 +264,8 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
 
 std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame,
                                         const ExploreOptions& options) {
-  std::vector<std::string> names = options.reducers;
-  if (names.empty()) {
-    for (const ReducerInfo& info : reducers()) {
-      if (info.name != "none") names.push_back(info.name);
-    }
-  }
-  return scenario.scalar == Scalar::Double
-             ? explore_in<double>(scenario, last_frame, names, options.measure_time)
-             : explore_in<float>(scenario, last_frame, names, options.measure_time);
+  return scenario.scalar == Scalar::Double ? explore_in<double>(scenario, last_frame, options)
+                                           : explore_in<float>(scenario, last_frame, options);
 }
 
 }  // namespace contactscope

@@ -1,13 +1,36 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/manifold.h"
 #include "scenario/scenario.h"
 #include "trace/exploration.h"
 
 namespace contactscope {
+
+/// How good a reduction is, whatever made it: everything of an answer but its name, whether it supports
+/// the centre of mass, and what it takes several frames or a clock for. `kept` are indices into
+/// `points`, which share a plane with unit `normal`.
+///
+/// wrench_error: a unit force along the normal resists, about an axis in the plane through the centroid
+/// of all points, at most the reach of the patch across that axis, in metres; this is the largest
+/// shortfall of that reach over all axes (the distance of the farthest point from the kept
+/// polygon), as a fraction of the patch's radius. 0 for one point.
+///
+/// depth_error, metres: how far the plane that fits the kept depths best (least squares) is from the
+/// depth of any point.
+trace::ReducerAnswer measure_reduction(std::span<const ContactPoint<double>> points,
+                                       const Vec3d& normal, std::span<const int> kept,
+                                       int max_points);
+
+/// Whether a place, seen along unit `normal`, lies in the convex hull of the kept points: an
+/// upright load through it, say the weight at the centre of mass, makes nothing tip. Points within
+/// rounding of the edge count as inside.
+bool supports(std::span<const ContactPoint<double>> points, const Vec3d& normal,
+              std::span<const int> kept, const Vec3d& place);
 
 struct ExploreOptions {
   std::vector<std::string> reducers;  // names; empty: every one that is listed

@@ -1,11 +1,13 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "manifold/collide_pairs.h"
 #include "query/sat.h"
-#include "study/all_edge_pairs.h"
-#include "study/measurement.h"
-#include "study/overlapping_hulls.h"
+#include "query/tolerance.h"
+#include "study/random_cases.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -24,19 +26,96 @@ Pose<double> earlier(const OverlappingHulls& hulls, int back) {
           hulls.b_in_a.position + 2e-4 * hulls.size * back * hulls.way};
 }
 
-/// A pair as one scalar sees it.
+/// Leaves in the cache what the steps up to this pose have found.
 template <class S>
-struct Case : RoundedHulls<S> {
-  PairCache<S> cache;  // that the steps up to this pose have left
+void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
+  for (int back = kSteps; back > 0; --back) {
+    collide_hull_hull(rounded.a, Pose<S>(), rounded.b, earlier(hulls, back).cast<S>(),
+                      CollideOptions<S>(), &rounded.cache);
+  }
+}
 
-  explicit Case(const OverlappingHulls& hulls) : RoundedHulls<S>(hulls) {
-    for (int back = kSteps; back > 0; --back) {
-      collide_hull_hull(this->a, Pose<S>(), this->b, earlier(hulls, back).cast<S>(),
-                        CollideOptions<S>(), &cache);
+// The two ways of the separating axis test that the Gauss map saves us from walking (gauss_map.h), to
+// measure what it saves. Both give the largest separation over all axes, metres, negative in
+// overlap; face queries are those of sat(). Source: Gregorius 2013 and 2015.
+
+template <class S>
+S best_face(const HullPair<S>& pair) {
+  FaceSeparations<S> faces_a(pair.a), faces_b(pair.b);
+  return std::max(query_faces(pair.a, pair.b, S(0), faces_a).separation,
+                  query_faces(pair.b, pair.a, S(0), faces_b).separation);
+}
+
+/// The directions of its edges, unit.
+template <class S>
+std::vector<Vec3<S>> directions(const PlacedHull<S>& hull) {
+  std::vector<Vec3<S>> list;
+  for (int h = 0; h < 2 * hull.hull.edge_count(); h += 2) list.push_back(hull.direction(h));
+  return list;
+}
+
+/// The least and the most of its vertices along an axis.
+template <class S>
+std::pair<S, S> extent(const PlacedHull<S>& hull, const Vec3<S>& axis) {
+  S least = std::numeric_limits<S>::infinity(), most = -least;
+  for (int v = 0; v < hull.vertices.count(); ++v) {
+    const S along = axis.dot(hull.vertices[v]);
+    least = along < least ? along : least;
+    most = along > most ? along : most;
+  }
+  return {least, most};
+}
+
+/// Every cross product of two edges is an axis, measured by the support points of both hulls.
+template <class S>
+S separation_by_all_edge_pairs(const HullPair<S>& pair) {
+  S best = best_face(pair);
+  const std::vector<Vec3<S>> of_b = directions(pair.b);
+  for (const Vec3<S>& along_a : directions(pair.a)) {
+    for (const Vec3<S>& along_b : of_b) {
+      const Vec3<S> cross = along_a.cross(along_b);
+      const S sine = cross.norm();
+      if (sine < kParallelSine<S>) continue;
+      const Vec3<S> axis = cross / sine;
+      const auto [least_a, most_a] = extent(pair.a, axis);
+      const auto [least_b, most_b] = extent(pair.b, axis);
+      best = std::max({best, least_b - most_a, least_a - most_b});
     }
   }
-};
-using Cases = HullCases<Case>;
+  return best;
+}
+
+/// Every pair of edges is asked whether it makes a face of the Minkowski difference (the talk's
+/// IsMinkowskiFace), and only those that do are measured, by a point of each edge.
+template <class S>
+S separation_by_minkowski_faces(const HullPair<S>& pair) {
+  S best = best_face(pair);
+  const std::vector<Vec3<S>> of_b = directions(pair.b);
+  const Vec3<S> center_a = pair.a.rotation * pair.a.hull.centroid;
+  for (int h = 0; h < 2 * pair.a.hull.edge_count(); h += 2) {
+    const Vec3<S> a1 = pair.a.normal(pair.a.half_edge(h).face);
+    const Vec3<S> a2 = pair.a.normal(pair.a.half_edge(h + 1).face);
+    const Vec3<S> along_a = pair.a.direction(h), on_a = pair.a.origin(h);
+    for (int g = 0; g < 2 * pair.b.hull.edge_count(); g += 2) {
+      const Vec3<S> b1 = pair.b.normal(pair.b.half_edge(g).face);
+      const Vec3<S> b2 = pair.b.normal(pair.b.half_edge(g + 1).face);
+      const Vec3<S>& along_b = of_b[static_cast<std::size_t>(g / 2)];
+      // Along the edges instead of cross products of normals, as in the talk: the same planes.
+      const S b1_side = -b1.dot(along_a), b2_side = -b2.dot(along_a);
+      const S a1_side = a1.dot(along_b), a2_side = a2.dot(along_b);
+      if (!(b1_side * b2_side < S(0)) || !(a1_side * a2_side < S(0))) continue;
+      // Both arcs cross the other's great circle; on the same half of the sphere only if these agree.
+      if (!(b1_side * a2_side > S(0))) continue;
+      const Vec3<S> cross = along_a.cross(along_b);
+      const S sine = cross.norm();
+      if (sine < kParallelSine<S>) continue;
+      Vec3<S> axis = cross / sine;
+      if (axis.dot(Vec3<S>(on_a - center_a)) < S(0)) axis = -axis;
+      best = std::max(best, axis.dot(Vec3<S>(pair.b.origin(g) - on_a)));
+    }
+  }
+  return best;
+}
 
 /// What a method found. With a normal: the separation along that, which need not be the least.
 struct Found {
@@ -44,70 +123,60 @@ struct Found {
   std::optional<Vec3d> normal{};
 };
 
-template <class S>
-Found walked(const Case<S>& c) {
-  const HullPair<S> pair(c.a, c.b, c.b_in_a);
-  const SatResult<S> result = sat(pair, S(0), Preference::None);
-  return {static_cast<double>(
-      result.separation(result.status == SatStatus::Separated ? result.chosen : result.deepest))};
-}
-
-template <class S>
-Found asked(const Case<S>& c) {
-  return {static_cast<double>(separation_by_minkowski_faces(HullPair<S>(c.a, c.b, c.b_in_a)))};
-}
-
-template <class S>
-Found all_pairs(const Case<S>& c) {
-  return {static_cast<double>(separation_by_all_edge_pairs(HullPair<S>(c.a, c.b, c.b_in_a)))};
-}
-
-template <class S, Preference preference>
-Found contact(const Case<S>& c) {
+template <Preference preference, bool cached, class S>
+Found contact(const RoundedHulls<S>& c) {
+  PairCache<S> cache;
+  if (cached) cache = c.cache;
   Contact<S> result;
   CollideOptions<S> options;
   options.preference = preference;
-  const double separation = static_cast<double>(
-      collide_hull_hull<S>(c.a, c.b, c.b_in_a, options, nullptr, result, nullptr));
+  const double separation = static_cast<double>(collide_hull_hull<S>(
+      c.a, c.b, c.b_in_a, options, cached ? &cache : nullptr, result, nullptr));
   if (preference == Preference::None) return {separation};
   return {separation, result.normal.template cast<double>()};
 }
 
-template <class S>
-Found cached_contact(const Case<S>& c) {
-  PairCache<S> cache = c.cache;
-  Contact<S> result;
-  const double separation = static_cast<double>(
-      collide_hull_hull<S>(c.a, c.b, c.b_in_a, CollideOptions<S>(), &cache, result, nullptr));
-  return {separation, result.normal.template cast<double>()};
-}
-
-template <class S, Found (*method)(const Case<S>&)>
-Found found(const Cases& cases, std::size_t i) {
-  return method(cases.in<S>(i));
-}
-
+/// In one scalar; the other one's function is null.
 struct Method {
-  const char* name;
-  Found (*find)(const Cases& cases, std::size_t index);
+  std::string name;
+  Found (*in_float)(const RoundedHulls<float>&);
+  Found (*in_double)(const RoundedHulls<double>&);
+
+  Found find(const HullCases& cases, std::size_t i) const {
+    return in_float != nullptr ? in_float(cases.in_float[i]) : in_double(cases.in_double[i]);
+  }
 };
 
-constexpr Method kMethods[] = {
-    {"float, walked arcs", &found<float, walked>},
-    {"float, every pair asked", &found<float, asked>},
-    {"float, every pair measured", &found<float, all_pairs>},
-    {"float, contact", &found<float, contact<float, Preference::None>>},
-    {"float, coherent contact", &found<float, contact<float, Preference::Relative>>},
-    {"float, the same with a cache", &found<float, cached_contact>},
-    {"double, walked arcs", &found<double, walked>},
-    {"double, every pair asked", &found<double, asked>},
-    {"double, every pair measured", &found<double, all_pairs>},
-    {"double, contact", &found<double, contact<double, Preference::None>>},
-    {"double, coherent contact", &found<double, contact<double, Preference::Relative>>},
-    {"double, the same with a cache", &found<double, cached_contact>},
-};
+std::vector<Method> methods() {
+  const auto walked = [](const auto& c) -> Found {
+    const auto result = sat(HullPair(c.a, c.b, c.b_in_a), {}, Preference::None);
+    const bool separated = result.status == SatStatus::Separated;
+    return {static_cast<double>(result.separation(separated ? result.chosen : result.deepest))};
+  };
+  const auto asked = [](const auto& c) -> Found {
+    return {static_cast<double>(separation_by_minkowski_faces(HullPair(c.a, c.b, c.b_in_a)))};
+  };
+  const auto all_pairs = [](const auto& c) -> Found {
+    return {static_cast<double>(separation_by_all_edge_pairs(HullPair(c.a, c.b, c.b_in_a)))};
+  };
+  constexpr auto kDeepest = Preference::None, kCoherent = Preference::Relative;
+  const Method in_both[] = {
+      {"walked arcs", walked, walked},
+      {"every pair asked", asked, asked},
+      {"every pair measured", all_pairs, all_pairs},
+      {"contact", contact<kDeepest, false>, contact<kDeepest, false>},
+      {"coherent contact", contact<kCoherent, false>, contact<kCoherent, false>},
+      {"the same with a cache", contact<kCoherent, true>, contact<kCoherent, true>},
+  };
+  std::vector<Method> list;
+  for (const Method& method : in_both)
+    list.push_back({"float, " + method.name, method.in_float, nullptr});
+  for (const Method& method : in_both)
+    list.push_back({"double, " + method.name, nullptr, method.in_double});
+  return list;
+}
 
-void judge_all(const Method& method, const Cases& cases, Measurement& measured) {
+void judge_all(const Method& method, const HullCases& cases, Measurement& measured) {
   for (std::size_t i = 0; i < cases.exact.size(); ++i) {
     const OverlappingHulls& exact = cases.exact[i];
     const Found found = method.find(cases, i);
@@ -138,31 +207,31 @@ void judge_all(const Method& method, const Cases& cases, Measurement& measured) 
 /// finds no overlap.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress) {
-  const StudyGrid grid(options, kMethods, kVertexCounts, kCases, kRepetitions);
-  trace::Study study;
-  study.study = "hull_precision";
-  study.measure = "depth";
-  study.title = "The depth of two hulls: precision and run time of the separating axis test";
-  study.context = study_context("float and double");
-  study.reference = "extended precision, " + std::to_string(grid.cases) +
-                    " overlapping pairs of 1 mm to 1 km a point, seed " +
-                    std::to_string(options.seed);
-  study.error = "error of the depth / size of the hulls";
-  study.parameter = "vertices";
-  std::vector<trace::Study> results{study};
-  std::vector<Cases> cases(grid.parameters.size());
+  const std::vector<Method> all = methods();
+  const StudyGrid grid(options, all, kVertexCounts, kCases, kRepetitions);
+  std::vector<trace::Study> results = results_of(
+      "hull_precision", "float and double", "vertices",
+      "extended precision, " + std::to_string(grid.cases) +
+          " overlapping pairs of 1 mm to 1 km a point, seed " + std::to_string(options.seed),
+      {{"depth", "The depth of two hulls: precision and run time of the separating axis test",
+        "error of the depth / size of the hulls"}});
+  std::vector<HullCases> cases(grid.parameters.size());
   std::mt19937_64 engine(options.seed);
   measure_grid(
       grid, results, progress,
       [&](std::size_t size) {
-        for (int i = 0; i < grid.cases; ++i)
-          cases[size].add(overlapping_hulls(engine, kVertexCounts[size]));
+        for (int i = 0; i < grid.cases; ++i) {
+          const OverlappingHulls hulls = overlapping_hulls(engine, kVertexCounts[size]);
+          cases[size].add(hulls);
+          move_there(hulls, cases[size].in_float.back());
+          move_there(hulls, cases[size].in_double.back());
+        }
       },
       [&](std::size_t m, std::size_t size, Measurement& measured) {
-        judge_all(kMethods[m], cases[size], measured);
+        judge_all(all[m], cases[size], measured);
       },
       [&](std::size_t m, std::size_t size, std::size_t i) {
-        return kMethods[m].find(cases[size], i).separation;
+        return all[m].find(cases[size], i).separation;
       });
   return results;
 }

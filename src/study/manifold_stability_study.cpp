@@ -10,9 +10,9 @@
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "manifold/incremental.h"
-#include "study/measurement.h"
+#include "study/random_cases.h"
 #include "study/solver_stack.h"
-#include "study/uniform.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -26,9 +26,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kRotationResolution = 1e-3;
 constexpr double kWanderResolution = 1e-4;
 
-Pose<float> floor_pose() {
-  return {Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
-}
+const Pose<float> kFloor{Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
 
 /// A box on the floor, with what its method keeps from frame to frame.
 struct LandingPair {
@@ -49,9 +47,9 @@ struct LandingPair {
   }
   void collide_at(const Pose<float>& box_pose) {
     if (method == LandingMethod::OneShot)
-      collide(floor, floor_pose(), box, box_pose, options, manifolds, &cache);
+      collide(floor, kFloor, box, box_pose, options, manifolds, &cache);
     else
-      collide_incremental(floor, floor_pose(), box, box_pose, options, incremental, persistent,
+      collide_incremental(floor, kFloor, box, box_pose, options, incremental, persistent,
                           manifolds);
   }
 };
@@ -77,8 +75,7 @@ Pose<double> start_of(const LandingCase& c) {
 double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd& to) {
   if (c.landing == Landing::Drop) return from.angularDistance(to) * kDegrees;
   const Vec3d kept = c.landing == Landing::Tilt ? Vec3d::UnitX() : Vec3d::UnitZ();
-  const Vec3d before = from * kept;
-  const Vec3d after = to * kept;
+  const Vec3d before = from * kept, after = to * kept;
   return std::atan2(before.cross(after).norm(), before.dot(after)) * kDegrees;
 }
 
@@ -127,26 +124,34 @@ constexpr LandingPanel kLandingPanels[] = {
 constexpr const char* kLandingMethods[] = {"one-shot", "incremental by distance",
                                            "incremental by ids"};
 
-LandingCase random_landing(const LandingPanel& panel, double parameter, std::mt19937_64& engine) {
-  LandingCase c;
-  c.landing = panel.landing;
-  c.parameter = parameter;
-  for (int i = 0; i < 3; ++i) c.half_extents[i] = uniform(engine, 0.2, 0.5);
-  // Low enough not to topple over while friction stops it.
-  c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
-  c.yaw = uniform(engine, 0, std::numbers::pi / 2);
-  return c;
-}
-
-void time_landing(const LandingCase& c, LandingMethod method, const LandingOutcome& outcome,
-                  int repetitions, PassTimes& times) {
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    LandingPair pair(c, method);
-    times.measure(count_of(outcome.poses), [&](int i) {
-      pair.collide_at(at(outcome.poses, i));
-      return static_cast<double>(pair.manifolds.size());
-    });
+/// The same boxes for every method at one parameter.
+Measurement judge(const LandingPanel& panel, double parameter, LandingMethod method,
+                  const StudyOptions& options) {
+  Measurement measured(3, options.cases.value_or(kLandingCases));
+  std::mt19937_64 engine(options.seed);
+  for (int i = 0; i < measured.of; ++i) {
+    LandingCase c{panel.landing, parameter};
+    for (int axis = 0; axis < 3; ++axis) c.half_extents[axis] = uniform(engine, 0.2, 0.5);
+    // Low enough not to topple over while friction stops it.
+    c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
+    c.yaw = uniform(engine, 0, std::numbers::pi / 2);
+    const LandingOutcome outcome = land(c, method, kLandingFrames);
+    if (outcome.frames_to_stable > 0)
+      measured.errors[0].add(outcome.frames_to_stable);
+    else
+      ++measured.failed;
+    measured.errors[1].add(std::max(outcome.rotation, kRotationResolution));
+    measured.errors[2].add(std::max(outcome.wander, kWanderResolution));
+    const int repetitions = i == 0 ? options.repetitions.value_or(kLandingRepetitions) : 0;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+      LandingPair pair(c, method);
+      measured.times.measure(count_of(outcome.poses), [&](int frame) {
+        pair.collide_at(at(outcome.poses, frame));
+        return static_cast<double>(pair.manifolds.size());
+      });
+    }
   }
+  return measured;
 }
 
 }  // namespace
@@ -155,13 +160,11 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   LandingPair pair(c, method);
   const Pose<double> start = start_of(c);
   std::vector<Body<float>> bodies{
-      static_body<float>(floor_pose()),
+      static_body<float>(kFloor),
       dynamic_body<float>(start.cast<float>(), *mass_properties(pair.box, 1000))};
   Body<float>& body = bodies[1];
-  if (c.landing == Landing::Slide) {
-    const Vec3d velocity = start.rotate(Vec3d(c.parameter, 0, 0));
-    body.velocity = velocity.cast<float>();
-  }
+  if (c.landing == Landing::Slide)
+    body.velocity = start.rotate(Vec3d(c.parameter, 0, 0)).cast<float>();
   SolverSettings settings;
   settings.slop = kStackSlop;
   settings.speculative_margin = 0;  // frames count from the touch
@@ -189,48 +192,24 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
 /// manifold never becomes stable.
 std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                                                    const StudyProgress& progress) {
-  const int cases = options.cases.value_or(kLandingCases);
-  const int repetitions = options.repetitions.value_or(kLandingRepetitions);
-  trace::Study study;
-  study.study = "manifold_stability";
-  study.context = study_context("float");
-  study.reference = "symmetry; " + std::to_string(cases) + " boxes a point, " +
-                    std::to_string(kLandingFrames) + " frames, seed " +
-                    std::to_string(options.seed);
-  study.parameter = "parameter of the landing";
-  study.form = trace::StudyForm::Curves;
-  std::vector<trace::Study> results{
-      by_measure(study, "frames", "Frames until the manifold is stable",
-                 "frames to a stable manifold"),
-      by_measure(study, "rotation", "Rotation that the motion cannot have by symmetry",
-                 "artificial rotation (degrees)"),
-      by_measure(study, "wander", "How the middle of the contact patch wanders",
-                 "way of the patch / half length of the box")};
-  results[1].resolution = kRotationResolution;
-  results[2].resolution = kWanderResolution;
+  std::vector<trace::Study> results = results_of(
+      "manifold_stability", "float", "parameter of the landing",
+      "symmetry; " + std::to_string(options.cases.value_or(kLandingCases)) + " boxes a point, " +
+          std::to_string(kLandingFrames) + " frames, seed " + std::to_string(options.seed),
+      {{"frames", "Frames until the manifold is stable", "frames to a stable manifold"},
+       {"rotation", "Rotation that the motion cannot have by symmetry",
+        "artificial rotation (degrees)", "", kRotationResolution},
+       {"wander", "How the middle of the contact patch wanders",
+        "way of the patch / half length of the box", "", kWanderResolution}});
+  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
   const StudyStep step =
       counted(progress, static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods)));
   for (const LandingPanel& panel : kLandingPanels) {
     for (int m = 0; m < 3; ++m) {
-      begin_series(results, {kLandingMethods[m], {}, panel.parameter, panel.parameter, {}});
-      for (const double value : panel.values) {
-        std::mt19937_64 engine(options.seed);
-        Measurement measured(results.size());
-        measured.of = cases;
-        for (int i = 0; i < cases; ++i) {
-          const LandingCase c = random_landing(panel, value, engine);
-          const auto method = static_cast<LandingMethod>(m);
-          const LandingOutcome outcome = land(c, method, kLandingFrames);
-          if (outcome.frames_to_stable > 0)
-            measured.errors[0].add(outcome.frames_to_stable);
-          else
-            ++measured.failed;
-          measured.errors[1].add(std::max(outcome.rotation, kRotationResolution));
-          measured.errors[2].add(std::max(outcome.wander, kWanderResolution));
-          if (i == 0) time_landing(c, method, outcome, repetitions, measured.times);
-        }
-        add_point(results, value, measured);
-      }
+      add_line(results, {kLandingMethods[m], {}, panel.parameter, panel.parameter}, panel.values,
+               [&](double value) {
+                 return judge(panel, value, static_cast<LandingMethod>(m), options);
+               });
       step(std::string(panel.parameter) + ", " + kLandingMethods[m]);
     }
   }

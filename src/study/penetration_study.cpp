@@ -2,9 +2,8 @@
 #include <limits>
 
 #include "query/penetration.h"
-#include "study/measurement.h"
-#include "study/overlapping_hulls.h"
-#include "study/uniform.h"
+#include "study/random_cases.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -14,11 +13,9 @@ constexpr int kDepthVertices = 32;
 constexpr int kDepthCases = 200;
 constexpr int kDepthRepetitions = 7;
 
-using DeepCases = HullCases<RoundedHulls>;
-
-DeepCases make_deep_cases(std::uint64_t seed, int count) {
+HullCases make_deep_cases(std::uint64_t seed, int count) {
   std::mt19937_64 engine(seed);
-  DeepCases cases;
+  HullCases cases;
   for (int i = 0; i < count; ++i) {
     OverlappingHulls hulls = overlapping_hulls(engine, kDepthVertices);
     if (i % 2 == 1) {
@@ -47,12 +44,6 @@ PenetrationOptions<S> options_at(Effort kind, std::size_t effort) {
   return options;
 }
 
-struct FoundDepth {
-  PenetrationStatus status;
-  double depth;
-  Vec3d normal;
-};
-
 struct DepthSeries {
   const char* name;
   bool is_float;
@@ -60,13 +51,15 @@ struct DepthSeries {
   Effort effort;
 
   template <class S>
-  FoundDepth find_in(std::size_t at, const RoundedHulls<S>& pair) const {
+  PenetrationResult<double> find_in(std::size_t at, const RoundedHulls<S>& pair) const {
     const PenetrationResult<S> found = penetration(method, support_set(pair.a), support_set(pair.b),
                                                    pair.b_in_a, options_at<S>(effort, at));
-    return {found.status, static_cast<double>(found.depth), found.normal.template cast<double>()};
+    return {.status = found.status,
+            .depth = static_cast<double>(found.depth),
+            .normal = found.normal.template cast<double>()};
   }
-  FoundDepth find(std::size_t at, const DeepCases& cases, std::size_t i) const {
-    return is_float ? find_in(at, cases.in<float>(i)) : find_in(at, cases.in<double>(i));
+  PenetrationResult<double> find(std::size_t at, const HullCases& cases, std::size_t i) const {
+    return is_float ? find_in(at, cases.in_float[i]) : find_in(at, cases.in_double[i]);
   }
 };
 
@@ -89,13 +82,13 @@ double angle_between(const Vec3d& one, const Vec3d& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-void judge_depths(const DepthSeries& series, std::size_t effort, const DeepCases& cases,
+void judge_depths(const DepthSeries& series, std::size_t effort, const HullCases& cases,
                   Measurement& measured) {
   const double epsilon = series.is_float
                              ? static_cast<double>(std::numeric_limits<float>::epsilon())
                              : std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < cases.exact.size(); ++i) {
-    const FoundDepth found = series.find(effort, cases, i);
+    const PenetrationResult<double> found = series.find(effort, cases, i);
     const OverlappingHulls& exact = cases.exact[i];
     const double truth = -exact.deepest.separation;
     measured.errors[2].add(found.status == PenetrationStatus::Converged ? 0 : 1);
@@ -134,25 +127,21 @@ void judge_depths(const DepthSeries& series, std::size_t effort, const DeepCases
 std::vector<trace::Study> study_penetration(const StudyOptions& options,
                                             const StudyProgress& progress) {
   const StudyGrid grid(options, kDepthSeries, kEfforts, kDepthCases, kDepthRepetitions);
-  const DeepCases cases = make_deep_cases(options.seed, grid.cases);
+  const HullCases cases = make_deep_cases(options.seed, grid.cases);
 
-  trace::Study study;
-  study.study = "penetration";
-  study.context = study_context("float and double");
-  study.reference = "extended precision, " + std::to_string(grid.cases) +
-                    " overlapping pairs, seed " + std::to_string(options.seed) +
-                    "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
-                    "iterations; 8, 32, 128, 512, 2048, 8192 directions";
-  study.parameter = "effort";
-  std::vector<trace::Study> results{
-      by_measure(study, "depth", "The depth of two hulls by penetration algorithms",
-                 "error of the depth / size of the hulls"),
-      by_measure(study, "normal", "The normal of two hulls by penetration algorithms",
-                 "angle to the normal of least depth"),
-      by_measure(study, "unfinished", "How many searches end before they converge",
-                 "share of the pairs whose status is not converged")};
-  results[1].unit = "rad";
-  results[2].resolution = 0.5 / grid.cases;
+  std::vector<trace::Study> results =
+      results_of("penetration", "float and double", "effort",
+                 "extended precision, " + std::to_string(grid.cases) + " overlapping pairs, seed " +
+                     std::to_string(options.seed) +
+                     "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
+                     "iterations; 8, "
+                     "32, 128, 512, 2048, 8192 directions",
+                 {{"depth", "The depth of two hulls by penetration algorithms",
+                   "error of the depth / size of the hulls"},
+                  {"normal", "The normal of two hulls by penetration algorithms",
+                   "angle to the normal of least depth", "rad"},
+                  {"unfinished", "How many searches end before they converge",
+                   "share of the pairs whose status is not converged", "", 0.5 / grid.cases}});
   measure_grid(
       grid, results, progress, [](std::size_t) {},
       [&](std::size_t s, std::size_t e, Measurement& measured) {

@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <ranges>
-#include <vector>
 
 #include "core/at.h"
 #include "reduce/reducer.h"
-#include "study/elliptical_polygon.h"
-#include "study/measurement.h"
-#include "study/reduction_quality.h"
+#include "study/exploration.h"
+#include "study/random_cases.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -70,18 +69,15 @@ std::vector<FeatureId> remembered(const Method& method, const Case& frames) {
     ReduceOptions options = reduce_options(0);
     options.previous = ids;
     const Reduction reduction = reduce<float>(method.reducer, frame.points, frame.normal, options);
-    std::vector<FeatureId> kept;
-    for (const int i : reduction.kept) kept.push_back(at(frame.points, i).id);
-    ids = std::move(kept);
+    ids = mapped(reduction.kept, [&](int i) { return at(frame.points, i).id; });
   }
   return ids;
 }
 
-ReductionQuality judge(const Reduction& reduction, const ContactPolygon& polygon) {
-  std::vector<ContactPoint<double>> points;
-  for (const ContactPoint<float>& point : polygon.points) {
-    points.push_back({point.position.cast<double>(), point.separation, point.id});
-  }
+trace::ReducerAnswer judge(const Reduction& reduction, const ContactPolygon& polygon) {
+  const auto points = mapped(polygon.points, [](const ContactPoint<float>& point) {
+    return ContactPoint<double>{point.position.cast<double>(), point.separation, point.id};
+  });
   const Vec3d normal = polygon.normal.cast<double>().normalized();
   return measure_reduction(points, normal, {reduction.kept.begin(), reduction.kept.size()}, kKept);
 }
@@ -89,7 +85,7 @@ ReductionQuality judge(const Reduction& reduction, const ContactPolygon& polygon
 }  // namespace
 
 /// Every registered reducer but "none", on 5, 6, 8, 12, 16 and 32 points of elliptical polygons
-/// (elliptical_polygon.h) in float, four points kept. Three results from the same runs:
+/// (random_cases.h) in float, four points kept. Three results from the same runs:
 ///
 /// A reducer that goes by the frame before (coherent) has two lines: one that has seen eight frames
 /// before, each a hundredth of the patch away from the next (neighbouring_frame()), and "..., first
@@ -98,14 +94,10 @@ ReductionQuality judge(const Reduction& reduction, const ContactPolygon& polygon
 /// "area": 1 - area / area of the best four points, in [0, 1]. The best is the longest chain of
 /// corners of the hull, by dynamic programming in double (best_convex_area()), exact but for
 /// rounding. What float takes for the larger of two can be smaller by its own rounding, some 1e-7
-/// of the area. "wrench": the largest shortfall of the resisted moment (reduction_quality.h), in
+/// of the area. "wrench": the largest shortfall of the resisted moment (exploration.h), in
 /// [0, 2]. "deepest": the share of the polygons whose deepest point was lost, in [0, 1]; it has no
 /// worst. A call has failed when it kept no area at all; its errors count, as the largest there
 /// are.
-///
-/// Steps: make the cases from the seed, the same for every method; judge one reduction of each;
-/// then time passes over all cases, methods in turn within a repetition and each repetition
-/// beginning with another one, so that a slow moment of the machine falls on all alike.
 std::vector<trace::Study> study_reducers(const StudyOptions& options,
                                          const StudyProgress& progress) {
   const std::vector<Method> all = methods();
@@ -114,21 +106,15 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   const std::string cases_spelled = std::to_string(grid.cases) +
                                     " elliptical polygons a point, seed " +
                                     std::to_string(options.seed);
-  trace::Study study;
-  study.study = "reducers";
-  study.context = study_context("float");
-  study.parameter = "points";
-  study.resolution = kResolution;
-  study.reference = "all points, " + cases_spelled;
-  std::vector<trace::Study> results{
-      by_measure(study, "area", "What each reducer loses of the contact area",
-                 "lost area, 1 − area / best"),
-      by_measure(study, "wrench", "What each reducer loses of the resisted moment",
-                 "lost moment arm / patch radius, worst axis"),
-      by_measure(study, "deepest", "How often each reducer loses the deepest point",
-                 "share of the patches whose deepest point is lost")};
+  std::vector<trace::Study> results =
+      results_of("reducers", "float", "points", "all points, " + cases_spelled,
+                 {{"area", "What each reducer loses of the contact area",
+                   "lost area, 1 − area / best", "", kResolution},
+                  {"wrench", "What each reducer loses of the resisted moment",
+                   "lost moment arm / patch radius, worst axis", "", kResolution},
+                  {"deepest", "How often each reducer loses the deepest point",
+                   "share of the patches whose deepest point is lost"}});
   results[0].reference = "the largest quadrilateral, exact in double, " + cases_spelled;
-  results[2].resolution = 0;  // counted
 
   std::vector<std::vector<Case>> cases(grid.parameters.size());
   using Memory = std::vector<std::vector<FeatureId>>;  // of each case
@@ -152,7 +138,7 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
       [&](std::size_t m, std::size_t p, Measurement& measured) {
         for (std::size_t i = 0; i < cases[p].size(); ++i) {
           if (all[m].remembers) memory[m][p].push_back(remembered(all[m], cases[p][i]));
-          const ReductionQuality quality = judge(reduced(m, p, i), cases[p][i].back());
+          const trace::ReducerAnswer quality = judge(reduced(m, p, i), cases[p][i].back());
           measured.failed += quality.area > 0 ? 0 : 1;
           measured.errors[0].add(without_rounding(1 - quality.area_ratio));
           measured.errors[1].add(without_rounding(quality.wrench_error));

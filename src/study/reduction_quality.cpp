@@ -1,27 +1,20 @@
-#include "study/reduction_quality.h"
+#include "study/exploration.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "reduce/polygon_area.h"
 
 namespace contactscope {
 namespace {
 
-std::vector<Vec3d> positions(std::span<const ContactPoint<double>> points) {
-  std::vector<Vec3d> result;
-  for (const ContactPoint<double>& point : points) result.push_back(point.position);
-  return result;
-}
-
 template <class T>
 std::vector<T> chosen(const std::vector<T>& all, std::span<const int> kept) {
-  std::vector<T> result;
-  for (const int i : kept) result.push_back(all[static_cast<std::size_t>(i)]);
-  return result;
+  return mapped(kept, [&](int i) { return at(all, i); });
 }
 
 double distance_to_segment(const Vec2d& q, const Vec2d& a, const Vec2d& b) {
@@ -70,7 +63,7 @@ constexpr double kFlat = 1e-12;
 
 /// Separation as a linear function of the place, fitted to the kept points; of smallest slope where
 /// they do not determine one.
-double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoint<double>> points,
+double depth_error(const std::vector<Vec2d>& places, const std::vector<double>& separations,
                    std::span<const int> kept) {
   // The mean depth and slopes about the mean place, in units of the radius: then the rank shows.
   const double radius = radius_of(places);
@@ -78,15 +71,15 @@ double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoin
   Vec2d mean = Vec2d::Zero();
   double mean_depth = 0;
   for (const int i : kept) {
-    mean += places[static_cast<std::size_t>(i)];
-    mean_depth += points[static_cast<std::size_t>(i)].separation;
+    mean += at(places, i);
+    mean_depth += at(separations, i);
   }
   mean /= static_cast<double>(kept.size());
   mean_depth /= static_cast<double>(kept.size());
   // The places along their two principal directions make the normal equations diagonal.
   double xx = 0, xy = 0, yy = 0;
   for (const int i : kept) {
-    const Vec2d arm = (places[static_cast<std::size_t>(i)] - mean) / scale;
+    const Vec2d arm = (at(places, i) - mean) / scale;
     xx += arm.x() * arm.x();
     xy += arm.x() * arm.y();
     yy += arm.y() * arm.y();
@@ -98,51 +91,52 @@ double depth_error(const std::vector<Vec2d>& places, std::span<const ContactPoin
   for (const Vec2d& direction : {longer, Vec2d(-longer.y(), longer.x())}) {
     double squares = 0, product = 0;
     for (const int i : kept) {
-      const double along = direction.dot(places[static_cast<std::size_t>(i)] - mean) / scale;
+      const double along = direction.dot(at(places, i) - mean) / scale;
       squares += along * along;
-      product += along * (points[static_cast<std::size_t>(i)].separation - mean_depth);
+      product += along * (at(separations, i) - mean_depth);
     }
     reach = std::max(reach, squares);
     if (squares > kFlat * kFlat * reach) slope += product / squares * direction;
   }
   double most = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
     const double fitted = mean_depth + slope.dot(places[i] - mean) / scale;
-    most = std::max(most, std::abs(fitted - points[i].separation));
+    most = std::max(most, std::abs(fitted - separations[i]));
   }
   return most;
 }
 
 }  // namespace
 
-ReductionQuality measure_reduction(std::span<const ContactPoint<double>> points,
-                                   const Vec3d& normal, std::span<const int> kept, int max_points) {
-  ReductionQuality quality;
+trace::ReducerAnswer measure_reduction(std::span<const ContactPoint<double>> points,
+                                       const Vec3d& normal, std::span<const int> kept,
+                                       int max_points) {
+  trace::ReducerAnswer answer;
+  answer.kept.assign(kept.begin(), kept.end());
   if (points.empty() || kept.empty()) {
-    quality.area_ratio = points.empty() ? 1 : 0;
-    quality.wrench_error = points.empty() ? 0 : 1;
-    return quality;
+    answer.area_ratio = points.empty() ? 1 : 0;
+    answer.wrench_error = points.empty() ? 0 : 1;
+    return answer;
   }
-  const std::vector<Vec3d> all = positions(points);
-  quality.area = convex_area(chosen(all, kept), normal);
-  quality.best_area = best_convex_area(all, normal, max_points);
-  quality.area_ratio = quality.best_area > 0 ? quality.area / quality.best_area : 1;
+  const std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
+  answer.area = convex_area(chosen(all, kept), normal);
+  const double best_area = best_convex_area(all, normal, max_points);
+  answer.area_ratio = best_area > 0 ? answer.area / best_area : 1;
 
-  double deepest = std::numeric_limits<double>::infinity();
-  for (const ContactPoint<double>& point : points) deepest = std::min(deepest, point.separation);
-  quality.deepest_kept = std::ranges::any_of(
-      kept, [&](int i) { return points[static_cast<std::size_t>(i)].separation == deepest; });
+  const std::vector<double> separations = mapped(points, &ContactPoint<double>::separation);
+  const double deepest = std::ranges::min(separations);
+  answer.deepest_kept = std::ranges::count(chosen(separations, kept), deepest) > 0;
 
   const std::vector<Vec2d> places = project(all, normal);
-  quality.wrench_error = lost_reach(places, kept);
-  quality.depth_error = depth_error(places, points, kept);
-  return quality;
+  answer.wrench_error = lost_reach(places, kept);
+  answer.depth_error = depth_error(places, separations, kept);
+  return answer;
 }
 
 bool supports(std::span<const ContactPoint<double>> points, const Vec3d& normal,
               std::span<const int> kept, const Vec3d& place) {
   if (kept.empty()) return false;
-  std::vector<Vec3d> all = positions(points);
+  std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
   all.push_back(place);
   const std::vector<Vec2d> flat = project(all, normal);
   const double rounding =

@@ -17,16 +17,12 @@ constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 // Edges nearer to parallel have no cross product in 64 bits of mantissa.
 constexpr Real kParallel = 1e-17L;
 
-Vec normalized(const Vec& v) {
-  return v / v.norm();
-}
-
 /// By the fan of triangles about the first vertex.
 Vec face_normal(const std::vector<Vec>& face) {
   Vec sum = Vec::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i)
     sum += Vec(face[i] - face[0]).cross(Vec(face[i + 1] - face[0]));
-  return normalized(sum);
+  return sum.normalized();
 }
 
 Real clamped(Real value) {
@@ -145,9 +141,9 @@ Real largest_separation(const Core& a, const Core& b) {
       const Real length = cross.norm();
       if (!(length > kParallel * along_a.norm() * along_b.norm())) continue;
       // A short cross product is rounded all around; along the edges even a little of that counts.
-      const Vec unit_a = normalized(along_a);
+      const Vec unit_a = along_a.normalized();
       const Vec rounded = cross / length;
-      try_axis(normalized(rounded - rounded.dot(unit_a) * unit_a), a, b, best);
+      try_axis((rounded - rounded.dot(unit_a) * unit_a).normalized(), a, b, best);
     }
   }
   return best;
@@ -199,7 +195,7 @@ std::vector<HullEdge> edges_of(const Hull<double>& hull, const Core& core) {
     const HalfEdge& one = hull.half_edges[h];
     const HalfEdge& other = hull.half_edges[h + 1];
     const Vec& from = at(core.vertices, one.origin);
-    const Vec along = normalized(at(core.vertices, other.origin) - from);
+    const Vec along = (at(core.vertices, other.origin) - from).normalized();
     edges.push_back({from, along, at(core.normals, one.face), at(core.normals, other.face)});
   }
   return edges;

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/at.h"
 #include "dynamics/world.h"
 #include "geometry/primitives.h"
-#include "study/measurement.h"
-#include "study/uniform.h"
+#include "study/random_cases.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -15,12 +16,6 @@ constexpr double kHalf = 0.5;  // metres, of a box's edge
 constexpr double kGravity = 9.81;
 constexpr float kFrame = 1.0f / 60;
 constexpr int kRestFrames = 60;  // the last ones, over which rest is judged
-
-double weight_above(const StackPlan& plan, std::size_t contact) {
-  double mass = 0;
-  for (std::size_t i = contact; i < plan.boxes.size(); ++i) mass += plan.boxes[i].mass;
-  return mass * kGravity;
-}
 
 Vec3d static_place(const StackPlan& plan, std::size_t box) {
   const auto level = static_cast<double>(box);
@@ -38,6 +33,7 @@ class StandingStack {
     shapes_.push_back(HalfSpace<float>{{Vec3<float>::UnitY(), 0}});
     world_.bodies.push_back(static_body<float>({}));
     const Shape<double> box = make_box(Vec3d::Constant(kHalf));
+    double mass = 0;
     for (std::size_t i = 0; i < plan.boxes.size(); ++i) {
       const Quatd turn(Eigen::AngleAxisd(plan.boxes[i].turn, Vec3d::UnitY()));
       const Pose<double> pose{turn, static_place(plan, i)};
@@ -48,8 +44,7 @@ class StandingStack {
       WorldPair<float>& pair = world_.pairs.emplace_back();
       pair.a = static_cast<int>(i);
       pair.b = static_cast<int>(i + 1);
-      pair.friction = static_cast<float>(kStackFriction);
-      mass_ += plan.boxes[i].mass;
+      mass += plan.boxes[i].mass;
     }
     // Anything from touching to an overlap of the slop is at rest, so that a stack may stand that much
     // higher.
@@ -59,7 +54,7 @@ class StandingStack {
       most_energy_ += plan.boxes[i].mass * kGravity * lifted;
     }
     const double fall = kGravity * static_cast<double>(kFrame);  // m/s in one frame
-    most_energy_ += 0.5 * mass_ * fall * fall;
+    most_energy_ += 0.5 * mass * fall * fall;
   }
 
   StackOutcome run(int frames) {
@@ -67,7 +62,11 @@ class StandingStack {
     PassTimes times;
     const int rest_begins = std::max(1, frames - kRestFrames);
     for (; outcome.frames < frames; ++outcome.frames) {
-      times.measure(1, [&](int) { return step_once(); });
+      times.measure(1, [&](int) {
+        step(world_, shapes_, settings_, kFrame, contacts_);
+        note_ids();
+        return static_cast<double>(world_.bodies.back().center.y());
+      });
       outcome.fault = fault();
       if (outcome.fault != StackFault::None) break;
       outcome.worst_penetration = std::max(outcome.worst_penetration, penetration());
@@ -82,28 +81,21 @@ class StandingStack {
     if (outcome.fault == StackFault::None) {
       outcome.penetration = penetration();
       outcome.worst_penetration = std::max(outcome.worst_penetration, outcome.penetration);
-      outcome.drift = drift();
+      const Vec3d place = static_place(plan_, plan_.boxes.size() - 1);
+      outcome.drift = Vec3d(world_.bodies.back().center.cast<double>() - place).norm();
     }
     outcome.nanoseconds = times.summary().median;
     return outcome;
   }
 
  private:
-  double step_once() {
-    step(world_, shapes_, settings_, kFrame, contacts_);
-    note_ids();
-    return static_cast<double>(world_.bodies.back().center.y());
-  }
-
   void note_ids() {
     int changed = 0, all = 0;
     ids_.resize(world_.pairs.size());
     for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
       const std::vector<FeatureId>& now = world_.pairs[i].kept;
-      for (const FeatureId& id : now) {
-        changed += std::ranges::find(ids_[i], id) == ids_[i].end() ? 1 : 0;
-        ++all;
-      }
+      for (const FeatureId& id : now) changed += std::ranges::count(ids_[i], id) == 0 ? 1 : 0;
+      all += count_of(now);
       ids_[i] = now;
     }
     ids_changed_ = all == 0 ? 0 : static_cast<double>(changed) / all;
@@ -117,13 +109,10 @@ class StandingStack {
     }
     if (energy() > most_energy_) return StackFault::Energy;
     for (std::size_t i = 1; i < world_.bodies.size(); ++i) {
-      Vec3d above = world_.bodies[i].center.cast<double>();
-      if (i > 1) {
-        above -= world_.bodies[i - 1].center.cast<double>();
-      } else {
-        above.y() += kHalf;  // as if on another box, below the plane
-        above.x() = above.z() = 0;
-      }
+      const Vec3d here = world_.bodies[i].center.cast<double>();
+      // The lowest one is as if on another box, below the plane.
+      const Vec3d above = i > 1 ? Vec3d(here - world_.bodies[i - 1].center.cast<double>())
+                                : Vec3d(0, here.y() + kHalf, 0);
       if (std::abs(above.y() - 2 * kHalf) > kHalf || std::hypot(above.x(), above.z()) > kHalf)
         return StackFault::Fallen;
     }
@@ -146,12 +135,6 @@ class StandingStack {
     return deepest;
   }
 
-  double drift() const {
-    const Vec3d way =
-        world_.bodies.back().center.cast<double>() - static_place(plan_, plan_.boxes.size() - 1);
-    return way.norm();
-  }
-
   double fastest() const {
     const double to_corner = kHalf * std::sqrt(3.0);
     double most = 0;
@@ -168,7 +151,9 @@ class StandingStack {
       double impulse = 0;
       for (const PointImpulse<float>& point : world_.impulses[i])
         impulse += static_cast<double>(point.total_normal);
-      const double weight = weight_above(plan_, i);
+      double mass = 0;  // above
+      for (std::size_t k = i; k < plan_.boxes.size(); ++k) mass += plan_.boxes[k].mass;
+      const double weight = mass * kGravity;
       worst = std::max(worst, std::abs(impulse / static_cast<double>(kFrame) - weight) / weight);
     }
     return worst;
@@ -181,7 +166,6 @@ class StandingStack {
   std::vector<Manifolds<float>> contacts_;
   std::vector<std::vector<FeatureId>> ids_;  // of the frame before
   double ids_changed_ = 0;
-  double mass_ = 0;
   double most_energy_ = 0;  // joules; more has come from nowhere
 };
 
@@ -199,11 +183,6 @@ StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
   }
   plan.boxes.back().mass = ratio;
   return plan;
-}
-
-const char* to_string(StackFault fault) {
-  constexpr const char* kNames[] = {"none", "not finite", "energy", "fallen"};
-  return kNames[static_cast<int>(fault)];
 }
 
 StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames) {

@@ -31,9 +31,6 @@ enum class StackFault {
   Fallen,     // a box whose centre is not over its support, or more than half a box too low or high
 };
 
-/// "none", "not finite", "energy", "fallen".
-const char* to_string(StackFault fault);
-
 /// What became of a stack that was set down without motion where it should stay, against the static
 /// solution: every box at its height, overlapping what is below by the slop; every contact carries
 /// the weight above it. Meaningless after a fault, but for `frames` and `nanoseconds`.
@@ -49,11 +46,10 @@ struct StackOutcome {
   double nanoseconds = 0;  // of a frame: contacts and solver, the median of all frames
 };
 
-/// What all stacks of the study share.
+/// What all stacks of the study share, beside the friction of WorldPair.
 inline constexpr int kStackFrames = 180;      // of a sixtieth of a second
 inline constexpr double kStackSlop = 0.005;   // metres; both as Box2D has them for such boxes
 inline constexpr double kStackMargin = 0.02;  // metres, speculative
-inline constexpr double kStackFriction = 0.6;
 
 /// Steps the stack in float with a world of its own. Of `settings` the slop and the speculative
 /// margin are replaced by the study's. Deterministic but for the time.

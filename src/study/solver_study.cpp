@@ -2,11 +2,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <span>
 
-#include "study/limits_study.h"
-#include "study/measurement.h"
+#include "study/random_cases.h"
 #include "study/solver_stack.h"
+#include "study/study.h"
 
 namespace contactscope {
 namespace {
@@ -67,154 +66,133 @@ struct StackMeasure {
   const char* error;
   const char* unit;
   double StackOutcome::*value;
-  bool of_all_stacks;  // else of the first alone
+  // Of those that are drawn as maps too: others are of the first stack alone.
+  const char* map_name = nullptr;
+  const char* map_error = nullptr;
 };
 constexpr StackMeasure kStackMeasures[] = {
     {"penetration", "How far boxes sink into each other", "deepest overlap after 3 s", "m",
-     &StackOutcome::penetration, true},
+     &StackOutcome::penetration, "map", "deepest overlap after 3 s (mm)"},
     {"worst", "How deep boxes have been in each other", "deepest overlap of any frame", "m",
-     &StackOutcome::worst_penetration, false},
+     &StackOutcome::worst_penetration},
     {"drift", "How far the top of a stack drifts", "way of the highest box after 3 s", "m",
-     &StackOutcome::drift, true},
+     &StackOutcome::drift, "drift_map", "way of the highest box after 3 s (mm)"},
     {"jitter", "How still a stack stands", "speed of the fastest box, third second", "m/s",
-     &StackOutcome::jitter, true},
+     &StackOutcome::jitter, "jitter_map", "speed of the fastest box, third second (mm/s)"},
     {"load", "How well contacts carry what is above them",
-     "force / weight − 1, worst contact, third second", "", &StackOutcome::load_error, false},
+     "force / weight − 1, worst contact, third second", "", &StackOutcome::load_error},
     {"ids", "How many contact points are new", "share of new ids a frame, third second", "",
-     &StackOutcome::ids_changed, false},
+     &StackOutcome::ids_changed},
 };
 // Floats cannot tell a box's place ten metres up from the next one a millionth of a metre above.
 constexpr double kStackResolution = 1e-6;
 
-/// How many stacks came to grief how.
-struct FaultCounts {
-  std::array<int, 4> counts{};
-
-  std::string spelled() const {
-    const auto count = [&](StackFault fault) {
-      return std::to_string(counts[static_cast<std::size_t>(fault)]);
-    };
-    return std::to_string(std::accumulate(counts.begin(), counts.end(), 0)) + " stacks, of which " +
-           count(StackFault::Fallen) + " fell, " + count(StackFault::Energy) + " gained energy, " +
-           count(StackFault::NotFinite) + " lost their numbers";
-  }
-};
-
-/// Runs `cases` stacks, the same for every method and setting.
-Measurement judge(int boxes, double ratio, const SolverSettings& settings, int cases,
-                  std::span<const std::size_t> measures, const StudyOptions& options,
-                  FaultCounts& faults) {
-  Measurement measured(measures.size());
-  for (int i = 0; i < cases; ++i) {
-    std::mt19937_64 engine = case_engine(options.seed, i, boxes, ratio);
-    const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
-                                           options.frames.value_or(kStackFrames));
-    ++faults.counts[static_cast<std::size_t>(outcome.fault)];
-    ++measured.of;
-    measured.times.add(outcome.nanoseconds);
-    if (outcome.fault != StackFault::None) {
-      ++measured.failed;
-      continue;
+/// Results that are filled with lines, each point of the same stacks for every method and setting.
+class StackResults {
+ public:
+  /// `call` says what a measure is called, with no name where it is left out.
+  template <class Call>
+  StackResults(const StudyOptions& options, int cases, const char* parameter, const Call& call)
+      : options_(options), cases_(options.cases.value_or(cases)) {
+    std::vector<StudyMeasure> measures;
+    for (const StackMeasure& measure : kStackMeasures) {
+      const StudyMeasure called = call(measure);
+      if (called.name.empty()) continue;
+      measures.push_back(called);
+      values_.push_back(measure.value);
     }
-    for (std::size_t m = 0; m < measures.size(); ++m)
-      measured.errors[m].add(outcome.*kStackMeasures[measures[m]].value);
+    results = results_of("solver", "float", parameter, "", measures);
   }
-  return measured;
-}
 
-SolverSettings settings_of(const SolverMethod& method, int iterations, int substeps) {
-  SolverSettings settings;
-  settings.position_correction = method.correction;
-  settings.warm_start = method.warm_start;
-  settings.iterations = iterations;
-  settings.substeps = substeps;
-  return settings;
-}
+  Measurement judge(int boxes, double ratio, const SolverMethod& method, int iterations,
+                    int substeps) {
+    SolverSettings settings;
+    settings.position_correction = method.correction;
+    settings.warm_start = method.warm_start;
+    settings.iterations = iterations;
+    settings.substeps = substeps;
+    Measurement measured(values_.size(), cases_);
+    for (int i = 0; i < cases_; ++i) {
+      std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
+      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
+                                             options_.frames.value_or(kStackFrames));
+      ++faults_[static_cast<std::size_t>(outcome.fault)];
+      measured.times.add(outcome.nanoseconds);
+      if (outcome.fault != StackFault::None) ++measured.failed;
+      for (std::size_t m = 0; m < values_.size() && outcome.fault == StackFault::None; ++m)
+        measured.errors[m].add(outcome.*values_[m]);
+    }
+    return measured;
+  }
 
-trace::Study described(const StackMeasure& measure) {
-  trace::Study study;
-  study.study = "solver";
-  study.measure = measure.name;
-  study.title = measure.title;
-  study.context = study_context("float");
-  study.error = measure.error;
-  study.unit = measure.unit;
-  return study;
-}
+  /// With how many stacks came to grief how.
+  std::vector<trace::Study> finished() {
+    const auto count = [&](StackFault fault) {
+      return std::to_string(faults_[static_cast<std::size_t>(fault)]);
+    };
+    for (trace::Study& study : results)
+      study.reference = "the static solution; a call is a frame; " +
+                        std::to_string(std::accumulate(faults_.begin(), faults_.end(), 0)) +
+                        " stacks, of which " + count(StackFault::Fallen) + " fell, " +
+                        count(StackFault::Energy) + " gained energy, " +
+                        count(StackFault::NotFinite) + " lost their numbers; seed " +
+                        std::to_string(options_.seed);
+    return results;
+  }
 
-void refer(std::vector<trace::Study>& studies, const FaultCounts& faults,
-           const StudyOptions& options) {
-  for (trace::Study& study : studies)
-    study.reference = "the static solution; a call is a frame; " + faults.spelled() + "; seed " +
-                      std::to_string(options.seed);
-}
+  std::vector<trace::Study> results;
+
+ private:
+  const StudyOptions& options_;
+  int cases_;
+  std::vector<double StackOutcome::*> values_;  // one a result
+  std::array<int, 4> faults_{};
+};
 
 std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& options,
                                  const StudyStep& step) {
-  std::vector<trace::Study> studies;
-  std::vector<std::size_t> measures;  // of each
-  for (std::size_t m = 0; m < std::size(kStackMeasures); ++m) {
-    if (&stack != kCurveStacks && !kStackMeasures[m].of_all_stacks) continue;
-    measures.push_back(m);
-    trace::Study& study = studies.emplace_back(described(kStackMeasures[m]));
-    study.measure += stack.suffix;
-    study.title += stack.title;
-    study.parameter = "iterations or sub-steps";
-    study.resolution = kStackResolution;
-  }
-  FaultCounts faults;
+  StackResults stacks(
+      options, stack.cases, "iterations or sub-steps", [&](const StackMeasure& m) -> StudyMeasure {
+        if (&stack != kCurveStacks && m.map_name == nullptr) return {};
+        return {std::string(m.name) + stack.suffix, std::string(m.title) + stack.title, m.error,
+                m.unit, kStackResolution};
+      });
   for (const CurvePanel& panel : kCurvePanels) {
     for (const SolverMethod& method : kSolverMethods) {
-      begin_series(studies, {method.name, {}, panel.name, panel.parameter});
-      for (const int count : kCounts) {
-        const SolverSettings settings =
-            settings_of(method, panel.substeps ? 1 : count, panel.substeps ? count : 1);
-        add_point(studies, count,
-                  judge(stack.boxes, stack.ratio, settings, options.cases.value_or(stack.cases),
-                        measures, options, faults));
-      }
+      add_line(stacks.results, {method.name, {}, panel.name, panel.parameter}, kCounts,
+               [&](int count) {
+                 return stacks.judge(stack.boxes, stack.ratio, method, panel.substeps ? 1 : count,
+                                     panel.substeps ? count : 1);
+               });
       step(std::string(method.name) + ", " + panel.parameter);
     }
   }
-  refer(studies, faults, options);
-  return studies;
+  return stacks.finished();
 }
 
 std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& step) {
-  constexpr std::size_t kMapped[] = {0, 2, 3};
-  constexpr const char* kNames[] = {"map", "drift_map", "jitter_map"};
-  constexpr const char* kErrors[] = {"deepest overlap after 3 s (mm)",
-                                     "way of the highest box after 3 s (mm)",
-                                     "speed of the fastest box, third second (mm/s)"};
-  std::vector<trace::Study> studies;
-  for (std::size_t i = 0; i < std::size(kMapped); ++i) {
-    trace::Study& study = studies.emplace_back(described(kStackMeasures[kMapped[i]]));
-    study.measure = kNames[i];
-    study.title += ", by height and mass";
-    study.error = kErrors[i];
-    study.unit = {};
-    study.parameter = "top mass / others";
+  constexpr const char* kParameter = "top mass / others";
+  StackResults stacks(options, kMapCases, kParameter, [](const StackMeasure& m) -> StudyMeasure {
+    if (m.map_name == nullptr) return {};
+    return {m.map_name, std::string(m.title) + ", by height and mass", m.map_error};
+  });
+  for (trace::Study& study : stacks.results) {
     study.row = "stack";
     study.form = trace::StudyForm::Map;
   }
-  FaultCounts faults;
+  std::vector<double> ratios;
+  for (int i = 0; i < kRatioSteps; ++i) ratios.push_back(std::pow(10.0, 0.5 * i));
   for (const std::size_t turn : {0, 1, 2, 5, 4, 3}) {  // a method's brothers under each other
     const SolverMethod& method = kSolverMethods[turn];
     for (const int boxes : kHeights) {
       const std::string row = std::to_string(boxes) + " boxes";
-      begin_series(studies, {row, {}, method.map_name, studies.front().parameter});
-      const SolverSettings settings =
-          settings_of(method, method.map_iterations, method.map_substeps);
-      for (int i = 0; i < kRatioSteps; ++i) {
-        const double ratio = std::pow(10.0, 0.5 * i);
-        Measurement measured = judge(boxes, ratio, settings, options.cases.value_or(kMapCases),
-                                     kMapped, options, faults);
-        add_point(studies, ratio, measured);
-      }
+      add_line(stacks.results, {row, {}, method.map_name, kParameter}, ratios, [&](double ratio) {
+        return stacks.judge(boxes, ratio, method, method.map_iterations, method.map_substeps);
+      });
       step(std::string(method.name) + ", " + row);
     }
   }
-  for (trace::Study& study : studies) {
+  for (trace::Study& study : stacks.results) {
     for (trace::StudySeries& series : study.series) {
       for (trace::StudyPoint& point : series.points) {  // metres to millimetres
         if (point.error) point.error = 1000 * *point.error;
@@ -222,8 +200,7 @@ std::vector<trace::Study> maps(const StudyOptions& options, const StudyStep& ste
       }
     }
   }
-  refer(studies, faults, options);
-  return studies;
+  return stacks.finished();
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <ctime>
 #include <fstream>
 
+#include "core/at.h"
+
 namespace contactscope {
 namespace {
 
@@ -37,15 +39,12 @@ std::string now() {
   return text.data();
 }
 
-std::string build_type() {
-  const std::string type = CONTACTSCOPE_BUILD_TYPE;
-  return type.empty() ? "no build type" : type;
-}
-
 }  // namespace
 
 trace::StudyContext study_context(const std::string& scalar) {
-  return {processor(), compiler(), build_type(), now(), scalar};
+  const std::string build_type = CONTACTSCOPE_BUILD_TYPE;
+  return {processor(), compiler(), build_type.empty() ? "no build type" : build_type, now(),
+          scalar};
 }
 
 const std::vector<StudyInfo>& studies() {
@@ -64,6 +63,46 @@ const std::vector<StudyInfo>& studies() {
        &study_solver},
   };
   return list;
+}
+
+std::vector<double> PassTimes::sorted() const {
+  std::vector<double> times = times_;
+  std::ranges::sort(times);
+  return times;
+}
+
+trace::Nanoseconds PassTimes::summary() const {
+  const std::vector<double> times = sorted();
+  const double median = 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
+  return {median, times.front(), times.back()};
+}
+
+trace::StudyPoint Measurement::point(double parameter, std::size_t measure) const {
+  trace::StudyPoint result{parameter, {}, {}, times.summary(), failed, of};
+  const Errors& found = errors[measure];
+  if (found.count > 0) {
+    result.error = found.sum / found.count;
+    result.error_worst = found.worst;
+  }
+  return result;
+}
+
+std::vector<trace::Study> results_of(const std::string& study, const std::string& scalar,
+                                     const std::string& parameter, const std::string& reference,
+                                     const std::vector<StudyMeasure>& measures) {
+  return mapped(measures, [&](const StudyMeasure& measure) {
+    trace::Study result;
+    result.study = study;
+    result.measure = measure.name;
+    result.title = measure.title;
+    result.context = study_context(scalar);
+    result.reference = reference;
+    result.error = measure.error;
+    result.unit = measure.unit;
+    result.resolution = measure.resolution;
+    result.parameter = parameter;
+    return result;
+  });
 }
 
 }  // namespace contactscope

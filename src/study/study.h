@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,5 +42,139 @@ const std::vector<StudyInfo>& studies();
 
 /// Processor, compiler and build of this program, and the time now.
 trace::StudyContext study_context(const std::string& scalar);
+
+/// Mean and worst error over the cases that did not fail; none where there is no such case.
+struct Errors {
+  double sum = 0, worst = 0;
+  int count = 0;
+
+  void add(double error) {
+    sum += error;
+    worst = std::max(worst, error);
+    ++count;
+  }
+};
+
+/// Tells of the next step of a study.
+using StudyStep = std::function<void(const std::string& what)>;
+
+/// One that counts up to `total`. `progress` must outlive it.
+inline StudyStep counted(const StudyProgress& progress, int total) {
+  return [&progress, total, done = 0](const std::string& what) mutable {
+    progress(++done, total, what);
+  };
+}
+
+/// Times of one method, nanoseconds a call, one a repetition.
+class PassTimes {
+ public:
+  /// Times `calls` calls of `call(i)`, i = 0 .. calls - 1. What `call` returns is used, so that the
+  /// compiler cannot leave it out.
+  template <class Call>
+  void measure(int calls, const Call& call) {
+    double used = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; ++i) used += call(i);
+    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
+    add(time.count() / calls);
+    sink_ = used;
+  }
+  void add(double nanoseconds) { times_.push_back(nanoseconds); }
+
+  std::vector<double> sorted() const;
+  /// At least one repetition was measured.
+  trace::Nanoseconds summary() const;
+
+ private:
+  std::vector<double> times_;
+  volatile double sink_ = 0;
+};
+
+/// What one method came to at one parameter: errors for each measure of its study, and its times.
+struct Measurement {
+  std::vector<Errors> errors;
+  PassTimes times{};
+  int failed = 0;  // cases that have no error
+  int of = 0;      // cases
+
+  explicit Measurement(std::size_t measures, int cases = 0) : errors(measures), of(cases) {}
+  trace::StudyPoint point(double parameter, std::size_t measure) const;
+};
+
+/// One of the errors that a study measures.
+struct StudyMeasure {
+  std::string name, title;
+  std::string error;  // what it is called
+  std::string unit{};
+  double resolution = 0;  // errors up to this one cannot be told from rounding
+};
+
+/// A result of a study for each of its measures, without lines.
+std::vector<trace::Study> results_of(const std::string& study, const std::string& scalar,
+                                     const std::string& parameter, const std::string& reference,
+                                     const std::vector<StudyMeasure>& measures);
+
+/// Adds a line to each result of a study: what `judge(parameter)` measures at each parameter.
+template <class Parameters, class Judge>
+void add_line(std::vector<trace::Study>& results, const trace::StudySeries& series,
+              const Parameters& parameters, const Judge& judge) {
+  for (trace::Study& study : results) study.series.push_back(series);
+  for (const auto parameter : parameters) {
+    const Measurement& measured = judge(parameter);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      results[i].series.back().points.push_back(measured.point(parameter, i));
+  }
+}
+
+/// Methods that are measured at the same parameters, on the same cases.
+struct StudyGrid {
+  std::vector<std::string> methods;
+  std::vector<int> parameters;
+  int cases;  // a parameter
+  int repetitions;
+
+  /// `list`: anything with a `name` each. The options go before the study's own numbers.
+  template <class Methods>
+  StudyGrid(const StudyOptions& options, const Methods& list, std::span<const int> every_parameter,
+            int own_cases, int own_repetitions)
+      : parameters(every_parameter.begin(), every_parameter.end()),
+        cases(options.cases.value_or(own_cases)),
+        repetitions(options.repetitions.value_or(own_repetitions)) {
+    for (const auto& method : list) methods.emplace_back(method.name);
+  }
+};
+
+/// Steps: for each parameter make its cases, `prepare(p)`, and let each method be judged by them,
+/// `judge(m, p, measurement)`; then time passes over all cases, `call(m, p, i)`, methods in turn
+/// within a repetition and each repetition beginning with another one, so that a slow moment of the
+/// machine falls on all alike. The lines are added to the results.
+template <class Prepare, class Judge, class Call>
+void measure_grid(const StudyGrid& grid, std::vector<trace::Study>& results,
+                  const StudyProgress& progress, const Prepare& prepare, const Judge& judge,
+                  const Call& call) {
+  const std::size_t methods = grid.methods.size(), parameters = grid.parameters.size();
+  std::vector<std::vector<Measurement>> measured(
+      methods, {parameters, Measurement(results.size(), grid.cases)});
+  const StudyStep step = counted(progress, static_cast<int>(parameters) + grid.repetitions);
+  for (std::size_t p = 0; p < parameters; ++p) {
+    prepare(p);
+    for (std::size_t m = 0; m < methods; ++m) judge(m, p, measured[m][p]);
+    step("errors of " + std::to_string(grid.parameters[p]) + " " + results.front().parameter);
+  }
+  for (int repetition = 0; repetition < grid.repetitions; ++repetition) {
+    for (std::size_t p = 0; p < parameters; ++p) {
+      for (std::size_t turn = 0; turn < methods; ++turn) {
+        const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % methods;
+        measured[m][p].times.measure(
+            grid.cases, [&](int i) { return call(m, p, static_cast<std::size_t>(i)); });
+      }
+    }
+    step("times");
+  }
+  for (std::size_t m = 0; m < methods; ++m) {
+    auto next = measured[m].begin();
+    add_line(results, {grid.methods[m], {}}, grid.parameters, [&](int) { return *next++; });
+  }
+}
 
 }  // namespace contactscope

@@ -52,10 +52,10 @@ struct Exploration {
   std::vector<Point> points;      // all, before any reduction
   Vec3d normal = Vec3d::Zero();
   double best_area = 0;
-  std::vector<int> best;  // indices of the points that span it
+  std::vector<int> best{};  // indices of the points that span it
   /// Metres that a surface point of either body moved since the frame before, at most.
   double bodies_moved = 0;
-  std::vector<ReducerAnswer> reducers;
+  std::vector<ReducerAnswer> reducers{};
 
   static constexpr auto fields() {
     using E = Exploration;

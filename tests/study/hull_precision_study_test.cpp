@@ -1,8 +1,7 @@
-#include "study/overlapping_hulls.h"
+#include "study/random_cases.h"
 
 #include <gmock/gmock.h>
 
-#include "study/all_edge_pairs.h"
 #include "study/study.h"
 #include "support/brute_force_sat.h"
 
@@ -27,20 +26,6 @@ TEST(DepthOracle, AgreesWithBruteForceOverAllAxes) {
     const double brute =
         test::brute_force_sat(pair.a, Pose<double>{}, pair.b, pair.b_in_a).separation;
     EXPECT_NEAR(pair.deepest.separation, brute, 1e-12 * pair.size) << trial;
-  }
-}
-
-TEST(AllEdgePairs, BothWaysFindTheDepthInFloatAndDouble) {
-  std::mt19937_64 engine(4);
-  for (int trial = 0; trial < 40; ++trial) {
-    const OverlappingHulls pair = overlapping_hulls(engine, 12);
-    const HullPair<double> exact(pair.a, pair.b, pair.b_in_a);
-    EXPECT_NEAR(separation_by_all_edge_pairs(exact), pair.deepest.separation, 1e-12 * pair.size);
-    EXPECT_NEAR(separation_by_minkowski_faces(exact), pair.deepest.separation, 1e-12 * pair.size);
-    const Hull<float> a = hull_cast<float>(pair.a), b = hull_cast<float>(pair.b);
-    const HullPair<float> rounded(a, b, pair.b_in_a.cast<float>());
-    EXPECT_NEAR(separation_by_all_edge_pairs(rounded), pair.deepest.separation, 1e-5 * pair.size);
-    EXPECT_NEAR(separation_by_minkowski_faces(rounded), pair.deepest.separation, 1e-5 * pair.size);
   }
 }
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "study/overlapping_hulls.h"
+#include "study/random_cases.h"
 #include "study/study.h"
 #include "support/brute_force_sat.h"
 

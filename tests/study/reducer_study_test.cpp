@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "reduce/reducer.h"
-#include "study/elliptical_polygon.h"
-#include "study/reduction_quality.h"
+#include "study/exploration.h"
+#include "study/random_cases.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -236,7 +236,7 @@ TEST(EllipticalPolygon, ReducersKeepAboutWhatTheirEnginesKeep) {
       for (std::size_t e = 0; e < area.size(); ++e) {
         const KeptIndices kept =
             reduce<double>(find_reducer<double>(kEngineMeans[e].name), points, normal, {}).kept;
-        const ReductionQuality quality =
+        const trace::ReducerAnswer quality =
             measure_reduction(points, normal, {kept.begin(), kept.size()}, 4);
         area[e] += quality.area_ratio / kPolygons;
         deepest[e] += quality.deepest_kept ? 100.0 / kPolygons : 0;

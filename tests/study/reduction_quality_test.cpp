@@ -1,4 +1,4 @@
-#include "study/reduction_quality.h"
+#include "study/exploration.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ ContactPoint<double> point(double x, double z, double separation = -0.01) {
   return {Vec3d(x, 0, z), separation, FeatureId{}};
 }
 
-ReductionQuality measured(const Points& points, const std::vector<int>& kept) {
+trace::ReducerAnswer measured(const Points& points, const std::vector<int>& kept) {
   return measure_reduction(points, Vec3d::UnitY(), kept, 4);
 }
 
@@ -30,9 +30,8 @@ Points with(Points points, const ContactPoint<double>& added) {
 }
 
 TEST(ReductionQuality, AllCornersLoseNothing) {
-  const ReductionQuality quality = measured(with(kRectangle, point(0, 0)), {0, 1, 2, 3});
+  const trace::ReducerAnswer quality = measured(with(kRectangle, point(0, 0)), {0, 1, 2, 3});
   EXPECT_DOUBLE_EQ(quality.area, 8);
-  EXPECT_DOUBLE_EQ(quality.best_area, 8);
   EXPECT_DOUBLE_EQ(quality.area_ratio, 1);
   EXPECT_NEAR(quality.wrench_error, 0, 1e-15);
   EXPECT_NEAR(quality.depth_error, 0, 1e-15);
@@ -41,13 +40,13 @@ TEST(ReductionQuality, AllCornersLoseNothing) {
 TEST(ReductionQuality, LostCornerCostsItsDistanceFromTheTriangle) {
   // The corner (2, 1) is 4 / sqrt(5) from the diagonal that is left.
   const Points points = with(kRectangle, point(0, 0));
-  const ReductionQuality quality = measured(points, {0, 1, 3, 4});
+  const trace::ReducerAnswer quality = measured(points, {0, 1, 3, 4});
   EXPECT_DOUBLE_EQ(quality.area_ratio, 0.5);
   EXPECT_NEAR(quality.wrench_error, 4 / std::sqrt(5.0) / std::sqrt(5.0), 1e-12);
 }
 
 TEST(ReductionQuality, OnePointLeavesTheFarthestUncovered) {
-  const ReductionQuality quality = measured(kRectangle, {0});
+  const trace::ReducerAnswer quality = measured(kRectangle, {0});
   EXPECT_DOUBLE_EQ(quality.area_ratio, 0);
   EXPECT_NEAR(quality.wrench_error, 2, 1e-12);  // the diagonal, in radii
 }
@@ -109,12 +108,12 @@ TEST(ReductionQuality, DepthErrorIsWhatAPlaneCannotTell) {
 TEST(ReductionQuality, IsTheSameInEveryPose) {
   test::Random random(9);
   const Points points = with(with(kRectangle, point(0.3, 0.8, -0.02)), point(2.5, 0, -0.005));
-  const ReductionQuality here = measured(points, {0, 1, 2, 5});
+  const trace::ReducerAnswer here = measured(points, {0, 1, 2, 5});
   for (int round = 0; round < 50; ++round) {
     const Pose<double> pose = random.pose(10);
     Points moved = points;
     for (auto& p : moved) p.position = pose.rotation * p.position + pose.position;
-    const ReductionQuality there =
+    const trace::ReducerAnswer there =
         measure_reduction(moved, pose.rotation * Vec3d::UnitY(), std::vector<int>{0, 1, 2, 5}, 4);
     EXPECT_NEAR(there.area_ratio, here.area_ratio, 1e-12);
     EXPECT_NEAR(there.wrench_error, here.wrench_error, 1e-12);

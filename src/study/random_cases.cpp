@@ -1,0 +1,121 @@
+#include "study/random_cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/hull_builder.h"
+
+namespace contactscope {
+namespace {
+
+Vec3d unit_vector(std::mt19937_64& engine) {
+  const double z = uniform(engine, -1, 1);
+  const double turn = uniform(engine, 0, 2 * std::numbers::pi);
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) {
+  const Quatd turn = uniform_rotation(engine);
+  Vec3d axes;
+  for (int i = 0; i < 3; ++i) axes[i] = size * uniform(engine, 0.5, 1);
+  std::vector<Vec3d> points;
+  for (int i = 0; i < vertices; ++i)
+    points.push_back(turn * Vec3d(axes.cwiseProduct(unit_vector(engine))));
+  return build_hull(points);
+}
+
+}  // namespace
+
+double uniform(std::mt19937_64& engine, double low, double high) {
+  return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
+}
+
+Quatd uniform_rotation(std::mt19937_64& engine) {
+  const double share = uniform(engine, 0, 1);
+  const double first = uniform(engine, 0, 2 * std::numbers::pi);
+  const double second = uniform(engine, 0, 2 * std::numbers::pi);
+  const double a = std::sqrt(1 - share);
+  const double b = std::sqrt(share);
+  return Quatd(b * std::cos(second), a * std::sin(first), a * std::cos(first),
+               b * std::sin(second));
+}
+
+std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other) {
+  const auto step = [](double value) {
+    return static_cast<std::uint64_t>(std::llround(1000 * std::log10(value)) + 100000);
+  };
+  std::seed_seq mixed{seed, static_cast<std::uint64_t>(index), step(one), step(other)};
+  return std::mt19937_64(mixed);
+}
+
+ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count) {
+  const double long_axis = uniform(engine, 0.1, 1);
+  const double short_axis = long_axis / std::pow(5.0, uniform(engine, 0, 1));
+  const double start = uniform(engine, 0, 2 * std::numbers::pi);
+  const double mean_depth = uniform(engine, 0.001, 0.01);
+  const double tilt = uniform(engine, 0, 1);
+  const double downhill = uniform(engine, 0, 2 * std::numbers::pi);
+  Pose<double> pose{uniform_rotation(engine), {}};
+  for (int axis = 0; axis < 3; ++axis) pose.position[axis] = uniform(engine, -5, 5);
+
+  ContactPolygon polygon;
+  const Vec3d normal = pose.rotation * Vec3d::UnitZ();
+  polygon.normal = normal.cast<float>();
+  for (int i = 0; i < count; ++i) {
+    const double jitter = uniform(engine, -0.4, 0.4);
+    const double angle = start + 2 * std::numbers::pi * (i + jitter) / count;
+    const Vec3d local(long_axis * std::cos(angle), short_axis * std::sin(angle), 0);
+    const Vec3d world = pose.rotation * local + pose.position;
+    const double across =
+        (local.x() * std::cos(downhill) + local.y() * std::sin(downhill)) / long_axis;
+    const double depth = mean_depth * (1 + tilt * across + uniform(engine, -0.05, 0.05));
+    const auto edge = static_cast<std::uint32_t>(i);
+    polygon.points.push_back({world.cast<float>(), static_cast<float>(-depth),
+                              FeatureId::of({Owner::A, edge}, {Owner::B, edge})});
+  }
+  return polygon;
+}
+
+ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
+                                  std::mt19937_64& engine) {
+  Vec3d middle = Vec3d::Zero();
+  for (const ContactPoint<float>& point : polygon.points) middle += point.position.cast<double>();
+  middle /= static_cast<double>(polygon.points.size());
+  const Vec3d normal = polygon.normal.cast<double>().normalized();
+  ContactPolygon result = polygon;
+  for (ContactPoint<float>& point : result.points) {
+    const Vec3d arm = point.position.cast<double>() - middle;
+    const Vec3d across = normal.cross(arm);
+    const double outwards = uniform(engine, -0.7 * part, 0.7 * part);
+    const double around = uniform(engine, -0.7 * part, 0.7 * part);
+    point.position = Vec3d(middle + (1 + outwards) * arm + around * across).cast<float>();
+    point.separation *= static_cast<float>(1 + uniform(engine, -part, part));
+  }
+  return result;
+}
+
+OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices) {
+  for (;;) {
+    OverlappingHulls hulls;
+    hulls.size = std::pow(10.0, uniform(engine, -3, 3));
+    hulls.a = ellipsoid_hull(engine, vertices, hulls.size);
+    hulls.b = ellipsoid_hull(engine, vertices, hulls.size);
+    hulls.b_in_a.rotation = uniform_rotation(engine);
+    hulls.way = unit_vector(engine);
+    hulls.turn_axis = unit_vector(engine);
+    const Vec3d direction = unit_vector(engine);
+    const double overlap = hulls.size * uniform(engine, 0.01, 0.1);
+    double reach_a = 0, reach_b = 0;
+    for (const Vec3d& v : hulls.a.vertices) reach_a = std::max(reach_a, direction.dot(v));
+    for (const Vec3d& v : hulls.b.vertices)
+      reach_b = std::max(reach_b, -direction.dot(hulls.b_in_a.rotate(v)));
+    hulls.b_in_a.position = (reach_a + reach_b - overlap) * direction;
+    hulls.deepest = oracle_axis(hulls.a, hulls.b, hulls.b_in_a);
+    // A kiss is no overlap: what float makes of it is chance.
+    if (hulls.deepest.separation < -1e-3 * hulls.size) return hulls;
+  }
+}
+
+}  // namespace contactscope

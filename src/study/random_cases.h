@@ -1,0 +1,79 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "manifold/pair_cache.h"
+#include "study/separation_oracle.h"
+
+/// What the studies draw: the same from the same seed, on any machine.
+namespace contactscope {
+
+/// In [low, high), the same with every standard library: the engine is specified to the bit, the
+/// standard distributions are not.
+double uniform(std::mt19937_64& engine, double low, double high);
+
+/// Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992.
+Quatd uniform_rotation(std::mt19937_64& engine);
+
+/// A generator for one case at two values > 0: neighbours share nothing.
+std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other);
+
+/// What a reducer is given for one manifold.
+struct ContactPolygon {
+  std::vector<ContactPoint<float>> points;
+  Vec3f normal = Vec3f::UnitZ();
+};
+
+/// A contact patch as clipping makes them: `count` >= 3 points in order around an ellipse, in one
+/// plane but for the rounding to float.
+///
+/// Semi-axis 0.1 to 1 m, aspect ratio 1 to 5 (log-uniform); angles jittered by up to 0.4 of their
+/// spacing; any plane within 5 m of the origin. The depth is that of a tilted plane, up to twice
+/// its mean of 1 to 10 mm, plus noise of a twentieth of the mean.
+ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count);
+
+/// The same contacts a frame before or after: each point moves in the plane by up to `part` of its
+/// distance from their middle, its depth by up to `part` of itself; ids stay.
+ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
+                                  std::mt19937_64& engine);
+
+struct OverlappingHulls {
+  Hull<double> a, b;
+  Pose<double> b_in_a;
+  double size = 1;             // metres: the longest semi-axis of both
+  OracleAxis deepest;          // of least overlap
+  Vec3d way = Vec3d::UnitX();  // unit, A's frame: from where B came, for methods that look back
+  Vec3d turn_axis = Vec3d::UnitX();  // unit, A's frame: about which it turned
+};
+
+/// Two hulls of `vertices` points each on ellipsoids with semi-axes of 0.5 to 1 times a size of 1
+/// mm to 1 km (log-uniform), turned at random, moved along a random direction until they overlap by
+/// 1 to 10% of the size along it; drawn again where another axis separates them.
+OverlappingHulls overlapping_hulls(std::mt19937_64& engine, int vertices);
+
+/// A pair as one scalar sees it.
+template <class S>
+struct RoundedHulls {
+  Hull<S> a, b;
+  Pose<S> b_in_a;
+  PairCache<S> cache{};  // empty, unless a study fills it
+
+  explicit RoundedHulls(const OverlappingHulls& hulls)
+      : a(hull_cast<S>(hulls.a)), b(hull_cast<S>(hulls.b)), b_in_a(hulls.b_in_a.cast<S>()) {}
+};
+
+/// The cases of a study, and what each is in both scalars.
+struct HullCases {
+  std::vector<OverlappingHulls> exact;
+  std::vector<RoundedHulls<float>> in_float;
+  std::vector<RoundedHulls<double>> in_double;
+
+  void add(const OverlappingHulls& hulls) {
+    exact.push_back(hulls);
+    in_float.emplace_back(hulls);
+    in_double.emplace_back(hulls);
+  }
+};
+
+}  // namespace contactscope
