@@ -23,73 +23,49 @@ std::string flipped_id(const std::string& id) {
   return trade ? second + " " + first : first + " " + second;
 }
 
-std::string renamed_axis(const std::string& axis) {
-  if (axis == "face_a") return "face_b";
-  return axis == "face_b" ? "face_a" : axis;
+void mirror_value(std::string& text, Mirrored how) {
+  const std::size_t dash = text.find('-');
+  if (how == Mirrored::IdFlipped) text = flipped_id(text);
+  if (how == Mirrored::AxisRenamed && (text == "face_a" || text == "face_b"))
+    text.back() = text == "face_a" ? 'b' : 'a';
+  if (how == Mirrored::KindTurned && dash != std::string::npos)
+    text = text.substr(dash + 1) + "-" + text.substr(0, dash);
 }
-
-std::string turned_kind(const std::string& kind) {
-  const std::size_t dash = kind.find('-');
-  if (dash == std::string::npos) return kind;
-  return kind.substr(dash + 1) + "-" + kind.substr(0, dash);
+void mirror_value(Vec3d& direction, Mirrored how) {
+  if (how == Mirrored::Negated) direction = -direction;
 }
-
-void negate(Vec3d& direction) {
-  direction = -direction;
-}
-void negate(std::optional<Vec3d>& direction) {
-  if (direction) negate(*direction);
-}
-void negate(std::vector<Vec3d>& points) {
-  for (Vec3d& point : points) negate(point);
-}
-
-template <class Faces>
-void rewind(Faces& faces) {
-  for (auto& face : faces) {
-    if (!face.empty()) std::reverse(face.begin() + 1, face.end());
-  }
-}
-
-template <class T>
-void mirror_fact(T& fact);
-template <class T>
-void mirror_fact(std::optional<T>& fact) {
-  if (fact) mirror_fact(*fact);
+/// The corners of a face; they still begin with the same one.
+template <class Corners>
+requires std::same_as<typename Corners::value_type, int>
+void mirror_value(Corners& face, Mirrored how) {
+  if (how == Mirrored::Rewound && !face.empty()) std::reverse(face.begin() + 1, face.end());
 }
 template <class T>
-void mirror_fact(std::vector<T>& facts) {
-  for (T& fact : facts) mirror_fact(fact);
+void mirror_value(T&, Mirrored) {}  // a number
+template <Listed T>
+void mirror_value(T& fact, Mirrored);
+template <class T>
+void mirror_value(std::optional<T>& value, Mirrored how) {
+  if (value) mirror_value(*value, how);
+}
+template <class T>
+requires(!std::same_as<T, int>) void mirror_value(std::vector<T>& list, Mirrored how) {
+  for (T& value : list) mirror_value(value, how);
 }
 
-template <class T>
-void mirror_fact(T& fact) {
-  if constexpr (Listed<T>) {
-    each_field<T>([&]<class Value>(const Field<T, Value>& field) {
-      Value& value = fact.*field.member;
-      if (field.partner != nullptr) std::swap(value, fact.*field.partner);
-      if constexpr (requires { negate(value); }) {
-        if (field.mirrored == Mirrored::Negated) negate(value);
-      }
-      if constexpr (std::same_as<Value, std::string>) {
-        if (field.mirrored == Mirrored::IdFlipped) value = flipped_id(value);
-        if (field.mirrored == Mirrored::AxisRenamed) value = renamed_axis(value);
-        if (field.mirrored == Mirrored::KindTurned) value = turned_kind(value);
-      }
-      if constexpr (requires { value.front().front(); }) {
-        if constexpr (std::same_as<std::remove_cvref_t<decltype(value.front().front())>, int>) {
-          if (field.mirrored == Mirrored::Rewound) rewind(value);
-        }
-      }
-    });
-    each_field<T>([&](const auto& field) { mirror_fact(fact.*field.member); });
-  }
+/// Of two fields that trade their values the first one knows the other, which follows in the list.
+template <Listed T>
+void mirror_value(T& fact, Mirrored) {
+  each_field<T>([&](const auto& field) {
+    if (field.partner != nullptr) std::swap(fact.*field.member, fact.*field.partner);
+    mirror_value(fact.*field.member, field.mirrored);
+  });
 }
 
 }  // namespace
 
 void mirror(Pair& pair) {
-  mirror_fact(pair);
+  mirror_value(pair, Mirrored::Kept);
 }
 
 }  // namespace contactscope::trace

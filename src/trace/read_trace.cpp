@@ -53,18 +53,9 @@ class Node {
     return nodes;
   }
 
-  std::string string() const {
-    if (!json_->is_string()) wrong_type("a string");
-    return json_->get<std::string>();
-  }
-  bool boolean() const {
-    if (!json_->is_boolean()) wrong_type("true or false");
-    return json_->get<bool>();
-  }
-  double number() const {
-    if (!json_->is_number()) wrong_type("a number");
-    return json_->get<double>();
-  }
+  std::string string() const { return get<std::string>(json_->is_string(), "a string"); }
+  bool boolean() const { return get<bool>(json_->is_boolean(), "true or false"); }
+  double number() const { return get<double>(json_->is_number(), "a number"); }
   int integer() const {
     if (!json_->is_number_integer()) wrong_type("an integer");
     constexpr auto kMax = std::numeric_limits<int>::max();
@@ -91,6 +82,11 @@ class Node {
   }
 
  private:
+  template <class T>
+  T get(bool is_right, const char* wanted) const {
+    if (!is_right) wrong_type(wanted);
+    return json_->get<T>();
+  }
   std::string where() const { return place_.empty() ? "the line" : "'" + place_ + "'"; }
   [[noreturn]] void wrong_type(const char* wanted) const {
     throw Complaint{where() + " is of type " + json_->type_name() + "; " + wanted + " is needed"};
@@ -117,18 +113,18 @@ template <Listed T>
 T read(const Node& node, const Counts* around);
 
 /// Reads the value of one field.
-template <class Field>
-class Value {
- public:
-  Value(const Field& field, const Counts& counts) : field_(field), counts_(counts) {}
+template <class Owner, class V>
+struct Value {
+  const Field<Owner, V>& field;
+  const Counts& counts;
 
   void read(const Node& node, std::string& value) const { value = node.string(); }
   void read(const Node& node, bool& value) const { value = node.boolean(); }
   void read(const Node& node, double& value) const { value = node.number(); }
   void read(const Node& node, int& value) const {
     value = node.integer();
-    if (field_.counts_in == nullptr || (field_.may_be_none && value < 0)) return;
-    value = node.index(counts_.of(field_.counts_in), field_.things);
+    if (field.counts_in == nullptr || (field.may_be_none && value < 0)) return;
+    value = node.index(counts.of(field.counts_in), field.things);
   }
   void read(const Node& node, Vec3d& value) const {
     const std::vector<double> v = node.numbers(3, "must have three numbers");
@@ -144,7 +140,7 @@ class Value {
   }
   template <Listed T>
   void read(const Node& node, T& value) const {
-    value = trace::read<T>(node, &counts_);
+    value = trace::read<T>(node, &counts);
   }
   template <class T>
   void read(const Node& node, std::vector<T>& list) const {
@@ -168,10 +164,6 @@ class Value {
     }
     for (std::size_t i = 0; i < Count; ++i) read(parts[i], list[i]);
   }
-
- private:
-  const Field& field_;
-  const Counts& counts_;
 };
 
 template <class T>
@@ -188,7 +180,7 @@ T read(const Node& node, const Counts* around) {
   Counts counts{around};
   each_field<T>([&]<class V>(const Field<T, V>& field) {
     V& value = fact.*field.member;
-    const Value reader(field, counts);
+    const Value<T, V> reader{field, counts};
     if (field.is_object_key) return;
     if (field.is_merged) return reader.read(node, value);
     const Node owner = field.within != nullptr ? node.at(field.within) : node;
