@@ -10,7 +10,7 @@
 #include "app/studio.h"
 #include "app/verbs.h"
 #include "draw/staging.h"
-#include "scenario/expect.h"
+#include "scenario/run.h"
 #include "snapshot/check.h"
 #include "snapshot/report.h"
 

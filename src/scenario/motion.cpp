@@ -5,24 +5,19 @@
 namespace contactscope {
 namespace {
 
-/// Between two keyframes: positions linear, rotations slerp (Shoemake 1985, "Animating Rotation
+/// Between two keyframes positions are linear, rotations slerp (Shoemake 1985, "Animating Rotation
 /// with Quaternion Curves") the shortest way round, at constant angular velocity.
-Pose<double> interpolate(const Keyframe& from, const Keyframe& to, double time) {
-  const double t = (time - from.time) / (to.time - from.time);
-  Pose<double> pose;
-  pose.position = (1 - t) * from.pose.position + t * to.pose.position;
-  pose.rotation = from.pose.rotation.slerp(t, to.pose.rotation);
-  pose.rotation.normalize();
-  return pose;
-}
-
 Pose<double> along_keyframes(const std::vector<Keyframe>& keyframes, double time) {
   const auto later = std::ranges::upper_bound(keyframes, time, {}, &Keyframe::time);
   if (later == keyframes.begin()) return keyframes.front().pose;
   const Keyframe& from = *std::prev(later);
   // A keyframe's own time gives its own numbers, untouched by the interpolation's rounding.
   if (later == keyframes.end() || time == from.time) return from.pose;
-  return interpolate(from, *later, time);
+  const double t = (time - from.time) / (later->time - from.time);
+  Pose<double> pose{from.pose.rotation.slerp(t, later->pose.rotation),
+                    (1 - t) * from.pose.position + t * later->pose.position};
+  pose.rotation.normalize();
+  return pose;
 }
 
 }  // namespace

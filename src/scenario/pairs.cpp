@@ -53,10 +53,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("breaking_distance", settings.incremental.breaking_distance, read_least_length);
   table.read("confirm", settings.incremental.confirm,
              word_of<Confirm>({"distance", "ids"}, "confirmation"));
-  table.read("reducer", settings.reducer, [](const Value& value) {
-    const auto name = [](const ReducerInfo& info) -> std::string_view { return info.name; };
-    return value.one_of(mapped(reducers(), name), "reducer");
-  });
+  table.read("reducer", settings.reducer,
+             [](const Value& value) { return value.one_of(names_in(reducers()), "reducer"); });
   table.read("max_points", settings.max_points, integer_in(1, kMaxPoints));
   table.read("margin", settings.margin,
              [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
@@ -84,8 +82,7 @@ int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes) {
   const std::string name = value.string();
   const auto found = std::ranges::find(shapes, name, &ScenarioShape::name);
   if (found != shapes.end()) return static_cast<int>(found - shapes.begin());
-  Keys names(shapes.size());
-  std::ranges::transform(shapes, names.begin(), &ScenarioShape::name);
+  Keys names = names_in(shapes);
   const std::string near = did_you_mean(name, names);
   constexpr std::size_t kMostListed = 16;
   const bool all = names.size() <= kMostListed;

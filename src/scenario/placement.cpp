@@ -12,7 +12,10 @@ constexpr double kQuaternionTolerance = 1e-3;
 // Matrices come from other programs' single-precision output, six digits and better.
 constexpr double kMatrixTolerance = 1e-4;
 
-Quatd unit_quaternion(double w, double x, double y, double z, const Value& at) {
+Quatd unit_quaternion(const Value& at, bool w_first) {
+  const std::vector<double> q = at.numbers(4);
+  const std::size_t i = w_first ? 1 : 0;
+  const double w = q[w_first ? 0 : 3], x = q[i], y = q[i + 1], z = q[i + 2];
   const double length = std::hypot(std::hypot(w, x), std::hypot(y, z));
   if (!(std::abs(length - 1) <= kQuaternionTolerance))
     at.fail("'" + at.name() + "' has length " + std::to_string(length) +
@@ -21,10 +24,7 @@ Quatd unit_quaternion(double w, double x, double y, double z, const Value& at) {
 }
 
 Quatd from_axis(const Value& table) {
-  const Value axis_value = table.require("axis", "axis = [x, y, z]");
-  const Vec3d axis = axis_value.vector3();
-  const double largest = axis.cwiseAbs().maxCoeff();
-  if (largest == 0) axis_value.fail("'axis' is zero; give a direction, such as [0, 1, 0]");
+  const Vec3d axis = read_direction(table.require("axis", "axis = [x, y, z]"));
   const auto degrees = table.find("degrees");
   const auto radians = table.find("radians");
   if (degrees && radians) radians->fail("give 'degrees' or 'radians', not both");
@@ -32,9 +32,7 @@ Quatd from_axis(const Value& table) {
     table.fail("the rotation about 'axis' has no angle; add degrees = or radians =");
   const double angle =
       degrees ? degrees->number("degrees") / 180 * std::numbers::pi : radians->number("radians");
-  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
-  const Vec3d unit = Vec3d(axis / largest).normalized();
-  return Quatd(Eigen::AngleAxisd(angle, unit));
+  return Quatd(Eigen::AngleAxisd(angle, axis));
 }
 
 Quatd from_matrix(const Value& value) {
@@ -72,14 +70,8 @@ Quatd read_rotation(const Value& value) {
   if (forms != 1)
     value.fail(std::string(forms == 0 ? "the rotation is empty" : "the rotation is given twice") +
                "; give one of axis with degrees or radians, quat_wxyz, quat_xyzw, matrix");
-  if (wxyz) {
-    const std::vector<double> q = wxyz->numbers(4);
-    return unit_quaternion(q[0], q[1], q[2], q[3], *wxyz);
-  }
-  if (xyzw) {
-    const std::vector<double> q = xyzw->numbers(4);
-    return unit_quaternion(q[3], q[0], q[1], q[2], *xyzw);
-  }
+  if (wxyz) return unit_quaternion(*wxyz, true);
+  if (xyzw) return unit_quaternion(*xyzw, false);
   return matrix ? from_matrix(*matrix) : from_axis(table);
 }
 
@@ -114,6 +106,15 @@ Vec3d read_position(const Value& value) {
   if (position.cwiseAbs().maxCoeff() > kLargestLength)
     value.fail("'" + value.name() + "' is too far away; coordinates may be up to 1e9 metres");
   return position;
+}
+
+Vec3d read_direction(const Value& value) {
+  const Vec3d direction = value.vector3();
+  const double largest = direction.cwiseAbs().maxCoeff();
+  if (largest == 0)
+    value.fail("'" + value.name() + "' is zero; give a direction, such as [0, 1, 0]");
+  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
+  return Vec3d(direction / largest).normalized();
 }
 
 Pose<double> read_pose(const Value& table, const Pose<double>& otherwise) {

@@ -1,25 +1,98 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/input_error.h"
-#include "scenario/scenario.h"
-#include "scenario/toml_reader.h"
+#include <toml++/toml.h>
 
-/// What reads each table of a scenario file. All throw InputError at the value that is wrong.
+#include "core/input_error.h"
+#include "core/vec3.h"
+#include "scenario/nearest_word.h"
+#include "scenario/scenario.h"
+
+/// Typed access to a TOML file in which every complaint knows its line and column, and what reads
+/// each table of a scenario file. All functions throw InputError when the file says something else
+/// than asked for; messages name the key, what was found, and what would be right.
 namespace contactscope::scenario_file {
 
-// text_checks.cpp
+// toml_reader.cpp
 
-/// Reads a whole scenario file. Throws InputError when it is missing, no plain file, cannot be
-/// read, or is too large, in which case nothing of it is read.
-std::string read_scenario_text(const std::string& path);
-/// What can be said of the text before it is parsed: throws InputError at the first byte that makes
-/// it no TOML document of ours (empty, a NUL byte, not UTF-8, a key of too many names).
-void check_scenario_text(const std::string& text, const std::string& path);
+using Keys = std::vector<std::string_view>;
+
+/// One value of the file. `name` is what messages call it, "half_extents" or "vertices[3]". Refers
+/// to the parsed document and to the file's name, which must outlive it.
+class Value {
+ public:
+  Value(const std::string& file, const toml::node& node, std::string name)
+      : file_(&file), node_(&node), name_(std::move(name)) {}
+
+  const std::string& name() const { return name_; }
+  int line() const { return static_cast<int>(node_->source().begin.line); }
+  bool is_table() const { return node_->is_table(); }
+  bool is_array() const { return node_->is_array(); }
+
+  /// Throws InputError at this value; the message is made one printable line of bounded length.
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// Finite numbers; integers count. `unit` is for messages: "a number in metres".
+  double number(const char* unit = nullptr) const;
+  double positive(const char* unit = nullptr) const;
+  double not_negative(const char* unit = nullptr) const;
+  std::vector<double> numbers(std::size_t count) const;
+  Vec3d vector3() const;
+  /// From `low` to `high`, inclusive.
+  int integer(int low, int high) const;
+  bool boolean() const;
+  std::string string() const;
+  std::string non_empty_string() const;
+  /// A string that is one of `choices`; `kind` names what they are, for messages.
+  std::string one_of(const Keys& choices, const char* kind) const;
+  std::vector<Value> array() const;
+  /// An array of tables, as [[name]] makes it.
+  std::vector<Value> array_of_tables() const;
+  /// This, which must be a table; refuses the first key in the file that is not in `keys`.
+  const Value& table(const Keys& keys) const;
+  /// The value of a key of this table. Nothing when the key is missing or this is no table.
+  std::optional<Value> find(std::string_view key) const;
+  /// Sets `target` to what `reader` makes of a key's value, where the file has the key.
+  template <class Target, class Reader>
+  void read(std::string_view key, Target& target, const Reader& reader) const {
+    if (const std::optional<Value> value = find(key)) target = std::invoke(reader, *value);
+  }
+  /// A missing key is an error at the table; `example` shows how to write it.
+  Value require(std::string_view key, const std::string& example) const;
+  /// The names in a table of named tables and the values that they name, in file order.
+  std::vector<Value> members() const;
+
+ private:
+  /// Throws: this value is of the wrong type, `wanted` is what would be right.
+  [[noreturn]] void wrong_type(const std::string& wanted) const;
+
+  const std::string* file_;
+  const toml::node* node_;
+  std::string name_;
+};
+
+/// Readers of Value::read(): an integer from `low` to `high`, and the enumerator that has the place of
+/// a string among `words`.
+inline auto integer_in(int low, int high) {
+  return [=](const Value& value) { return value.integer(low, high); };
+}
+template <class Enum>
+auto word_of(const Keys& words, const char* kind) {
+  return [words, kind](const Value& value) {
+    return static_cast<Enum>(std::ranges::find(words, value.one_of(words, kind)) - words.begin());
+  };
+}
+
+/// Parses TOML; what is no TOML throws InputError.
+toml::table parse_document(const std::string& text, const std::string& file);
 
 // placement.cpp: where shapes stand and how they move, the keys position, rotation and motion
 
@@ -33,6 +106,8 @@ inline constexpr double kLargestLength = 1e9;
 double read_length(const Value& value);
 /// Three coordinates in metres, each at most kLargestLength from zero.
 Vec3d read_position(const Value& value);
+/// Three components that are not all zero, made unit.
+Vec3d read_direction(const Value& value);
 /// The keys position and rotation of a table; what is left out is taken from `otherwise`.
 Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
 /// The key `key` of a motion, at most 1e9 `unit`; zero when it is missing.
@@ -125,7 +200,7 @@ std::vector<View> read_views(const Value& value);
 /// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is missing.
 SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames);
 
-// expectations.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read
+// expect.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read
 
 std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario);
 /// A warning, with its line, for each key of [pipeline], [[pairs]], [world] and [solver], and each

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "core/at.h"
-#include "core/feature_id.h"
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
+#include "manifold/incremental.h"
+#include "scenario/run_facts.h"
 
 namespace contactscope {
 namespace {
@@ -72,190 +74,228 @@ Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
   return body;
 }
 
-const ScenarioShape& mesh_of(const Scenario& scenario, const ScenarioPair& pair) {
-  const ScenarioShape& a = scenario.shape(pair.a);
-  return kind_of(*a.geometry) == ShapeKind::Mesh ? a : scenario.shape(pair.b);
-}
-
 /// From the frame in which the mesh is collided to that of its file.
 void move_boxes(trace::Tree& tree, const Vec3d& by) {
-  const auto move = [&](trace::Box& box) {
-    box.lower += by;
-    box.upper += by;
-  };
-  move(tree.box);
-  for (trace::TreeVisit& visit : tree.visits) move(visit.box);
+  for (Vec3d* corner : {&tree.box.lower, &tree.box.upper}) *corner += by;
+  for (trace::TreeVisit& visit : tree.visits)
+    for (Vec3d* corner : {&visit.box.lower, &visit.box.upper}) *corner += by;
 }
+
+/// What a pair keeps from one frame for the next.
+template <class S>
+struct Memory {
+  std::vector<FeatureId> kept;  // by the reducer, or all
+  PairCache<S> cache;
+  PersistentManifold<S> persistent;
+};
 
 }  // namespace
 
-Runner::Runner(const Scenario& scenario, const trace::Stages& stages)
-    : scenario_(&scenario),
-      stages_(with_insets(stages, scenario.views)),
-      shows_stability_(shown(scenario.views, Layer::CenterOfMass) ||
-                       shown(scenario.views, Layer::Support) ||
-                       shown(scenario.views, Panel::Stability)),
-      shows_plots_(shown(scenario.views, Panel::Plots)),
-      dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)),
-      acts_(acting_pairs(scenario)),
-      state_(scenario.scalar == Scalar::Double ? decltype(state_)(at_start<double>())
-                                               : decltype(state_)(at_start<float>())) {
-  for (const ScenarioPair& pair : scenario.pairs) remembers_.push_back(remembers(scenario, pair));
-}
-
 template <class S>
-Runner::State<S> Runner::at_start() const {
-  const auto rounded = [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); };
-  State<S> state;
-  state.shapes = std::make_shared<const std::vector<Shape<S>>>(mapped(scenario_->shapes, rounded));
-  state.memories.resize(scenario_->pairs.size());
-  if (!dynamic_) return state;
-  for (std::size_t i = 0; i < scenario_->shapes.size(); ++i)
-    state.bodies.push_back(body_of(scenario_->shapes[i], (*state.shapes)[i]));
-  state.impulses.resize(scenario_->pairs.size());
-  return state;
-}
-
-trace::Header Runner::header() const {
-  trace::Header header;
-  header.scenario = scenario_->name;
-  header.title = scenario_->title;
-  header.source = scenario_->source;
-  header.scalar = scenario_->scalar == Scalar::Double ? "double" : "float";
-  header.up = scenario_->up;
-  header.frames = scenario_->frames;
-  std::visit(
-      [&](const auto& state) {
-        for (std::size_t i = 0; i < state.shapes->size(); ++i)
-          header.shapes.push_back(traced_shape(scenario_->shapes[i], (*state.shapes)[i]));
-      },
-      state_);
-  return header;
-}
-
-/// Shapes of one type are worked on in the order of the file, whichever of them a pair names first:
-/// then trading a and b mirrors every result.
-template <class S>
-Manifolds<S> Runner::collide_pair(State<S>& state, std::size_t index,
-                                  const std::vector<Pose<S>>& poses, trace::Pair* record) const {
-  const ScenarioPair& pair = scenario_->pairs[index];
-  const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-  const std::vector<Shape<S>>& shapes = *state.shapes;
-  Memory<S>& memory = state.memories[index];
-  CollideOptions<S> options = options_of<S>(pair.pipeline);
-  options.b_first = pair.b < pair.a;
-  options.reduction.previous = memory.kept;
-  if (scenario_->shapes[a].dynamic() || scenario_->shapes[b].dynamic())
-    options.margin =
-        std::max(options.margin, static_cast<S>(scenario_->solver.speculative_margin.value_or(0)));
-
-  Manifolds<S> manifolds;
-  if (pair.pipeline.manifold == ManifoldKind::Incremental) {
-    collide_incremental(shapes[a], poses[a], shapes[b], poses[b], options,
-                        {pair.pipeline.incremental, pair.pipeline.penetration}, memory.persistent,
-                        manifolds, record, stages_);
-  } else {
-    PairCache<S>* const cache = pair.pipeline.cache ? &memory.cache : nullptr;
-    collide(shapes[a], poses[a], shapes[b], poses[b], options, manifolds, cache, record, stages_);
+class Runner::In final : public Runner::InScalar {
+ public:
+  In(const Scenario& scenario, const trace::Stages& stages)
+      : scenario_(scenario),
+        stages_(with_insets(stages, scenario.views)),
+        dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)),
+        acts_(acting_pairs(scenario)),
+        remembers_(mapped(scenario.pairs,
+                          [&](const ScenarioPair& pair) { return remembers(scenario, pair); })),
+        memories_(scenario.pairs.size()) {
+    shapes_ = std::make_shared<const std::vector<Shape<S>>>(
+        mapped(scenario.shapes,
+               [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
+    if (!dynamic_) return;
+    for (std::size_t i = 0; i < shapes_->size(); ++i)
+      bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
+    impulses_.resize(scenario.pairs.size());
   }
-  memory.kept.clear();
-  for (const Manifold<S>& manifold : manifolds)
-    for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
-  return manifolds;
-}
 
-void Runner::record_stability(const ScenarioPair& pair, const trace::Frame& frame,
-                              trace::Pair& record) const {
-  if (!stages_.stability) return;
-  if (!shows_stability_ && pair.pipeline.manifold != ManifoldKind::Incremental) return;
-  const Vec3d up = scenario_->up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-  const auto center = [&](int index) {
-    const auto i = static_cast<std::size_t>(index);
-    return std::visit(
-        [&](const auto& state) {
-          return frame.poses[i].second.transform(
-              traced_shape(scenario_->shapes[i], (*state.shapes)[i]).center_of_mass);
-        },
-        state_);
-  };
-  const auto rests = [&](int index) {  // false of what cannot fall
-    const ShapeKind kind = kind_of(*scenario_->shape(index).geometry);
-    return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
-  };
-  const auto rank = [&](int index) {
-    return std::pair(rests(index), scenario_->shape(index).dynamic());
-  };
-  const bool higher_a = center(pair.a).dot(up) > center(pair.b).dot(up);
-  const int body =
-      rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a) ? pair.a : pair.b;
-  if (!rests(body)) return;
-  const double epsilon = scenario_->scalar == Scalar::Double
-                             ? std::numeric_limits<double>::epsilon()
-                             : static_cast<double>(std::numeric_limits<float>::epsilon());
-  record.stability = rest_of(record, scenario_->shape(body).name, center(body), epsilon);
-}
+  std::unique_ptr<InScalar> copy() const override { return std::make_unique<In>(*this); }
 
-template <class S>
-void Runner::step(State<S>& state, bool recorded, trace::Frame* result) const {
-  const double time = state.frame * scenario_->dt;
-  std::vector<Pose<S>> poses;
-  for (std::size_t i = 0; i < scenario_->shapes.size(); ++i) {
-    const ScenarioShape& shape = scenario_->shapes[i];
-    poses.push_back(dynamic_ ? state.bodies[i].pose()
-                             : collider_pose_at(shape, time).template cast<S>());
-    if (result)
-      result->poses.emplace_back(shape.name,
-                                 told_pose(shape, time, poses.back().template cast<double>()));
+  trace::Header header() const override {
+    trace::Header header{.scenario = scenario_.name,
+                         .title = scenario_.title,
+                         .source = scenario_.source,
+                         .scalar = scenario_.scalar == Scalar::Double ? "double" : "float",
+                         .up = scenario_.up,
+                         .frames = scenario_.frames,
+                         .shapes = {}};
+    for (std::size_t i = 0; i < shapes_->size(); ++i)
+      header.shapes.push_back(traced_shape(scenario_.shapes[i], (*shapes_)[i]));
+    return header;
   }
-  if (dynamic_ && recorded) result->solver = solver_facts(state);
 
-  std::vector<Manifolds<S>> contacts(scenario_->pairs.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!result) {
-      if (dynamic_ || remembers_[i]) contacts[i] = collide_pair<S>(state, i, poses, nullptr);
-      continue;
+  trace::Frame run(int frame, bool recorded) override {
+    const bool keeps = dynamic_ || std::ranges::find(remembers_, true) != remembers_.end();
+    assert(!keeps || frame >= next_);
+    if (!keeps) next_ = frame;
+    while (next_ < frame) step(false, nullptr);
+    trace::Frame result;
+    result.frame = frame;
+    result.time = frame * scenario_.dt;
+    step(recorded, &result);
+    if (recorded && (result.solver || shown(scenario_.views, Panel::Plots)))
+      result.totals = trace::totals_of(result);
+    return result;
+  }
+
+ private:
+  /// Runs the next frame, recorded into `result` unless that is null: then only what later frames
+  /// depend on.
+  void step(bool recorded, trace::Frame* result) {
+    const double time = next_ * scenario_.dt;
+    std::vector<Pose<S>> poses;
+    for (std::size_t i = 0; i < scenario_.shapes.size(); ++i) {
+      const ScenarioShape& shape = scenario_.shapes[i];
+      poses.push_back(dynamic_ ? bodies_[i].pose()
+                               : collider_pose_at(shape, time).template cast<S>());
+      if (result)
+        result->poses.emplace_back(shape.name,
+                                   told_pose(shape, time, poses.back().template cast<double>()));
     }
-    const ScenarioPair& pair = scenario_->pairs[i];
-    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    trace::Pair& record = result->pairs.emplace_back();
-    record.a = scenario_->shapes[a].name;
-    record.b = scenario_->shapes[b].name;
-    record.label = pair.label;
-    contacts[i] = collide_pair(state, i, poses, recorded ? &record : nullptr);
-    if (recorded) {
-      const ScenarioShape& mesh = mesh_of(*scenario_, pair);
-      if (record.tree && mesh.is_moved()) move_boxes(*record.tree, mesh.collider_origin);
-      record_stability(pair, *result, record);
+    if (dynamic_ && recorded) result->solver = solver_facts(scenario_, bodies_);
+
+    std::vector<Manifolds<S>> contacts(scenario_.pairs.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!result) {
+        if (dynamic_ || remembers_[i]) contacts[i] = collide_pair(i, poses, nullptr);
+        continue;
+      }
+      const ScenarioPair& pair = scenario_.pairs[i];
+      trace::Pair& record = result->pairs.emplace_back();
+      record.a = scenario_.shape(pair.a).name;
+      record.b = scenario_.shape(pair.b).name;
+      record.label = pair.label;
+      contacts[i] = collide_pair(i, poses, recorded ? &record : nullptr);
+      if (recorded) {
+        for (const int index : {pair.a, pair.b}) {
+          const ScenarioShape& shape = scenario_.shape(index);
+          if (record.tree && record.tree->shape == shape.name && shape.is_moved())
+            move_boxes(*record.tree, shape.collider_origin);
+        }
+        record_stability(pair, *result, record);
+      } else {
+        record.kind = pair_kind(at(*shapes_, pair.a), at(*shapes_, pair.b));
+        record_manifolds<S>(contacts[i], record);
+      }
+    }
+    if (dynamic_) solve(contacts, recorded ? result : nullptr);
+    ++next_;
+  }
+
+  /// Writes into `record` unless that is null. Shapes of one type are worked on in the order of the
+  /// file, whichever of them a pair names first: then trading a and b mirrors every result.
+  Manifolds<S> collide_pair(std::size_t index, const std::vector<Pose<S>>& poses,
+                            trace::Pair* record) {
+    const ScenarioPair& pair = scenario_.pairs[index];
+    const Shape<S>&a = at(*shapes_, pair.a), &b = at(*shapes_, pair.b);
+    const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
+    Memory<S>& memory = memories_[index];
+    CollideOptions<S> options = options_of<S>(pair.pipeline);
+    options.b_first = pair.b < pair.a;
+    options.reduction.previous = memory.kept;
+    if (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic())
+      options.margin =
+          std::max(options.margin, static_cast<S>(scenario_.solver.speculative_margin.value_or(0)));
+
+    Manifolds<S> manifolds;
+    if (pair.pipeline.manifold == ManifoldKind::Incremental) {
+      collide_incremental(a, pose_a, b, pose_b, options,
+                          {pair.pipeline.incremental, pair.pipeline.penetration}, memory.persistent,
+                          manifolds, record, stages_);
     } else {
-      record.kind = pair_kind((*state.shapes)[a], (*state.shapes)[b]);
-      record_manifolds<S>(contacts[i], record);
+      PairCache<S>* const cache = pair.pipeline.cache ? &memory.cache : nullptr;
+      collide(a, pose_a, b, pose_b, options, manifolds, cache, record, stages_);
+    }
+    memory.kept.clear();
+    for (const Manifold<S>& manifold : manifolds)
+      for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
+    return manifolds;
+  }
+
+  /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows
+  /// it: the one that the solver moves, else the higher one along `up`.
+  void record_stability(const ScenarioPair& pair, const trace::Frame& frame,
+                        trace::Pair& record) const {
+    const std::vector<View>& views = scenario_.views;
+    if (!stages_.stability) return;
+    if (pair.pipeline.manifold != ManifoldKind::Incremental && !shown(views, Layer::CenterOfMass) &&
+        !shown(views, Layer::Support) && !shown(views, Panel::Stability))
+      return;
+    const Vec3d up = scenario_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+    const auto center = [&](int i) {
+      return at(frame.poses, i)
+          .second.transform(traced_shape(scenario_.shape(i), at(*shapes_, i)).center_of_mass);
+    };
+    const auto rests = [&](int index) {  // false of what cannot fall
+      const ShapeKind kind = kind_of(*scenario_.shape(index).geometry);
+      return kind != ShapeKind::Plane && kind != ShapeKind::Mesh;
+    };
+    const auto rank = [&](int index) {
+      return std::pair(rests(index), scenario_.shape(index).dynamic());
+    };
+    const bool higher_a = center(pair.a).dot(up) > center(pair.b).dot(up);
+    const int body =
+        rank(pair.a) > rank(pair.b) || (rank(pair.a) == rank(pair.b) && higher_a) ? pair.a : pair.b;
+    if (!rests(body)) return;
+    record.stability = rest_of(record, scenario_.shape(body).name, center(body),
+                               static_cast<double>(std::numeric_limits<S>::epsilon()));
+  }
+
+  /// The solver's step; what it gave the contacts stands in `result` where there is one.
+  void solve(const std::vector<Manifolds<S>>& contacts, trace::Frame* result) {
+    const double now = next_ * scenario_.dt, next = (next_ + 1) * scenario_.dt;
+    const std::vector<Body<S>> before = bodies_;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const ScenarioShape& shape = scenario_.shapes[i];
+      if (!shape.dynamic())
+        set_scripted_velocity(bodies_[i], collider_pose_at(shape, now),
+                              collider_pose_at(shape, next), scenario_.dt);
+    }
+    std::vector<PairContacts<S>> pairs;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const ScenarioPair& pair = scenario_.pairs[i];
+      const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
+        return std::pair((scenario_.shape(pair.a).*coefficient).value_or(otherwise),
+                         (scenario_.shape(pair.b).*coefficient).value_or(otherwise));
+      };
+      const auto friction = own(&ScenarioShape::friction, scenario_.world.friction);
+      const auto restitution = own(&ScenarioShape::restitution, scenario_.world.restitution);
+      pairs.push_back({pair.a, pair.b, acts_[i] ? &contacts[i] : nullptr,
+                       static_cast<S>(std::sqrt(friction.first * friction.second)),
+                       static_cast<S>(std::max(restitution.first, restitution.second))});
+    }
+    solve_step<S>(bodies_, pairs, impulses_, scenario_.world.gravity.cast<S>(), scenario_.solver,
+                  static_cast<S>(scenario_.dt));
+    // A script knows where it is; steps would add up their rounding.
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (!scenario_.shapes[i].dynamic())
+        bodies_[i].place(collider_pose_at(scenario_.shapes[i], next).template cast<S>());
+    for (std::size_t i = 0; result && i < contacts.size(); ++i) {
+      record_impulses(contacts[i], impulses_[i], result->pairs[i]);
+      record_relative_velocities(scenario_.pairs[i], before, bodies_, result->pairs[i]);
     }
   }
-  if (dynamic_) solve(state, contacts, recorded ? result : nullptr);
-  ++state.frame;
-}
 
-template <class S>
-trace::Frame Runner::run(State<S>& state, int frame, bool recorded) const {
-  const bool keeps = dynamic_ || std::ranges::find(remembers_, true) != remembers_.end();
-  assert(!keeps || frame >= state.frame);
-  if (!keeps) state.frame = frame;
-  while (state.frame < frame) step(state, false, nullptr);
-  trace::Frame result;
-  result.frame = frame;
-  result.time = frame * scenario_->dt;
-  step(state, recorded, &result);
-  return result;
-}
+  const Scenario& scenario_;
+  trace::Stages stages_;
+  bool dynamic_;                                         // some shape is moved by the solver
+  std::vector<bool> acts_;                               // one a pair: the solver gets its contacts
+  std::vector<bool> remembers_;                          // one a pair: it goes by the frame before
+  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
+  // Before the next frame, all that it and the frames after it depend on:
+  int next_ = 0;
+  std::vector<Body<S>> bodies_;            // one a shape; of dynamic scenarios alone
+  std::vector<PairImpulses<S>> impulses_;  // one a pair, likewise
+  std::vector<Memory<S>> memories_;        // one a pair
+};
 
-trace::Frame Runner::frame(int frame) {
-  trace::Frame result = std::visit([&](auto& state) { return run(state, frame, true); }, state_);
-  if (result.solver || shows_plots_) result.totals = trace::totals_of(result);
-  return result;
-}
-
-trace::Frame Runner::frame_unrecorded(int frame) {
-  return std::visit([&](auto& state) { return run(state, frame, false); }, state_);
+Runner::Runner(const Scenario& scenario, const trace::Stages& stages) {
+  if (scenario.scalar == Scalar::Double)
+    in_scalar_ = std::make_unique<In<double>>(scenario, stages);
+  else
+    in_scalar_ = std::make_unique<In<float>>(scenario, stages);
 }
 
 }  // namespace contactscope

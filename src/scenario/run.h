@@ -1,13 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <variant>
+#include <string>
 #include <vector>
 
-#include "core/feature_id.h"
-#include "dynamics/solver.h"
-#include "manifold/dispatch.h"
-#include "manifold/incremental.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
@@ -27,77 +23,48 @@ class Runner {
   /// `stages`: the optional stages that recorded frames hold.
   explicit Runner(const Scenario& scenario, const trace::Stages& stages = {});
   explicit Runner(Scenario&&, const trace::Stages& stages = {}) = delete;
+  Runner(const Runner& other) : in_scalar_(other.in_scalar_->copy()) {}
+  Runner& operator=(const Runner& other) {
+    in_scalar_ = other.in_scalar_->copy();
+    return *this;
+  }
 
   /// The trace's first line: shapes and settings. Vertices are those that the pipeline sees,
   /// rounded to its scalar. A reducer or scalar of a pair is not among the settings: stages name
   /// theirs.
-  trace::Header header() const;
+  trace::Header header() const { return in_scalar_->header(); }
 
   /// Poses and recorded pairs of one frame, later than the last one that was asked for (0 <= frame,
   /// also beyond the scenario's last). Poses are evaluated in double and rounded to the scalar, and
   /// are written as the pipeline saw them. Pairs are in the scenario's order.
-  trace::Frame frame(int frame);
+  trace::Frame frame(int frame) { return in_scalar_->run(frame, true); }
 
   /// The same pipeline with nothing recorded but the manifolds themselves, in the way a physics
   /// engine would call it: `sat`, `clip` and `reduction` are empty. `separation` is that of the
   /// deepest point, and 0 when separated: how far apart, only a recorded frame says.
-  trace::Frame frame_unrecorded(int frame);
+  trace::Frame frame_unrecorded(int frame) { return in_scalar_->run(frame, false); }
 
  private:
-  /// What a pair keeps from one frame for the next.
-  template <class S>
-  struct Memory {
-    std::vector<FeatureId> kept;  // by the reducer, or all
-    PairCache<S> cache;
-    PersistentManifold<S> persistent;
+  /// A scenario in float or double.
+  struct InScalar {
+    virtual ~InScalar() = default;
+    virtual std::unique_ptr<InScalar> copy() const = 0;
+    virtual trace::Header header() const = 0;
+    virtual trace::Frame run(int frame, bool recorded) = 0;
   };
-  /// Before a frame; all that it and the frames after it depend on.
   template <class S>
-  struct State {
-    std::shared_ptr<const std::vector<Shape<S>>> shapes;  // never changed
-    int frame = 0;                                        // the next one
-    std::vector<Body<S>> bodies;                          // one a shape; of dynamic scenarios alone
-    std::vector<PairImpulses<S>> impulses;                // one a pair, likewise
-    std::vector<Memory<S>> memories;                      // one a pair
-  };
+  class In;
 
-  template <class S>
-  State<S> at_start() const;
-  /// Runs the state's frame and leaves the next one's, recorded into `result` unless that is null: then
-  /// only what later frames depend on.
-  template <class S>
-  void step(State<S>& state, bool recorded, trace::Frame* result) const;
-  template <class S>
-  trace::Frame run(State<S>& state, int frame, bool recorded) const;
-  /// Writes into `record` unless that is null.
-  template <class S>
-  Manifolds<S> collide_pair(State<S>& state, std::size_t pair, const std::vector<Pose<S>>& poses,
-                            trace::Pair* record) const;
-  /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows
-  /// it: the one that the solver moves, else the higher one along `up`.
-  void record_stability(const ScenarioPair& pair, const trace::Frame& frame,
-                        trace::Pair& record) const;
-
-  // run_world.cpp: scenarios with dynamic shapes.
-  template <class S>
-  trace::Solver solver_facts(const State<S>& state) const;
-  /// The solver's step; what it gave the contacts stands in `result` where there is one.
-  template <class S>
-  void solve(State<S>& state, const std::vector<Manifolds<S>>& contacts,
-             trace::Frame* result) const;
-
-  const Scenario* scenario_;
-  trace::Stages stages_;
-  bool shows_stability_;         // some view
-  bool shows_plots_;             // some view
-  bool dynamic_;                 // some shape is moved by the solver
-  std::vector<bool> acts_;       // one a pair: the solver gets its contacts
-  std::vector<bool> remembers_;  // one a pair: it goes by the frame before
-  std::variant<State<float>, State<double>> state_;
+  std::unique_ptr<InScalar> in_scalar_;
 };
 
-/// A shape of a scenario as a trace has it, with the vertices that the pipeline sees.
-template <class S>
-trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded);
+/// What of the scenario's expectations these frames do not meet: one sentence for each thing, such
+/// as "scenarios/hull/face_contact.toml:31: frames 12 to 14, crate-floor: expected 4 points, got 2", with what
+/// the first of them got; where others got something else, it says so. Empty when all hold. Every key is judged by itself: `points` counts over all manifolds, `normal` is compared
+/// component by component and `separation` with the pair's, both within the tolerance, the bound
+/// included. Of a separated pair, `axis` and `normal` are those of the separating axis, which only
+/// a recorded frame has. A pair that the frame lacks is not met.
+std::vector<std::string> unmet_expectations(const Scenario& scenario,
+                                            const std::vector<trace::Frame>& frames);
 
 }  // namespace contactscope

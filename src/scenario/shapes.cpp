@@ -109,16 +109,12 @@ Shape<double> read_capsule(const Value& table, const Surroundings&) {
 }
 
 Shape<double> read_plane(const Value& table, const Surroundings&) {
-  const Value normal = table.require("normal", "normal = [0, 1, 0]");
-  const Vec3d direction = normal.vector3();
-  const double largest = direction.cwiseAbs().maxCoeff();
-  if (largest == 0) normal.fail("'normal' is zero; give a direction, such as [0, 1, 0]");
+  const Vec3d normal = read_direction(table.require("normal", "normal = [0, 1, 0]"));
   const Value offset = table.require("offset", "offset = 0.0 (metres)");
   const double distance = offset.number("metres");
   if (std::abs(distance) > kLargestLength)
     offset.fail("'offset' is too far away; it may be up to 1e9 metres");
-  // Scaled before it is normalised: squares of tiny or huge components would under- or overflow.
-  return HalfSpace<double>{{Vec3d(direction / largest).normalized(), distance}};
+  return HalfSpace<double>{{normal, distance}};
 }
 
 /// A type of shape: its own keys, and what reads it.
@@ -162,7 +158,7 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
   const auto named = value.find("type");
   const std::string word =
       (named ? *named : value.table(every_key()).require("type", "type = \"box\""))
-          .one_of(mapped(types(), &Type::name), "shape type");
+          .one_of(names_in(types()), "shape type");
   const Type& type = *std::ranges::find(types(), word, &Type::name);
   Keys keys = type.keys;
   keys.insert(keys.end(), kCommonKeys.begin(), kCommonKeys.end());

@@ -1,4 +1,4 @@
-#include "scenario/toml_reader.h"
+#include "scenario/readers.h"
 
 #include <algorithm>
 #include <cmath>

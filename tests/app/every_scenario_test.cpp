@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "app/catalogue.h"
-#include "scenario/expect.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
 #include "trace/json.h"

@@ -1,4 +1,4 @@
-#include "scenario/expect.h"
+#include "scenario/run.h"
 
 #include <limits>
 

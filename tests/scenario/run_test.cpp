@@ -7,7 +7,6 @@
 #include "manifold/collide_pairs.h"
 #include "reduce/reducer.h"
 #include "scenario/broken.h"
-#include "scenario/expect.h"
 #include "trace/json.h"
 
 namespace contactscope {

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "scenario/broken.h"
-#include "scenario/expect.h"
 #include "scenario/run.h"
 #include "trace/json.h"
 

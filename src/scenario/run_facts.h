@@ -1,0 +1,141 @@
+#pragma once
+
+#include "core/at.h"
+#include "dynamics/solver.h"
+#include "scenario/scenario.h"
+#include "trace/trace.h"
+
+/// What a trace tells of shapes, and of the solver in scenarios with dynamic ones.
+namespace contactscope {
+
+template <class S>
+void describe(const Sphere<S>& sphere, trace::Shape& traced) {
+  traced.vertices = {Vec3d::Zero()};
+  traced.radius = sphere.radius;
+}
+
+template <class S>
+void describe(const Capsule<S>& capsule, trace::Shape& traced) {
+  traced.vertices = cast_each<Vec3d>(capsule.points);
+  traced.edges = {{0, 1}};
+  traced.radius = capsule.radius;
+  traced.center_of_mass = 0.5 * (traced.vertices[0] + traced.vertices[1]);
+}
+
+template <class S>
+void describe(const Hull<S>& hull, trace::Shape& traced) {
+  traced.vertices = cast_each<Vec3d>(hull.vertices);
+  for (int face = 0; face < hull.face_count(); ++face)
+    traced.faces.push_back(face_vertices(hull, face));
+  for (std::size_t edge = 0; edge < hull.half_edges.size(); edge += 2)
+    traced.edges.push_back({hull.half_edges[edge].origin, hull.half_edges[edge + 1].origin});
+  traced.center_of_mass = hull.centroid.template cast<double>();
+}
+
+template <class S>
+void describe(const HalfSpace<S>& half_space, trace::Shape& traced) {
+  const Plane<double> plane = half_space.plane.template cast<double>();
+  traced.half_space = trace::HalfSpace{plane.normal, plane.offset};
+}
+
+template <class S>
+void describe(const Mesh<S>& mesh, trace::Shape& traced) {
+  traced.vertices = cast_each<Vec3d>(mesh.vertices);
+  for (int triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
+    const std::array<int, 3>& corners = at(mesh.triangles, triangle);
+    traced.faces.emplace_back(corners.begin(), corners.end());
+    for (int k = 0; k < 3; ++k) {
+      // An edge that two triangles share is listed by the first.
+      const int neighbour = mesh.neighbour(triangle, k);
+      if (neighbour >= 0 && neighbour < triangle) continue;
+      traced.edges.push_back({at(corners, k), at(corners, (k + 1) % 3)});
+    }
+  }
+  const Aabb<S> bounds = mesh.tree.bounds();
+  traced.center_of_mass = bounds.center().template cast<double>();
+}
+
+/// A shape of a scenario as a trace has it, with the vertices that the pipeline sees.
+template <class S>
+trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
+  trace::Shape traced;
+  traced.name = shape.name;
+  traced.type = shape.type;
+  const auto describe_kind = [&](const auto& kind) { describe(kind, traced); };
+  if (shape.is_moved())
+    std::visit(describe_kind, *shape.geometry);
+  else
+    std::visit(describe_kind, rounded);
+  return traced;
+}
+
+/// Velocity of a point of a body, by its arm from the centre.
+template <class S>
+Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {
+  const Vec3d turning = body.angular_velocity.template cast<double>();
+  return body.velocity.template cast<double>() + turning.cross(arm);
+}
+
+/// What became of a pair's points that got an impulse, where the step has gone from `before` to
+/// `after`. The script of a body that is not dynamic is the same all through the step.
+template <class S>
+void record_relative_velocities(const ScenarioPair& pair, const std::vector<Body<S>>& before,
+                                const std::vector<Body<S>>& after, trace::Pair& record) {
+  const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+  const auto began = [&](std::size_t i) -> const Body<S>& {
+    return before[i].dynamic() ? before[i] : after[i];
+  };
+  for (trace::Manifold& manifold : record.manifolds) {
+    for (trace::Point& point : manifold.points) {
+      if (!point.impulse) continue;
+      const Vec3d arm_a = point.position - before[a].center.template cast<double>();
+      const Vec3d arm_b = point.position - before[b].center.template cast<double>();
+      point.relative_velocity =
+          trace::RelativeVelocity{velocity_at(began(b), arm_b) - velocity_at(began(a), arm_a),
+                                  velocity_at(after[b], arm_b) - velocity_at(after[a], arm_a)};
+    }
+  }
+}
+
+/// Impulses stand in the order of manifolds and points; a point that the solver left out has none.
+template <class S>
+void record_impulses(const Manifolds<S>& manifolds, const PairImpulses<S>& impulses,
+                     trace::Pair& record) {
+  std::size_t next = 0;
+  for (std::size_t m = 0; m < manifolds.size(); ++m) {
+    for (std::size_t p = 0; p < manifolds[m].points.size() && next < impulses.size(); ++p) {
+      const PointImpulse<S>& impulse = impulses[next];
+      if (impulse.id != manifolds[m].points[p].id || impulse.triangle != manifolds[m].triangle)
+        continue;
+      ++next;
+      record.manifolds[m].points[p].impulse = trace::Impulse{
+          static_cast<double>(impulse.total_normal), impulse.total_friction.template cast<double>(),
+          static_cast<double>(impulse.warm_start)};
+    }
+  }
+}
+
+template <class S>
+trace::Solver solver_facts(const Scenario& scenario, const std::vector<Body<S>>& bodies) {
+  trace::Solver facts{.position_correction = to_string(scenario.solver.position_correction),
+                      .iterations = scenario.solver.iterations,
+                      .substeps = scenario.solver.substeps,
+                      .warm_start = scenario.solver.warm_start,
+                      .slop = scenario.solver.slop.value_or(0),
+                      .speculative_margin = scenario.solver.speculative_margin.value_or(0),
+                      .bodies = {}};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body<S>& body = bodies[i];
+    if (!body.dynamic()) continue;
+    facts.bodies.push_back({.name = scenario.shapes[i].name,
+                            .mass = static_cast<double>(body.mass),
+                            .center_of_mass = body.center.template cast<double>(),
+                            .velocity = body.velocity.template cast<double>(),
+                            .angular_velocity = body.angular_velocity.template cast<double>(),
+                            .kinetic_energy = kinetic_energy(body),
+                            .potential_energy = potential_energy(body, scenario.world.gravity)});
+  }
+  return facts;
+}
+
+}  // namespace contactscope
