@@ -51,10 +51,11 @@ void override_reducer(Scenario& scenario, const std::string& reducer) {
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
 
-void require_view(const std::string& name, const std::vector<View>& views,
-                  const std::string& view) {
+void require_view(const Scenario& scenario, const std::string& view) {
+  const std::vector<View>& views = scenario.views;
   if (view.empty() || std::ranges::find(views, view, &View::name) != views.end()) return;
-  throw UsageError("--view '" + view + "' is no view of " + name + "; it has " + names_of(views));
+  throw UsageError("--view '" + view + "' is no view of " + scenario.name + "; it has " +
+                   names_of(views));
 }
 
 /// Which file each name is of.
@@ -71,28 +72,23 @@ bool is_new(const std::string& name, const std::string& file, Paths& paths) {
                        "folder, which is the first part of the name");
 }
 
-Input input_of(Scenario&& scenario, const Options& options) {
-  Input input{scenario.name, selected_views(scenario, options), scenario.views.size() > 1,
-              options.selected(scenario.frames)};
-  input.scenario = std::move(scenario);
-  return input;
-}
-
 Input input_of(trace::Trace&& trace, const Options& options) {
   // What an author of traces sees without having said what.
-  View view = default_view();
-  view.panels = {Panel::Summary};
-  Input input{trace.header.scenario, {view}, false, {}};
-  require_view(input.name, input.views, options.view);
-  for (const trace::Frame& frame : trace.frames) {
+  Input input;
+  input.scenario.name = trace.header.scenario;
+  input.scenario.views = {default_view()};
+  input.scenario.views.front().panels = {Panel::Summary};
+  input.trace = std::move(trace);
+  require_view(input.scenario, options.view);
+  const std::vector<trace::Frame>& frames = input.trace->frames;
+  for (const trace::Frame& frame : frames) {
     if (!options.frames || options.frames->names(frame.frame)) input.frames.push_back(frame.frame);
   }
   if (input.frames.empty()) {
-    throw UsageError("--frames names no frame of " + input.name + ", which has frames " +
-                     std::to_string(trace.frames.front().frame) + " to " +
-                     std::to_string(trace.frames.back().frame));
+    throw UsageError("--frames names no frame of " + input.scenario.name + ", which has frames " +
+                     std::to_string(frames.front().frame) + " to " +
+                     std::to_string(frames.back().frame));
   }
-  input.trace = std::move(trace);
   return input;
 }
 
@@ -123,10 +119,9 @@ std::vector<std::string> scenario_files(const std::string& root) {
 }
 
 std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
-  std::vector<View> views;
-  for (const View& view : scenario.views) {
-    if (options.view.empty() || view.name == options.view) views.push_back(view);
-  }
+  std::vector<View> views = scenario.views;
+  std::erase_if(
+      views, [&](const View& view) { return !options.view.empty() && view.name != options.view; });
   return views;
 }
 
@@ -149,7 +144,7 @@ std::vector<Scenario> load_scenarios(const Options& options) {
     Scenario scenario = load_scenario(file);
     if (!is_new(scenario.name, file, paths)) continue;
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
-    require_view(scenario.name, scenario.views, options.view);
+    require_view(scenario, options.view);
     if (options.frames && options.selected(scenario.frames).empty()) {
       throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
                        std::to_string(scenario.frames - 1));
@@ -175,7 +170,8 @@ std::vector<Input> load_inputs(const Options& options) {
   if (traces.empty() || !others.scenarios.empty()) {
     for (Scenario& scenario : load_scenarios(others)) {
       paths.emplace(scenario.name, scenario.path);
-      inputs.push_back(input_of(std::move(scenario), options));
+      const std::vector<int> frames = options.selected(scenario.frames);
+      inputs.push_back({std::move(scenario), frames});
     }
   }
   for (const std::string& file : traces) {
@@ -188,10 +184,7 @@ std::vector<Input> load_inputs(const Options& options) {
     if (is_new(trace.header.scenario, file, paths))
       inputs.push_back(input_of(std::move(trace), options));
   }
-  for (Input& input : inputs) {
-    override_views(input.views, options);
-    if (input.scenario) override_views(input.scenario->views, options);
-  }
+  for (Input& input : inputs) override_views(input.scenario.views, options);
   return inputs;
 }
 

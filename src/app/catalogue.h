@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/verbs.h"
 #include "scenario/scenario.h"
 #include "trace/json.h"
 
@@ -20,14 +20,12 @@ std::vector<std::string> scenario_files(const std::string& root);
 /// UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
 
-/// What `render` draws: a scenario, which is run first, or a trace as it stands.
+/// What `render` draws: a scenario, which is run first, or a trace as it stands. Of a trace the scenario
+/// has a name and views alone.
 struct Input {
-  std::string name;                     // "<group>/<idea>"
-  std::vector<View> views;              // that --view leaves
-  bool several_views = false;           // of the file, so that each has a folder
-  std::vector<int> frames;              // to draw, by number
-  std::optional<Scenario> scenario{};   // either this
-  std::optional<trace::Trace> trace{};  // or this
+  Scenario scenario;
+  std::vector<int> frames{};            // to draw, by number
+  std::optional<trace::Trace> trace{};  // else the scenario is run
 };
 
 /// The same of files that may be traces too, which have one view: fitted, with the default layers

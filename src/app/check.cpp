@@ -4,11 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
-#include "app/ledger.h"
 #include "app/progress.h"
-#include "app/sequence.h"
 #include "app/studio.h"
 #include "app/verbs.h"
+#include "core/at.h"
 #include "draw/staging.h"
 #include "scenario/run.h"
 #include "snapshot/check.h"
@@ -37,25 +36,33 @@ class Checker {
   Outcome check(const Scenario& scenario) {
     Outcome outcome{scenario.name};
     const Sequence sequence = run_sequence(scenario, {}, false, ledger_);
-    check_expectations(scenario, sequence, outcome);
-    check_trace(scenario, sequence, outcome);
-    for (const View& view : selected_views(scenario, options_)) {
-      check_pictures(scenario, view, sequence, outcome);
+    if (const auto unmet = unmet_expectations(scenario, sequence.frames); !unmet.empty()) {
+      outcome.fails = true;
+      outcome.sentences = unmet;
+      report_.add(scenario.name, unmet);
     }
-    if (options_.view.empty()) check_stale(scenario, outcome);
+    trace::Trace stored{sequence.header, {}};
+    for (const int frame : scenario.snapshots.frames)
+      stored.frames.push_back(at(sequence.frames, frame));
+    take(snapshot::check_trace(options_.snapshot_root, stored, policy_), outcome);
+    for (const View& view : selected_views(scenario, options_))
+      check_pictures(scenario, view, sequence, outcome);
+    if (!options_.view.empty()) return outcome;
+    std::vector<std::string> views;
+    if (scenario.views.size() > 1) views = mapped(scenario.views, &View::name);
+    for (const snapshot::Checked& file : snapshot::check_stale(
+             options_.snapshot_root, scenario.name, views, scenario.snapshots.frames, policy_))
+      take(file, outcome);
     return outcome;
   }
 
   /// Stored scenarios that no file describes any more.
   std::vector<Outcome> check_orphans(const std::vector<Scenario>& scenarios) {
-    std::vector<std::string> names;
-    for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
+    const std::vector<std::string> names = mapped(scenarios, &Scenario::name);
     std::vector<Outcome> outcomes;
     for (const snapshot::Checked& file :
-         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_)) {
+         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_))
       take(file, outcomes.emplace_back(Outcome{file.scenario}));
-      report_.add(file);
-    }
     return outcomes;
   }
 
@@ -63,30 +70,14 @@ class Checker {
   const Ledger& ledger() const { return ledger_; }
 
  private:
-  static void take(const snapshot::Checked& checked, Outcome& outcome) {
+  /// `image`: what a picture is now.
+  template <class Checked, class... OfPicture>
+  void take(const Checked& checked, Outcome& outcome, const OfPicture&... image) {
     outcome.fails = outcome.fails || checked.fails;
     outcome.sentences.insert(outcome.sentences.end(), checked.sentences.begin(),
                              checked.sentences.end());
     outcome.changed += checked.verdict >= snapshot::Verdict::Written;
-  }
-
-  void check_expectations(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
-    const std::vector<std::string> unmet = unmet_expectations(scenario, sequence.frames);
-    if (unmet.empty()) return;
-    outcome.fails = true;
-    outcome.sentences.insert(outcome.sentences.end(), unmet.begin(), unmet.end());
-    report_.add(scenario.name, unmet);
-  }
-
-  void check_trace(const Scenario& scenario, const Sequence& sequence, Outcome& outcome) {
-    trace::Trace stored{sequence.header, {}};
-    for (const int frame : scenario.snapshots.frames) {
-      stored.frames.push_back(sequence.frames[static_cast<std::size_t>(frame)]);
-    }
-    const snapshot::Checked checked =
-        snapshot::check_trace(options_.snapshot_root, stored, policy_);
-    take(checked, outcome);
-    report_.add(checked);
+    report_.add(checked, image...);
   }
 
   void check_pictures(const Scenario& scenario, const View& view, const Sequence& sequence,
@@ -103,35 +94,20 @@ class Checker {
           static_cast<int>(frame)};
       snapshot::CheckedPicture checked =
           snapshot::check_picture(options_.snapshot_root, key, image, policy_);
-      if (checked.expected && !speaks_of(outcome.sentences, key.frame)) {
+      const std::string own_frame = " frame " + std::to_string(frame) + ", ";
+      const bool is_explained =
+          std::ranges::any_of(outcome.sentences, [&](const std::string& sentence) {
+            return sentence.find(own_frame) != std::string::npos;
+          });
+      if (checked.expected && !is_explained) {
         checked.sentences.push_back(
             snapshot::to_string(key) +
             ": its trace is the same; the camera, fitted to the whole sequence, or the drawing "
             "changed");
       }
       ++outcome.pictures;
-      take(checked, outcome);
-      report_.add(checked, image);
+      take(checked, outcome, image);
     });
-  }
-
-  static bool speaks_of(const std::vector<std::string>& sentences, int frame) {
-    const std::string pairs = " frame " + std::to_string(frame) + ", ";
-    return std::ranges::any_of(sentences, [&](const std::string& sentence) {
-      return sentence.find(pairs) != std::string::npos;
-    });
-  }
-
-  void check_stale(const Scenario& scenario, Outcome& outcome) {
-    std::vector<std::string> views;
-    if (scenario.views.size() > 1) {
-      for (const View& view : scenario.views) views.push_back(view.name);
-    }
-    for (const snapshot::Checked& file : snapshot::check_stale(
-             options_.snapshot_root, scenario.name, views, scenario.snapshots.frames, policy_)) {
-      take(file, outcome);
-      report_.add(file);
-    }
   }
 
   const Options& options_;

@@ -26,8 +26,8 @@ std::string eigen_version() {
 
 /// One line on what a scenario or a trace holds; what is wrong with one has thrown InputError.
 std::string looked_through(const Input& input) {
-  if (input.scenario) {
-    const Scenario& scenario = *input.scenario;
+  if (!input.trace) {
+    const Scenario& scenario = input.scenario;
     return scenario.path + ": scenario " + scenario.name + ", frames " +
            std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
            ", pairs " + std::to_string(scenario.pairs.size());
@@ -44,8 +44,9 @@ std::string looked_through(const Input& input) {
       });
     }
   }
-  std::string text = "trace of " + input.name + ", frames " + std::to_string(trace.frames.size()) +
-                     ", shapes " + std::to_string(trace.header.shapes.size());
+  std::string text = "trace of " + input.scenario.name + ", frames " +
+                     std::to_string(trace.frames.size()) + ", shapes " +
+                     std::to_string(trace.header.shapes.size());
   for (const auto& [what, count] : found) {
     if (count > 0) text += ", " + what + " " + std::to_string(count);
   }

@@ -3,8 +3,6 @@
 #include <tuple>
 
 #include "app/catalogue.h"
-#include "app/encoder_pool.h"
-#include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/table.h"
@@ -18,7 +16,9 @@
 namespace contactscope::app {
 namespace {
 
-void print_table(const std::vector<trace::Exploration>& explorations, std::ostream& out) {
+using Explorations = std::vector<trace::Exploration>;
+
+void print_table(const Explorations& explorations, std::ostream& out) {
   Table table = {{"reducer", "area %", "worst", "lost arm % of radius", "worst", "depth error mm",
                   "deepest kept %", "weight held %", "ids changed", "patch/bodies", "ns", "least",
                   "upper quartile"}};
@@ -36,14 +36,14 @@ void print_table(const std::vector<trace::Exploration>& explorations, std::ostre
   print(table, out);
 }
 
-int most_points(const std::vector<trace::Exploration>& explorations) {
-  int most = 0;
-  for (const trace::Exploration& e : explorations) most = std::max(most, count_of(e.points));
-  return most;
+/// Of any; there is at least one.
+int most_points(const Explorations& explorations) {
+  return std::ranges::max(
+      mapped(explorations, [](const trace::Exploration& one) { return count_of(one.points); }));
 }
 
 // What a reader must know about the numbers, once and on standard error.
-void print_note(const std::vector<trace::Exploration>& explorations, const Scenario& scenario) {
+void print_note(const Explorations& explorations, const Scenario& scenario) {
   if (explorations.empty()) {
     std::cerr << scenario.name
               << ": nothing touches in these frames, so there is nothing to reduce\n";
@@ -58,10 +58,8 @@ void print_note(const std::vector<trace::Exploration>& explorations, const Scena
   std::cerr << '\n';
 }
 
-using Explorations = std::vector<trace::Exploration>;
-
 /// The explorations of each pair, and of each triangle of a mesh, frames in order.
-std::vector<Explorations> by_manifold(const std::vector<trace::Exploration>& explorations) {
+std::vector<Explorations> by_manifold(const Explorations& explorations) {
   std::vector<Explorations> sequences;
   for (const trace::Exploration& one : explorations) {
     const auto name = [](const trace::Exploration& of) {
@@ -87,28 +85,7 @@ std::filesystem::path folder_of(const Options& options, const trace::Exploration
   return folder;
 }
 
-void print_pictures(std::size_t pictures, std::size_t left_out,
-                    const std::filesystem::path& folder) {
-  if (pictures > 0) {
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << folder.string()
-              << '\n';
-  }
-  if (left_out > 0) {
-    std::cerr << "no picture of " << left_out << (left_out == 1 ? " manifold" : " manifolds")
-              << " on triangles of which every reducer keeps all points\n";
-  }
-}
-
-void print_left_out(const std::vector<std::string>& left_out, const Size& size) {
-  if (left_out.empty()) return;
-  std::cerr << size.width << 'x' << size.height << " leaves out ";
-  for (const std::string& what : left_out) {
-    std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
-  }
-  std::cerr << "; a larger --size has room for it\n";
-}
-
-void write_pictures(const Scenario& scenario, const std::vector<trace::Exploration>& explorations,
+void write_pictures(const Scenario& scenario, const Explorations& explorations,
                     const Options& options, Ledger& ledger) {
   const Size size = options.size.value_or(roomy_size(explorations.front().reducers.size()));
   std::vector<Explorations> sequences = by_manifold(explorations);
@@ -128,8 +105,7 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
     {
       Progress progress(static_cast<int>(pictures), options.quiet);
       for (const Explorations& sequence : sequences) {
-        std::vector<std::string> order;
-        for (const ReducerSummary& row : summarize(sequence)) order.push_back(row.name);
+        const auto order = mapped(summarize(sequence), &ReducerSummary::name);
         const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
                                        draw::explored(sequence, order), 0, size.width, size.height);
         left_out = cells.left_out();
@@ -145,9 +121,17 @@ void write_pictures(const Scenario& scenario, const std::vector<trace::Explorati
     }
   }
   if (options.quiet) return;
-  print_pictures(pictures, explorations.size() - pictures,
-                 folder_of(options, explorations.front(), false));
-  print_left_out(left_out, size);
+  if (pictures > 0)
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in "
+              << folder_of(options, explorations.front(), false).string() << '\n';
+  if (const std::size_t kept_whole = explorations.size() - pictures; kept_whole > 0)
+    std::cerr << "no picture of " << kept_whole << (kept_whole == 1 ? " manifold" : " manifolds")
+              << " on triangles of which every reducer keeps all points\n";
+  if (left_out.empty()) return;
+  std::cerr << size.width << 'x' << size.height << " leaves out ";
+  for (const std::string& what : left_out)
+    std::cerr << (&what == &left_out.front() ? "" : ", ") << what;
+  std::cerr << "; a larger --size has room for it\n";
 }
 
 ExitCode run_explore(const Options& options) {
@@ -159,8 +143,7 @@ ExitCode run_explore(const Options& options) {
 
   ExploreOptions explore_options;
   if (!options.reducer.empty()) explore_options.reducers = {options.reducer};
-  std::vector<trace::Exploration> explorations =
-      contactscope::explore(scenario, frames.back(), explore_options);
+  Explorations explorations = explore(scenario, frames.back(), explore_options);
   // Frames before the first one asked for ran too: some reducers go by what they kept there.
   std::erase_if(explorations, [&](const trace::Exploration& exploration) {
     return std::ranges::find(frames, exploration.frame) == frames.end();

@@ -3,6 +3,7 @@
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
+#include "core/at.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 
@@ -15,29 +16,20 @@ struct Item {
 };
 
 std::vector<Item> items_of(const std::string& what, const Options& options) {
-  std::vector<Item> items;
-  const auto add = [&](std::string_view name, const std::string& summary = "") {
-    items.push_back({std::string(name), summary});
-  };
-  if (what == "scenarios") {
-    for (const std::string& file : scenario_files(options.scenario_root)) {
-      const Scenario scenario = load_scenario(file);
-      add(scenario.name, scenario.title);
-    }
-  }
-  if (what == "reducers")
-    for (const ReducerInfo& info : reducers()) add(info.name, info.summary);
-  if (what == "layers")
-    for (const std::string_view name : kLayerNames) add(name);
-  if (what == "panels")
-    for (const std::string_view name : kPanelNames) add(name);
-  if (what == "studies")
-    for (const StudyInfo& info : studies()) add(info.name, info.summary);
-  return items;
+  const auto with_summary = [](const auto& info) { return Item{info.name, info.summary}; };
+  const auto name_alone = [](std::string_view name) { return Item{std::string(name), ""}; };
+  if (what == "reducers") return mapped(reducers(), with_summary);
+  if (what == "layers") return mapped(kLayerNames, name_alone);
+  if (what == "panels") return mapped(kPanelNames, name_alone);
+  if (what == "studies") return mapped(studies(), with_summary);
+  return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
+    const Scenario scenario = load_scenario(file);
+    return Item{scenario.name, scenario.title};
+  });
 }
 
 ExitCode run_list(const Options& options) {
-  std::vector<std::string> kinds = {"scenarios", "reducers", "layers", "panels", "studies"};
+  std::vector<std::string> kinds = kListed;
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
   for (const std::string& kind : kinds) {

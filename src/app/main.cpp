@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/options.h"
 #include "app/verbs.h"
+#include "core/at.h"
 #include "core/input_error.h"
 #include "scenario/nearest_word.h"
 
@@ -37,21 +37,16 @@ std::optional<std::vector<Word>> parse_words(const std::string& option,
                                              const std::vector<std::string>& names,
                                              const std::array<std::string_view, N>& known) {
   if (names.empty()) return std::nullopt;
-  std::vector<Word> words;
-  if (names.size() == 1 && names.front() == "none") return words;
-  for (const std::string& name : names) {
+  if (names == std::vector<std::string>{"none"}) return std::vector<Word>();
+  return mapped(names, [&](const std::string& name) {
     if (name == "none") throw UsageError(option + " 'none' stands alone; leave the others out");
-    const std::optional<Word> word = word_named<Word>(known, name);
-    if (!word) {
-      const std::vector<std::string_view> all(known.begin(), known.end());
-      const std::string near = nearest(name, all);
-      throw UsageError(
-          option + " '" + name + "' is not known; " +
-          (near.empty() ? "there is " + quoted_list(all) : "did you mean '" + near + "'?"));
-    }
-    words.push_back(*word);
-  }
-  return words;
+    if (const std::optional<Word> word = word_named<Word>(known, name)) return *word;
+    const std::vector<std::string_view> all(known.begin(), known.end());
+    const std::string near = nearest(name, all);
+    throw UsageError(
+        option + " '" + name + "' is not known; " +
+        (near.empty() ? "there is " + quoted_list(all) : "did you mean '" + near + "'?"));
+  });
 }
 
 FrameRange parse_frame_range(const std::string& text) {
@@ -64,10 +59,8 @@ FrameRange parse_frame_range(const std::string& text) {
     }
     numbers.push_back(*number);
   }
-  FrameRange range;
-  range.first = numbers[0];
-  range.last = numbers.size() > 1 ? numbers[1] : numbers[0];
-  range.step = numbers.size() > 2 ? numbers[2] : 1;
+  const FrameRange range{numbers[0], numbers.size() > 1 ? numbers[1] : numbers[0],
+                         numbers.size() > 2 ? numbers[2] : 1};
   if (numbers.size() > 3 || range.step < 1 || range.last < range.first) {
     throw UsageError("--frames '" + text +
                      "' is no range; write A:B or A:B:STEP with A <= B and STEP >= 1");
@@ -77,15 +70,13 @@ FrameRange parse_frame_range(const std::string& text) {
 
 Size parse_size(const std::string& text) {
   constexpr int kLeast = 64, kMost = 8192;  // what every OpenGL 3.3 driver can hold
+  const auto side = [](std::string_view part) {
+    const int pixels = whole_number(part).value_or(0);
+    return pixels >= kLeast && pixels <= kMost ? pixels : 0;
+  };
   const std::vector<std::string_view> parts = split(text, 'x');
-  if (parts.size() == 2) {
-    const std::optional<int> width = whole_number(parts[0]);
-    const std::optional<int> height = whole_number(parts[1]);
-    if (width && height && std::min(*width, *height) >= kLeast &&
-        std::max(*width, *height) <= kMost) {
-      return {*width, *height};
-    }
-  }
+  const Size size = parts.size() == 2 ? Size{side(parts[0]), side(parts[1])} : Size{0, 0};
+  if (size.width > 0 && size.height > 0) return size;
   throw UsageError("--size '" + text +
                    "' is no size; write WxH with both between 64 and 8192, as 1280x720");
 }
@@ -125,9 +116,7 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
   };
   if (name == "SCENARIO" || name == "FILE") return value(to.scenarios);
   if (name == "NAME") return value(to.study);
-  if (name == "WHAT")
-    return value(to.what)->check(
-        CLI::IsMember({"scenarios", "reducers", "layers", "panels", "studies"}));
+  if (name == "WHAT") return value(to.what)->check(CLI::IsMember(kListed));
   if (name == "--size") return value(to.size_text, "WxH, default 1280x720");
   if (name == "--layers")
     return value(to.layer_names,

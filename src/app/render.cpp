@@ -4,12 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
-#include "app/encoder_pool.h"
-#include "app/ledger.h"
 #include "app/progress.h"
-#include "app/sequence.h"
 #include "app/studio.h"
 #include "app/verbs.h"
+#include "core/at.h"
 #include "draw/staging.h"
 #include "snapshot/store.h"
 
@@ -26,7 +24,8 @@ std::vector<std::size_t> selected_frames(const Input& input, const Sequence& seq
 }
 
 // Which stages left facts, and which panels were drawn, for --verbose.
-void account_facts(const Input& input, const Sequence& sequence, Ledger& ledger) {
+void account_facts(const std::string& name, const std::vector<View>& views,
+                   const Sequence& sequence, Ledger& ledger) {
   int sat = 0, clip = 0, reduction = 0;
   for (const trace::Frame& frame : sequence.frames) {
     for (const trace::Pair& pair : frame.pairs) {
@@ -35,17 +34,17 @@ void account_facts(const Input& input, const Sequence& sequence, Ledger& ledger)
       reduction += pair.reduction.has_value();
     }
   }
-  ledger.note(input.name + ": recorded sat " + std::to_string(sat) + ", clip " +
-              std::to_string(clip) + ", reduction " + std::to_string(reduction) + " times");
-  for (const View& view : input.views) {
-    std::string what = input.name + ": view " + view.name + " paints";
+  ledger.note(name + ": recorded sat " + std::to_string(sat) + ", clip " + std::to_string(clip) +
+              ", reduction " + std::to_string(reduction) + " times");
+  for (const View& view : views) {
+    std::string what = name + ": view " + view.name + " paints";
     if (view.layers.empty()) what += " no layers";
     for (const Layer layer : view.layers) what += " " + std::string(name_of(layer));
     what += view.panels.empty() ? "; no panels" : "; panels";
     for (const Panel panel : view.panels) what += " " + std::string(name_of(panel));
     ledger.note(what);
     if (view.panels.empty()) {
-      ledger.left_out(input.name + ": Dear ImGui, for view " + view.name + " names no panel");
+      ledger.left_out(name + ": Dear ImGui, for view " + view.name + " names no panel");
     }
   }
 }
@@ -64,23 +63,23 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledge
     return kind_of(*shape.geometry) == ShapeKind::Mesh;
   });
   if (!has_mesh) ledger.left_out("bounding volume tree, for no shape is a mesh");
-  const bool has_body = std::ranges::any_of(
-      scenario.shapes, [](const ScenarioShape& shape) { return shape.body.has_value(); });
-  if (!has_body) ledger.left_out("solver, for no shape is dynamic");
+  if (std::ranges::none_of(scenario.shapes, &ScenarioShape::dynamic))
+    ledger.left_out("solver, for no shape is dynamic");
 }
 
 // Runs the scenario, or takes the trace.
-Sequence sequence_of(Input& input, const Options& options, Ledger& ledger) {
+Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
+                     Ledger& ledger) {
   Sequence sequence;
   if (input.trace) {
     sequence = {std::move(input.trace->header), std::move(input.trace->frames), {}};
-    ledger.left_out(input.name + ": the pipeline, for its trace is drawn as it stands");
+    ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
   } else {
-    const trace::Stages stages = draw::stages_shown(input.views);
-    sequence = run_sequence(*input.scenario, stages, options.timing, ledger);
-    account_stages(*input.scenario, stages, ledger);
+    const trace::Stages stages = draw::stages_shown(views);
+    sequence = run_sequence(input.scenario, stages, options.timing, ledger);
+    account_stages(input.scenario, stages, ledger);
   }
-  account_facts(input, sequence, ledger);
+  account_facts(input.scenario.name, views, sequence, ledger);
   return sequence;
 }
 
@@ -93,9 +92,8 @@ ExitCode run_render(const Options& options) {
     inputs = load_inputs(options);
   }
   int pictures = 0;
-  for (const Input& input : inputs) {
-    pictures += static_cast<int>(input.frames.size() * input.views.size());
-  }
+  for (const Input& input : inputs)
+    pictures += count_of(input.frames) * count_of(selected_views(input.scenario, options));
 
   const auto begin = std::chrono::steady_clock::now();
   Studio studio(options.backend, total);
@@ -104,24 +102,25 @@ ExitCode run_render(const Options& options) {
     Progress progress(pictures, options.quiet);
     nlohmann::ordered_json written;
     for (Input& input : inputs) {
-      const Sequence sequence = sequence_of(input, options, total);
+      const std::string& name = input.scenario.name;
+      const std::vector<View> views = selected_views(input.scenario, options);
+      const Sequence sequence = sequence_of(input, views, options, total);
       const std::vector<std::size_t> which = selected_frames(input, sequence);
-      for (const View& view : input.views) {
+      for (const View& view : views) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
         const std::optional<std::string> folder =
-            input.several_views ? std::optional(view.name) : std::nullopt;
-        studio.render(
-            staging, sequence.frames, which, sequence.nanoseconds,
-            [&](std::size_t index, Image image) {
-              const snapshot::PictureKey key{input.name, folder, sequence.frames[index].frame};
-              const std::filesystem::path path = snapshot::picture_path(options.out, key);
-              std::filesystem::create_directories(path.parent_path());
-              written[input.name].push_back(path.string());
-              encoders.submit(path.string(), std::move(image));
-              progress.advance(input.name);
-            });
+            input.scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt;
+        studio.render(staging, sequence.frames, which, sequence.nanoseconds,
+                      [&](std::size_t index, Image image) {
+                        const snapshot::PictureKey key{name, folder, sequence.frames[index].frame};
+                        const std::filesystem::path path = snapshot::picture_path(options.out, key);
+                        std::filesystem::create_directories(path.parent_path());
+                        written[name].push_back(path.string());
+                        encoders.submit(path.string(), std::move(image));
+                        progress.advance(name);
+                      });
       }
     }
     encoders.finish();
@@ -137,7 +136,7 @@ ExitCode run_render(const Options& options) {
   }
   if (!options.quiet) {
     std::filesystem::path where = options.out;
-    if (inputs.size() == 1) where /= inputs.front().name;
+    if (inputs.size() == 1) where /= inputs.front().scenario.name;
     std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << where.string()
               << '\n';
   }

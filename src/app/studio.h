@@ -1,19 +1,39 @@
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
+#include <string>
+#include <thread>
 #include <vector>
 
-#include "app/ledger.h"
-#include "app/options.h"
+#include "app/progress.h"
+#include "app/verbs.h"
+#include "core/at.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "gl/rasterizer.h"
 #include "image/image.h"
+#include "image/png.h"
+#include "scenario/scenario.h"
 #include "trace/trace.h"
 
 namespace contactscope::app {
+
+/// A scenario with its whole trace.
+struct Sequence {
+  trace::Header header;
+  std::vector<trace::Frame> frames;
+  std::vector<double> nanoseconds;  // measured pipeline time of each frame; empty unless asked for
+};
+
+/// Runs the pipeline over all frames and records `stages`.
+Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
+                      Ledger& ledger);
 
 /// Turns sequences into pictures. OpenGL is opened with the first picture, Dear ImGui with the
 /// first view that has panels, so that a run without pictures opens neither.
@@ -39,6 +59,48 @@ class Studio {
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<gl::Rasterizer> rasterizer_;
   int width_ = 0, height_ = 0;  // of the rasterizer
+};
+
+/// Writes PNG files on threads of its own, while the caller renders the next picture. No picture waits
+/// for a thread, so that memory stays small when encoding is the slower part. Its end waits for what
+/// is under way; errors are lost there, so call finish() first.
+class EncoderPool {
+ public:
+  /// `jobs` threads; 0 means one less than there are processors, at least one.
+  explicit EncoderPool(int jobs)
+      : threads_(jobs > 0
+                     ? jobs
+                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1)) {}
+
+  /// Begins to write a picture; blocks while every thread has one. Throws the error of an earlier
+  /// picture.
+  void submit(std::string path, Image image) {
+    if (count_of(under_way_) == threads_) wait_for_first();
+    auto write = [path = std::move(path), image = std::move(image)] {
+      const auto begin = std::chrono::steady_clock::now();
+      write_png(path, image);
+      return std::chrono::steady_clock::now() - begin;
+    };
+    under_way_.push_back(std::async(std::launch::async, std::move(write)));
+  }
+  /// Waits until all is written. Throws the first error.
+  void finish() {
+    while (!under_way_.empty()) wait_for_first();
+  }
+  /// Time that the threads spent encoding and writing, summed over the pictures that are finished.
+  std::chrono::nanoseconds busy() const { return busy_; }
+  int threads() const { return threads_; }
+
+ private:
+  void wait_for_first() {
+    std::future<std::chrono::nanoseconds> first = std::move(under_way_.front());
+    under_way_.pop_front();
+    busy_ += first.get();
+  }
+
+  int threads_;
+  std::deque<std::future<std::chrono::nanoseconds>> under_way_;
+  std::chrono::nanoseconds busy_{};
 };
 
 }  // namespace contactscope::app

@@ -6,10 +6,9 @@
 #include <optional>
 
 #include "app/catalogue.h"
-#include "app/ledger.h"
 #include "app/progress.h"
 #include "app/studio.h"
-#include "app/study_tables.h"
+#include "app/table.h"
 #include "app/verbs.h"
 #include "draw/charts/plot.h"
 #include "image/png.h"
@@ -21,15 +20,10 @@ namespace contactscope::app {
 namespace {
 
 const StudyInfo& find_study(const std::string& name) {
-  std::vector<std::string_view> words;
-  for (const StudyInfo& info : studies()) {
-    if (info.name == name) return info;
-    words.push_back(info.name);
-  }
-  const std::string near = nearest(name, words);
-  throw UsageError("study '" + name + "' is not known; " +
-                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "there is " +
-                   names_of(studies()));
+  const auto found = std::ranges::find(studies(), name, &StudyInfo::name);
+  if (found != studies().end()) return *found;
+  throw UsageError("study '" + name + "' is not known; " + did_you_mean(name, names_in(studies())) +
+                   "there is " + names_of(studies()));
 }
 
 std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <functional>
+#include <span>
+#include <string>
 
 namespace contactscope::app {
 
@@ -24,6 +28,143 @@ std::string spelled(const char* format, double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
+}
+
+namespace {
+
+/// Whether both fit into one table, which has a column for each parameter.
+bool share_table(const trace::StudySeries& one, const trace::StudySeries& other) {
+  return one.panel == other.panel &&
+         std::ranges::equal(one.points, other.points, {}, &trace::StudyPoint::parameter,
+                            &trace::StudyPoint::parameter);
+}
+
+/// Series of one panel stand together; without panels all are one.
+using SeriesRange = std::span<const trace::StudySeries>;
+std::vector<SeriesRange> by_panel(const trace::Study& result) {
+  std::vector<SeriesRange> panels;
+  const SeriesRange all(result.series);
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    while (end < all.size() && share_table(all[begin], all[end])) ++end;
+    panels.push_back(all.subspan(begin, end - begin));
+  }
+  return panels;
+}
+
+/// A row a series: a cell for each parameter, or whole decades of it alone, and what `sum` says of all
+/// its points, under the head "failed"; null where nothing is to be said.
+void print_panel(const SeriesRange& panel, std::ostream& out, bool decades_alone,
+                 const std::function<std::string(const trace::StudyPoint&)>& cell,
+                 std::string (*sum)(int failed, int of)) {
+  const auto is_shown = [&](double parameter) {
+    return !decades_alone || std::abs(std::remainder(std::log10(parameter), 1)) < 1e-6;
+  };
+  std::vector<std::string> heads = {panel.front().panel.empty() ? "method" : panel.front().panel};
+  for (const trace::StudyPoint& point : panel.front().points) {
+    if (is_shown(point.parameter)) heads.push_back(spelled("%g", point.parameter));
+  }
+  if (sum != nullptr) heads.push_back("failed");
+  Table table = {heads};
+  for (const trace::StudySeries& series : panel) {
+    std::vector<std::string> cells = {series.method};
+    int failed = 0, of = 0;
+    for (const trace::StudyPoint& point : series.points) {
+      if (is_shown(point.parameter)) cells.push_back(cell(point));
+      failed += point.failed;
+      of += point.of;
+    }
+    if (sum != nullptr) cells.push_back(sum(failed, of));
+    table.push_back(cells);
+  }
+  print(table, out);
+}
+
+std::string parameter_of(const trace::Study& result, const SeriesRange& panel) {
+  return panel.front().parameter.empty() ? result.parameter : panel.front().parameter;
+}
+
+void print_errors(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  const bool has_worst = std::ranges::any_of(
+      panel.front().points,
+      [](const trace::StudyPoint& point) { return point.error_worst.has_value(); });
+  out << result.error << (result.unit.empty() ? "" : " (" + result.unit + ")")
+      << (has_worst ? ": mean / worst" : ": mean") << ", by " << parameter_of(result, panel)
+      << '\n';
+  const auto cell = [&](const trace::StudyPoint& point) {
+    std::string text = point.error ? spelled("%.2g", *point.error) : "-";
+    if (has_worst) text += point.error_worst ? spelled(" / %.2g", *point.error_worst) : " / -";
+    return text;
+  };
+  print_panel(panel, out, false, cell, [](int failed, int) { return std::to_string(failed); });
+}
+
+void print_times(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  out << "nanoseconds a call: median / least, by " << parameter_of(result, panel) << '\n';
+  const auto cell = [](const trace::StudyPoint& point) {
+    return spelled("%.0f", point.nanoseconds.median) + spelled(" / %.0f", point.nanoseconds.min);
+  };
+  print_panel(panel, out, false, cell, nullptr);
+}
+
+std::string share(int failed, int of) {
+  return std::to_string(failed) + " of " + std::to_string(of);
+}
+
+void print_curves(const trace::Study& result, const SeriesRange& panel, std::ostream& out) {
+  out << "largest " << result.error << ", by " << panel.front().parameter << '\n';
+  const auto cell = [](const trace::StudyPoint& point) {
+    return (point.error_worst ? spelled("%.1e", *point.error_worst) : "-") +
+           (point.failed > 0 ? "!" : "");
+  };
+  print_panel(panel, out, true, cell, share);
+}
+
+void print_map(const trace::Study& result, std::ostream& out) {
+  out << result.title << ": " << result.error << '\n';
+  Table table = {{"panel", "median", "worst", "cells", "cells with failures", "failed"}};
+  for (const SeriesRange& panel : by_panel(result)) {
+    std::vector<double> errors;
+    int cells = 0, failing = 0, failed = 0, of = 0;
+    for (const trace::StudySeries& series : panel) {
+      for (const trace::StudyPoint& point : series.points) {
+        if (point.error_worst) errors.push_back(*point.error_worst);
+        ++cells;
+        failing += point.failed > 0 ? 1 : 0;
+        failed += point.failed;
+        of += point.of;
+      }
+    }
+    std::ranges::sort(errors);
+    table.push_back({panel.front().panel,
+                     errors.empty() ? "-" : spelled("%.2g", errors[errors.size() / 2]),
+                     errors.empty() ? "-" : spelled("%.2g", errors.back()), std::to_string(cells),
+                     std::to_string(failing), share(failed, of)});
+  }
+  print(table, out);
+  out << '\n';
+}
+
+}  // namespace
+
+void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
+  for (const trace::Study& result : results) {
+    if (result.form == trace::StudyForm::Map) {
+      print_map(result, out);
+      continue;
+    }
+    for (const SeriesRange& panel : by_panel(result)) {
+      const bool curves = result.form == trace::StudyForm::Curves;
+      (curves ? print_curves : print_errors)(result, panel, out);
+      out << '\n';
+    }
+  }
+  if (results.front().form != trace::StudyForm::WorkPrecision) return;
+  // Times are those of the same runs in all results of a study.
+  const std::vector<SeriesRange> panels = by_panel(results.front());
+  for (const SeriesRange& panel : panels) {
+    print_times(results.front(), panel, out);
+    if (&panel != &panels.back()) out << '\n';
+  }
 }
 
 }  // namespace contactscope::app

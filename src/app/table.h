@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "trace/study.h"
+
 namespace contactscope::app {
 
 /// The heads of a table, then its rows: as many cells in each.
@@ -15,5 +17,10 @@ void print(const Table& table, std::ostream& out);
 
 /// As printf does it.
 std::string spelled(const char* format, double value);
+
+/// What a study measured, for people: errors and times of all methods at all parameters. Of curves a
+/// table a panel, at whole decades of the parameter, with the failures behind the errors; of maps only
+/// how many cells have failures, for the files hold the cells.
+void print_tables(const std::vector<trace::Study>& results, std::ostream& out);
 
 }  // namespace contactscope::app

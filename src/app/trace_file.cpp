@@ -66,9 +66,7 @@ const trace::Shape& named(const trace::Header& header, const std::string& place,
                           const std::string& name) {
   const auto found = std::ranges::find(header.shapes, name, &trace::Shape::name);
   if (found != header.shapes.end()) return *found;
-  std::vector<std::string_view> names;
-  for (const trace::Shape& shape : header.shapes) names.push_back(shape.name);
-  const std::string near = nearest(name, names);
+  const std::string near = nearest(name, names_in(header.shapes));
   throw Wrong{place + ": the header has no shape '" + name + "'" +
               (near.empty() ? "; add it there" : "; did you mean '" + near + "'?")};
 }

@@ -27,9 +27,9 @@ std::vector<std::string> arguments_of(const Verb& verb) {
 namespace {
 
 std::vector<std::string> options_of(const Verb& verb) {
-  std::vector<std::string> names = arguments_of(verb);
-  std::erase_if(names, [](const std::string& name) { return !name.starts_with('-'); });
-  names.insert(names.begin(), {"--help", "-h"});
+  std::vector<std::string> names = {"--help", "-h"};
+  for (const std::string& word : arguments_of(verb))
+    if (word.starts_with('-')) names.push_back(word);
   return names;
 }
 
@@ -47,23 +47,19 @@ std::string option_name(const std::string& argument) {
 }
 
 [[noreturn]] void refuse_verb(const std::string& word) {
-  std::vector<std::string_view> names;
-  for (const Verb& verb : verbs()) names.push_back(verb.name);
+  const std::vector<std::string_view> names = names_in(verbs());
   if (!option_name(word).empty())
     throw UsageError("'" + word + "' stands before the verb; write contactscope VERB " + word +
                      ", where VERB is one of " + quoted_list(names));
-  const std::string near = nearest(word, names);
-  throw UsageError("'" + word + "' is no verb; " +
-                   (near.empty() ? "" : "did you mean '" + near + "'? ") + "there is " +
+  throw UsageError("'" + word + "' is no verb; " + did_you_mean(word, names) + "there is " +
                    quoted_list(names));
 }
 
 [[noreturn]] void refuse_option(const std::string& option, const Verb& verb) {
   const std::string what = verb.name + " has no option " + option + "; ";
   std::vector<std::string_view> others;
-  for (const Verb& other : verbs()) {
+  for (const Verb& other : verbs())
     if (has_option(other, option)) others.push_back(other.name);
-  }
   const std::vector<std::string> names = options_of(verb);
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string near = nearest(option, known);

@@ -1,12 +1,83 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "core/layers.h"
+#include "gl/context.h"
+#include "snapshot/verdict.h"
 
 namespace contactscope::app {
+
+/// "A:B[:STEP]", B inclusive; "A" alone is one frame.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+  int step = 1;
+
+  /// Whether it names this one.
+  bool names(int frame) const {
+    return frame >= first && frame <= last && (frame - first) % step == 0;
+  }
+};
+
+struct Size {
+  int width = 1280;
+  int height = 720;
+};
+
+/// The default for a picture in which so many reducers or other methods are compared: tall where
+/// they are more than nine, so that they can be told apart.
+inline Size roomy_size(std::size_t methods) {
+  return methods > 9 ? Size{1280, 1440} : Size{};
+}
+
+/// The command line is wrong; what() says how and what would be right. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The command line, parsed.
+struct Options {
+  std::vector<std::string> scenarios;
+  std::string out = "out";
+  std::string scenario_root = "scenarios";
+  std::string snapshot_root = "snapshots";
+  gl::Backend backend = gl::Backend::Auto;
+  std::optional<Size> size;
+  std::optional<FrameRange> frames;
+  std::string view;
+  std::string reducer;
+  std::optional<std::vector<Layer>> layers;  // of every view, instead of its own
+  std::optional<std::vector<Panel>> panels;
+  std::string what;  // of `list`
+  snapshot::Update update = snapshot::Update::None;
+  int jobs = 0;              // 0: as many as there are processors
+  std::string study;         // name of the study to run
+  std::uint64_t seed = 1;    // of its cases
+  std::optional<int> cases;  // a point of a study; the study knows a default
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool timing = false;
+  bool tables_only = false;
+
+  /// Those of a sequence's frames that --frames names; all without it.
+  std::vector<int> selected(int frame_count) const {
+    std::vector<int> list;
+    for (int f = 0; f < frame_count; ++f) {
+      if (!frames || frames->names(f)) list.push_back(f);
+    }
+    return list;
+  }
+};
+
+enum class ExitCode { Same = 0, Different = 1, Trouble = 2 };
 
 /// A verb of the program. It prints its result on standard output and messages on standard error.
 /// InputError, UsageError and gl::ContextError pass through to main.
@@ -24,6 +95,10 @@ struct Verb {
 
 /// Every verb, in the order in which to list them.
 const std::vector<Verb>& verbs();
+
+/// What `list` lists.
+inline const std::vector<std::string> kListed = {"scenarios", "reducers", "layers", "panels",
+                                                 "studies"};
 
 /// The words of its arguments, also those that every verb has.
 std::vector<std::string> arguments_of(const Verb& verb);

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/program.h"
-#include "app/study_tables.h"
+#include "app/table.h"
 
 namespace contactscope::test {
 namespace {

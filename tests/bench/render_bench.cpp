@@ -6,8 +6,7 @@
 
 #include <filesystem>
 
-#include "app/encoder_pool.h"
-#include "app/ledger.h"
+#include "app/progress.h"
 #include "app/studio.h"
 #include "draw/staging.h"
 #include "gl/context.h"

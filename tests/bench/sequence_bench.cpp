@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "app/ledger.h"
+#include "app/progress.h"
 #include "app/studio.h"
 #include "draw/staging.h"
 
