@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "core/at.h"
 #include "trace/pair.h"
 
 namespace contactscope {

@@ -1,9 +1,7 @@
 #include "geometry/hull.h"
 
-#include <cstddef>
 #include <limits>
 
-#include "core/at.h"
 #include "geometry/lanes.h"
 
 namespace contactscope {

@@ -3,7 +3,6 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>

@@ -15,15 +15,12 @@
 // the thickness; and the outcome is checked instead of trusted.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <queue>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
-
-#include "core/at.h"
 
 namespace contactscope::quickhull {
 namespace {

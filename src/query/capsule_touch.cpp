@@ -39,16 +39,6 @@ bool settle_on_face(const Hull<S>& hull, const Vec3<S> (&ends)[2], S tie, Capsul
   return false;
 }
 
-/// The clip lost the deepest end, by rounding at the face's border: it stays, for the depth.
-template <class S>
-void extend_to_deepest(CapsuleTouch<S>& touch) {
-  ClippedSegment<S>& clipped = touch.clipped;
-  const int end = touch.parameter > S(0) ? 1 : 0;
-  if (clipped.empty()) clipped.parameters[0] = clipped.parameters[1] = touch.parameter;
-  clipped.parameters[end] = touch.parameter;
-  clipped.edges[end] = -1;
-}
-
 /// What is left of `offset` at right angles to `along`.
 template <class S>
 Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
@@ -161,7 +151,12 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   const bool is_over_face = settle_on_face(hull, ends, tie, touch);
   if (!is_over_face) {
     if (!is_deep) return closest_touch(hull, ends, touch, scale, touching, run);
-    extend_to_deepest(touch);
+    // The clip lost the deepest end, by rounding at the face's border: it stays, for the depth.
+    auto& [parameters, edges] = touch.clipped;
+    const int end = touch.parameter > S(0) ? 1 : 0;
+    if (touch.clipped.empty()) parameters[0] = parameters[1] = touch.parameter;
+    parameters[end] = touch.parameter;
+    edges[end] = -1;
   }
   if (axes.face_tied && touch.distance <= touching) {
     touch.degenerate = "segment as near to several faces";

@@ -1,7 +1,6 @@
 #include "query/sat.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "query/tolerance.h"
 
