@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "manifold/recorder.h"
-#include "trace/mirror.h"
+#include "trace/pair.h"
 
 namespace contactscope {
 

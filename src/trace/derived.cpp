@@ -1,9 +1,73 @@
 #include <algorithm>
 #include <set>
 
-#include "trace/frame.h"
+#include "trace/trace.h"
 
 namespace contactscope::trace {
+namespace {
+
+/// Features keep the order of FeatureId: those of a first, then by kind (vertex, edge, face) and
+/// number. Flipped features of two shapes trade places; two of one shape stay in order.
+std::string flipped_id(const std::string& id) {
+  const std::size_t space = id.find(' ');
+  if (space == std::string::npos) return id;
+  const auto flipped = [](std::string feature) {
+    if (feature.starts_with("a:")) {
+      feature[0] = 'b';
+    } else if (feature.starts_with("b:")) {
+      feature[0] = 'a';
+    }
+    return feature;
+  };
+  const std::string first = flipped(id.substr(0, space)), second = flipped(id.substr(space + 1));
+  const bool trade = first.starts_with("b:") && second.starts_with("a:");
+  return trade ? second + " " + first : first + " " + second;
+}
+
+void mirror_value(std::string& text, Mirrored how) {
+  const std::size_t dash = text.find('-');
+  if (how == Mirrored::IdFlipped) text = flipped_id(text);
+  if (how == Mirrored::AxisRenamed && (text == "face_a" || text == "face_b"))
+    text.back() = text == "face_a" ? 'b' : 'a';
+  if (how == Mirrored::KindTurned && dash != std::string::npos)
+    text = text.substr(dash + 1) + "-" + text.substr(0, dash);
+}
+void mirror_value(Vec3d& direction, Mirrored how) {
+  if (how == Mirrored::Negated) direction = -direction;
+}
+/// The corners of a face; they still begin with the same one.
+template <class Corners>
+requires std::same_as<typename Corners::value_type, int>
+void mirror_value(Corners& face, Mirrored how) {
+  if (how == Mirrored::Rewound && !face.empty()) std::reverse(face.begin() + 1, face.end());
+}
+template <class T>
+void mirror_value(T&, Mirrored) {}  // a number
+template <Listed T>
+void mirror_value(T& fact, Mirrored);
+template <class T>
+void mirror_value(std::optional<T>& value, Mirrored how) {
+  if (value) mirror_value(*value, how);
+}
+template <class T>
+requires(!std::same_as<T, int>) void mirror_value(std::vector<T>& list, Mirrored how) {
+  for (T& value : list) mirror_value(value, how);
+}
+
+/// Of two fields that trade their values the first one knows the other, which follows in the list.
+template <Listed T>
+void mirror_value(T& fact, Mirrored) {
+  each_field<T>([&](const auto& field) {
+    if (field.partner != nullptr) std::swap(fact.*field.member, fact.*field.partner);
+    mirror_value(fact.*field.member, field.mirrored);
+  });
+}
+
+}  // namespace
+
+void mirror(Pair& pair) {
+  mirror_value(pair, Mirrored::Kept);
+}
 
 void Shape::edges_from_faces(Shape& shape) {
   std::set<std::array<int, 2>> seen;

@@ -1,17 +1,149 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trace/clip.h"
 #include "trace/contact.h"
-#include "trace/lasting.h"
 #include "trace/minkowski.h"
-#include "trace/reduction.h"
 #include "trace/sat.h"
+#include "trace/shape.h"
 
 namespace contactscope::trace {
+
+inline constexpr std::array<int, 2> kNoEdge = {{-1, -1}};
+
+/// What one point was worth at one step of a reducer, seen against the normal.
+struct Measure {
+  int point = -1;                     // index into the points
+  std::array<int, 2> edge = kNoEdge;  // that it was measured against, where it was one
+  double value = 0;                   // metres, or square metres with a sign for areas
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("point", &Measure::point).into("points"),
+                      field::exact("edge", &Measure::edge).into("points").where_set(),
+                      field::area("value", &Measure::value));
+  }
+};
+
+/// How one kept point was chosen.
+struct Choice {
+  /// "support", "deepest", "farthest", "triangle", "outside", "distance".
+  std::string rule;
+  Vec3d direction = Vec3d::Zero();  // unit, of "support"
+  std::vector<Measure> measures;    // of every candidate what decided; of the chosen one all
+
+  /// Whether its measures are against an edge.
+  bool is_against_edges() const {
+    return rule == "triangle" || rule == "outside" || rule == "distance";
+  }
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("rule", &Choice::rule),
+                      field::direction("direction", &Choice::direction).where_set(),
+                      field::facts("measures", &Choice::measures).entries("measure"));
+  }
+};
+
+struct Reduction {
+  std::string method;
+  std::vector<Point> points;    // all, before
+  std::vector<int> kept;        // indices into points, in the order of choice
+  double area = 0;              // square metres, of the convex hull of the kept points in the plane
+  double best_area = 0;         // largest that as many points can span
+  std::vector<int> best;        // the points that span it; empty where nobody looked
+  std::vector<Choice> choices;  // for each kept point, where the method has such steps
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("method", &Reduction::method),
+                      field::facts("points", &Reduction::points).entries("reduction point"),
+                      field::exact("kept", &Reduction::kept).into("points"),
+                      field::area("area", &Reduction::area),
+                      field::area("best_area", &Reduction::best_area),
+                      field::exact("best", &Reduction::best).into("points").where_set(),
+                      field::facts("choices", &Reduction::choices).where_set().entries("choice"));
+  }
+};
+
+// Stages that go by earlier frames, or tell what comes of a manifold in later ones.
+
+/// Temporal coherence: what was kept of an earlier frame was tried before the full test.
+struct Cache {
+  bool hit = false;             // it gave the result, and the full test did not run
+  std::string kind;             // "separating_axis", or "features": those that touched
+  std::string axis;             // "face_a", "face_b", "edge_edge"; that was tried
+  std::optional<Vec3d> normal;  // unit, from a to b; of a hit
+  /// Metres, of features: no point of one shape, seen from the other, has moved farther since the
+  /// full test that found them.
+  std::optional<double> moved;
+
+  static constexpr auto fields() {
+    return std::tuple(
+        field::exact("hit", &Cache::hit).says("").called("miss", "hit"),
+        field::exact("kind", &Cache::kind), field::axis("axis", &Cache::axis).optional(),
+        field::direction_to_b("normal", &Cache::normal), field::length("moved", &Cache::moved));
+  }
+};
+
+/// A point of an incremental manifold, and what became of it in this frame.
+struct PersistentPoint {
+  Point point;
+  Vec3d on_a = Vec3d::Zero();  // the places of both shapes that met when it was found
+  Vec3d on_b = Vec3d::Zero();
+  std::string state;   // "new", "persisted", "broken"
+  std::string reason;  // of "broken": "apart", "slid", "other features", "replaced", "reduced"
+  int age = 0;         // frames since it was found
+
+  static constexpr auto fields() {
+    using P = PersistentPoint;
+    return std::tuple(field::merged(&P::point),
+                      field::position("on_a", &P::on_a).swaps(&P::on_b).says("place on a"),
+                      field::position("on_b", &P::on_b).says("place on b"),
+                      field::exact("state", &P::state),
+                      field::exact("reason", &P::reason).where_set(), field::exact("age", &P::age));
+  }
+};
+
+struct Incremental {
+  std::string confirm;  // "distance", "ids": how old points are confirmed
+  std::string query;    // "gjk": the cores were apart; else the method that measured their overlap
+  double margin_a = 0;  // metres about the core of a
+  double margin_b = 0;
+  std::vector<PersistentPoint> points;  // those of the manifold, then the broken ones
+
+  static constexpr auto fields() {
+    using I = Incremental;
+    return std::tuple(
+        field::exact("confirm", &I::confirm), field::exact("query", &I::query),
+        field::length("margin_a", &I::margin_a).swaps(&I::margin_b).says("margin of a"),
+        field::length("margin_b", &I::margin_b).says("margin of b"),
+        field::facts("points", &I::points).entries("persistent point"));
+  }
+};
+
+/// Whether a body can rest on a manifold: whether its centre of mass, moved along the normal,
+/// is within the contact points (Gregorius 2015, "Incremental Manifold Stability").
+struct Stability {
+  std::string shape;  // whose centre of mass
+  Vec3d center_of_mass = Vec3d::Zero();
+  Vec3d projection = Vec3d::Zero();  // into the contact plane
+  Polygon support;                   // corners of the convex hull of the points in that plane
+  double margin = 0;    // metres from the projection to the border of the support, negative outside
+  std::string verdict;  // "stable", "turns about a point", "turns about a line", "no contact"
+  std::optional<std::array<Vec3d, 2>> axis;  // of "turns about a line": two points on it
+
+  static constexpr auto fields() {
+    using S = Stability;
+    return std::tuple(field::exact("shape", &S::shape),
+                      field::position("center_of_mass", &S::center_of_mass).says("centre of mass"),
+                      field::position("projection", &S::projection),
+                      field::position("support", &S::support), field::length("margin", &S::margin),
+                      field::exact("verdict", &S::verdict).told_first(),
+                      field::position("axis", &S::axis));
+  }
+};
 
 /// Axis-aligned box in the frame of a shape, metres.
 struct Box {
@@ -131,5 +263,10 @@ struct Pair {
                       field::fact("stability", &Pair::stability).apart("stability"));
   }
 };
+
+/// The same facts told of the same two shapes in the other order: a and b trade places, with
+/// everything that is of one of them; what points from a to b is negated, ids and names of axes are
+/// of the other shape. Twice is the identity.
+void mirror(Pair& pair);
 
 }  // namespace contactscope::trace

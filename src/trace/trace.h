@@ -1,7 +1,120 @@
 #pragma once
 
-#include "trace/frame.h"
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pose.h"
+#include "trace/pair.h"
 
 /// The facts that each stage of the pipeline decided: world space, metres, double. Float results
 /// are held exactly. No algorithms here; an optional stage that did not run, or that nobody asked
 /// for, is empty. Each struct lists its fields (field.h); README.md gives the JSON that follows.
+namespace contactscope::trace {
+
+/// A body moved by the solver, before the step that starts in this frame.
+struct Body {
+  std::string name;
+  double mass = 0;                         // kilograms
+  Vec3d center_of_mass = Vec3d::Zero();    // world
+  Vec3d velocity = Vec3d::Zero();          // metres a second, of the centre of mass
+  Vec3d angular_velocity = Vec3d::Zero();  // radians a second
+  double kinetic_energy = 0;               // joules
+  double potential_energy = 0;             // joules, against gravity; 0 at the origin
+
+  static constexpr auto fields() {
+    return std::tuple(
+        field::name(&Body::name), field::ratio("mass", &Body::mass),
+        field::position("center_of_mass", &Body::center_of_mass).says("centre of mass"),
+        field::velocity("velocity", &Body::velocity),
+        field::spin("angular_velocity", &Body::angular_velocity),
+        field::energy("kinetic_energy", &Body::kinetic_energy),
+        field::energy("potential_energy", &Body::potential_energy));
+  }
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// The step of the solver that starts in this frame; impulses stand with the contact points.
+struct Solver {
+  std::string position_correction;  // "baumgarte", "projection", "soft"
+  int iterations = 0;
+  int substeps = 0;
+  bool warm_start = false;
+  double slop = 0;                // metres of overlap that are let be, as settled by the bodies
+  double speculative_margin = 0;  // metres, likewise
+  std::vector<Body> bodies;
+
+  static constexpr auto fields() {
+    return std::tuple(
+        field::exact("position_correction", &Solver::position_correction),
+        field::exact("iterations", &Solver::iterations),
+        field::exact("substeps", &Solver::substeps).says("sub-steps"),
+        field::exact("warm_start", &Solver::warm_start).called("off", "on"),
+        field::exact("slop", &Solver::slop).optional(),
+        field::exact("speculative_margin", &Solver::speculative_margin).optional(),
+        field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"));
+  }
+  friend bool operator==(const Solver&, const Solver&) = default;
+};
+
+/// Columns for plots: sums over a frame. Of the points that the solver took, of all where there is
+/// no solver.
+struct Totals {
+  double penetration = 0;       // metres, of the deepest point, 0 without an overlap
+  double normal_impulse = 0;    // newton seconds, sum over the points
+  int points = 0;               // of all manifolds
+  int ids = 0;                  // different names among them; each pair has its own
+  double kinetic_energy = 0;    // joules, of all bodies
+  double potential_energy = 0;  // joules
+
+  static constexpr auto fields() {
+    return std::tuple(field::length("penetration", &Totals::penetration),
+                      field::impulse("normal_impulse", &Totals::normal_impulse),
+                      field::exact("points", &Totals::points), field::exact("ids", &Totals::ids),
+                      field::energy("kinetic_energy", &Totals::kinetic_energy),
+                      field::energy("potential_energy", &Totals::potential_energy));
+  }
+  friend bool operator==(const Totals&, const Totals&) = default;
+};
+
+/// Where a shape is, under its name.
+using Placement = std::pair<std::string, Pose<double>>;
+
+template <>
+struct ListOf<Pose<double>> {
+  static constexpr auto fields() {
+    return std::tuple(field::position("position", &Pose<double>::position).says(""),
+                      field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
+  }
+};
+template <>
+struct ListOf<Placement> {
+  static constexpr auto fields() {
+    return std::tuple(field::name(&Placement::first), field::merged(&Placement::second));
+  }
+};
+
+struct Frame {
+  int frame = 0;
+  double time = 0;               // seconds
+  std::vector<Placement> poses;  // in the order of the shapes
+  std::vector<Pair> pairs;
+  std::optional<Solver> solver{};
+  std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
+
+  static constexpr auto fields() {
+    // The time is a product of two numbers of the file, which every processor rounds alike.
+    return std::tuple(field::exact("frame", &Frame::frame).names(),
+                      field::exact("time", &Frame::time),
+                      field::facts("poses", &Frame::poses).entries("pose"),
+                      field::facts("pairs", &Frame::pairs).entries("pair"),
+                      field::fact("solver", &Frame::solver).apart("solver"),
+                      field::fact("totals", &Frame::totals).apart("totals"));
+  }
+};
+
+/// Of what else the frame holds.
+Totals totals_of(const Frame& frame);
+
+}  // namespace contactscope::trace

@@ -8,7 +8,7 @@
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 #include "trace/json.h"
-#include "trace/mirror.h"
+#include "trace/pair.h"
 
 namespace contactscope {
 namespace {

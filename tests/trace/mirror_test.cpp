@@ -1,4 +1,4 @@
-#include "trace/mirror.h"
+#include "trace/pair.h"
 
 #include <gmock/gmock.h>
 
