@@ -34,6 +34,7 @@ class StaticVector {
     std::construct_at(items_ + size_, value);
     ++size_;
   }
+  void pop_back() { truncate(size_ - 1); }
   /// Shrinks to the first `size` elements.
   void truncate(std::size_t size) {
     assert(size <= size_);
