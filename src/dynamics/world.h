@@ -12,7 +12,7 @@ namespace contactscope {
 template <class S>
 struct WorldPair {
   int a = 0, b = 0;
-  CollideOptions<S> options;  // `reduction.previous` is set from `kept`
+  CollideOptions options;  // `reduction.previous` is set from `kept`
   S friction = S(0.6);
   S restitution = 0;
   bool cached = true;             // temporal coherence, see pair_cache.h
@@ -40,8 +40,8 @@ void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
     WorldPair<S>& pair = world.pairs[i];
     const auto a = static_cast<std::size_t>(pair.a);
     const auto b = static_cast<std::size_t>(pair.b);
-    CollideOptions<S> options = pair.options;
-    options.margin = std::max(options.margin, static_cast<S>(speculative));
+    CollideOptions options = pair.options;
+    options.margin = static_cast<S>(std::max(options.margin, speculative));
     options.reduction.previous = pair.kept;
     collide(shapes[a], world.bodies[a].pose(), shapes[b], world.bodies[b].pose(), options,
             contacts[i], pair.cached ? &pair.cache : nullptr);

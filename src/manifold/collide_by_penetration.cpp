@@ -116,7 +116,7 @@ SatResult<S> axes_of_normal(const HullPair<S>& pair, const Vec3<S>& normal, S de
 
 template <class S>
 std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                                        const CollideOptions<S>& options, Contact<S>& contact,
+                                        const CollideOptions& options, Contact<S>& contact,
                                         Recorder<S>* recorder) {
   const SupportSet<S> set_a = support_set(a), set_b = support_set(b);
   const GjkResult<S> query = gjk<S>(set_a, set_b, b_in_a, nullptr, gjk_run(recorder));
@@ -134,7 +134,7 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
     if (axes.status == SatStatus::Touching) {
       if (recorder) [[unlikely]]
         recorder->penetration(options.penetration, found, nullptr);
-      create_contact(pair, axes, options.margin, options.preference, contact, recorder);
+      create_contact(pair, axes, options, contact, recorder);
       return axes.separation(axes.chosen);
     }
   }
@@ -143,12 +143,7 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
   return std::nullopt;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
-  template std::optional<S> collide_by_penetration(const Hull<S>&, const Hull<S>&, const Pose<S>&, \
-                                                   const CollideOptions<S>&, Contact<S>&,          \
-                                                   Recorder<S>*);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(collide_by_penetration<float>) collide_by_penetration<float>;
+template decltype(collide_by_penetration<double>) collide_by_penetration<double>;
 
 }  // namespace contactscope

@@ -195,7 +195,7 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
 /// are apart, the closest points.
 template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
-                          const CollideOptions<S>& options, Contact<S>& contact,
+                          const CollideOptions& options, Contact<S>& contact,
                           Recorder<S>* recorder) {
   const Axis<S> axis_a = axis_in_own_frame(a);
   const Axis<S> axis_b = placed(axis_in_own_frame(b), b_in_a);
@@ -208,16 +208,15 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   if (closest.distance > clip_thickness(axes.scale())) {
     contact.normal = normal_between(axes, closest);
   } else {
-    if (recorder) [[unlikely]]
-      recorder->degenerate(degenerate_name(axes, axes.stretch()), options.degenerate);
-    if (options.degenerate == Degenerate::Skip) return separation;
+    const char* const geometry = recorder ? degenerate_name(axes, axes.stretch()) : nullptr;
+    if (skips_degenerate(geometry, options, recorder)) return separation;
     contact.normal = fallback_normal(axes, a, b, b_in_a);
   }
   const FeatureRef feature_a = axis_feature(Owner::A, closest.parameter_a, axis_a.has_length());
   const FeatureRef feature_b = axis_feature(Owner::B, closest.parameter_b, axis_b.has_length());
   contact.axis = AxisKind::ClosestPoints;
   contact.type = contact_type(feature_a.kind, feature_b.kind);
-  add_two_points(axes, a.radius, b.radius, options.margin, contact);
+  add_two_points(axes, a.radius, b.radius, static_cast<S>(options.margin), contact);
   if (contact.points.empty()) {
     add_round_point(closest.on_a, a.radius, closest.on_b, b.radius, contact.normal,
                     closest.distance, FeatureId::of(feature_a, feature_b), contact);

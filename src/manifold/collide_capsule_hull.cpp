@@ -24,6 +24,14 @@ struct CorePoints {
   ContactType type;
 };
 
+/// The point of a segment at a parameter: from its nearer end, which is exact.
+template <class S, class Ends>
+Vec3<S> segment_point(const Ends& ends, S parameter) {
+  const Vec3<S> along = ends[1] - ends[0];
+  if (parameter <= S(0.5)) return ends[0] + parameter * along;
+  return ends[1] - (S(1) - parameter) * along;
+}
+
 /// The segment and the hull that it touches.
 template <class S>
 struct TouchingPair {
@@ -34,10 +42,6 @@ struct TouchingPair {
   S scale;
   S merging;  // metres: two points of the segment so near to each other are one
 
-  Vec3<S> at(S parameter) const {
-    if (parameter <= S(0.5)) return ends[0] + parameter * along;
-    return ends[1] - (S(1) - parameter) * along;
-  }
   bool are_one(S parameter, S other) const {
     return std::abs(parameter - other) * length <= merging;
   }
@@ -53,7 +57,7 @@ CorePoint<S> face_point(const TouchingPair<S>& pair, const ClippedSegment<S>& cl
                         int end) {
   const S parameter = clipped.parameters[end];
   const int cut_by = clipped.edges[end];
-  return {parameter, at(pair.hull.planes, face).distance(pair.at(parameter)),
+  return {parameter, at(pair.hull.planes, face).distance(segment_point(pair.ends, parameter)),
           clip_id(end, cut_by, face_ref(Owner::B, face), edge_ref(Owner::B, cut_by / 2))};
 }
 
@@ -223,14 +227,13 @@ S way_to_hull(const CapsuleTouch<S>& touch, const CorePoint<S>& point) {
 /// 4. From the hull's frame to A's.
 template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact,
-                       Recorder<S>* recorder) {
+                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
   const Mat3<S> rotation = b_in_a.rotation.toRotationMatrix();
   const Vec3<S> ends[2] = {rotation.transpose() * (a.points[0] - b_in_a.position),
                            rotation.transpose() * (a.points[1] - b_in_a.position)};
   const S core_reach = std::sqrt(std::max(a.points[0].squaredNorm(), a.points[1].squaredNorm()));
   const S scale = length_scale(b, b_in_a, core_reach);
-  const S reach = a.radius + options.margin;
+  const S reach = a.radius + static_cast<S>(options.margin);
   const CapsuleSat<S> axes = capsule_sat(b, ends, reach, tie_tolerance(scale));
   if (axes.separation() > reach) return axes.separation() - a.radius;
 
@@ -253,11 +256,8 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   contact.type = core.type;
   contact.normal = -(rotation * touch.normal);
   for (const CorePoint<S>& point : core.points) {
-    const Vec3<S> on_segment =
-        point.parameter <= S(0.5)
-            ? Vec3<S>(a.points[0] + point.parameter * (a.points[1] - a.points[0]))
-            : Vec3<S>(a.points[1] + (S(1) - point.parameter) * (a.points[0] - a.points[1]));
-    const Vec3<S> position = on_segment + way_to_hull(touch, point) * contact.normal;
+    const Vec3<S> position =
+        segment_point(a.points, point.parameter) + way_to_hull(touch, point) * contact.normal;
     contact.points.push_back({position, point.distance - a.radius, point.id});
   }
   return separation;

@@ -3,10 +3,11 @@
 #include "query/sat.h"
 
 namespace contactscope {
+
 /// Gregorius 2015, SAT( manifold, hullA, hullB ), and "Hull vs Hull: Temporal Coherence".
 template <class S>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, PairCache<S>* cache, Contact<S>& contact,
+                    const CollideOptions& options, PairCache<S>* cache, Contact<S>& contact,
                     Recorder<S>* recorder, Owner preferred) {
   if (options.penetration != PenetrationMethod::Sat) [[unlikely]] {
     const auto separation = collide_by_penetration(a, b, b_in_a, options, contact, recorder);
@@ -28,11 +29,11 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   FaceSeparations<S> faces_a(pair.a);
   FaceSeparations<S> faces_b(pair.b);
   const SatResult<S> axes =
-      sat(pair, options.margin, options.preference, faces_a, faces_b, preferred);
+      sat(pair, static_cast<S>(options.margin), options.preference, faces_a, faces_b, preferred);
   if (recorder) [[unlikely]]
     recorder->axes(pair, faces_a, axes, options.preference);
   if (axes.status == SatStatus::Touching) {
-    create_contact(pair, axes, options.margin, options.preference, contact, recorder);
+    create_contact(pair, axes, options, contact, recorder);
     if (recorder) [[unlikely]]
       recorder->contact_axis(contact.axis);
   }
@@ -42,7 +43,7 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
 
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
-                              const Pose<S>& pose_b, const CollideOptions<S>& options,
+                              const Pose<S>& pose_b, const CollideOptions& options,
                               PairCache<S>* cache) {
   Recorder<S>* const nobody = nullptr;
   Contact<S> contact;
@@ -52,12 +53,12 @@ Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hul
   return manifold;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                                \
-  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,                     \
-                               const CollideOptions<S>&, PairCache<S>*, Contact<S>&, Recorder<S>*, \
-                               Owner);                                                             \
-  template Manifold<S> collide_hull_hull(const Hull<S>&, const Pose<S>&, const Hull<S>&,           \
-                                         const Pose<S>&, const CollideOptions<S>&, PairCache<S>*);
+#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
+  template S collide_hull_hull(const Hull<S>&, const Hull<S>&, const Pose<S>&,                  \
+                               const CollideOptions&, PairCache<S>*, Contact<S>&, Recorder<S>*, \
+                               Owner);                                                          \
+  template Manifold<S> collide_hull_hull(const Hull<S>&, const Pose<S>&, const Hull<S>&,        \
+                                         const Pose<S>&, const CollideOptions&, PairCache<S>*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -1,28 +1,67 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/shape.h"
-#include "manifold/contact_sink.h"
-#include "manifold/pair_cache.h"
+#include "manifold/recorder.h"
 
 /// The functions of the table in dispatch.h, one for each pair of shapes. They work in A's frame,
 /// metres. Source of all but those with planes: Gregorius 2015, the slides of the same names.
 namespace contactscope {
+
+/// The last two stages of every pair: `contact` moves from A's frame to the world, where it stays,
+/// and what the reducer keeps of it becomes `manifold`. Gregorius 2015, "Contact Point Reduction".
+/// Without a reducer, or one that has nothing to do, the points stay as they are.
+template <class S>
+void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, Contact<S>& contact,
+                    Manifold<S>& manifold, Recorder<S>* recorder) {
+  if (contact.points.empty()) return;
+  manifold.axis = contact.axis;
+  manifold.type = contact.type;
+  manifold.normal = to_world.direction(contact.normal);
+  for (ContactPoint<S>& point : contact.points) point.position = to_world.point(point.position);
+  if (options.reducer == nullptr) {
+    manifold.points = contact.points;
+    return;
+  }
+  const ContactPoints<S> points(contact.points.data(), contact.points.size());
+  const KeptIndices kept =
+      recorder ? recorder->reduce(options, points, manifold.normal)
+               : reduce(options.reducer, points, manifold.normal, options.reduction);
+  for (const int index : kept) manifold.points.push_back(at(points, index));
+}
+
+/// Takes the contacts of one pair and finishes each as a manifold of its own: one for convex shapes,
+/// one a triangle for meshes.
+template <class S>
+struct ContactSink {
+  ToWorld<S> to_world;
+  const CollideOptions& options;
+  std::vector<Manifold<S>>& manifolds;
+  Recorder<S>* recorder;  // null when nobody watches
+
+  /// A contact without points is none. `triangle`: of a mesh.
+  void add(Contact<S>& contact, int triangle = -1) {
+    if (contact.points.empty()) return;
+    Manifold<S>& manifold = manifolds.emplace_back();
+    manifold.triangle = triangle;
+    finish_contact(to_world, options, contact, manifold, recorder);
+  }
+};
 
 /// What collides two convex shapes: fills `contact`, which is empty when they are apart by more than
 /// the margin, and returns the distance of the surfaces, negative in overlap. `recorder` is null when
 /// nobody watches.
 template <class S, class A, class B>
 using CollideConvex = S(const A& a, const B& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact,
-                        Recorder<S>* recorder);
+                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// What collides a convex shape with each triangle of a mesh that its box touches, and gives each
 /// contact to the sink; see collide_with_triangles.h. Returns the least separation.
 template <class S, class A>
 using CollideWithMesh = S(const A& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                          const CollideOptions<S>& options, ContactSink<S>& sink,
+                          const CollideOptions& options, ContactSink<S>& sink,
                           Recorder<S>* recorder);
 
 /// The normal joins the centres, the one point lies in the middle of the two surface points.
@@ -32,8 +71,7 @@ using CollideWithMesh = S(const A& a, const Mesh<S>& b, const Pose<S>& b_in_a,
 /// were given.
 template <class S>
 S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact,
-                        Recorder<S>* recorder);
+                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// A virtual sphere about the point of the capsule's axis that is closest to the centre, then as two
 /// spheres. A centre on the axis, within rounding, has no normal: the fallback is a direction
@@ -41,8 +79,7 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
 /// frame to frame.
 template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
-                         const CollideOptions<S>& options, Contact<S>& contact,
-                         Recorder<S>* recorder);
+                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// Shallow, with the centre outside: the one point is the hull's closest to the centre, and the
 /// normal joins them. Deep, with the centre inside: the centre's projection onto the face of least
@@ -55,22 +92,20 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
 /// earliest of the nearest faces.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, Contact<S>& contact, Recorder<S>* recorder);
+                      const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// One point, below the centre, on the plane (see collide_with_plane.cpp). A plane has a normal
 /// wherever the centre is, so nothing is degenerate.
 template <class S>
 S collide_sphere_plane(const Sphere<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact,
-                       Recorder<S>* recorder);
+                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// The triangle's closest point to the centre. Triangles have two sides: a centre behind one is
 /// pushed out at the back. A centre on a triangle or its outline, within rounding, has no normal: the
 /// fallback, see Degenerate, is that of the front.
 template <class S>
 S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, ContactSink<S>& sink,
-                      Recorder<S>* recorder);
+                      const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);
 
 /// Virtual spheres about the closest points of the two axes. One point, or two where the axes are
 /// nearly parallel and lie beside each other ("Stacking", "Clipping"); the deepest point is as deep
@@ -91,7 +126,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
 /// is B is the caller's choice, see collide() in dispatch.h.
 template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
-                          const CollideOptions<S>& options, Contact<S>& contact,
+                          const CollideOptions& options, Contact<S>& contact,
                           Recorder<S>* recorder);
 
 /// The deepest point lies where the segment is nearest to the hull, or deepest in it: its depth is
@@ -114,23 +149,20 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
 /// fallback is the best axis of the separating axis test, the earliest face among equals.
 template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact,
-                       Recorder<S>* recorder);
+                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// Each end of the axis carries a sphere, and each sphere below the plane (or up to the margin above
 /// it) gives a point on the plane: two at most, named after the ends. A capsule whose axis is level
 /// touches with an edge, any other with a point; one of length zero is a sphere and has one point.
 template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact,
-                        Recorder<S>* recorder);
+                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// The triangle as a flat hull. A segment that lies in the plane of a triangle beside it, where no
 /// axis of the separating axis test looks, meets it at the closest points of segment and outline.
 template <class S>
 S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, ContactSink<S>& sink,
-                       Recorder<S>* recorder);
+                       const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);
 
 /// Separating axis test, then a face contact by clipping or an edge contact by closest points. Returns
 /// the separation along the axis that decided. Never empty when the hulls overlap. Of faces nearly as
@@ -142,7 +174,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 /// nothing. With a cache A's faces are those preferred.
 template <class S>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, PairCache<S>* cache, Contact<S>& contact,
+                    const CollideOptions& options, PairCache<S>* cache, Contact<S>& contact,
                     Recorder<S>* recorder, Owner preferred = Owner::A);
 
 /// Two hulls by GJK and a penetration method, options.penetration, in place of the separating axis
@@ -159,14 +191,14 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
 /// method's.
 template <class S>
 std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                                        const CollideOptions<S>& options, Contact<S>& contact,
+                                        const CollideOptions& options, Contact<S>& contact,
                                         Recorder<S>* recorder);
 
 /// collide_hull_hull for two hulls placed in the world, where the manifold is given, reduced and with
 /// nothing recorded.
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
-                              const Pose<S>& pose_b, const CollideOptions<S>& options,
+                              const Pose<S>& pose_b, const CollideOptions& options,
                               PairCache<S>* cache = nullptr);
 
 /// Lecture on contact generation, "Box-Plane Contact Generation": every vertex below the plane (or
@@ -179,11 +211,11 @@ Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hul
 /// of its vertices are points.
 template <class S>
 S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                     const CollideOptions<S>& options, Contact<S>& contact, Recorder<S>* recorder);
+                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// Two hulls, of which one, the triangle, is flat.
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, ContactSink<S>& sink, Recorder<S>* recorder);
+                    const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -64,8 +64,7 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
 /// rounding: the face of step 1.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, Contact<S>& contact,
-                      Recorder<S>* recorder) {
+                      const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
   const S scale = length_scale(b, b_in_a, S(0));
   const S tie = tie_tolerance(scale);

@@ -5,8 +5,7 @@ namespace contactscope {
 
 template <class S>
 S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact,
-                        Recorder<S>* recorder) {
+                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
   const Vec3<S>& center_b = b_in_a.position;
   const S distance = safe_norm(center_b);
   const S separation = distance - (a.radius + b.radius);

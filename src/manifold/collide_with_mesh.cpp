@@ -4,7 +4,7 @@
 
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
-#include "manifold/face_contact.h"
+#include "manifold/create_contact.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/hull_feature.h"
@@ -106,24 +106,11 @@ Owner preferred_face(const Mesh<S>& mesh, int triangle) {
   return first.cross(second).norm() < kSliver<S> * longest ? Owner::A : Owner::B;
 }
 
-/// The face query of the talk for one face that is given.
-template <class S>
-FaceQuery<S> query_face(const HullPair<S>& pair, int face) {
-  const Plane<S> plane = pair.b.plane(face);
-  FaceQuery<S> query{face, 0, std::numeric_limits<S>::infinity()};
-  for (int vertex = 0; vertex < pair.a.vertices.count(); ++vertex) {
-    const S separation = plane.distance(pair.a.vertices[vertex]);
-    if (separation < query.separation) query = {face, vertex, separation};
-  }
-  return query;
-}
-
 }  // namespace
 
 template <class S>
 S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, ContactSink<S>& sink,
-                      Recorder<S>* recorder) {
+                      const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
   const Vec3<S> center = b_in_a.inverse_transform(Vec3<S>(Vec3<S>::Zero()));
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
   const SeenFromMesh<S> seen{{center - reach, center + reach}, center};
@@ -167,8 +154,7 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
 
 template <class S>
 S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, ContactSink<S>& sink,
-                       Recorder<S>* recorder) {
+                       const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
   const Vec3<S> ends[2] = {b_in_a.inverse_transform(a.points[0]),
                            b_in_a.inverse_transform(a.points[1])};
   const Vec3<S> reach = Vec3<S>::Constant(a.radius);
@@ -219,7 +205,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                    const CollideOptions<S>& options, ContactSink<S>& sink, Recorder<S>* recorder) {
+                    const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
   const auto collide = [&](const PlacedTriangle<S>& triangle, Contact<S>& contact) {
     PairCache<S>* const nothing_kept = nullptr;
     return collide_hull_hull(a, triangle.hull, triangle.in_a, options, nothing_kept, contact,
@@ -227,11 +213,14 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
   };
   const auto on_face = [&](const PlacedTriangle<S>& triangle, int face, Contact<S>& contact) {
     const HullPair<S> pair(a, triangle.hull, triangle.in_a);
-    contact.axis = AxisKind::FaceB;
-    contact.normal = -pair.b.normals[face];
-    create_face_contact(pair, Owner::B, query_face(pair, face), options.margin, contact.points,
-                        recorder);
-    contact.type = face_contact_type(contact.points.size());
+    // The face query of the talk for this face alone.
+    const Plane<S> plane = pair.b.plane(face);
+    FaceQuery<S> query{face, 0, std::numeric_limits<S>::infinity()};
+    for (int vertex = 0; vertex < pair.a.vertices.count(); ++vertex) {
+      const S separation = plane.distance(pair.a.vertices[vertex]);
+      if (separation < query.separation) query = {face, vertex, separation};
+    }
+    create_face_contact(pair, Owner::B, query, static_cast<S>(options.margin), contact, recorder);
   };
   return collide_with_triangles(seen_from_mesh(a, b_in_a), b, b_in_a, options, sink, recorder,
                                 collide, on_face);

@@ -51,7 +51,8 @@ bool is_deeper(const ContactPoint<S>& one, const ContactPoint<S>& other) {
 
 /// Keeps the deepest of more points than a manifold holds: a heap with the highest of them on top.
 template <class S>
-void replace_highest(const ContactPoint<S>& point, bool& is_heap, PointSet<S>& points) {
+void replace_highest(const ContactPoint<S>& point, bool& is_heap, Contact<S>& contact) {
+  auto& points = contact.points;
   if (!is_heap) std::make_heap(points.begin(), points.end(), is_deeper<S>);
   is_heap = true;
   if (!is_deeper(point, *points.begin())) return;
@@ -64,7 +65,7 @@ void replace_highest(const ContactPoint<S>& point, bool& is_heap, PointSet<S>& p
 
 template <class S>
 S collide_sphere_plane(const Sphere<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                       const CollideOptions<S>& options, Contact<S>& contact,
+                       const CollideOptions& options, Contact<S>& contact,
                        Recorder<S>* /*recorder*/) {
   const Plane<S> plane = plane_in_a(b, b_in_a);
   const Vec3<S> center = Vec3<S>::Zero();
@@ -79,7 +80,7 @@ S collide_sphere_plane(const Sphere<S>& a, const HalfSpace<S>& b, const Pose<S>&
 
 template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                        const CollideOptions<S>& options, Contact<S>& contact,
+                        const CollideOptions& options, Contact<S>& contact,
                         Recorder<S>* /*recorder*/) {
   const Plane<S> plane = plane_in_a(b, b_in_a);
   const S heights[2] = {plane.distance(a.points[0]), plane.distance(a.points[1])};
@@ -99,7 +100,7 @@ S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S
 
 template <class S>
 S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
-                     const CollideOptions<S>& options, Contact<S>& contact,
+                     const CollideOptions& options, Contact<S>& contact,
                      Recorder<S>* /*recorder*/) {
   const Plane<S> plane = plane_in_a(b, b_in_a);
   S lowest = std::numeric_limits<S>::infinity();
@@ -113,7 +114,7 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
     if (contact.points.size() < kMaxManifoldPoints) {
       contact.points.push_back(point);
     } else {
-      replace_highest(point, is_heap, contact.points);
+      replace_highest(point, is_heap, contact);
     }
   }
   if (lowest > options.margin) return lowest;

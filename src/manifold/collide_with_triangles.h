@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "geometry/triangle_hull.h"
-#include "manifold/contact_sink.h"
+#include "manifold/collide_pairs.h"
 #include "manifold/internal_edges.h"
 #include "query/tolerance.h"
 
@@ -24,20 +24,6 @@ struct PlacedTriangle {
   Pose<S> in_a;
   int index;
 };
-
-/// How far from the origin of either frame anything of the shape gets: a bound on what rounds.
-template <class S>
-S reach_of(const SeenFromMesh<S>& shape, const Pose<S>& b_in_a) {
-  return shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
-         b_in_a.position.norm();
-}
-
-/// Distance of two boxes in metres; 0 when they overlap.
-template <class S>
-S box_distance(const Aabb<S>& a, const Aabb<S>& b) {
-  const Vec3<S> gap = (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(S(0));
-  return gap.norm();
-}
 
 /// The corner or the edge of a triangle that is a hull, at a parameter of that edge.
 template <class S>
@@ -73,24 +59,6 @@ void drop_detours(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a, Contact
     return surface_within(b, deep, -kNearerSurface<S> * point.separation) ||
            hidden_from(b, triangle, deep, on_mesh);
   });
-}
-
-/// Whether a contact normal (mesh frame, to the shape) is that of the triangle's back.
-template <class S>
-bool is_back(const Mesh<S>& b, int triangle, const Vec3<S>& normal) {
-  return normal.dot(b.normal(triangle)) < S(-0.99);
-}
-
-/// The middle of a contact's points, moved into the triangle's plane. Mesh frame.
-template <class S>
-Vec3<S> middle_on_triangle(const Mesh<S>& b, int triangle, const Pose<S>& b_in_a,
-                           const Contact<S>& contact) {
-  Vec3<S> sum = Vec3<S>::Zero();
-  for (const ContactPoint<S>& point : contact.points) sum += point.position;
-  const Vec3<S> middle =
-      b_in_a.inverse_transform(Vec3<S>(sum / static_cast<S>(contact.points.size())));
-  const Vec3<S>& normal = b.normal(triangle);
-  return middle - normal.dot(Vec3<S>(middle - b.corner(triangle, 0))) * normal;
 }
 
 /// The deepest contact of those that were left out.
@@ -136,8 +104,8 @@ template <class S, class OnFace>
 void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
           const PlacedTriangle<S>& triangle, const Vec3<S>& normal, bool belongs,
           const OnFace& on_face, Contact<S>& contact) {
+  const Vec3<S>& front = b.normal(triangle.index);
   if (!belongs) {
-    const Vec3<S>& front = b.normal(triangle.index);
     const bool in_front = front.dot(Vec3<S>(shape.center - b.corner(triangle.index, 0))) >= S(0);
     contact.points.clear();
     const bool turned_over = (normal.dot(front) >= S(0)) != in_front;
@@ -145,8 +113,13 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
     on_face(triangle, in_front ? 0 : 1, contact);
   }
   if (!(contact.deepest() < S(0))) return;
-  if (hidden_from(b, triangle.index, shape.center,
-                  middle_on_triangle(b, triangle.index, b_in_a, contact))) {
+  // The middle of the contact's points, moved into the triangle's plane.
+  Vec3<S> sum = Vec3<S>::Zero();
+  for (const ContactPoint<S>& point : contact.points) sum += point.position;
+  Vec3<S> middle = b_in_a.inverse_transform(Vec3<S>(sum / static_cast<S>(contact.points.size())));
+  const Vec3<S> above = middle - b.corner(triangle.index, 0);
+  middle -= front.dot(above) * front;
+  if (hidden_from(b, triangle.index, shape.center, middle)) {
     contact.points.clear();
   } else if (!belongs) {
     drop_detours(b, triangle.index, b_in_a, contact);
@@ -173,9 +146,13 @@ void mend(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
 /// when no triangle is near, that is a lower bound, for the record, from the boxes.
 template <class S, class Collide, class OnFace>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
-                         const CollideOptions<S>& options, ContactSink<S>& sink,
-                         Recorder<S>* recorder, const Collide& collide, const OnFace& on_face) {
-  const Vec3<S> grown = Vec3<S>::Constant(options.margin + tie_tolerance(reach_of(shape, b_in_a)));
+                         const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder,
+                         const Collide& collide, const OnFace& on_face) {
+  const S margin = static_cast<S>(options.margin);
+  // How far from the origin of either frame anything of the shape gets: a bound on what rounds.
+  const S reach = shape.box.lower.cwiseAbs().cwiseMax(shape.box.upper.cwiseAbs()).maxCoeff() +
+                  b_in_a.position.norm();
+  const Vec3<S> grown = Vec3<S>::Constant(margin + tie_tolerance(reach));
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
   TriangleHull<S> triangle;
@@ -196,7 +173,8 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
     if (options.internal_edges) {
       const Vec3<S> normal = -b_in_a.inverse_rotate(contact.normal);
       const bool belongs = belongs_to_surface(b, index, normal);
-      if (!belongs || is_back(b, index, normal)) {
+      const bool is_back = normal.dot(b.normal(index)) < S(-0.99);
+      if (!belongs || is_back) {
         const Contact<S> given = contact;
         mend(shape, b, b_in_a, placed, normal, belongs, on_face, contact);
         if (contact.points.empty()) left_out.add(given, index);
@@ -210,10 +188,13 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   } else {
     b.tree.query(box, collide_triangle);
   }
-  left_out.ease(kept, options.margin);
+  left_out.ease(kept, margin);
   sink.add(left_out.contact, left_out.triangle);
   if (recorder && least == std::numeric_limits<S>::infinity()) {
-    for (const Aabb<S>& leaf : b.tree.boxes) least = std::min(least, box_distance(shape.box, leaf));
+    for (const Aabb<S>& leaf : b.tree.boxes) {
+      const Vec3<S> gap = (shape.box.lower - leaf.upper).cwiseMax(leaf.lower - shape.box.upper);
+      least = std::min(least, Vec3<S>(gap.cwiseMax(S(0))).norm());
+    }
   }
   return least;
 }

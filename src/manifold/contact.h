@@ -10,18 +10,14 @@
 
 namespace contactscope {
 
-/// Contact points while they are worked on: as in Manifold, but positions in A's frame.
-template <class S>
-using PointSet = StaticVector<ContactPoint<S>, kMaxManifoldPoints>;
-
 /// What one pair of convex shapes gives, in A's frame, before it is reduced. Empty when the shapes
 /// are apart by more than the margin.
 template <class S>
 struct Contact {
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;
-  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B
-  PointSet<S> points;
+  Vec3<S> normal = Vec3<S>::UnitX();                         // unit, from A to B
+  StaticVector<ContactPoint<S>, kMaxManifoldPoints> points;  // as in Manifold, but in A's frame
 
   /// Separation of the deepest point, metres; +infinity without points.
   S deepest() const {

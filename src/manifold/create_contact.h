@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/manifold.h"
+#include "manifold/clip.h"
+#include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "query/sat.h"
 
@@ -18,7 +19,40 @@ class Recorder;
 /// support vertex joins the points. The record says so: a dropped point "cut off by the side
 /// planes; kept as the deepest point". Pairs apart by no more than the margin may get no point.
 template <class S>
-void create_contact(const HullPair<S>& pair, const SatResult<S>& axes, S margin,
-                    Preference preference, Contact<S>& contact, Recorder<S>* recorder);
+void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
+                    const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
+
+// face_contact.cpp
+
+/// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". The
+/// incident face, clipped against the side planes of the reference face but not against the
+/// reference face itself; points up to `margin` (metres) above it are kept and moved onto it.
+/// `reference` says whose face `query.face` is. Fills `contact` anew and returns the separation of
+/// the deepest point in metres; +infinity when nothing is left.
+template <class S>
+S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
+                      Contact<S>& contact, Recorder<S>* recorder);
+
+/// The same with an incident face that is known, of hulls that are PlacedHull or PlacedFeatures.
+/// `scale` is the pair's (see HullPair), metres.
+template <class Reference, class Other, class S>
+S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
+                      const FaceQuery<S>& query, int incident, S scale, S margin,
+                      Contact<S>& contact, Recorder<S>* recorder);
+
+/// The face of `hull` that is most anti-parallel to `reference_normal`, among those that meet at
+/// its vertex `support`, the deepest below the reference face. The talk looks through all faces.
+/// That is the same face unless the deepest vertex is a sharp one that sticks out beside it (a
+/// pencil standing on its tip, a box with a spike): then the talk's face does not have the deepest
+/// point, and the manifold would miss the overlap.
+template <class Placed, class S = typename Placed::Scalar>
+int incident_face(const Placed& hull, int support, const Vec3<S>& reference_normal);
+
+/// The contact point of the support vertex of `query`: moved onto the reference face, its id from
+/// the two edges of the incident face that meet there. For overlaps whose deepest point the
+/// clipping lost.
+template <class S>
+ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query,
+                                Recorder<S>* recorder);
 
 }  // namespace contactscope

@@ -5,18 +5,18 @@
 #include <type_traits>
 
 #include "manifold/collide_pairs.h"
-#include "manifold/in_double.h"
+#include "query/tolerance.h"
 
 namespace contactscope {
 namespace {
 
 template <class S>
-using Entry = void (*)(const PlacedPair<S>&, const CollideOptions<S>&, Manifolds<S>&, Recorder<S>*);
+using Entry = void (*)(const PlacedPair<S>&, const CollideOptions&, Manifolds<S>&, Recorder<S>*);
 
 /// One manifold at most, from what `collide` does with the pose of b in a.
 template <class S, class Collide>
-void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
-                  Manifolds<S>& manifolds, Recorder<S>* recorder, const Collide& collide) {
+void one_manifold(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
+                  Recorder<S>* recorder, const Collide& collide) {
   Contact<S> contact;
   const S separation = collide(relative_pose(pair.pose_a, pair.pose_b), contact);
   if (recorder) [[unlikely]]
@@ -27,7 +27,7 @@ void one_manifold(const PlacedPair<S>& pair, const CollideOptions<S>& options,
 
 /// Two convex shapes of which nothing is kept between calls.
 template <class S, class A, class B, CollideConvex<S, A, B>* kCollide>
-void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+void convex(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
             Recorder<S>* recorder) {
   const A& a = *std::get_if<A>(&pair.a);
   const B& b = *std::get_if<B>(&pair.b);
@@ -37,7 +37,7 @@ void convex(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifol
 }
 
 template <class S>
-void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
            Recorder<S>* recorder) {
   const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
   const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
@@ -49,11 +49,11 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifold
 }
 
 template <class S, class A, CollideWithMesh<S, A>* kCollide>
-void with_mesh(const PlacedPair<S>& pair, const CollideOptions<S>& options, Manifolds<S>& manifolds,
+void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
                Recorder<S>* recorder) {
   // Ids count within a triangle, so those that were kept before say nothing without the triangle:
   // every manifold is reduced as if it were new.
-  CollideOptions<S> of_triangle = options;
+  CollideOptions of_triangle = options;
   of_triangle.reduction.previous = {};
   of_triangle.penetration = PenetrationMethod::Sat;
   ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_triangle, manifolds, recorder};
@@ -85,58 +85,122 @@ Entry<S> entry(ShapeKind a, ShapeKind b) {
 }
 
 template <class S>
-void collide_watched(Entry<S> collide_pair, const PlacedPair<S>& pair,
-                     const CollideOptions<S>& options, Manifolds<S>& manifolds, trace::Pair& record,
-                     trace::Stages stages) {
-  // Each triangle has these of its own, and a record has room for one of each.
-  if (kind_of(pair.b) == ShapeKind::Mesh)
-    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
-  Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, record);
-  collide_pair(pair, options, manifolds, &recorder);
-}
-
-template <class S>
-void collide_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
-                      Manifolds<S>& manifolds, trace::Pair* record, const trace::Stages& stages) {
+void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
+                      Manifolds<S>& manifolds, trace::Pair* record, const trace::Stages& given) {
   manifolds.clear();
   const Entry<S> collide_pair = entry<S>(kind_of(pair.a), kind_of(pair.b));
   if (collide_pair == nullptr) return;
   if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
-  collide_watched(collide_pair, pair, options, manifolds, *record, stages);
+  trace::Stages stages = given;
+  // Each triangle has these of its own, and a record has room for one of each.
+  if (kind_of(pair.b) == ShapeKind::Mesh)
+    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
+  Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, *record);
+  collide_pair(pair, options, manifolds, &recorder);
 }
 
-/// The same for a pair that belongs_in_double.
-void collide_in_double(const PlacedPair<float>& pair, const CollideOptions<float>& options,
+// Pairs that single precision cannot hold together. A crate of 2 cm on a floor of 20 km: a corner of
+// the floor is rounded by a millimetre, and so is what clipping makes of it, however close to the
+// crate. Such a pair is worked on in double from what float holds of it, and the result is rounded
+// once, in the world. Tolerances that look away from the far corners would not do: the numbers
+// themselves are lost.
+
+/// Metres.
+struct Lengths {
+  float reach = 0;  // of any point, from the shape's middle or its origin
+  float size = 0;   // radius
+};
+
+Lengths lengths_of(const Shape<float>& shape) {
+  if (const auto* hull = std::get_if<Hull<float>>(&shape)) return {hull->radius, hull->radius};
+  if (const auto* sphere = std::get_if<Sphere<float>>(&shape))
+    return {sphere->radius, sphere->radius};
+  const auto& [points, radius] = *std::get_if<Capsule<float>>(&shape);
+  return {points[0].cwiseAbs().cwiseMax(points[1].cwiseAbs()).maxCoeff() + radius, radius};
+}
+
+/// Whether the pair is one of these: four roundings of the larger shape are more than what the
+/// preference for an axis grants at a kiss, 0.2% of the smaller one (tolerance.h). That is where one is
+/// some four thousand times the other. Never of planes, which have no corners, nor of meshes, which
+/// are too large to be copied.
+bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
+  if (kind_of(a) > ShapeKind::Hull || kind_of(b) > ShapeKind::Hull) return false;
+  const Lengths of_a = lengths_of(a);
+  const Lengths of_b = lengths_of(b);
+  const float rounding = tie_tolerance(std::max(of_a.reach, of_b.reach));
+  return rounding > preference_tolerance(0.0F, std::min(of_a.size, of_b.size));
+}
+
+/// The same numbers; of shapes that belong_in_double only.
+Shape<double> in_double(const Shape<float>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<float>>(&shape))
+    return Sphere<double>{sphere->radius};
+  if (const auto* capsule = std::get_if<Capsule<float>>(&shape))
+    return Capsule<double>{{capsule->points[0].cast<double>(), capsule->points[1].cast<double>()},
+                           capsule->radius};
+  return hull_cast<double>(std::get<Hull<float>>(shape));
+}
+
+/// The rotation is made unit to double's precision, so that a long lever keeps its length.
+Pose<double> in_double(const Pose<float>& pose) {
+  Pose<double> wide = pose.cast<double>();
+  wide.rotation.normalize();
+  return wide;
+}
+
+/// Every number rounded once.
+Manifold<float> in_float(const Manifold<double>& manifold) {
+  Manifold<float> result;
+  result.normal = manifold.normal.cast<float>();
+  result.axis = manifold.axis;
+  result.type = manifold.type;
+  result.triangle = manifold.triangle;
+  for (const ContactPoint<double>& point : manifold.points) {
+    result.points.push_back(
+        {point.position.cast<float>(), static_cast<float>(point.separation), point.id});
+  }
+  return result;
+}
+
+/// As collide_in_order.
+void collide_in_double(const PlacedPair<float>& pair, const CollideOptions& options,
                        Manifolds<float>& manifolds, trace::Pair* record,
                        const trace::Stages& stages) {
   const Shape<double> a = in_double(pair.a);
   const Shape<double> b = in_double(pair.b);
   Manifolds<double> found;
-  collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b)},
-                           in_double(options), found, record, stages);
-  manifolds.clear();
-  for (const Manifold<double>& manifold : found) manifolds.push_back(in_float(manifold));
+  collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b)}, options, found,
+                           record, stages);
+  manifolds = mapped(found, in_float);
 }
 
-/// What distinguishes a sphere or a capsule from another of the same radius: the ends of its axis, then
-/// its rotation and position.
+/// What distinguishes a sphere or a capsule from another: its radius, the ends of its axis, then its
+/// rotation and position.
 template <class S>
-std::array<S, 13> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
+std::array<S, 14> told_apart_by(const Shape<S>& shape, const Pose<S>& pose) {
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
-  if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
+  const auto* sphere = std::get_if<Sphere<S>>(&shape);
+  const auto* capsule = std::get_if<Capsule<S>>(&shape);
+  if (capsule != nullptr) {
     from = capsule->points[0];
     to = capsule->points[1];
   }
   const Quat<S>& turn = pose.rotation;
   const Vec3<S>& at = pose.position;
-  return {from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), turn.w(),
-          turn.x(), turn.y(), turn.z(), at.x(), at.y(), at.z()};
-}
-
-template <class S>
-S radius_of(const Shape<S>& shape) {
-  const auto* sphere = std::get_if<Sphere<S>>(&shape);
-  return sphere != nullptr ? sphere->radius : std::get_if<Capsule<S>>(&shape)->radius;
+  return {sphere ? sphere->radius : capsule->radius,
+          from.x(),
+          from.y(),
+          from.z(),
+          to.x(),
+          to.y(),
+          to.z(),
+          turn.w(),
+          turn.x(),
+          turn.y(),
+          turn.z(),
+          at.x(),
+          at.y(),
+          at.z()};
 }
 
 /// Two spheres, or two capsules, are worked on in an order of their own: the larger radius first. Not
@@ -144,9 +208,6 @@ S radius_of(const Shape<S>& shape) {
 template <class S>
 [[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
                                            const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {
-  const S radius_a = radius_of(a);
-  const S radius_b = radius_of(b);
-  if (radius_a != radius_b) return radius_a < radius_b;
   const auto of_a = told_apart_by(a, pose_a), of_b = told_apart_by(b, pose_b);
   return of_a < of_b || (b_first && of_a == of_b);
 }
@@ -172,13 +233,13 @@ bool can_collide(ShapeKind one, ShapeKind other) {
 
 template <class S>
 void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const Pose<S>& pose_b,
-             const CollideOptions<S>& options, Manifolds<S>& manifolds,
+             const CollideOptions& options, Manifolds<S>& manifolds,
              std::type_identity_t<PairCache<S>>* cache, trace::Pair* record,
              const trace::Stages& stages) {
   const bool traded = against_the_table(a, pose_a, b, pose_b, options.b_first);
-  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions<S>& in_order) {
+  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     if constexpr (std::is_same_v<S, float>) {
-      if (belongs_in_double(a, b, options.reducer)) [[unlikely]]
+      if (belongs_in_double(a, b)) [[unlikely]]
         return collide_in_double(pair, in_order, manifolds, record, stages);
     }
     collide_in_order(pair, in_order, manifolds, record, stages);
@@ -186,12 +247,7 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
   work_in_order<S>({a, pose_a, b, pose_b, cache}, traded, options, manifolds, record, work);
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                           \
-  template void collide(const Shape<S>&, const Pose<S>&, const Shape<S>&, const Pose<S>&,     \
-                        const CollideOptions<S>&, Manifolds<S>&, PairCache<S>*, trace::Pair*, \
-                        const trace::Stages&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(collide<float>) collide<float>;
+template decltype(collide<double>) collide<double>;
 
 }  // namespace contactscope

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "manifold/contact.h"
 #include "query/sat.h"
 
 namespace contactscope {
@@ -43,14 +44,18 @@ ClosestPoints<S> closest_points(const PlacedA& a, const PlacedB& b, const EdgeQu
 }
 
 /// Gregorius 2015, "Hull vs Hull: Edge Contact": one point in the middle of the closest points of
-/// the two edges, separation from the separating axis test, id the two edges. Position in A's
-/// frame.
+/// the two edges, separation from the separating axis test, id the two edges. Fills `contact` anew.
 template <class S>
-ContactPoint<S> create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query) {
+void create_edge_contact(const ClosestPoints<S>& closest, const EdgeQuery<S>& query,
+                         Contact<S>& contact) {
   const Vec3<S> middle = S(0.5) * (closest.on_a + closest.on_b);
   const FeatureId id =
       FeatureId::of(edge_ref(Owner::A, query.edge_a / 2), edge_ref(Owner::B, query.edge_b / 2));
-  return {middle, query.separation, id};
+  contact.axis = AxisKind::EdgeEdge;
+  contact.type = ContactType::EdgeEdge;
+  contact.normal = query.normal;
+  contact.points.clear();
+  contact.points.push_back({middle, query.separation, id});
 }
 
 }  // namespace contactscope

@@ -1,8 +1,7 @@
-#include "manifold/face_contact.h"
-
 #include <limits>
 #include <utility>
 
+#include "manifold/create_contact.h"
 #include "manifold/recorder.h"
 #include "query/tolerance.h"
 
@@ -12,24 +11,6 @@ namespace {
 template <class S>
 const PlacedHull<S>& hull_of(const HullPair<S>& pair, Owner owner) {
   return owner == Owner::A ? pair.a : pair.b;
-}
-
-/// A side plane of the reference face and the edge that it holds.
-template <class S>
-struct Side {
-  Plane<S> plane;
-  EdgeKey edge;
-};
-
-template <class S>
-using Sides = StaticVector<Side<S>, kMaxFaceVertices>;
-
-/// In the order of the face's edges. All at once, before the first clip: their square roots and
-/// divisions then overlap, where between clips each would wait for the branches of the last one.
-template <class Placed, class S>
-void side_planes(const Placed& hull, Owner owner, int face, Sides<S>& sides) {
-  for (const int edge : hull.hull.around_face(face))
-    sides.push_back({side_plane(hull, edge), edge_key(owner, edge)});
 }
 
 /// The two edges of a face that meet at one of its vertices.
@@ -63,7 +44,7 @@ int incident_face(const Placed& hull, int support, const Vec3<S>& reference_norm
 template <class Reference, class Other, class S>
 S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,
-                      PointSet<S>& points, Recorder<S>* recorder) {
+                      Contact<S>& contact, Recorder<S>* recorder) {
   const Plane<S> plane = hull.plane(query.face);
 
   ClipPolygon<S> polygon;
@@ -75,41 +56,48 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
                           ClipFace<S>{incident, other_hull.normal(incident), polygon});
   }
   const S thickness = clip_thickness(scale);
-  Sides<S> sides;
-  side_planes(hull, reference, query.face, sides);
+  // The side planes in the order of the face's edges. All at once, before the first clip: their square
+  // roots and divisions then overlap, where between clips each would wait for the branches of the
+  // last one.
+  StaticVector<std::pair<Plane<S>, EdgeKey>, kMaxFaceVertices> sides;
+  for (const int edge : hull.hull.around_face(query.face))
+    sides.push_back({side_plane(hull, edge), edge_key(reference, edge)});
   ClipPolygon<S>* clipped = &polygon;
   ClipPolygon<S>* next = &spare;
-  for (const Side<S>& side : sides) {
-    if (clip(*clipped, side.plane, side.edge, thickness, *next)) std::swap(clipped, next);
+  for (const auto& [side, edge] : sides) {
+    if (clip(*clipped, side, edge, thickness, *next)) std::swap(clipped, next);
     if (recorder) [[unlikely]]
-      recorder->clip_step(side.plane, *clipped);
+      recorder->clip_step(side, *clipped);
     // A record shows every side plane, also after nothing is left.
     if (!recorder && clipped->empty()) break;
   }
 
-  points.clear();
+  contact.axis = reference == Owner::A ? AxisKind::FaceA : AxisKind::FaceB;
+  contact.normal = reference == Owner::A ? plane.normal : Vec3<S>(-plane.normal);
+  contact.points.clear();
   S deepest = std::numeric_limits<S>::infinity();
   for (const ClipVertex<S>& vertex : *clipped) {
     const S separation = plane.distance(vertex.position);
     if (separation <= margin) {
       const Vec3<S> moved = vertex.position - separation * plane.normal;
-      points.push_back({moved, separation, vertex.crossing.id()});
+      contact.points.push_back({moved, separation, vertex.crossing.id()});
       deepest = separation < deepest ? separation : deepest;
     } else if (recorder) [[unlikely]] {
       recorder->dropped(vertex.position, "above the reference face");
     }
   }
+  contact.type = face_contact_type(contact.points.size());
   return deepest;
 }
 
 template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
-                      PointSet<S>& points, Recorder<S>* recorder) {
+                      Contact<S>& contact, Recorder<S>* recorder) {
   const PlacedHull<S>& hull = hull_of(pair, reference);
   const PlacedHull<S>& other_hull = hull_of(pair, other(reference));
   const int incident = incident_face(other_hull, query.support, hull.normal(query.face));
   return create_face_contact(hull, other_hull, reference, query, incident, pair.scale, margin,
-                             points, recorder);
+                             contact, recorder);
 }
 
 template <class S>
@@ -128,13 +116,13 @@ ContactPoint<S> support_contact(const HullPair<S>& pair, Owner reference, const 
 }
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                               \
-  template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, PointSet<S>&, \
+  template S create_face_contact(const HullPair<S>&, Owner, const FaceQuery<S>&, S, Contact<S>&,  \
                                  Recorder<S>*);                                                   \
   template S create_face_contact(const PlacedFeatures<S, false>&, const PlacedFeatures<S, true>&, \
-                                 Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
+                                 Owner, const FaceQuery<S>&, int, S, S, Contact<S>&,              \
                                  Recorder<S>*);                                                   \
   template S create_face_contact(const PlacedFeatures<S, true>&, const PlacedFeatures<S, false>&, \
-                                 Owner, const FaceQuery<S>&, int, S, S, PointSet<S>&,             \
+                                 Owner, const FaceQuery<S>&, int, S, S, Contact<S>&,              \
                                  Recorder<S>*);                                                   \
   template ContactPoint<S> support_contact(const HullPair<S>&, Owner, const FaceQuery<S>&,        \
                                            Recorder<S>*);                                         \

@@ -37,17 +37,6 @@ ShapeCore<S> core_of(const Shape<S>& shape, double core_margin) {
   return core;
 }
 
-template <class S>
-void build_cores(const PlacedPair<S>& pair, const IncrementalSettings& settings,
-                 PersistentManifold<S>& persistent) {
-  if (persistent.core_a != nullptr) return;
-  const auto core = [&](const Shape<S>& shape) {
-    return std::make_shared<const ShapeCore<S>>(core_of(shape, settings.core_margin));
-  };
-  persistent.core_a = core(pair.a);
-  persistent.core_b = core(pair.b);
-}
-
 /// Replaced by a place this near, as a part of the breaking distance, a point has not moved for any
 /// eye.
 constexpr double kSamePlace = 0.01;
@@ -74,53 +63,42 @@ ContactType type_of(const IncrementalStep<S>& step) {
 
 /// Step 4, in the world. Points that stay keep their order.
 template <class S>
-void reduce_points(const CollideOptions<S>& options, const Manifold<S>& manifold,
-                   IncrementalStep<S>& step, Recorder<S>* recorder) {
-  const std::span<const ContactPoint<S>> points(manifold.points.data(), manifold.points.size());
+void reduce_points(const CollideOptions& options, Manifold<S>& manifold, IncrementalStep<S>& step,
+                   Recorder<S>* recorder) {
+  const ContactPoints<S> points(manifold.points.data(), manifold.points.size());
   KeptIndices kept;
   if (options.reducer != nullptr) {
-    kept = recorder ? recorder->reduce(options, points, manifold.normal).kept
-                    : reduce(options.reducer, points, manifold.normal, options.reduction).kept;
+    kept = recorder ? recorder->reduce(options, points, manifold.normal)
+                    : reduce(options.reducer, points, manifold.normal, options.reduction);
   } else {
-    const std::size_t most = std::min(points.size(), kMaxPersistentPoints);
-    for (std::size_t i = points.size() - most; i < points.size(); ++i)
-      kept.push_back(static_cast<int>(i));
+    const int oldest = std::max(0, count_of(points) - static_cast<int>(kMaxPersistentPoints));
+    for (int i = oldest; i < count_of(points); ++i) kept.push_back(i);
   }
   std::size_t place = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::ranges::find(kept, static_cast<int>(i)) != kept.end())
+    if (std::ranges::find(kept, static_cast<int>(i)) != kept.end()) {
+      manifold.points[place] = manifold.points[i];
       step.points[place++] = step.points[i];
-    else if (step.broken.size() < step.broken.capacity())
+    } else if (step.broken.size() < step.broken.capacity()) {
       step.broken.push_back({step.points[i], "reduced"});
+    }
   }
+  manifold.points.truncate(place);
   step.points.truncate(place);
-}
-
-template <class S>
-void to_manifold(const ToWorld<S>& to_world, const CoreQuery<S>& query,
-                 const IncrementalStep<S>& step, Manifold<S>& manifold) {
-  manifold.normal = to_world.direction(query.normal);
-  manifold.axis = query.axis;
-  manifold.points.clear();
-  for (const StandingPoint<S>& point : step.points)
-    manifold.points.push_back({to_world.point(point.position()), point.separation, point.kept.id});
-  if (!step.points.empty()) manifold.type = type_of(step);
-}
-
-template <class S>
-void keep_points(const IncrementalStep<S>& step, PersistentManifold<S>& persistent) {
-  persistent.points.clear();
-  for (const StandingPoint<S>& point : step.points) persistent.points.push_back(point.kept);
 }
 
 /// One frame. Nothing where nothing can be said.
 template <class S>
-void step_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
+void step_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
                    const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
                    Manifolds<S>& manifolds, Recorder<S>* recorder) {
   manifolds.clear();
   if (!can_persist(kind_of(pair.a), kind_of(pair.b))) return;
-  build_cores(pair, incremental.settings, persistent);
+  if (persistent.core_a == nullptr) {
+    const double margin = incremental.settings.core_margin;
+    persistent.core_a = std::make_shared<const ShapeCore<S>>(core_of(pair.a, margin));
+    persistent.core_b = std::make_shared<const ShapeCore<S>>(core_of(pair.b, margin));
+  }
   const Pose<S> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
   const ShapeCore<S>& a = *persistent.core_a;
   const ShapeCore<S>& b = *persistent.core_b;
@@ -140,18 +118,24 @@ void step_in_order(const PlacedPair<S>& pair, const CollideOptions<S>& options,
   if (recorder) [[unlikely]]
     recorder->separation(separation);
   IncrementalStep<S> step;
-  confirm_points(persistent, b_in_a, *query, incremental.settings, options.margin, step);
+  confirm_points(persistent, b_in_a, *query, incremental.settings, static_cast<S>(options.margin),
+                 step);
   if (separation <= options.margin)
     add_point(persistent, b_in_a, *query, incremental.settings, step);
 
-  const ToWorld<S> to_world(pair.pose_a);
   if (!step.points.empty()) {
+    const ToWorld<S> to_world(pair.pose_a);
     Manifold<S>& manifold = manifolds.emplace_back();
-    to_manifold(to_world, *query, step, manifold);
+    manifold.normal = to_world.direction(query->normal);
+    manifold.axis = query->axis;
+    for (const StandingPoint<S>& point : step.points)
+      manifold.points.push_back(
+          {to_world.point(point.position()), point.separation, point.kept.id});
     reduce_points(options, manifold, step, recorder);
-    to_manifold(to_world, *query, step, manifold);
+    if (!step.points.empty()) manifold.type = type_of(step);
   }
-  keep_points(step, persistent);
+  persistent.points.clear();
+  for (const StandingPoint<S>& point : step.points) persistent.points.push_back(point.kept);
   if (recorder) [[unlikely]]
     recorder->incremental(*query, step, persistent, incremental);
 }
@@ -194,13 +178,13 @@ bool can_persist(ShapeKind one, ShapeKind other) {
 
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                         const Pose<S>& pose_b, const CollideOptions<S>& options,
+                         const Pose<S>& pose_b, const CollideOptions& options,
                          const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
                          Manifolds<S>& manifolds, trace::Pair* record,
                          const trace::Stages& stages) {
   // Sizes and places say nothing here: points persist in one order for as long as the pair does.
   const bool traded = kind_of(a) == kind_of(b) ? options.b_first : kind_of(a) > kind_of(b);
-  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions<S>& in_order) {
+  const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
     std::optional<Recorder<S>> recorder;
     if (record != nullptr) [[unlikely]]
       recorder.emplace(ToWorld<S>(pair.pose_a), stages, *record);
@@ -214,7 +198,7 @@ void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S
   template void Recorder<S>::incremental(const CoreQuery<S>&, const IncrementalStep<S>&,           \
                                          const PersistentManifold<S>&, const IncrementalOptions&); \
   template void collide_incremental(const Shape<S>&, const Pose<S>&, const Shape<S>&,              \
-                                    const Pose<S>&, const CollideOptions<S>&,                      \
+                                    const Pose<S>&, const CollideOptions&,                         \
                                     const IncrementalOptions&, PersistentManifold<S>&,             \
                                     Manifolds<S>&, trace::Pair*, const trace::Stages&);
 CONTACTSCOPE_INSTANTIATE(float)

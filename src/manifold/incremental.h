@@ -2,11 +2,8 @@
 
 #include <memory>
 
-#include "core/manifold.h"
 #include "core/static_vector.h"
 #include "manifold/dispatch.h"
-#include "manifold/incremental_core.h"
-#include "manifold/incremental_settings.h"
 
 /// Incremental manifolds. Sources: Gregorius 2015, "Building Incremental Manifolds (1)" to (3);
 /// Catto 2007, "GJK Contact Margins" to "Manifold Reduction".
@@ -38,6 +35,14 @@ namespace contactscope {
 /// goes.
 inline constexpr std::size_t kMaxPersistentPoints = 64;
 
+/// A vertex, an edge or a face of a core, by its number there.
+struct CoreFeature {
+  FeatureKind kind = FeatureKind::Vertex;
+  int index = 0;
+
+  friend bool operator==(const CoreFeature&, const CoreFeature&) = default;
+};
+
 /// A point of the manifold as it is kept between frames: in both bodies.
 template <class S>
 struct PersistentContact {
@@ -48,6 +53,9 @@ struct PersistentContact {
   Vec3<S> on_b = Vec3<S>::Zero();  // B's own frame
   int age = 0;                     // frames since it was found
 };
+
+template <class S>
+struct ShapeCore;
 
 /// What one pair keeps from frame to frame; one for each pair, always in the same order. The cores
 /// are built at the first call, for the shapes and the margin of that call.
@@ -83,7 +91,7 @@ struct IncrementalOptions {
 /// their places differ by more than a hundredth of the breaking distance, which no picture shows.
 template <class S>
 void collide_incremental(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
-                         const Pose<S>& pose_b, const CollideOptions<S>& options,
+                         const Pose<S>& pose_b, const CollideOptions& options,
                          const IncrementalOptions& incremental, PersistentManifold<S>& persistent,
                          Manifolds<S>& manifolds, trace::Pair* record = nullptr,
                          const trace::Stages& stages = kUsualStages);

@@ -4,16 +4,58 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "core/manifold.h"
-#include "manifold/collide_options.h"
-#include "manifold/incremental_core.h"
+#include "manifold/incremental.h"
 #include "query/gjk.h"
 #include "query/hull_feature.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
+
+/// The core of a shape, own frame. Of a sphere the centre and of a capsule the segment, the radius
+/// is the margin; of a hull what core_hull() leaves; a half-space is its own core, margin 0.
+template <class S>
+struct ShapeCore {
+  ShapeKind kind = ShapeKind::Sphere;
+  S margin = 0;                            // metres
+  Vec3<S> points[2];                       // of spheres (one) and capsules
+  Hull<S> hull;                            // of hulls
+  std::vector<FeatureRef> vertices{};      // of the shape, for those of `hull`
+  std::vector<FeatureRef> edges{};         // likewise
+  std::vector<FeatureRef> faces{};         // likewise
+  Plane<S> plane{Vec3<S>::UnitX(), S(0)};  // of half-spaces
+
+  /// How many vertices there are; a half-space has none.
+  int count() const {
+    if (kind == ShapeKind::Hull) return hull.vertex_count();
+    return kind == ShapeKind::Sphere ? 1 : kind == ShapeKind::Capsule ? 2 : 0;
+  }
+  const Vec3<S>& vertex(int index) const {
+    return kind == ShapeKind::Hull ? at(hull.vertices, index) : points[index];
+  }
+  /// Not of half-spaces.
+  SupportSet<S> support() const {
+    if (kind == ShapeKind::Hull) return support_set(hull);
+    return kind == ShapeKind::Capsule ? support_set(points) : support_set(points[0]);
+  }
+  /// No coordinate of the core is larger than this, metres; of a half-space the offset.
+  S reach() const {
+    return kind == ShapeKind::Plane ? std::abs(plane.offset) : reach_of(support());
+  }
+  /// The feature of the shape that a feature of the core stands for.
+  FeatureRef ref(Owner owner, const CoreFeature& feature) const {
+    if (kind != ShapeKind::Hull)
+      return {owner, feature.kind, static_cast<std::uint32_t>(feature.index)};
+    const auto& refs = feature.kind == FeatureKind::Vertex ? vertices
+                       : feature.kind == FeatureKind::Edge ? edges
+                                                           : faces;
+    FeatureRef result = at(refs, feature.index);
+    result.owner = owner;
+    return result;
+  }
+};
 
 /// The closest (or, of overlapping cores, deepest) points of two cores, in A's frame, metres.
 template <class S>
@@ -116,8 +158,9 @@ CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, cons
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; where they overlap or
 /// touch, `method`. A half-space needs neither: its distance is exact at every depth, and it never
-/// overlaps. `run` and `steps`: where to leave the run of GJK and what `method` did, or nullptr. Empty where nothing can be said, as
-/// of coordinates that are not finite. `b` may be a half-space.
+/// overlaps. `run` and `steps`: where to leave the run of GJK and what
+/// `method` did, or nullptr. Empty where nothing can be said, as of coordinates that are not finite.
+/// `b` may be a half-space.
 ///
 /// Where the normal is within rounding of a face's, it is that face's: GJK finds it from points that
 /// are near each other and loses as many digits as they are nearer than the shapes are large.

@@ -2,14 +2,122 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "manifold/incremental.h"
-#include "manifold/incremental_features.h"
 #include "manifold/incremental_patch.h"
 #include "manifold/round_contact.h"
 
 /// One frame of an incremental manifold in A's frame, before it is reduced. Inside of incremental.h.
 namespace contactscope {
+
+/// The corners of a feature in the frame that the core is placed in; of a half-space's face none.
+template <class S>
+std::vector<Vec3<S>> feature_corners(const ShapeCore<S>& core, const CoreFeature& feature,
+                                     const Pose<S>& core_in_a) {
+  const auto vertices = [&]() -> std::vector<int> {
+    if (core.kind == ShapeKind::Plane) return {};
+    if (feature.kind == FeatureKind::Vertex) return {feature.index};
+    if (core.kind != ShapeKind::Hull) return {0, 1};
+    if (feature.kind == FeatureKind::Face) return face_vertices(core.hull, feature.index);
+    const int edge = 2 * feature.index;
+    return {at(core.hull.half_edges, edge).origin, at(core.hull.half_edges, edge + 1).origin};
+  };
+  return mapped(vertices(), [&](int i) { return core_in_a.transform(core.vertex(i)); });
+}
+
+template <class S>
+Plane<S> face_plane(const ShapeCore<S>& core, const CoreFeature& feature,
+                    const Pose<S>& core_in_a) {
+  const bool is_plane = core.kind == ShapeKind::Plane;
+  const Plane<S>& own = is_plane ? core.plane : at(core.hull.planes, feature.index);
+  const Vec3<S> normal = core_in_a.rotate(own.normal);
+  return {normal, own.offset + normal.dot(core_in_a.position)};
+}
+
+/// The foot of a point on an edge; empty beyond its ends.
+template <class S>
+std::optional<Vec3<S>> foot_on_edge(const Vec3<S>& point, const std::vector<Vec3<S>>& edge,
+                                    S slack) {
+  const Vec3<S> along = edge[1] - edge[0];
+  const S length = along.norm();
+  if (!(length > S(0))) return edge[0];
+  const Vec3<S> offset = point - edge[0];
+  const S at = offset.dot(along) / length;
+  if (at < -slack || at > length + slack) return std::nullopt;
+  return edge[0] + at / length * along;
+}
+
+/// The foot of a point on a face; empty beyond its border. A face without corners has none.
+template <class S>
+std::optional<Vec3<S>> foot_on_face(const Vec3<S>& point, const Plane<S>& plane,
+                                    const std::vector<Vec3<S>>& corners, S slack) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3<S> along = corners[(i + 1) % corners.size()] - corners[i];
+    const Vec3<S> inward = plane.normal.cross(along);
+    const Vec3<S> offset = point - corners[i];
+    if (offset.dot(inward) < -slack * inward.norm()) return std::nullopt;
+  }
+  return plane.project(point);
+}
+
+/// Ericson, "Real-Time Collision Detection", 5.1.8, by the cross product of the directions; empty
+/// where the closest points of the lines lie beyond an end, or the edges are parallel.
+template <class S>
+std::optional<std::pair<Vec3<S>, Vec3<S>>> feet_of_edges(const std::vector<Vec3<S>>& one,
+                                                         const std::vector<Vec3<S>>& other,
+                                                         S slack) {
+  const Vec3<S> u = one[1] - one[0];
+  const Vec3<S> v = other[1] - other[0];
+  const Vec3<S> between = other[0] - one[0];
+  const Vec3<S> c = u.cross(v);
+  const S squared = c.squaredNorm();
+  const S sine = kParallelSine<S>;
+  if (!(squared > sine * sine * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
+  const Vec3<S> beside_v = between.cross(v);
+  const Vec3<S> beside_u = between.cross(u);
+  const S s = beside_v.dot(c) / squared;
+  const S t = beside_u.dot(c) / squared;
+  const auto within = [&](S parameter, S length) {
+    return parameter * length >= -slack && (parameter - S(1)) * length <= slack;
+  };
+  if (!within(s, u.norm()) || !within(t, v.norm())) return std::nullopt;
+  return std::pair<Vec3<S>, Vec3<S>>(one[0] + s * u, other[0] + t * v);
+}
+
+/// The foot of a point on the feature that has these corners.
+template <class S>
+std::optional<Vec3<S>> foot_on(const ShapeCore<S>& core, const CoreFeature& feature,
+                               const Pose<S>& core_in_a, const std::vector<Vec3<S>>& corners,
+                               const Vec3<S>& point, S slack) {
+  if (feature.kind == FeatureKind::Vertex) return corners[0];
+  if (feature.kind == FeatureKind::Edge) return foot_on_edge(point, corners, slack);
+  return foot_on_face(point, face_plane(core, feature, core_in_a), corners, slack);
+}
+
+/// Where two features are nearest to each other now, in A's frame; empty where they do not face each
+/// other: their nearest points lie beyond the border of one of them, or they share more than a
+/// point. `scale` as in CoreQuery.
+template <class S>
+std::optional<CoreContact<S>> closest_on_features(const ShapeCore<S>& a, const CoreFeature& of_a,
+                                                  const ShapeCore<S>& b, const CoreFeature& of_b,
+                                                  const Pose<S>& b_in_a, S scale) {
+  const S slack = S(16) * tie_tolerance(scale);
+  const auto corners_a = feature_corners(a, of_a, Pose<S>());
+  const auto corners_b = feature_corners(b, of_b, b_in_a);
+  if (of_a.kind == FeatureKind::Vertex) {
+    const auto foot = foot_on(b, of_b, b_in_a, corners_b, corners_a[0], slack);
+    if (foot) return CoreContact<S>{corners_a[0], *foot, of_a, of_b};
+  } else if (of_b.kind == FeatureKind::Vertex) {
+    const auto foot = foot_on(a, of_a, Pose<S>(), corners_a, corners_b[0], slack);
+    if (foot) return CoreContact<S>{*foot, corners_b[0], of_a, of_b};
+  } else if (of_a.kind == FeatureKind::Edge && of_b.kind == FeatureKind::Edge) {
+    if (const auto feet = feet_of_edges(corners_a, corners_b, slack))
+      return CoreContact<S>{feet->first, feet->second, of_a, of_b};
+  }
+  return std::nullopt;
+}
 
 /// A point where it is in this frame: A's frame, metres.
 template <class S>
@@ -41,30 +149,13 @@ struct IncrementalStep {
 template <class S>
 constexpr S kAsFar = S(1e-3);
 
-/// Inflates two places on the cores along the normal to the surfaces.
+/// Puts a point where two places on the cores, inflated along the normal, are on the surfaces.
 template <class S>
-void inflate(const PersistentManifold<S>& persistent, const Vec3<S>& normal,
-             const CoreContact<S>& cores, StandingPoint<S>& point) {
-  point.on_a = cores.on_a + persistent.core_a->margin * normal;
+void put_on(const CoreContact<S>& cores, const PersistentManifold<S>& persistent,
+            const Pose<S>& b_in_a, const Vec3<S>& normal, StandingPoint<S>& point) {
+  point.kept.on_a = point.on_a = cores.on_a + persistent.core_a->margin * normal;
   point.on_b = cores.on_b - persistent.core_b->margin * normal;
-}
-
-template <class S>
-void keep_places(const Pose<S>& b_in_a, StandingPoint<S>& point) {
-  point.kept.on_a = point.on_a;
   point.kept.on_b = b_in_a.inverse_transform(point.on_b);
-}
-
-/// By ids: the features that made the point are looked up again, so that it slides with them.
-template <class S>
-bool follow_features(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
-                     const CoreQuery<S>& query, StandingPoint<S>& point) {
-  const auto cores = closest_on_features(*persistent.core_a, point.kept.of_a, *persistent.core_b,
-                                         point.kept.of_b, b_in_a, query.scale);
-  if (!cores) return false;
-  inflate(persistent, query.normal, *cores, point);
-  keep_places(b_in_a, point);
-  return true;
 }
 
 /// Of places that are equally close the one farthest from the points that are there; from the
@@ -74,9 +165,6 @@ const CoreContact<S>& farthest_place(const CorePatch<S>& patch, const CoreQuery<
                                      const IncrementalStep<S>& step) {
   Vec3<S> middle = Vec3<S>::Zero();
   for (const CoreContact<S>& place : patch) middle += place.on_a / static_cast<S>(patch.size());
-  const auto middle_of_place = [](const CoreContact<S>& place) -> Vec3<S> {
-    return S(0.5) * (place.on_a + place.on_b);
-  };
   S reach = 0;
   for (const CoreContact<S>& place : patch)
     reach = std::max(reach, Vec3<S>(place.on_a - middle).norm());
@@ -87,7 +175,8 @@ const CoreContact<S>& farthest_place(const CorePatch<S>& patch, const CoreQuery<
     S distance = rejected(Vec3<S>(patch[i].on_a - middle), query.normal).norm();
     if (!step.points.empty()) distance = std::numeric_limits<S>::infinity();
     for (const StandingPoint<S>& point : step.points) {
-      const Vec3<S> way = middle_of_place(patch[i]) - point.position();
+      const Vec3<S> middle_of_place = S(0.5) * (patch[i].on_a + patch[i].on_b);
+      const Vec3<S> way = middle_of_place - point.position();
       distance = std::min(distance, rejected(way, query.normal).norm());
     }
     if (distance > farthest + kAsFar<S> * reach) {
@@ -130,7 +219,13 @@ void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in
     ++point.kept.age;
     point.on_a = kept.on_a;
     point.on_b = b_in_a.transform(kept.on_b);
-    const bool faces = !by_ids || follow_features(persistent, b_in_a, query, point);
+    bool faces = true;
+    if (by_ids) {  // the features that made the point are looked up again: it slides with them
+      const auto cores = closest_on_features(*persistent.core_a, kept.of_a, *persistent.core_b,
+                                             kept.of_b, b_in_a, query.scale);
+      faces = cores.has_value();
+      if (faces) put_on(*cores, persistent, b_in_a, query.normal, point);
+    }
     const Vec3<S> way = point.on_b - point.on_a;
     point.separation = query.normal.dot(way);
     const bool slid = rejected(way, query.normal).norm() > breaking;
@@ -161,8 +256,7 @@ void add_point(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
   fresh.kept.found =
       FeatureId::of(a.ref(Owner::A, place.feature_a), b.ref(Owner::B, place.feature_b));
   fresh.kept.id = fresh.kept.found;
-  inflate(persistent, query.normal, place, fresh);
-  keep_places(b_in_a, fresh);
+  put_on(place, persistent, b_in_a, query.normal, fresh);
   fresh.separation = query.distance - (a.margin + b.margin);
 
   const int old = replaced_by(fresh, step, static_cast<S>(settings.breaking_distance));

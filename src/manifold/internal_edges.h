@@ -36,17 +36,6 @@ bool rises(const Vec3<S>& normal, const Vec3<S>& way) {
   return normal.dot(way) > kNormalTolerance<S> * way.norm();
 }
 
-/// Whether a triangle's corner `apex` is farther along `normal` than its other two, `from` and `to`,
-/// which are as far. Asks at right angles to the edge between these: on a sliver the way to the apex
-/// is nearly along it.
-template <class S>
-bool rises_from_edge(const Vec3<S>& normal, const Vec3<S>& from, const Vec3<S>& to,
-                     const Vec3<S>& apex) {
-  const Vec3<S> along = to - from;
-  const Vec3<S> way = apex - from;
-  return rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
-}
-
 /// Walks around corner k of `triangle`, first across the edges that leave it, then, where that does
 /// not lead back, across those that arrive, and asks every triangle met.
 template <class S>
@@ -102,8 +91,10 @@ bool belongs_to_surface(const Mesh<S>& mesh, int triangle, const Vec3<S>& normal
     if (across < 0) return true;
     for (int i = 0; i < 3; ++i) {
       if (mesh.neighbour(across, i) != triangle) continue;
-      return !rises_from_edge(normal, mesh.corner(across, i), mesh.corner(across, (i + 1) % 3),
-                              mesh.corner(across, (i + 2) % 3));
+      // At right angles to the edge: on a sliver the way to the apex is nearly along it.
+      const Vec3<S> along = mesh.corner(across, (i + 1) % 3) - mesh.corner(across, i);
+      const Vec3<S> way = mesh.corner(across, (i + 2) % 3) - mesh.corner(across, i);
+      return !rises(normal, Vec3<S>(way - (way.dot(along) / along.squaredNorm()) * along));
     }
     return true;
   }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "manifold/create_contact.h"
 #include "manifold/edge_contact.h"
-#include "manifold/face_contact.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
@@ -52,13 +52,6 @@ int support_of(const PlacedFeatures<S, kMoved>& placed, const Vec3<S>& direction
   return support_index(set, direction);
 }
 
-/// As the face query measures it, bit for bit.
-template <class S>
-S distance(const Plane<S>& plane, const Vec3<S>& p) {
-  const Vec3<S>& n = plane.normal;
-  return dot(n.x(), n.y(), n.z(), p.x(), p.y(), p.z()) - plane.offset;
-}
-
 /// Whether the support of a hull along `direction` (its own frame, unit, perpendicular to the edge)
 /// is this edge, for certain: on the Gauss map the direction lies on the edge's arc, between the
 /// normals of its faces and nearer to their middle than the ends are, by more than rounding.
@@ -98,17 +91,10 @@ bool measure_edges(const FeaturePair<S>& pair, int edge_a, int edge_b, const Vec
   return true;
 }
 
-/// `of` owns the face, `other` the support vertex.
-template <class S, class Reference, class Other>
-void measure_face(const Reference& of, const Other& other, const PairCache<S>& cache, S moved,
-                  MeasuredAxis<S>& axis) {
-  const Plane<S> plane = of.plane(cache.first);
-  // Along the face's normal no vertex has moved by more than the pair has.
-  const bool still_deepest = S(2) * moved < cache.support_clearance;
-  const int support = still_deepest ? cache.support : support_of(other, Vec3<S>(-plane.normal));
-  axis.normal = plane.normal;
-  axis.separation = distance(plane, other.vertex(support));
-  axis.face = {cache.first, support, axis.separation};
+/// What `visit(reference, other)` returns, where `reference` owns the face of a face axis.
+template <class S, class Visit>
+auto from_reference(const FeaturePair<S>& pair, AxisKind axis, const Visit& visit) {
+  return axis == AxisKind::FaceA ? visit(pair.a, pair.b) : visit(pair.b, pair.a);
 }
 
 template <class S>
@@ -116,12 +102,18 @@ bool measure(const FeaturePair<S>& pair, const PairCache<S>& cache, S moved,
              MeasuredAxis<S>& axis) {
   if (cache.axis == AxisKind::EdgeEdge)
     return measure_edges(pair, cache.first, cache.second, cache.normal, axis);
-  if (cache.axis == AxisKind::FaceA) {
-    measure_face(pair.a, pair.b, cache, moved, axis);
-  } else {
-    measure_face(pair.b, pair.a, cache, moved, axis);
-    axis.normal = -axis.normal;
-  }
+  axis.normal = from_reference(pair, cache.axis, [&](const auto& reference, const auto& other) {
+    const Plane<S> plane = reference.plane(cache.first);
+    // Along the face's normal no vertex has moved by more than the pair has.
+    const bool still_deepest = S(2) * moved < cache.support_clearance;
+    const int support = still_deepest ? cache.support : support_of(other, Vec3<S>(-plane.normal));
+    // As the face query measures it, bit for bit.
+    const Vec3<S>&n = plane.normal, p = other.vertex(support);
+    axis.separation = dot(n.x(), n.y(), n.z(), p.x(), p.y(), p.z()) - plane.offset;
+    axis.face = {cache.first, support, axis.separation};
+    return plane.normal;
+  });
+  if (cache.axis == AxisKind::FaceB) axis.normal = -axis.normal;
   return true;
 }
 
@@ -168,62 +160,34 @@ bool preferred(S separation, S bound, S margin, S min_radius) {
   return bound <= margin && bound - separation <= tolerance;
 }
 
+/// Makes the kept axis's contact at the new pose, where both hulls have turned by no more than `turn`.
+/// Returns what it says of all near axes: a bound of the separation along unit directions whose
+/// cosine with the normal is at least `near_cosine`.
 template <class S>
-S scale_of(const FeaturePair<S>& pair) {
-  const Hull<S>& a = pair.a.hull;
-  const Hull<S>& b = pair.b.hull;
-  return a.centroid.norm() + a.radius + b.centroid.norm() + b.radius + pair.position.norm();
-}
-
-/// What the rebuilt contact says of all near axes: a bound of the separation along unit directions
-/// whose cosine with the normal is at least `near_cosine`.
-template <class S>
-struct Rebuilt {
-  S deepest;  // separation of the deepest point
-  S slip;     // metres between its points on both hulls, along the contact plane
-
-  S near_bound(S near_cosine) const {
-    return (deepest < S(0) ? deepest * near_cosine : deepest) + slip;
-  }
-};
-
-/// Against the face of `reference` in `cache`, whose other hull has turned by no more than `turn`.
-template <class S, class Reference, class Other>
-S rebuild_face(const Reference& reference, const Other& other_hull, Owner owner,
-               const PairCache<S>& cache, const FaceQuery<S>& query, S turn, S scale, S margin,
-               PointSet<S>& points, Recorder<S>* recorder) {
-  const bool still_incident =
-      query.support == cache.support && S(2) * turn < cache.incident_clearance;
-  const int incident = still_incident
-                           ? cache.incident
-                           : incident_face(other_hull, query.support, reference.normal(query.face));
-  return create_face_contact(reference, other_hull, owner, query, incident, scale, margin, points,
-                             recorder);
-}
-
-template <class S>
-Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
-                   const MeasuredAxis<S>& axis, S turn, S scale, S margin, Contact<S>& contact,
-                   Recorder<S>* recorder) {
-  const AxisKind kind = cache.axis;
-  contact.axis = kind;
-  contact.normal = axis.normal;
-  if (kind == AxisKind::EdgeEdge) {
+S rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache, const MeasuredAxis<S>& axis,
+          S turn, S near_cosine, S scale, S margin, Contact<S>& contact, Recorder<S>* recorder) {
+  S deepest;   // separation of the deepest point
+  S slip = 0;  // metres between its points on both hulls, along the contact plane
+  if (cache.axis == AxisKind::EdgeEdge) {
     const ClosestPoints<S> closest = closest_points(pair.a, pair.b, axis.edge);
-    contact.type = ContactType::EdgeEdge;
-    contact.points.clear();
-    contact.points.push_back(create_edge_contact(closest, axis.edge));
+    create_edge_contact(closest, axis.edge, contact);
     const Vec3<S> between = closest.on_b - closest.on_a;
-    const S deepest = between.dot(axis.normal);
-    return {deepest, Vec3<S>(between - deepest * axis.normal).norm()};
+    deepest = between.dot(axis.normal);
+    slip = Vec3<S>(between - deepest * axis.normal).norm();
+  } else {
+    const FaceQuery<S>& query = axis.face;
+    const Owner owner = cache.axis == AxisKind::FaceA ? Owner::A : Owner::B;
+    const bool still_incident =
+        query.support == cache.support && S(2) * turn < cache.incident_clearance;
+    deepest = from_reference(pair, cache.axis, [&](const auto& reference, const auto& other) {
+      const int incident = still_incident
+                               ? cache.incident
+                               : incident_face(other, query.support, reference.normal(query.face));
+      return create_face_contact(reference, other, owner, query, incident, scale, margin, contact,
+                                 recorder);
+    });
   }
-  const S deepest = kind == AxisKind::FaceA
-                        ? rebuild_face(pair.a, pair.b, Owner::A, cache, axis.face, turn, scale,
-                                       margin, contact.points, recorder)
-                        : rebuild_face(pair.b, pair.a, Owner::B, cache, axis.face, turn, scale,
-                                       margin, contact.points, recorder);
-  contact.type = face_contact_type(contact.points.size());
-  return {deepest, S(0)};
+  return (deepest < S(0) ? deepest * near_cosine : deepest) + slip;
 }
 
 }  // namespace
@@ -232,7 +196,7 @@ Rebuilt<S> rebuild(const FeaturePair<S>& pair, const PairCache<S>& cache,
 /// axes by how far the pair has moved, rebuild the contact, and bound the near axes by it.
 template <class S>
 CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                                  const CollideOptions<S>& options, const PairCache<S>& cache,
+                                  const CollideOptions& options, const PairCache<S>& cache,
                                   Contact<S>& contact, Recorder<S>* recorder) {
   CacheAnswer<S> answer;
   if (cache.kind == CachedKind::Empty || !belongs_to(cache, a, b)) return answer;
@@ -247,7 +211,8 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   if (!measure(pair, cache, motion.farthest, axis)) return answer;
   answer.normal = axis.normal;
   answer.separation = axis.separation;
-  if (axis.separation > options.margin) {  // still, or by now, a separating axis
+  const S margin = static_cast<S>(options.margin);
+  if (axis.separation > margin) {  // still, or by now, a separating axis
     answer.kind = CachedKind::SeparatingAxis;
     answer.hit = true;
     contact.points.clear();
@@ -256,22 +221,22 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
   answer.moved = motion.farthest;
   if (!features || options.preference != Preference::Relative) return answer;
 
-  const S scale = scale_of(pair);
+  const S scale =
+      a.centroid.norm() + a.radius + b.centroid.norm() + b.radius + pair.position.norm();
   const S min_radius = std::min(a.radius, b.radius);
   const S rounding = depth_rounding(scale);
   const S far_bound = cache.far + motion.farthest + rounding;
-  if (!preferred(axis.separation, far_bound, options.margin, min_radius)) return answer;
+  if (!preferred(axis.separation, far_bound, margin, min_radius)) return answer;
   if (!(axis.beyond <= rounding)) return answer;  // these edges cross no longer on the Gauss map
 
-  const Rebuilt<S> rebuilt =
-      rebuild(pair, cache, axis, motion.turn, scale, options.margin, contact, recorder);
   // A face's normal stands still in its own hull; a cross product may turn more than the hulls do.
   const bool on_face = cache.axis != AxisKind::EdgeEdge;
   const S swing = motion.turn + (on_face ? S(0) : Vec3<S>(axis.normal - cache.normal).norm());
-  const S bound = std::max(far_bound, rebuilt.near_bound(cache.near_cosine - swing));
+  const S near_bound = rebuild(pair, cache, axis, motion.turn, cache.near_cosine - swing, scale,
+                               margin, contact, recorder);
+  const S bound = std::max(far_bound, near_bound);
   // The bound is not below the deepest point, which is thus deep enough as well.
-  answer.hit =
-      !contact.points.empty() && preferred(axis.separation, bound, options.margin, min_radius);
+  answer.hit = !contact.points.empty() && preferred(axis.separation, bound, margin, min_radius);
   if (recorder && !answer.hit) [[unlikely]]
     recorder->clip_abandoned();
   return answer;
@@ -300,10 +265,9 @@ void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hu
 }
 
 template <class S>
-PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, const SatResult<S>& axes,
-                      const FaceSeparations<S>& faces_a, const FaceSeparations<S>& faces_b,
-                      const Contact<S>& contact) {
+PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const CollideOptions& options,
+                      const SatResult<S>& axes, const FaceSeparations<S>& faces_a,
+                      const FaceSeparations<S>& faces_b, const Contact<S>& contact) {
   const Hull<S>& a = pair.a.hull;
   const Hull<S>& b = pair.b.hull;
   const bool touching = axes.status == SatStatus::Touching;
@@ -340,7 +304,8 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   if (!(spare > S(0))) return cache;
   cache.far = far_separation(pair, faces_a, faces_b, cache.normal, cache.near_cosine,
                              separation - kHorizon<S> * pair.min_radius, separation + tolerance);
-  if (!preferred(separation, cache.far, options.margin, pair.min_radius)) return cache;
+  if (!preferred(separation, cache.far, static_cast<S>(options.margin), pair.min_radius))
+    return cache;
   cache.kind = CachedKind::Features;
   const S rounding = depth_rounding(pair.scale);
   if (cache.axis == AxisKind::FaceA) {
@@ -354,15 +319,9 @@ PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
   return cache;
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                            \
-  template CacheAnswer<S> collide_from_cache(const Hull<S>&, const Hull<S>&, const Pose<S>&,   \
-                                             const CollideOptions<S>&, const PairCache<S>&,    \
-                                             Contact<S>&, Recorder<S>*);                       \
-  template PairCache<S> cache_of(const HullPair<S>&, const Pose<S>&, const CollideOptions<S>&, \
-                                 const SatResult<S>&, const FaceSeparations<S>&,               \
-                                 const FaceSeparations<S>&, const Contact<S>&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(collide_from_cache<float>) collide_from_cache<float>;
+template decltype(collide_from_cache<double>) collide_from_cache<double>;
+template decltype(cache_of<float>) cache_of<float>;
+template decltype(cache_of<double>) cache_of<double>;
 
 }  // namespace contactscope

@@ -97,15 +97,14 @@ struct CacheAnswer {
 /// else nothing can be said of `contact`. A pose that is not finite is never a hit.
 template <class S>
 CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                                  const CollideOptions<S>& options, const PairCache<S>& cache,
+                                  const CollideOptions& options, const PairCache<S>& cache,
                                   Contact<S>& contact, Recorder<S>* recorder);
 
 /// What is to be kept of a full test: `axes` and `contact` are its results, `faces_a` and `faces_b`
 /// what its face queries measured.
 template <class S>
-PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a,
-                      const CollideOptions<S>& options, const SatResult<S>& axes,
-                      const FaceSeparations<S>& faces_a, const FaceSeparations<S>& faces_b,
-                      const Contact<S>& contact);
+PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const CollideOptions& options,
+                      const SatResult<S>& axes, const FaceSeparations<S>& faces_a,
+                      const FaceSeparations<S>& faces_b, const Contact<S>& contact);
 
 }  // namespace contactscope

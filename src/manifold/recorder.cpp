@@ -1,11 +1,12 @@
 #include "manifold/recorder.h"
 
+#include <algorithm>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "core/at.h"
 #include "geometry/hull_builder.h"
+#include "manifold/dispatch.h"
 #include "manifold/edge_contact.h"
 #include "reduce/choices.h"
 #include "reduce/polygon_area.h"
@@ -17,50 +18,38 @@ namespace {
 /// vertices. It takes some milliseconds.
 constexpr int kMaxMinkowskiPoints = 4096;
 
-/// Empty for one that is not in the list.
+/// A result of the pipeline, in the world, as a fact.
 template <class S>
-std::string reducer_name(Reducer<S> reducer) {
-  for (const ReducerInfo& info : reducers()) {
-    if constexpr (std::is_same_v<S, float>) {
-      if (info.in_float == reducer) return info.name;
-    } else {
-      if (info.in_double == reducer) return info.name;
-    }
-  }
-  return {};
+trace::Point trace_point(const ContactPoint<S>& in_world) {
+  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
+          to_string(in_world.id)};
 }
 
 /// What was chosen, held against the best that as many points can span.
-void measure(std::span<const ContactPoint<double>> points, const Vec3d& normal, int max_points,
+void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
              trace::Reduction& reduction) {
   const bool all_kept = reduction.kept.size() == points.size();
   if (all_kept && points.size() < 3) return;  // they span no area
-  std::vector<Vec3d> all;
-  for (const ContactPoint<double>& point : points) all.push_back(point.position);
+  const std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
   if (all_kept) {
     reduction.area = convex_area(all, normal);
     reduction.best_area =
         count_of(points) <= max_points ? reduction.area : best_convex_area(all, normal, max_points);
     return;
   }
-  std::vector<Vec3d> chosen;
-  for (const int index : reduction.kept) chosen.push_back(all[static_cast<std::size_t>(index)]);
-  reduction.area = convex_area(chosen, normal);
+  reduction.area =
+      convex_area(mapped(reduction.kept, [&](int index) { return at(all, index); }), normal);
   reduction.best_area = best_convex_area(all, normal, max_points);
-  ReduceOptions options;
-  options.max_points = max_points;
-  const Reduction best = reduce<double>(find_reducer<double>("optimal"), points, normal, options);
-  reduction.best.assign(best.kept.begin(), best.kept.end());
+  const KeptIndices best =
+      reduce<double>(find_reducer("optimal"), points, normal, {.max_points = max_points});
+  reduction.best.assign(best.begin(), best.end());
 }
 
 }  // namespace
 
 template <class S>
 trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
-  trace::Polygon result;
-  result.reserve(in_a.size());
-  for (const ClipVertex<S>& vertex : in_a) result.push_back(point(vertex.position));
-  return result;
+  return mapped(in_a, [&](const ClipVertex<S>& vertex) { return point(vertex.position); });
 }
 
 /// The edge query looks only for what beats the faces, and passes over the rest in whole arcs. Two
@@ -74,18 +63,14 @@ void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_
   trace::Sat& sat = pair_.sat.emplace();
   sat.chosen = to_string(axes.chosen);
   sat.preference = to_string(preference);
-  if (axes.queries_run >= 1) {
-    const FaceQuery<S>& query = axes.face_a;
-    sat.face_a =
-        trace::FaceAxis{query.face, query.separation, direction(pair.a.normals[query.face]),
-                        point(pair.b.vertices[query.support])};
-  }
-  if (axes.queries_run >= 2) {
-    const FaceQuery<S>& query = axes.face_b;
-    sat.face_b = trace::FaceAxis{query.face, query.separation,
-                                 direction(Vec3<S>(-pair.b.normals[query.face])),
-                                 point(pair.a.vertices[query.support])};
-  }
+  const auto told = [&](const FaceQuery<S>& query, const Vec3<S>& normal,
+                        const PlacedHull<S>& other) -> trace::FaceAxis {
+    return {query.face, query.separation, direction(normal), point(other.vertices[query.support])};
+  };
+  if (axes.queries_run >= 1)
+    sat.face_a = told(axes.face_a, pair.a.normals[axes.face_a.face], pair.b);
+  if (axes.queries_run >= 2)
+    sat.face_b = told(axes.face_b, -pair.b.normals[axes.face_b.face], pair.a);
   if (stages_.gauss_map) {
     for (const EdgeQuery<S>& query : all_crossings(pair, faces_a)) {
       sat.edge_pairs.push_back(
@@ -134,44 +119,26 @@ void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
 }
 
 template <class S>
-void Recorder<S>::dropped(const Vec3<S>& position, const char* reason) {
-  if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
-}
-
-template <class S>
-void Recorder<S>::clip_abandoned() {
-  pair_.clip.reset();
-}
-
-template <class S>
-void Recorder<S>::contact_axis(AxisKind kind) {
-  if (stages_.sat) pair_.sat->chosen = to_string(kind);
-}
-
-template <class S>
-Reduction Recorder<S>::reduce(const CollideOptions<S>& options,
-                              std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
-  std::vector<ContactPoint<double>> exact;
-  exact.reserve(points.size());
-  for (const ContactPoint<S>& point : points) {
-    exact.push_back(
-        {point.position.template cast<double>(), static_cast<double>(point.separation), point.id});
-  }
+KeptIndices Recorder<S>::reduce(const CollideOptions& options, ContactPoints<S> points,
+                                const Vec3<S>& normal) {
+  const auto exact = mapped(points, [](const ContactPoint<S>& point) -> ContactPoint<double> {
+    return {point.position.template cast<double>(), static_cast<double>(point.separation),
+            point.id};
+  });
   const Vec3d exact_normal = normal.template cast<double>();
-  Choices choices(exact, exact_normal);
+  Choices choices{{exact, exact_normal}};
   ReduceOptions watched = options.reduction;
   watched.choices = stages_.reduction ? &choices : nullptr;
-  const Reduction result = contactscope::reduce(options.reducer, points, normal, watched);
-  if (!stages_.reduction) return result;
+  const KeptIndices kept = contactscope::reduce(options.reducer, points, normal, watched);
+  if (!stages_.reduction) return kept;
 
   trace::Reduction& reduction = pair_.reduction.emplace();
-  reduction.method = reducer_name(options.reducer);
-  reduction.points.reserve(points.size());
-  for (const ContactPoint<S>& point : points) reduction.points.push_back(trace_point(point));
-  reduction.kept.assign(result.kept.begin(), result.kept.end());
-  reduction.choices = choices.made();
+  reduction.method = options.reducer->name;
+  reduction.points = mapped(points, trace_point<S>);
+  reduction.kept.assign(kept.begin(), kept.end());
+  reduction.choices = choices.made;
   measure(exact, exact_normal, options.reduction.max_points, reduction);
-  return result;
+  return kept;
 }
 
 template <class S>
@@ -188,10 +155,9 @@ void Recorder<S>::gjk(const Pose<S>& frame) {
   const trace::SimplexVertex closest = placed(result.on_a, result.on_b);
   gjk.point_a = closest.a;
   gjk.point_b = closest.b;
-  for (const GjkSimplex<S>& step : gjk_run_.steps) {
-    trace::Simplex& simplex = gjk.steps.emplace_back();
-    for (const GjkVertex<S>& vertex : step.vertices) simplex.push_back(placed(vertex.a, vertex.b));
-  }
+  for (const GjkSimplex<S>& step : gjk_run_.steps)
+    gjk.steps.push_back(mapped(
+        step.vertices, [&](const GjkVertex<S>& corner) { return placed(corner.a, corner.b); }));
 }
 
 template <class S>
@@ -201,17 +167,6 @@ std::vector<int> Recorder<S>::query_tree(const Mesh<S>& mesh, const Aabb<S>& box
   std::vector<int> candidates = tree.candidates;
   if (stages_.tree) pair_.tree = std::move(tree);
   return candidates;
-}
-
-template <class S>
-trace::Polytope Recorder<S>::polytope(const PolytopeStep<S>& step) const {
-  trace::Polytope polytope;
-  for (const GjkVertex<S>& corner : step.vertices)
-    polytope.vertices.push_back(vertex(corner.a, corner.b));
-  polytope.faces = step.faces;
-  polytope.nearest = step.nearest;
-  polytope.distance = static_cast<double>(step.distance);
-  return polytope;
 }
 
 template <class S>
@@ -227,12 +182,12 @@ void Recorder<S>::penetration(PenetrationMethod method, const PenetrationResult<
   told.normal = direction(result.normal);
   told.point_a = point(result.on_a);
   told.point_b = point(result.on_b);
+  const auto placed = [&](const GjkVertex<S>& corner) { return vertex(corner.a, corner.b); };
   for (const PolytopeStep<S>& step : penetration_steps_.polytopes)
-    told.polytopes.push_back(polytope(step));
-  for (const std::array<GjkVertex<S>, 4>& portal : penetration_steps_.portals) {
-    trace::Simplex& simplex = told.portals.emplace_back();
-    for (const GjkVertex<S>& corner : portal) simplex.push_back(vertex(corner.a, corner.b));
-  }
+    told.polytopes.push_back({mapped(step.vertices, placed), step.faces, step.nearest,
+                              static_cast<double>(step.distance)});
+  for (const std::array<GjkVertex<S>, 4>& portal : penetration_steps_.portals)
+    told.portals.push_back(mapped(portal, placed));
   for (const DirectionStep<S>& step : penetration_steps_.directions)
     told.directions.push_back({direction(step.normal), static_cast<double>(step.separation)});
 }
@@ -261,21 +216,25 @@ void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b
 }
 
 template <class S>
-void Recorder<S>::degenerate(const char* geometry, Degenerate answer) {
-  pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
+void record_manifolds(std::span<const Manifold<S>> manifolds, trace::Pair& record) {
+  record.state = manifolds.empty() ? "separated" : "touching";
+  if (!manifolds.empty()) record.separation = std::numeric_limits<double>::infinity();
+  for (const Manifold<S>& manifold : manifolds) {
+    trace::Manifold& told = record.manifolds.emplace_back();
+    told.normal = manifold.normal.template cast<double>();
+    told.axis = to_string(manifold.axis);
+    told.type = to_string(manifold.type);
+    if (manifold.triangle >= 0) told.triangle = manifold.triangle;
+    told.points = mapped(manifold.points, trace_point<S>);
+    // Of several manifolds, a mesh's, the deepest point stands for the pair.
+    for (const trace::Point& point : told.points)
+      record.separation = std::min(record.separation, point.separation);
+  }
 }
 
-template <class S>
-trace::Point trace_point(const ContactPoint<S>& in_world) {
-  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
-          to_string(in_world.id)};
-}
-
-#define CONTACTSCOPE_INSTANTIATE(S) \
-  template class Recorder<S>;       \
-  template trace::Point trace_point(const ContactPoint<S>&);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template class Recorder<float>;
+template class Recorder<double>;
+template decltype(record_manifolds<float>) record_manifolds<float>;
+template decltype(record_manifolds<double>) record_manifolds<double>;
 
 }  // namespace contactscope

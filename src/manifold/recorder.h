@@ -1,9 +1,7 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "core/manifold.h"
 #include "geometry/mesh.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"
@@ -11,7 +9,6 @@
 #include "query/gjk.h"
 #include "query/penetration.h"
 #include "query/sat.h"
-#include "reduce/reducer.h"
 #include "trace/trace.h"
 
 namespace contactscope {
@@ -26,7 +23,7 @@ struct IncrementalOptions;
 
 /// Writes what each stage decided into a trace::Pair: from A's frame to the world in the pipeline's
 /// own scalar, then exactly to double. The record is told in the order in which the pair is worked
-/// on; whoever traded the shapes mirrors it, see pair_order.h.
+/// on; whoever traded the shapes mirrors it, see dispatch.h.
 ///
 /// Stages get a pointer to it, null when nobody watches, and tell what they did as they do it. Its
 /// functions are cold: a pipeline that nobody watches pays one untaken branch for each, and a test
@@ -49,14 +46,17 @@ class Recorder {
                    const ClipFace<S>& incident_face);
   /// A side plane of the reference face and what it left.
   void clip_step(const Plane<S>& side, const ClipPolygon<S>& polygon);
-  void dropped(const Vec3<S>& position, const char* reason);
+  void dropped(const Vec3<S>& position, const char* reason) {
+    if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
+  }
   /// The face contact is given up for another axis.
-  void clip_abandoned();
+  void clip_abandoned() { pair_.clip.reset(); }
   /// The axis that made the contact, when it is not the one that the test chose.
-  void contact_axis(AxisKind kind);
+  void contact_axis(AxisKind kind) {
+    if (stages_.sat) pair_.sat->chosen = to_string(kind);
+  }
   /// Runs the reducer of the options, which tells its choices. `points` and `normal` in the world.
-  Reduction reduce(const CollideOptions<S>& options, std::span<const ContactPoint<S>> points,
-                   const Vec3<S>& normal);
+  KeptIndices reduce(const CollideOptions& options, ContactPoints<S> points, const Vec3<S>& normal);
   /// Where a run of GJK leaves its steps; nullptr where they are not to be recorded.
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// The run that was left in gjk_run(), if any; `frame` places what it worked in in A's frame.
@@ -75,7 +75,9 @@ class Recorder {
   /// triangles.
   std::vector<int> query_tree(const Mesh<S>& mesh, const Aabb<S>& box);
   /// The geometry had no normal of its own; what was done about it.
-  void degenerate(const char* geometry, Degenerate answer);
+  void degenerate(const char* geometry, Degenerate answer) {
+    pair_.degenerate = trace::Degenerate{geometry, to_string(answer)};
+  }
   /// Of the pair, metres: what stands in the record when no point does.
   void separation(S separation) { pair_.separation = separation; }
   /// What became of every point of an incremental manifold.
@@ -91,7 +93,6 @@ class Recorder {
     return {point(a), point(b)};
   }
   trace::Polygon polygon(const ClipPolygon<S>& in_a) const;
-  trace::Polytope polytope(const PolytopeStep<S>& step) const;
 
   ToWorld<S> to_world_;
   trace::Stages stages_;
@@ -112,15 +113,10 @@ PenetrationSteps<S>* penetration_steps(Recorder<S>* recorder) {
 
 /// Tells that the geometry has no normal of its own, and says whether such a contact is left out.
 template <class S>
-bool skips_degenerate(const char* geometry, const CollideOptions<S>& options,
-                      Recorder<S>* recorder) {
+bool skips_degenerate(const char* geometry, const CollideOptions& options, Recorder<S>* recorder) {
   if (recorder) [[unlikely]]
     recorder->degenerate(geometry, options.degenerate);
   return options.degenerate == Degenerate::Skip;
 }
-
-/// A result of the pipeline, in the world, as a fact.
-template <class S>
-trace::Point trace_point(const ContactPoint<S>& in_world);
 
 }  // namespace contactscope

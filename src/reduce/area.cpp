@@ -3,52 +3,113 @@
 namespace contactscope {
 namespace {
 
+using steps::Added;
+
+/// What happens to a first point that lies between the extremes of points on one line.
+enum class OnALine {
+  ExchangeFirst,  // for the other extreme: two points
+  KeepFirst,      // with both extremes
+};
+
+/// The whole of "Contact Point Reduction" from a first point on. One point when all coincide. How the
+/// first was chosen has been told already where somebody watches.
+template <Added added, class S>
+KeptIndices grow_from(const Candidates<S>& points, int first, OnALine on_a_line,
+                      const ReduceOptions& options) {
+  Choices* const choices = options.choices;
+  KeptIndices kept;
+  kept.push_back(first);
+  const int second = points.farthest_from(first);
+  if (options.max_points == 1 || second == first) return kept;
+  kept.push_back(second);
+  if (choices != nullptr) [[unlikely]]
+    choices->farthest(first);
+  if (steps::grow<added>(points, kept, options)) return kept;
+  const int other = points.farthest_from(second);
+  if (on_a_line == OnALine::ExchangeFirst) {
+    kept[0] = other;
+    if (choices != nullptr) [[unlikely]] {
+      choices->made.resize(1);
+      choices->farthest(other);
+    }
+  } else if (options.max_points > 2 && points[other] != points[first]) {
+    kept.push_back(other);
+    if (choices != nullptr) [[unlikely]]
+      choices->triangle(first, second);
+  }
+  return kept;
+}
+
 /// The reducer of Gregorius 2015, "Contact Point Reduction: 1st Point" to "4th Point (5)": a
 /// support point in a fixed direction, the farthest point from it, the point that makes the largest
-/// triangle, then the point that adds the most area outside; grow_from() has these steps from the
-/// second point on. More than four points go on as the fourth. Fewer than max_points come back when
-/// the rest would add no area: two extremes of points on one line, one of coincident ones.
-/// Separations are not looked at. Deviation: when all points lie on one line the first is exchanged
-/// for the other extreme, because the support point may lie between.
+/// triangle, then the point that adds the most area outside. More than four points go on as the
+/// fourth. Fewer than max_points come back when the rest would add no area: two extremes of points
+/// on one line, one of coincident ones. Separations are not looked at. Deviation: when all points
+/// lie on one line the first is exchanged for the other extreme, because the support point may lie
+/// between.
 ///
 /// With `Added::Distance` the counter-example of "4th Point (5)" and "(6)": the fourth and later
 /// points are the ones farthest outside an edge, however short it is. "Maximize area, not distance!"
 /// A distance from an edge is the signed area over its length.
-template <steps::Added added, class S>
-KeptIndices reduce_from_support(ContactPoints<S> points, const Vec3<S>& normal,
-                                const ReduceOptions& options) {
+template <Added added>
+constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
+                                                 const ReduceOptions& options) {
   if (options.choices != nullptr) [[unlikely]]
-    options.choices->support(steps::fixed_direction(options.choices->normal()).normalized());
-  return steps::grow_from<added>(points, normal,
-                                 steps::support_point(points, steps::fixed_direction(normal)),
-                                 steps::OnALine::ExchangeFirst, options);
-}
+    options.choices->support(steps::fixed_direction(options.choices->points.normal).normalized());
+  const int support = points.farthest_along(steps::fixed_direction(points.normal));
+  return grow_from<added>(points, support, OnALine::ExchangeFirst, options);
+};
 
 /// `area` with the deepest point as the first, which is therefore always kept. Gregorius 2015,
 /// "Contact Point Reduction: 1st Point": with continuous collision "we want to start with the
 /// deepest point and guarantee it is in our reduced contact set". Of points on one line come back
 /// the deepest and the two extremes.
-template <class S>
-KeptIndices reduce_by_area_from_deepest(ContactPoints<S> points, const Vec3<S>& normal,
-                                        const ReduceOptions& options) {
+constexpr auto reduce_by_area_from_deepest = []<class S>(const Candidates<S>& points,
+                                                         const ReduceOptions& options) {
   if (options.choices != nullptr) [[unlikely]]
     options.choices->deepest();
-  return steps::grow_from<steps::Added::Area>(points, normal, steps::deepest_point(points),
-                                              steps::OnALine::KeepFirst, options);
+  return grow_from<Added::Area>(points, points.deepest(), OnALine::KeepFirst, options);
+};
+
+/// Both ways along two axes of the plane.
+template <class S>
+std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
+  const Vec3<S> u = any_perpendicular(normal);
+  const Vec3<S> v = normal.cross(u);
+  return {-u, u, -v, v};
 }
+
+/// The alternative of Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)": the extreme
+/// points along two axes in the contact plane. The axes follow the world's, so that the choice
+/// changes when the same patch turns: a diamond on its corner loses two of four points when its
+/// long diagonal lies at 45 degrees to them. Steps: an orthonormal basis (u, v) of the plane from
+/// the world axis that the normal leans on least; lowest and highest along u, then along v. Points
+/// that are extreme along both count once.
+constexpr auto reduce_to_extremes = []<class S>(const Candidates<S>& points,
+                                                const ReduceOptions& options) {
+  const std::array<Vec3<S>, 4> directions = directions_in_plane(points.normal);
+  KeptIndices kept;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const int extreme = points.farthest_along(directions[k]);
+    if (steps::contains(kept, extreme)) continue;
+    kept.push_back(extreme);
+    if (options.choices != nullptr && count_of(kept) <= options.max_points) [[unlikely]]
+      options.choices->support(directions_in_plane(options.choices->points.normal)[k]);
+  }
+  return steps::first_of(kept, options);
+};
 
 }  // namespace
 
 /// The talk's.
 std::vector<ReducerInfo> area_reducers() {
-  using steps::Added;
-  return {{"area", "a support point, the farthest, the largest triangle, the most area outside it",
-           &reduce_from_support<Added::Area, float>, &reduce_from_support<Added::Area, double>},
-          {"area_deepest", "as area, but the deepest first", &reduce_by_area_from_deepest<float>,
-           &reduce_by_area_from_deepest<double>},
-          {"distance", "as area, but the fourth is farthest from an edge",
-           &reduce_from_support<Added::Distance, float>,
-           &reduce_from_support<Added::Distance, double>}};
+  return {listed("area",
+                 "a support point, the farthest, the largest triangle, the most area outside it",
+                 reduce_from_support<Added::Area>),
+          listed("area_deepest", "as area, but the deepest first", reduce_by_area_from_deepest),
+          listed("distance", "as area, but the fourth is farthest from an edge",
+                 reduce_from_support<Added::Distance>),
+          listed("extremes", "extremes along two axes of the plane", reduce_to_extremes)};
 }
 
 }  // namespace contactscope

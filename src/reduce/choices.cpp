@@ -2,60 +2,49 @@
 
 #include <algorithm>
 
-#include "reduce/steps.h"
-
 namespace contactscope {
 
-double Choices::signed_area(int q, int a, int b) const {
-  return 0.5 * steps::doubled_area(at(q), at(a), at(b), normal_);
-}
-
-trace::Choice& Choices::add(const char* rule) {
-  trace::Choice& choice = made_.emplace_back();
+template <class Value>
+trace::Choice& Choices::add(const char* rule, std::initializer_list<int> taken,
+                            const std::array<int, 2>& edge, const Value& value) {
+  trace::Choice& choice = made.emplace_back();
   choice.rule = rule;
+  for (int q = 0; q < points.count(); ++q)
+    if (std::ranges::find(taken, q) == taken.end()) choice.measures.push_back({q, edge, value(q)});
   return choice;
 }
 
 void Choices::support(const Vec3d& direction) {
-  trace::Choice& choice = add("support");
-  choice.direction = direction;
-  for (int q = 0; q < count(); ++q) {
-    const Vec3d arm = at(q) - at(0);
-    choice.measures.push_back({q, trace::kNoEdge, direction.dot(arm)});
-  }
+  const auto along = [&](int q) { return direction.dot(Vec3d(points[q] - points[0])); };
+  add("support", {}, trace::kNoEdge, along).direction = direction;
 }
 
 void Choices::deepest() {
-  trace::Choice& choice = add("deepest");
-  for (int q = 0; q < count(); ++q)
-    choice.measures.push_back(
-        {q, trace::kNoEdge, -points_[static_cast<std::size_t>(q)].separation});
+  add("deepest", {}, trace::kNoEdge, [&](int q) { return -points.separation(q); });
 }
 
 void Choices::farthest(int from) {
-  trace::Choice& choice = add("farthest");
-  for (int q = 0; q < count(); ++q)
-    if (q != from) choice.measures.push_back({q, trace::kNoEdge, (at(q) - at(from)).norm()});
+  add("farthest", {from}, trace::kNoEdge, [&](int q) { return (points[q] - points[from]).norm(); });
 }
 
 void Choices::triangle(int first, int second) {
-  trace::Choice& choice = add("triangle");
-  for (int q = 0; q < count(); ++q)
-    if (q != first && q != second)
-      choice.measures.push_back({q, {{first, second}}, signed_area(q, first, second)});
+  add("triangle", {first, second}, {{first, second}},
+      [&](int q) { return 0.5 * points.doubled_area(q, first, second); });
 }
 
 void Choices::outside(std::span<const int> ring, int first, int chosen, bool by_distance) {
-  trace::Choice& choice = add(by_distance ? "distance" : "outside");
+  trace::Choice& choice = made.emplace_back();
+  choice.rule = by_distance ? "distance" : "outside";
   const std::size_t start = static_cast<std::size_t>(std::ranges::find(ring, first) - ring.begin());
-  for (int q = 0; q < count(); ++q) {
+  for (int q = 0; q < points.count(); ++q) {
     if (std::ranges::find(ring, q) != ring.end()) continue;
     std::vector<trace::Measure> all;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const int a = ring[(start + k) % ring.size()];
       const int b = ring[(start + k + 1) % ring.size()];
-      const double area = signed_area(q, a, b);
-      all.push_back({q, {{a, b}}, by_distance ? 2 * area / (at(b) - at(a)).norm() : area});
+      const double area = 0.5 * points.doubled_area(q, a, b);
+      const double distance = 2 * area / (points[b] - points[a]).norm();
+      all.push_back({q, {{a, b}}, by_distance ? distance : area});
     }
     if (q == chosen) {
       choice.measures.insert(choice.measures.end(), all.begin(), all.end());

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
-#include "core/manifold.h"
+#include "reduce/steps.h"
 #include "trace/trace.h"
 
 namespace contactscope {
@@ -16,13 +16,8 @@ namespace contactscope {
 /// nothing.
 class Choices {
  public:
-  using Points = std::span<const ContactPoint<double>>;
-
-  /// What the reducer gets, exactly. `points` must outlive this.
-  Choices(Points points, const Vec3d& normal) : points_(points), normal_(normal) {}
-
-  const Vec3d& normal() const { return normal_; }
-  const std::vector<trace::Choice>& made() const { return made_; }
+  Candidates<double> points;  // what the reducer gets, exactly
+  std::vector<trace::Choice> made{};
 
   /// The farthest point along a unit direction.
   void support(const Vec3d& direction);
@@ -36,18 +31,12 @@ class Choices {
   /// measure of the edge that decides (the least; negative outside), and of the `chosen` one those
   /// of all edges, from the first kept point on.
   void outside(std::span<const int> ring, int first, int chosen, bool by_distance);
-  /// A choice is taken back: only the first `count` stand.
-  void keep(std::size_t count) { made_.resize(std::min(count, made_.size())); }
 
  private:
-  const Vec3d& at(int point) const { return points_[static_cast<std::size_t>(point)].position; }
-  int count() const { return static_cast<int>(points_.size()); }
-  double signed_area(int q, int a, int b) const;
-  trace::Choice& add(const char* rule);
-
-  Points points_;
-  Vec3d normal_;
-  std::vector<trace::Choice> made_;
+  /// Of all points but those `taken` what value(point) is, measured against `edge`.
+  template <class Value>
+  trace::Choice& add(const char* rule, std::initializer_list<int> taken,
+                     const std::array<int, 2>& edge, const Value& value);
 };
 
 }  // namespace contactscope

@@ -38,13 +38,13 @@ KeptIndices find_previous(ContactPoints<S> points, std::span<const FeatureId> pr
 
 /// Doubled area, or squared distance of the extremes: what a choice is measured by.
 template <class S>
-S measure(ContactPoints<S> points, const Vec3<S>& normal, const KeptIndices& kept, bool by_length) {
+S measure(const Candidates<S>& points, const KeptIndices& kept, bool by_length) {
   StaticVector<ContactPoint<S>, kMaxManifoldPoints> chosen;
-  for (const int i : kept) chosen.push_back(at(points, i));
-  const Patch<S> patch({chosen.data(), chosen.size()}, normal);
-  if (!by_length) return patch.doubled_area();
+  for (const int i : kept) chosen.push_back(at(points.points, i));
+  const Patch<S> patch({{chosen.data(), chosen.size()}, points.normal});
+  if (!by_length) return patch.doubled_area;
   const CornerRing<S> pair = farthest_pair(patch);
-  return squared_distance(patch.corner(pair.corners[0]), patch.corner(pair.corners.back()));
+  return (patch.corner(pair.corners.back()) - patch.corner(pair.corners[0])).squaredNorm();
 }
 
 /// The choice that others are measured against.
@@ -58,49 +58,41 @@ struct Reference {
   S slack;    // of the separation
 
   /// Whether a point, or one of several, is deep enough with so much of the slack.
-  bool admits(S part, const ContactPoint<S>& point) const {
-    return point.separation <= deepest + part * slack;
-  }
-  bool admits(S part, ContactPoints<S> points, const KeptIndices& kept_points) const {
-    return std::ranges::any_of(kept_points, [&](int i) { return admits(part, at(points, i)); });
+  bool admits(S part, S separation) const { return separation <= deepest + part * slack; }
+  bool admits(S part, const Candidates<S>& points, const KeptIndices& kept_points) const {
+    return std::ranges::any_of(kept_points,
+                               [&](int i) { return admits(part, points.separation(i)); });
   }
 };
 
-/// Puts the largest choice that contains point `i` into `reference` if it is larger.
 template <class S>
-void improve_with(ContactPoints<S> points, const Vec3<S>& normal, Patch<S>& patch, int i, int most,
-                  Reference<S>& reference) {
-  KeptIndices kept;
-  const ChoiceWith<S> choice = largest_with(points, patch, i, most, kept);
-  const S size = reference.by_length ? measure(points, normal, kept, true) : choice.doubled_area;
-  if (size <= reference.size) return;
-  reference.size = size;
-  reference.kept = kept;
-  reference.beside = choice.is_in_ring ? -1 : i;
-}
-
-template <class S>
-Reference<S> find_reference(ContactPoints<S> points, const Vec3<S>& normal, Patch<S>& patch,
-                            int most) {
-  const int deepest = steps::deepest_point(points);
+Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch, int most) {
+  const int deepest = points.deepest();
   Reference<S> reference;
-  reference.deepest = at(points, deepest).separation;
-  reference.by_length = most <= 2 || patch.is_flat();
+  reference.deepest = points.separation(deepest);
+  reference.by_length = most <= 2 || patch.is_flat;
   const CornerRing<S> largest = largest_ring(patch, std::max(most, 2));
   reference.kept = points_of(patch, largest);
   reference.size =
-      reference.by_length ? measure(points, normal, reference.kept, true) : largest.doubled_area;
+      reference.by_length ? measure(points, reference.kept, true) : largest.doubled_area;
   const S length = std::sqrt(reference.by_length ? reference.size : S(0.5) * reference.size);
   reference.slack = std::max(S(kCoherentDepthOfLength) * length,
                              S(kCoherentDepthOfSeparation) * std::abs(reference.deepest));
   if (most >= 2 && reference.admits(S(0.5), points, reference.kept)) return reference;
 
   reference.size = S(-1);
-  improve_with(points, normal, patch, deepest, most, reference);
-  for (int i = 0; i < count_of(points); ++i) {
-    if (i == deepest || !reference.admits(S(0.5), at(points, i))) continue;
-    improve_with(points, normal, patch, i, most, reference);
-  }
+  const auto improve_with = [&](int i) {
+    KeptIndices kept;
+    const ChoiceWith<S> choice = largest_with(points, patch, i, most, kept);
+    const S size = reference.by_length ? measure(points, kept, true) : choice.doubled_area;
+    if (size <= reference.size) return;
+    reference.size = size;
+    reference.kept = kept;
+    reference.beside = choice.is_in_ring ? -1 : i;
+  };
+  improve_with(deepest);
+  for (int i = 0; i < points.count(); ++i)
+    if (i != deepest && reference.admits(S(0.5), points.separation(i))) improve_with(i);
   return reference;
 }
 
@@ -110,7 +102,7 @@ struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
   // A deep point inside of the patch that is kept beside the ring: the hull with it counts. Without
   // one the ring must have a deep corner.
-  std::optional<PlanePoint<S>> beside;
+  std::optional<Vec2<S>> beside;
   S least_doubled_area;
   int most;  // corners, 2 to kMostCoherentCorners
 };
@@ -133,14 +125,14 @@ struct Chain {
 template <class S>
 void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
                   std::vector<Chain<S>>& chains, CoherentRing<S>& best) {
-  const int columns = patch.count();
+  const int columns = patch.count;
   const auto place = [&](int used, int old, bool is_deep, int end) {
     return ((used * (wish.most + 1) + old) * 2 + static_cast<int>(is_deep)) * columns + end;
   };
   const auto corner = [&](int i) { return (first + i) % columns; };
   const auto is_old = [&](int i) { return static_cast<int>(at(wish.is_old, corner(i))); };
   const auto is_deep = [&](int i) { return wish.beside || at(wish.is_deep, corner(i)); };
-  const PlanePoint<S> centre = wish.beside.value_or(patch.corner(first));
+  const Vec2<S> centre = wish.beside.value_or(patch.corner(first));
 
   chains.assign(static_cast<std::size_t>(place(wish.most, 0, false, 0)), {});
   at(chains, place(0, is_old(0), is_deep(0), 0)).doubled_area = S(0);
@@ -191,7 +183,7 @@ template <class S>
 CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>& wish) {
   CoherentRing<S> best;
   std::vector<Chain<S>> chains;
-  for (int first = 0; first < patch.count(); ++first) {
+  for (int first = 0; first < patch.count; ++first) {
     if (at(wish.is_old, first)) improve_from(patch, wish, first, chains, best);
   }
   return best;
@@ -200,19 +192,19 @@ CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>&
 /// The ring that keeps the most old points, of corners alone or with the point beside the ring that
 /// the reference has.
 template <class S>
-KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
+KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
                           const Reference<S>& reference, const KeptIndices& old, int most) {
   CoherentWish<S> wish;
-  for (int i = 0; i < patch.count(); ++i) {
-    wish.is_old.push_back(steps::contains(old, patch.point(i)));
-    wish.is_deep.push_back(reference.admits(S(0.5), at(points, patch.point(i))));
+  for (int i = 0; i < patch.count; ++i) {
+    wish.is_old.push_back(steps::contains(old, patch.point[i]));
+    wish.is_deep.push_back(reference.admits(S(0.5), points.separation(patch.point[i])));
   }
   wish.least_doubled_area = S(1 - 0.5 * kCoherentTolerance) * reference.size;
   wish.most = most;
   CoherentRing<S> best = most_coherent_ring(patch, wish);
   KeptIndices chosen;
   if (reference.beside >= 0) {
-    wish.beside = patch.project(steps::position(points, reference.beside));
+    wish.beside = patch.project(points[reference.beside]);
     wish.most = most - 1;
     CoherentRing<S> around = most_coherent_ring(patch, wish);
     if (!around.ring.corners.empty()) {
@@ -224,7 +216,7 @@ KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
     }
   }
   if (best.ring.corners.empty()) return reference.kept;
-  for (const int corner : best.ring.corners) chosen.push_back(patch.point(corner));
+  for (const int corner : best.ring.corners) chosen.push_back(patch.point[corner]);
 
   KeptIndices kept;
   for (const int i : old) {
@@ -257,31 +249,31 @@ KeptIndices most_coherent(ContactPoints<S> points, const Patch<S>& patch,
 /// nothing: of such choices of corners of the patch the one with the most kept ids, and of those the
 /// one of largest area; first the old points, then the new ones round the patch. With more than eight
 /// points, or on a line, or when no id is there again, it is the reference itself.
-template <class S>
-KeptIndices reduce_coherently(ContactPoints<S> points, const Vec3<S>& normal,
-                              const ReduceOptions& options) {
+constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
+                                               const ReduceOptions& options) {
   const int most = options.max_points;
-  const KeptIndices old = find_previous(points, options.previous);
-  Patch<S> patch(points, normal);
-  const Reference<S> reference = find_reference(points, normal, patch, most);
+  const KeptIndices old = find_previous(points.points, options.previous);
+  Patch<S> patch(points);
+  const Reference<S> reference = find_reference(points, patch, most);
 
   const bool all_there =
       !old.empty() && old.size() == options.previous.size() && count_of(old) <= most;
   const S part = S(1 - kCoherentTolerance);
   const S enough = (reference.by_length ? part * part : part) * reference.size;
   if (all_there && reference.admits(S(1), points, old) &&
-      measure(points, normal, old, reference.by_length) >= enough) {
+      measure(points, old, reference.by_length) >= enough) {
     return old;
   }
   if (old.empty() || reference.by_length || most > kMostCoherentCorners) return reference.kept;
   return most_coherent(points, patch, reference, old, most);
-}
+};
 
 }  // namespace
 
 std::vector<ReducerInfo> coherent_reducers() {
-  return {{"coherent", "those of the last frame while deep and large enough, else nearly optimal",
-           &reduce_coherently<float>, &reduce_coherently<double>, true}};
+  return {listed("coherent",
+                 "those of the last frame while deep and large enough, else nearly optimal",
+                 reduce_coherently, true)};
 }
 
 }  // namespace contactscope

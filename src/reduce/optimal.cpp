@@ -1,7 +1,233 @@
 #include "reduce/optimal_ring.h"
-#include "reduce/steps.h"
+
+#include <bit>
+#include <limits>
+
+#include "core/at.h"
+#include "core/scratch.h"
 
 namespace contactscope {
+namespace {
+
+/// The best chains of corners that begin at one corner: row r, column j holds the largest area of
+/// r + 1 corners that end at j, doubled. A column for each corner of the patch.
+template <class S>
+using Chains = Scratch<S, 5 * 64>;
+
+/// The best ring that begins at corner `first` and uses no corner after `last`, which may be in the
+/// second round. Replaces `best` when it is larger. `most` >= 2.
+template <class S>
+void improve_from(const Patch<S>& patch, const Vec2<S>& centre, int first, int last, int most,
+                  Chains<S>& chains, CornerRing<S>& best) {
+  constexpr S kNone = -std::numeric_limits<S>::infinity();
+  const int columns = last - first + 1;
+  const auto row = [&](int r) { return chains.data() + r * patch.count; };
+  for (int r = 0; r < most; ++r) std::fill_n(row(r), columns, kNone);
+  row(0)[0] = S(0);
+  S area[kMaxManifoldPoints];
+  for (int i = 0; i + 1 < columns; ++i) {
+    for (int j = i + 1; j < columns; ++j) area[j] = seen(patch, centre, first + i, first + j);
+    for (int r = 0; r + 1 < most; ++r) {
+      const S before = row(r)[i];
+      S* next = row(r + 1);
+      for (int j = i + 1; j < columns; ++j) next[j] = std::max(next[j], before + area[j]);
+    }
+  }
+
+  S largest = best.doubled_area;
+  int used = 0;
+  int end = -1;
+  for (int j = 1; j < columns; ++j) {
+    const S closing = seen(patch, centre, first + j, first);
+    for (int r = 1; r < most; ++r) {
+      if (row(r)[j] + closing > largest) {
+        largest = row(r)[j] + closing;
+        used = r;
+        end = j;
+      }
+    }
+  }
+  if (end < 0) return;
+  best.doubled_area = largest;
+  best.corners.clear();
+  best.corners.push_back((first + end) % patch.count);
+  for (; used > 0; --used) {
+    int from = 0;
+    S along = kNone;
+    for (int i = 0; i < end; ++i) {
+      const S area_along = row(used - 1)[i] + seen(patch, centre, first + i, first + end);
+      if (area_along > along) {
+        along = area_along;
+        from = i;
+      }
+    }
+    end = from;
+    best.corners.push_back((first + end) % patch.count);
+  }
+  std::reverse(best.corners.begin(), best.corners.end());
+}
+
+template <class S>
+CornerRing<S> every_corner(const Patch<S>& patch) {
+  CornerRing<S> ring;
+  for (int i = 0; i < patch.count; ++i) ring.corners.push_back(i);
+  ring.doubled_area = patch.doubled_area;
+  return ring;
+}
+
+/// The largest polygon of at most `most` corners, of any patch and `most` >= 2. With a point `inner`
+/// of the patch, the corners whose convex hull together with it has the largest area; doubled_area
+/// is then that of the hull.
+///
+/// The area of a polygon is the sum of the triangles that its edges make with one fixed point, and
+/// the best one has only corners of the convex hull: a longest path round the hull, by dynamic
+/// programming for each first corner. The hull of a ring and a point is made of the triangles
+/// between the point and those edges of the ring that it sees from within. O(most n^3).
+template <class S>
+CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = nullptr) {
+  if (patch.count <= most) return every_corner(patch);
+  if (most == 4 && inner == nullptr) return best_quadrilateral(patch);
+  CornerRing<S> best;
+  Chains<S> chains(most * patch.count);
+  for (int first = 0; first < patch.count; ++first) {
+    const Vec2<S> centre = inner != nullptr ? *inner : patch.corner(first);
+    improve_from(patch, centre, first, patch.count - 1, most, chains, best);
+  }
+  return best;
+}
+
+/// The largest polygon that contains corner `through`: the same with only one first corner.
+/// O(most n^2).
+template <class S>
+CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
+  if (patch.count <= most) return every_corner(patch);
+  if (most == 4) return best_quadrilateral_through(patch, through);
+  CornerRing<S> best;
+  Chains<S> chains(most * patch.count);
+  improve_from(patch, patch.corner(through), through, through + patch.count - 1, most, chains,
+               best);
+  return best;
+}
+
+/// The points of a ring, counter-clockwise seen against the normal, from one place on.
+template <class S>
+void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
+  const int size = count_of(ring.corners);
+  const int step = patch.is_mirrored() ? size - 1 : 1;
+  for (int i = 0; i < size; ++i) {
+    kept.push_back(patch.point[at(ring.corners, (begin + i * step) % size)]);
+  }
+}
+
+/// Place of the deepest in a ring, the earliest point of equals.
+template <class S>
+int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring) {
+  const auto is_deeper = [&](int one, int other) {
+    const S depth = patch.separation[one], most = patch.separation[other];
+    return depth < most || (depth == most && patch.point[one] < patch.point[other]);
+  };
+  const auto& corners = ring.corners;
+  return static_cast<int>(std::ranges::min_element(corners, is_deeper) - corners.begin());
+}
+
+/// The points of a ring of four, in order from the deepest, as by append() and deepest_of(), but
+/// without a branch that nothing could foresee.
+template <class S>
+KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring) {
+  using lanes::Pack;
+  constexpr int kLanes = lanes::kWidth<S>;
+  const auto point_at = [&](int place) { return patch.point[at(ring.corners, place)]; };
+  const int four[4] = {point_at(0), point_at(1), point_at(2), point_at(3)};
+  Pack<S> depths[4 / kLanes];
+  for (int i = 0; i < 4; i += kLanes) {
+    depths[i / kLanes] =
+        lanes::each<S>([&](int lane) { return patch.separation[at(ring.corners, i + lane)]; });
+  }
+  Pack<S> deepest = depths[0];
+  for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
+  deepest = lanes::smallest<S>(deepest);
+  std::uint32_t equal = 0;
+  for (int i = 0; i < 4; i += kLanes) {
+    equal |= lanes::bits<S>(depths[i / kLanes] == deepest) << i;
+  }
+  int begin = std::countr_zero(equal);
+  if ((equal & (equal - 1)) != 0) begin = deepest_of(patch, ring);
+
+  const int step = 1 - 2 * static_cast<int>(patch.is_mirrored());
+  KeptIndices kept;
+  for (int i = 0; i < 4; ++i) kept.push_back(four[(begin + i * step) & 3]);
+  return kept;
+}
+
+template <class S>
+int corner_at(const Patch<S>& patch, const Vec2<S>& place) {
+  for (int i = 0; i < patch.count; ++i)
+    if (patch.xs[i] == place.x() && patch.ys[i] == place.y()) return i;
+  return -1;
+}
+
+/// The corners to keep beside a place that is none of them. Of points on one line the two extremes.
+template <class S>
+CornerRing<S> ring_beside(const Patch<S>& patch, const Vec2<S>& place, int most) {
+  if (most > 2 && !patch.is_flat) return best_ring(patch, most - 1, &place);
+  CornerRing<S> beside;
+  const auto add = [&](int corner) {
+    if (!patch.coincide(patch.corner(corner), place)) beside.corners.push_back(corner);
+  };
+  if (most == 2) {
+    const auto apart = [&](int i) { return (place - patch.corner(i)).squaredNorm(); };
+    add(std::max(0, steps::highest(patch.count, apart, S(0))));
+  } else if (most > 2) {
+    for (const int corner : farthest_pair(patch).corners) add(corner);
+  }
+  return beside;
+}
+
+}  // namespace
+
+template <class S>
+CornerRing<S> farthest_pair(const Patch<S>& patch) {
+  const auto [first, second] = steps::farthest_two<S>(
+      patch.count, [&](int i, int j) { return (patch.corner(j) - patch.corner(i)).squaredNorm(); });
+  CornerRing<S> ring;
+  ring.corners.push_back(first);
+  if (!patch.coincide(patch.corner(first), patch.corner(second))) ring.corners.push_back(second);
+  return ring;
+}
+
+template <class S>
+CornerRing<S> largest_ring(const Patch<S>& patch, int most) {
+  return most == 2 || patch.is_flat ? farthest_pair(patch) : best_ring(patch, most);
+}
+
+template <class S>
+KeptIndices points_of(const Patch<S>& patch, const CornerRing<S>& ring) {
+  if (ring.corners.size() == 4) return kept_four(patch, ring);
+  KeptIndices kept;
+  append(kept, patch, ring, deepest_of(patch, ring));
+  return kept;
+}
+
+template <class S>
+ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int point, int most,
+                           KeptIndices& kept) {
+  const Vec2<S> place = patch.project(points[point]);
+  const int corner = most > 2 && !patch.is_flat ? corner_at(patch, place) : -1;
+  if (corner < 0) {
+    const CornerRing<S> ring = ring_beside(patch, place, most);
+    kept.push_back(point);
+    append(kept, patch, ring, deepest_of(patch, ring));
+    return {ring.doubled_area, false};
+  }
+  patch.point[corner] = point;
+  patch.separation[corner] = points.separation(point);
+  const CornerRing<S> ring = best_ring_through(patch, corner, most);
+  int begin = 0;
+  while (at(ring.corners, begin) != corner) ++begin;
+  append(kept, patch, ring, begin);
+  return {ring.doubled_area, true};
+}
+
 namespace {
 
 /// The max_points points whose convex hull, seen along the normal, has the largest area of all such
@@ -19,17 +245,16 @@ namespace {
 /// chosen at once. Steps: project the points into the plane and take the corners of their convex
 /// hull, for no other point is a corner of the best polygon (Patch); the best of their rings
 /// (largest_ring()); go round from the deepest of them.
-template <class S>
-KeptIndices reduce_to_optimal(ContactPoints<S> points, const Vec3<S>& normal,
-                              const ReduceOptions& options) {
+constexpr auto reduce_to_optimal = []<class S>(const Candidates<S>& points,
+                                               const ReduceOptions& options) {
   if (options.max_points == 1) {
     KeptIndices kept;
-    kept.push_back(steps::support_point(points, steps::fixed_direction(normal)));
+    kept.push_back(points.farthest_along(steps::fixed_direction(points.normal)));
     return kept;
   }
-  const Patch<S> patch(points, normal);
+  const Patch<S> patch(points);
   return points_of(patch, largest_ring(patch, options.max_points));
-}
+};
 
 /// Of the choices of at most max_points points that contain the deepest point, the one whose convex
 /// hull, seen along the normal, has the largest area: exact but for rounding. The deepest is the
@@ -42,23 +267,31 @@ KeptIndices reduce_to_optimal(ContactPoints<S> points, const Vec3<S>& normal,
 ///
 /// As reduce_to_optimal(), with one point given: Gregorius 2015 begins with the deepest, too, and
 /// then takes the farthest; here the others are chosen at once (largest_with()).
-template <class S>
-KeptIndices reduce_to_optimal_deepest(ContactPoints<S> points, const Vec3<S>& normal,
-                                      const ReduceOptions& options) {
-  const int deepest = steps::deepest_point(points);
-  Patch<S> patch(points, normal);
+constexpr auto reduce_to_optimal_deepest = []<class S>(const Candidates<S>& points,
+                                                       const ReduceOptions& options) {
+  const int deepest = points.deepest();
+  Patch<S> patch(points);
   KeptIndices kept;
   largest_with(points, patch, deepest, options.max_points, kept);
   return kept;
-}
+};
 
 }  // namespace
 
 /// Those that choose all points at once.
 std::vector<ReducerInfo> optimal_reducers() {
-  return {{"optimal", "the largest area", &reduce_to_optimal<float>, &reduce_to_optimal<double>},
-          {"optimal_deepest", "the largest area of those with the deepest",
-           &reduce_to_optimal_deepest<float>, &reduce_to_optimal_deepest<double>}};
+  return {listed("optimal", "the largest area", reduce_to_optimal),
+          listed("optimal_deepest", "the largest area of those with the deepest",
+                 reduce_to_optimal_deepest)};
 }
+
+template decltype(farthest_pair<float>) farthest_pair<float>;
+template decltype(farthest_pair<double>) farthest_pair<double>;
+template decltype(largest_ring<float>) largest_ring<float>;
+template decltype(largest_ring<double>) largest_ring<double>;
+template decltype(points_of<float>) points_of<float>;
+template decltype(points_of<double>) points_of<double>;
+template decltype(largest_with<float>) largest_with<float>;
+template decltype(largest_with<double>) largest_with<double>;
 
 }  // namespace contactscope

@@ -7,9 +7,6 @@
 #include <limits>
 #include <tuple>
 
-#include "core/at.h"
-#include "reduce/convex_corners.h"
-
 namespace contactscope {
 namespace {
 
@@ -24,16 +21,6 @@ constexpr std::array<int, kMaxManifoldPoints> kNumbers = [] {
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i);
   return numbers;
 }();
-
-/// Twice the area of a triangle of points in convex order; negative when they are clockwise seen
-/// against the normal.
-template <class S>
-S signed_area(std::span<const ContactPoint<S>> points, const Vec3<S>& normal) {
-  const std::size_t third = points.size() / 3;
-  const Vec3<S> a = points[third].position - points[0].position;
-  const Vec3<S> b = points[2 * third].position - points[0].position;
-  return a.cross(b).dot(normal);
-}
 
 template <class S>
 struct Positions {
@@ -84,16 +71,18 @@ Positions<S> read(const ContactPoint<S>* const (&points)[Patch<S>::kLanes]) {
 /// The basis of the plane after Duff et al. 2017, "Building an Orthonormal Basis, Revisited":
 /// neither a square root nor a case.
 template <class S>
-Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
-    : origin_(points[0].position), count_(static_cast<int>(points.size())) {
+Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.count()) {
+  const Vec3<S>& normal = points.normal;
   const S sign = std::copysign(S(1), normal.z());
   const S a = S(-1) / (sign + normal.z());
   const S b = normal.x() * normal.y() * a;
   u_ = {S(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
   v_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
   // Computed after the basis so that the two do not wait for each other.
-  up_ = std::copysign(S(1), signed_area(points, normal));
-  project_all(points);
+  const int third = count / 3;
+  // Negative when points in convex order are clockwise seen against the normal.
+  up_ = std::copysign(S(1), points.doubled_area(0, third, 2 * third));
+  project_all(points.points);
   if (!measure()) {
     make_convex();
     measure();
@@ -101,13 +90,13 @@ Patch<S>::Patch(std::span<const ContactPoint<S>> points, const Vec3<S>& normal)
 }
 
 template <class S>
-void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
+void Patch<S>::project_all(ContactPoints<S> points) {
   // Beside this object: the compiler need not read them again for each store.
   const Positions<S> from = {all(origin_.x()), all(origin_.y()), all(origin_.z())};
   const Positions<S> u = {all(u_.x()), all(u_.y()), all(u_.z())};
   const Positions<S> v = {all(v_.x()), all(v_.y()), all(v_.z())};
   const Pack<S> up = all(up_);
-  const int count = count_;
+  const int corners = count;
   const auto lay = [&](const ContactPoint<S>* const(&at)[kLanes], int i) {
     const Positions<S> position = read<S>(at);
     const Pack<S> dx = position.x - from.x;
@@ -115,30 +104,30 @@ void Patch<S>::project_all(std::span<const ContactPoint<S>> points) {
     const Pack<S> dz = position.z - from.z;
     const Pack<S> x = u.x * dx + u.y * dy + u.z * dz;
     const Pack<S> y = up * (v.x * dx + v.y * dy + v.z * dz);
-    store<S>(position.separation, separation_ + i);
-    store<S>(x, x_ + i);
-    store<S>(y, y_ + i);
-    store<S>(x, x_ + count + i);
-    store<S>(y, y_ + count + i);
-    std::memcpy(point_ + i, kNumbers.data() + i, kLanes * sizeof(int));
+    store<S>(position.separation, separation + i);
+    store<S>(x, xs + i);
+    store<S>(y, ys + i);
+    store<S>(x, xs + corners + i);
+    store<S>(y, ys + corners + i);
+    std::memcpy(point + i, kNumbers.data() + i, kLanes * sizeof(int));
   };
   const ContactPoint<S>* at[kLanes];
   int i = 0;
-  for (; i + kLanes <= count; i += kLanes) {
+  for (; i + kLanes <= corners; i += kLanes) {
     for (int lane = 0; lane < kLanes; ++lane) at[lane] = points.data() + i + lane;
     lay(at, i);
   }
-  if (i == count) return;
+  if (i == corners) return;
   // The lanes after the last are the first again.
   for (int lane = 0; lane < kLanes; ++lane) {
-    at[lane] = points.data() + std::min(i + lane - (i + lane < count ? 0 : count), count - 1);
+    at[lane] = points.data() + std::min(i + lane - (i + lane < corners ? 0 : corners), corners - 1);
   }
   lay(at, i);
-  if (2 * count < kLanes) repeat();
+  if (2 * corners < kLanes) repeat();
 }
 
 template <class S>
-PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
+Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
   // Relative to the first point, so that a place far from the origin costs no digits.
   const S dx = position.x() - origin_.x();
   const S dy = position.y() - origin_.y();
@@ -148,8 +137,8 @@ PlanePoint<S> Patch<S>::project(const Vec3<S>& position) const {
 
 template <class S>
 void Patch<S>::repeat() {
-  for (S* const values : {x_, y_}) {
-    for (int i = count_; i < 2 * count_ + 2 * kLanes; ++i) values[i] = values[i - count_];
+  for (S* const values : {xs, ys}) {
+    for (int i = count; i < 2 * count + 2 * kLanes; ++i) values[i] = values[i - count];
   }
 }
 
@@ -157,22 +146,22 @@ void Patch<S>::repeat() {
 template <class S>
 void Patch<S>::make_convex() {
   StaticVector<int, kMaxManifoldPoints + 1> sorted;
-  for (int i = 0; i < count_; ++i) sorted.push_back(i);
-  std::ranges::sort(sorted, {}, [this](int i) { return std::tuple(x_[i], y_[i], i); });
-  const auto same = [this](int i, int j) { return x_[i] == x_[j] && y_[i] == y_[j]; };
+  for (int i = 0; i < count; ++i) sorted.push_back(i);
+  std::ranges::sort(sorted, {}, [this](int i) { return std::tuple(xs[i], ys[i], i); });
+  const auto same = [this](int i, int j) { return xs[i] == xs[j] && ys[i] == ys[j]; };
   const int* const different = std::unique(sorted.begin(), sorted.end(), same);
   sorted.truncate(static_cast<std::size_t>(different - sorted.begin()));
-  const auto hull = steps::convex_chain(sorted, [this](int i, int j, int k) {
+  const auto hull = convex_chain(sorted, [this](int i, int j, int k) {
     return cross(corner(j) - corner(i), corner(k) - corner(j)) > S(0);
   });
 
-  for (S* const values : {x_, y_, separation_}) {
+  for (S* const values : {xs, ys, separation}) {
     S kept[kMaxManifoldPoints];
     std::ranges::transform(hull, kept, [values](int i) { return values[i]; });
     std::copy_n(kept, hull.size(), values);
   }
-  std::ranges::copy(hull, point_);
-  count_ = count_of(hull);
+  std::ranges::copy(hull, point);
+  count = count_of(hull);
   repeat();
 }
 
@@ -187,12 +176,12 @@ bool Patch<S>::measure() {
   Pack<S> area = zero;
   Flags<S> tops = {};
   Flags<S> left = {};  // corners from here to the last, for an end amid a pack
-  for (int lane = 0; lane < kLanes; ++lane) left[lane] = count_ - lane;
-  Pack<S> x = load(x_);
-  Pack<S> y = load(y_);
-  for (int i = 0; i < count_; i += kLanes) {
-    const Pack<S> after_x = load(x_ + i + kLanes);
-    const Pack<S> after_y = load(y_ + i + kLanes);
+  for (int lane = 0; lane < kLanes; ++lane) left[lane] = count - lane;
+  Pack<S> x = load(xs);
+  Pack<S> y = load(ys);
+  for (int i = 0; i < count; i += kLanes) {
+    const Pack<S> after_x = load(xs + i + kLanes);
+    const Pack<S> after_y = load(ys + i + kLanes);
     const Pack<S> next_x = lanes::straddle<S, 1>(x, after_x);
     const Pack<S> next_y = lanes::straddle<S, 1>(y, after_y);
     const Pack<S> dx = next_x - x;
@@ -209,10 +198,10 @@ bool Patch<S>::measure() {
     x = after_x;
     y = after_y;
   }
-  doubled_area_ = S(0);
+  doubled_area = S(0);
   int rounds = 0;
   for (int lane = 0; lane < kLanes; ++lane) {
-    doubled_area_ += area[lane];
+    doubled_area += area[lane];
     rounds += static_cast<int>(tops[lane]);
   }
 
@@ -222,7 +211,7 @@ bool Patch<S>::measure() {
   const S coordinate =
       std::max(std::max(std::abs(origin_.x()), std::abs(origin_.y())), std::abs(origin_.z()));
   rounding_ = S(8) * std::numeric_limits<S>::epsilon() * (coordinate + length);
-  is_flat_ = !(doubled_area_ > rounding_ * length);
+  is_flat = !(doubled_area > rounding_ * length);
   return lanes::smallest<S>(least_turn)[0] > S(0) && rounds == 1;
 }
 

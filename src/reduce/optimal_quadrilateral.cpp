@@ -36,16 +36,16 @@ constexpr int kSmall = 16;  // corners: ring_across() keeps what it found in as 
 template <int kMost, class S>
 CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
   constexpr int kLanes = Patch<S>::kLanes;
-  const int count = patch.count();
+  const int count = patch.count;
   const int end = kMost <= kSmall ? kMost : count;  // a patch goes round twice at least
-  const S dx = patch.x()[to] - patch.x()[from];
-  const S dy = patch.y()[to] - patch.y()[from];
+  const S dx = patch.xs[to] - patch.xs[from];
+  const S dy = patch.ys[to] - patch.ys[from];
   S across[kMost];
-  Pack<S> most = dx * load(patch.y()) - dy * load(patch.x());
+  Pack<S> most = dx * load(patch.ys) - dy * load(patch.xs);
   Pack<S> least = most;
   store<S>(most, across);
   for (int i = kLanes; i < end; i += kLanes) {
-    const Pack<S> here = dx * load(patch.y() + i) - dy * load(patch.x() + i);
+    const Pack<S> here = dx * load(patch.ys + i) - dy * load(patch.xs + i);
     store<S>(here, across + i);
     most = lanes::larger(most, here);
     least = lanes::smaller(least, here);
@@ -128,8 +128,8 @@ CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kF
     constexpr int kNext = (kPack + 1) * kLanes % kEight;
     return lanes::straddle<S, first % kLanes>(load(values + kPack * kLanes), load(values + kNext));
   };
-  const Pack<S> x[] = {starting(patch.x(), std::integral_constant<int, kFirst>{})...};
-  const Pack<S> y[] = {starting(patch.y(), std::integral_constant<int, kFirst>{})...};
+  const Pack<S> x[] = {starting(patch.xs, std::integral_constant<int, kFirst>{})...};
+  const Pack<S> y[] = {starting(patch.ys, std::integral_constant<int, kFirst>{})...};
   // Of the longest diagonals half are enough; where a pack holds all eight, they come twice.
   constexpr int kAreas = std::max(kEight / 2 * 5, 2 * kEight + kLanes);
   S areas[kAreas];
@@ -146,7 +146,7 @@ CornerRing<S> best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kF
   const int best = std::countr_zero(equal);
   const auto corner = [&](int i) {
     i %= kEight;
-    return i - (patch.count() & -static_cast<int>(i >= patch.count()));
+    return i - (patch.count & -static_cast<int>(i >= patch.count));
   };
   return ring_across<kEight>(patch, corner(best), corner(best + 2 + best / kEight), most[0]);
 }
@@ -157,7 +157,7 @@ template <int kPacks, class S>
 inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, int* ends,
                  S* areas, Pack<S>& most) {
   constexpr int kLanes = Patch<S>::kLanes;
-  const int count = patch.count();
+  const int count = patch.count;
   Pack<S> x[kPacks];
   Pack<S> y[kPacks];
   widest::Flags<S> ahead[kPacks];
@@ -177,18 +177,18 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
     for (int lane = 0; lane < kLanes; ++lane) {
       end[lane] = first + lane + static_cast<int>(ahead[p][lane]);
     }
-    x[p] = each<S>([&](int lane) { return patch.x()[end[lane]]; }) - load(patch.x() + first + 1);
-    y[p] = each<S>([&](int lane) { return patch.y()[end[lane]]; }) - load(patch.y() + first + 1);
+    x[p] = each<S>([&](int lane) { return patch.xs[end[lane]]; }) - load(patch.xs + first + 1);
+    y[p] = each<S>([&](int lane) { return patch.ys[end[lane]]; }) - load(patch.ys + first + 1);
   }
   Pack<S> left[kPacks];
   Pack<S> right[kPacks];
   for (int p = 0; p < kPacks; ++p) {
-    left[p] = x[p] * patch.y()[0] - y[p] * patch.x()[0];
+    left[p] = x[p] * patch.ys[0] - y[p] * patch.xs[0];
     right[p] = left[p];
   }
   for (int m = 1; m < count; ++m) {
-    const Pack<S> mx = widest::all(patch.x()[m]);
-    const Pack<S> my = widest::all(patch.y()[m]);
+    const Pack<S> mx = widest::all(patch.xs[m]);
+    const Pack<S> my = widest::all(patch.ys[m]);
     for (int p = 0; p < kPacks; ++p) {
       const Pack<S> across = x[p] * my - y[p] * mx;
       left[p] = lanes::larger(left[p], across);
@@ -223,15 +223,15 @@ inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i,
 template <class S>
 CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
   constexpr int kLanes = Patch<S>::kLanes;
-  const int count = patch.count();
+  const int count = patch.count;
   if (count <= kEight) return best_of_eight(patch, std::make_integer_sequence<int, kEight>{});
   S edge_x[kMaxManifoldPoints];
   S edge_y[kMaxManifoldPoints];
-  Pack<S> x = load(patch.x());
-  Pack<S> y = load(patch.y());
+  Pack<S> x = load(patch.xs);
+  Pack<S> y = load(patch.ys);
   for (int i = 0; i < count; i += kLanes) {
-    const Pack<S> after_x = load(patch.x() + i + kLanes);
-    const Pack<S> after_y = load(patch.y() + i + kLanes);
+    const Pack<S> after_x = load(patch.xs + i + kLanes);
+    const Pack<S> after_y = load(patch.ys + i + kLanes);
     store<S>(lanes::straddle<S, 1>(x, after_x) - x, edge_x + i);
     store<S>(lanes::straddle<S, 1>(y, after_y) - y, edge_y + i);
     x = after_x;
@@ -259,9 +259,9 @@ CornerRing<S> best_quadrilateral(const Patch<S>& patch) {
 /// ends of a diagonal of a convex polygon there is nothing farther to the right or to the left.
 template <class S>
 CornerRing<S> best_quadrilateral_through(const Patch<S>& patch, int through) {
-  const int count = patch.count();
-  const S* x = patch.x();
-  const S* y = patch.y();
+  const int count = patch.count;
+  const S* x = patch.xs;
+  const S* y = patch.ys;
   S areas[kMaxManifoldPoints];
   Pack<S> most = {};
   for (int to = 0; to < count; to += Patch<S>::kLanes) {

@@ -46,14 +46,14 @@ struct ChoiceWith {
 /// which is empty: `point` first. When another point at the same place is a corner of the patch,
 /// `point` takes its part.
 template <class S>
-ChoiceWith<S> largest_with(ContactPoints<S> points, Patch<S>& patch, int point, int most,
+ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int point, int most,
                            KeptIndices& kept);
 
 /// The doubled area of the triangle that `centre` makes with the edge from corner i to j. Nothing
 /// where it sees the edge from behind: then it is outside of the ring there, and its hull with the
 /// ring has no such edge.
 template <class S>
-S seen(const Patch<S>& patch, const PlanePoint<S>& centre, int i, int j) {
+S seen(const Patch<S>& patch, const Vec2<S>& centre, int i, int j) {
   return std::max(S(0), cross(patch.corner(i) - centre, patch.corner(j) - centre));
 }
 

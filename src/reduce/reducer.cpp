@@ -4,36 +4,30 @@
 #include <iterator>
 #include <type_traits>
 
-#include "core/at.h"
 #include "core/pack.h"
+#include "reduce/steps.h"
 
 namespace contactscope {
 
 // The reducers of a file: the talk's, those that look at no geometry, engines' ways, the optimal ones.
-std::vector<ReducerInfo> area_reducers(), extremes_reducers(), simple_reducers(), engine_reducers(),
-    optimal_reducers(), coherent_reducers();
+std::vector<ReducerInfo> area_reducers(), simple_reducers(), engine_reducers(), optimal_reducers(),
+    coherent_reducers();
 
 const std::vector<ReducerInfo>& reducers() {
   static const std::vector<ReducerInfo> all = [] {
     std::vector<ReducerInfo> listed;
-    for (const auto family : {&area_reducers, &extremes_reducers, &simple_reducers,
-                              &engine_reducers, &optimal_reducers, &coherent_reducers}) {
+    for (const auto family : {&area_reducers, &simple_reducers, &engine_reducers, &optimal_reducers,
+                              &coherent_reducers})
       std::ranges::copy(family(), std::back_inserter(listed));
-    }
     listed.push_back({"none", "keeps every point", nullptr, nullptr});
     return listed;
   }();
   return all;
 }
 
-template <class S>
-Reducer<S> find_reducer(std::string_view name) {
-  for (const ReducerInfo& info : reducers()) {
-    if (name != info.name) continue;
-    if constexpr (std::is_same_v<S, float>) return info.in_float;
-    if constexpr (std::is_same_v<S, double>) return info.in_double;
-  }
-  return nullptr;
+const ReducerInfo* find_reducer(std::string_view name) {
+  const auto found = std::ranges::find(reducers(), name, &ReducerInfo::name);
+  return found == reducers().end() || found->in_float == nullptr ? nullptr : &*found;
 }
 
 namespace {
@@ -54,20 +48,16 @@ bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
 }  // namespace
 
 template <class S>
-Reduction reduce(Reducer<S> reducer, ContactPoints<S> points, const Vec3<S>& normal,
-                 const ReduceOptions& options) {
-  if (!all_finite(points, normal)) return {{}, ReduceStatus::NotFinite};
-  if (reducer != nullptr && count_of(points) > options.max_points) {
-    return {reducer(points, normal, options), ReduceStatus::Reduced};
-  }
-  Reduction all;
-  for (int i = 0; i < count_of(points); ++i) all.kept.push_back(i);
-  return all;
+KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
+                   const ReduceOptions& options) {
+  if (!all_finite(points, normal)) return {};
+  if (reducer == nullptr || count_of(points) <= options.max_points)
+    return steps::numbers_up_to(count_of(points));
+  if constexpr (std::is_same_v<S, float>) return reducer->in_float(points, normal, options);
+  if constexpr (std::is_same_v<S, double>) return reducer->in_double(points, normal, options);
 }
 
 template decltype(reduce<float>) reduce<float>;
 template decltype(reduce<double>) reduce<double>;
-template decltype(find_reducer<float>) find_reducer<float>;
-template decltype(find_reducer<double>) find_reducer<double>;
 
 }  // namespace contactscope

@@ -5,31 +5,23 @@
 namespace contactscope {
 namespace {
 
-KeptIndices numbers_up_to(int count) {
-  KeptIndices numbers;
-  for (int i = 0; i < count; ++i) numbers.push_back(i);
-  return numbers;
-}
-
 /// The first max_points points in the order in which clipping made them. No source: what a buffer
 /// of fixed size does.
-template <class S>
-KeptIndices reduce_to_first(ContactPoints<S> /*points*/, const Vec3<S>& /*normal*/,
-                            const ReduceOptions& options) {
-  return numbers_up_to(options.max_points);
-}
+constexpr auto reduce_to_first = []<class S>(const Candidates<S>& /*points*/,
+                                             const ReduceOptions& options) {
+  return steps::numbers_up_to(options.max_points);
+};
 
 /// The deepest max_points points, deepest first, equally deep ones by index. No source: the obvious
 /// choice, and a bad one, because deep points lie side by side, and where two points exchange their
 /// depth the manifold jumps.
-template <class S>
-KeptIndices reduce_to_deepest(ContactPoints<S> points, const Vec3<S>& /*normal*/,
-                              const ReduceOptions& options) {
-  KeptIndices order = numbers_up_to(count_of(points));
+constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
+                                               const ReduceOptions& options) {
+  KeptIndices order = steps::numbers_up_to(points.count());
   std::ranges::partial_sort(order, order.begin() + options.max_points, {},
-                            [&](int i) { return std::pair(at(points, i).separation, i); });
+                            [&](int i) { return std::pair(points.separation(i), i); });
   return steps::first_of(order, options);
-}
+};
 
 /// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators": any seed will do,
 /// 0 included.
@@ -46,11 +38,10 @@ std::uint64_t split_mix(std::uint64_t& state) {
 /// Fisher and Yates 1938, stopped after max_points. Steps: exchange place i with a place from i on,
 /// drawn by multiplying 32 random bits by the number of places: a bias of less than 1e-7, and no
 /// standard distribution, which would differ between libraries.
-template <class S>
-KeptIndices reduce_at_random(ContactPoints<S> points, const Vec3<S>& /*normal*/,
-                             const ReduceOptions& options) {
-  const int all = count_of(points);
-  KeptIndices order = numbers_up_to(all);
+constexpr auto reduce_at_random = []<class S>(const Candidates<S>& points,
+                                              const ReduceOptions& options) {
+  const int all = points.count();
+  KeptIndices order = steps::numbers_up_to(all);
   std::uint64_t state = options.seed;
   for (int i = 0; i < options.max_points; ++i) {
     const std::uint64_t places = static_cast<std::uint64_t>(all - i);
@@ -58,16 +49,15 @@ KeptIndices reduce_at_random(ContactPoints<S> points, const Vec3<S>& /*normal*/,
     std::swap(at(order, i), order[static_cast<std::size_t>(i) + drawn]);
   }
   return steps::first_of(order, options);
-}
+};
 
 }  // namespace
 
 /// What looks at no geometry, for comparison.
 std::vector<ReducerInfo> simple_reducers() {
-  return {{"deepest", "the deepest", &reduce_to_deepest<float>, &reduce_to_deepest<double>},
-          {"first", "the first, in the order of clipping", &reduce_to_first<float>,
-           &reduce_to_first<double>},
-          {"random", "any, by the seed", &reduce_at_random<float>, &reduce_at_random<double>}};
+  return {listed("deepest", "the deepest", reduce_to_deepest),
+          listed("first", "the first, in the order of clipping", reduce_to_first),
+          listed("random", "any, by the seed", reduce_at_random)};
 }
 
 }  // namespace contactscope

@@ -4,35 +4,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/at.h"
 #include "reduce/reducer.h"
 
-/// Steps that several reducers take. All of them look at the points as given, relative to one of
-/// them, so that a place far from the origin costs no digits; among equals the earliest wins.
-namespace contactscope::steps {
+namespace contactscope {
+namespace steps {
 
-template <class S>
-const Vec3<S>& position(ContactPoints<S> points, int i) {
-  return at(points, i).position;
-}
-
-/// A direction in the plane with unit `normal` that depends on it alone; not of unit length. It
-/// leans on no coordinate axis, because boxes and floors do, and two corners of an aligned box would
-/// be equally far along an axis: rounding would then choose between them anew in every frame.
-template <class S>
-Vec3<S> fixed_direction(const Vec3<S>& normal) {
-  const Vec3<S> one(S(0.76), S(0.31), S(0.57));
-  const Vec3<S> two(S(-0.57), S(0.76), S(0.31));
-  // The steeper one would have a short projection, and swing with the smallest change of normal.
-  const Vec3<S>& chosen = std::abs(normal.dot(one)) <= S(0.9) ? one : two;
-  return chosen - normal.dot(chosen) * normal;
-}
-
-/// Which of `count` has the highest score above `more_than`, -1 when none has. A later one must win
-/// by the factor 1 / `handicap`.
-template <class S, class Score>
-int highest(int count, S more_than, const Score& score, S handicap = S(1)) {
+/// Which of `count` has the highest score above `more_than`, -1 when none has; among equals the
+/// earliest. A later one must win by the factor 1 / `handicap`.
+template <class Score, class S = std::invoke_result_t<Score, int>>
+int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>::infinity(),
+            S handicap = S(1)) {
   int best = -1;
   S most = more_than;
   for (int i = 0; i < count; ++i) {
@@ -43,34 +27,6 @@ int highest(int count, S more_than, const Score& score, S handicap = S(1)) {
     }
   }
   return best;
-}
-template <class S, class Score>
-int highest(ContactPoints<S> points, S more_than, const Score& score, S handicap = S(1)) {
-  return highest(count_of(points), more_than, score, handicap);
-}
-
-template <class S>
-int support_point(ContactPoints<S> points, const Vec3<S>& direction) {
-  const auto along = [&](int i) {
-    return direction.dot(Vec3<S>(position(points, i) - position(points, 0)));
-  };
-  return highest(points, -std::numeric_limits<S>::infinity(), along);
-}
-
-template <class S>
-int deepest_point(ContactPoints<S> points) {
-  return highest(points, -std::numeric_limits<S>::infinity(),
-                 [&](int i) { return -at(points, i).separation; });
-}
-
-/// `from` itself when all points coincide.
-template <class S>
-int farthest_from(ContactPoints<S> points, int from, S handicap = S(1)) {
-  const auto distance = [&](int i) {
-    return (position(points, i) - position(points, from)).squaredNorm();
-  };
-  const int farthest = highest(points, S(0), distance, handicap);
-  return farthest < 0 ? from : farthest;
 }
 
 /// The farthest two of `count`, lower index first; 0 twice when no two are apart.
@@ -90,42 +46,23 @@ std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distan
   return best;
 }
 
-/// Mean of the positions.
+/// A direction in the plane with unit `normal` that depends on it alone; not of unit length. It
+/// leans on no coordinate axis, because boxes and floors do, and two corners of an aligned box would
+/// be equally far along an axis: rounding would then choose between them anew in every frame.
 template <class S>
-Vec3<S> centre(ContactPoints<S> points) {
-  Vec3<S> sum = Vec3<S>::Zero();
-  for (int i = 1; i < count_of(points); ++i) sum += position(points, i) - position(points, 0);
-  return position(points, 0) + sum / S(count_of(points));
+Vec3<S> fixed_direction(const Vec3<S>& normal) {
+  const Vec3<S> one(S(0.76), S(0.31), S(0.57));
+  const Vec3<S> two(S(-0.57), S(0.76), S(0.31));
+  // The steeper one would have a short projection, and swing with the smallest change of normal.
+  const Vec3<S>& chosen = std::abs(normal.dot(one)) <= S(0.9) ? one : two;
+  return chosen - normal.dot(chosen) * normal;
 }
 
-/// Twice the signed area of the triangle q, a, b; counter-clockwise seen against `normal` is
-/// positive. The talk's 0.5 (QA x QB) . n without the factor.
-template <class S>
-S doubled_area(const Vec3<S>& q, const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& normal) {
-  const Vec3<S> qa = a - q;
-  const Vec3<S> qb = b - q;
-  return qa.cross(qb).dot(normal);
-}
-
-/// Doubled areas up to here, over an edge as long as that from a to b, may be rounding. A
-/// coordinate carries an error of half an ulp of its own size, so a difference of two of them does
-/// too however small it is itself, and an area that error times the length of the edge.
-template <class S>
-S negligible_area(ContactPoints<S> points, int a, int b) {
-  const S length = (position(points, b) - position(points, a)).norm();
-  const S coordinate = position(points, a).cwiseAbs().maxCoeff() + length;
-  return S(8) * std::numeric_limits<S>::epsilon() * coordinate * length;
-}
-
-/// The points farthest from the line through a and b on its left and right, -1 where none is.
-template <class S>
-std::array<int, 2> both_sides(ContactPoints<S> points, const Vec3<S>& normal, int a, int b) {
-  const S negligible = negligible_area(points, a, b);
-  const auto left = [&](int q) {
-    return doubled_area(position(points, q), position(points, a), position(points, b), normal);
-  };
-  return {highest(points, negligible, left),
-          highest(points, negligible, [&](int q) { return -left(q); })};
+/// 0, 1, 2 ...
+inline KeptIndices numbers_up_to(int count) {
+  KeptIndices numbers;
+  for (int i = 0; i < count; ++i) numbers.push_back(i);
+  return numbers;
 }
 
 inline bool contains(const KeptIndices& kept, int index) {
@@ -143,15 +80,82 @@ inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
   return choices;
 }
 
-/// Two points and the farthest on either side of the line through them; fewer where a side
-/// is empty, or the two are one.
+}  // namespace steps
+
+/// The points that a reducer chooses from, and steps that several reducers take. All of them look at
+/// the points as given, relative to one of them, so that a place far from the origin costs no digits.
 template <class S>
-KeptIndices two_and_both_sides(ContactPoints<S> points, const Vec3<S>& normal, int first,
-                               int second, const ReduceOptions& options) {
-  const auto [left, right] = both_sides(points, normal, first, second);
-  KeptIndices choices;
-  for (const int index : {first, second, left, right}) add_once(choices, index);
-  return first_of(choices, options);
+struct Candidates {
+  ContactPoints<S> points;
+  const Vec3<S>& normal;  // unit
+
+  int count() const { return count_of(points); }
+  const Vec3<S>& operator[](int i) const { return at(points, i).position; }
+  S separation(int i) const { return at(points, i).separation; }
+
+  /// See steps::highest().
+  template <class Score>
+  int highest(const Score& score, S more_than = -std::numeric_limits<S>::infinity(),
+              S handicap = S(1)) const {
+    return steps::highest(count(), score, more_than, handicap);
+  }
+  int farthest_along(const Vec3<S>& direction) const {
+    return highest([&](int i) { return direction.dot(Vec3<S>((*this)[i] - (*this)[0])); });
+  }
+  int deepest() const {
+    return highest([&](int i) { return -separation(i); });
+  }
+  /// `from` itself when all points coincide.
+  int farthest_from(int from, S handicap = S(1)) const {
+    const auto distance = [&](int i) { return ((*this)[i] - (*this)[from]).squaredNorm(); };
+    const int farthest = highest(distance, S(0), handicap);
+    return farthest < 0 ? from : farthest;
+  }
+  /// Mean of the positions.
+  Vec3<S> centre() const {
+    Vec3<S> sum = Vec3<S>::Zero();
+    for (int i = 1; i < count(); ++i) sum += (*this)[i] - (*this)[0];
+    return (*this)[0] + sum / S(count());
+  }
+  /// Twice the signed area of the triangle q, a, b; counter-clockwise seen against the normal is
+  /// positive. The talk's 0.5 (QA x QB) . n without the factor.
+  S doubled_area(int q, int a, int b) const {
+    const Vec3<S> qa = (*this)[a] - (*this)[q];
+    const Vec3<S> qb = (*this)[b] - (*this)[q];
+    return qa.cross(qb).dot(normal);
+  }
+  /// Doubled areas up to here, over an edge as long as that from a to b, may be rounding. A
+  /// coordinate carries an error of half an ulp of its own size, so a difference of two of them does
+  /// too however small it is itself, and an area that error times the length of the edge.
+  S negligible_area(int a, int b) const {
+    const S length = ((*this)[b] - (*this)[a]).norm();
+    const S coordinate = (*this)[a].cwiseAbs().maxCoeff() + length;
+    return S(8) * std::numeric_limits<S>::epsilon() * coordinate * length;
+  }
+  /// The points farthest from the line through a and b on its left and right, -1 where none is.
+  std::array<int, 2> both_sides(int a, int b) const {
+    const S negligible = negligible_area(a, b);
+    return {highest([&](int q) { return doubled_area(q, a, b); }, negligible),
+            highest([&](int q) { return -doubled_area(q, a, b); }, negligible)};
+  }
+  /// Two points and the farthest on either side of the line through them; fewer where a side
+  /// is empty, or the two are one.
+  KeptIndices two_and_both_sides(int first, int second, const ReduceOptions& options) const {
+    const auto [left, right] = both_sides(first, second);
+    KeptIndices choices;
+    for (const int index : {first, second, left, right}) steps::add_once(choices, index);
+    return steps::first_of(choices, options);
+  }
+};
+
+/// The row of a reducer: a function object without data, which takes candidates in either scalar.
+template <class Reduce>
+ReducerInfo listed(std::string name, std::string summary, const Reduce&, bool remembers = false) {
+  const auto run = []<class S>(ContactPoints<S> points, const Vec3<S>& normal,
+                               const ReduceOptions& options) {
+    return Reduce{}(Candidates<S>{points, normal}, options);
+  };
+  return {std::move(name), std::move(summary), run, run, remembers};
 }
 
-}  // namespace contactscope::steps
+}  // namespace contactscope

@@ -16,15 +16,14 @@
 namespace contactscope {
 namespace {
 
-template <class S>
-CollideOptions<S> options_of(const PipelineSettings& settings) {
-  CollideOptions<S> options;
-  options.margin = static_cast<S>(settings.margin);
+CollideOptions options_of(const PipelineSettings& settings) {
+  CollideOptions options;
+  options.margin = settings.margin;
   options.preference = settings.preference;
   options.degenerate = settings.degenerate;
   options.internal_edges = settings.internal_edges;
   options.penetration = settings.penetration;
-  options.reducer = find_reducer<S>(settings.reducer);
+  options.reducer = find_reducer(settings.reducer);
   options.reduction.max_points = settings.max_points;
   return options;
 }
@@ -33,10 +32,10 @@ CollideOptions<S> options_of(const PipelineSettings& settings) {
 bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
   const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
-  const auto reducer = std::ranges::find(reducers(), settings.reducer, &ReducerInfo::name);
+  const ReducerInfo* const reducer = find_reducer(settings.reducer);
   return settings.manifold == ManifoldKind::Incremental ||
          (settings.cache && can_cache(kind(pair.a), kind(pair.b))) ||
-         (reducer != reducers().end() && reducer->remembers);
+         (reducer != nullptr && reducer->remembers);
 }
 
 /// Whether some view shows the layer or panel.
@@ -192,12 +191,12 @@ class Runner::In final : public Runner::InScalar {
     const Shape<S>&a = at(*shapes_, pair.a), &b = at(*shapes_, pair.b);
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
     Memory<S>& memory = memories_[index];
-    CollideOptions<S> options = options_of<S>(pair.pipeline);
+    CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
     options.reduction.previous = memory.kept;
     if (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic())
-      options.margin =
-          std::max(options.margin, static_cast<S>(scenario_.solver.speculative_margin.value_or(0)));
+      options.margin = std::max(options.margin, scenario_.solver.speculative_margin.value_or(0));
+    options.margin = static_cast<S>(options.margin);  // a length as the pipeline has it
 
     Manifolds<S> manifolds;
     if (pair.pipeline.manifold == ManifoldKind::Incremental) {

@@ -12,7 +12,6 @@
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"
-#include "manifold/incremental_settings.h"
 #include "reduce/reducer.h"
 
 /// What a scenario file holds, read and checked; scenarios/README.md is the reference of the format.

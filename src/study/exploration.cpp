@@ -126,11 +126,11 @@ class Explorer {
       return mapped(kept, [&](const trace::Point& point) { return id_of(point.id); });
     });
     const Vec3<S> normal = result.normal.cast<S>();
-    const auto run = [&](Reducer<S> reducer, std::span<const FeatureId> before) {
+    const auto run = [&](const ReducerInfo* reducer, std::span<const FeatureId> before) {
       ReduceOptions options;
       options.max_points = max_points_;
       options.previous = before;
-      return reduce<S>(reducer, points, normal, options).kept;
+      return reduce<S>(reducer, points, normal, options);
     };
 
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -148,7 +148,7 @@ class Explorer {
     }
     const std::vector<Vec3d> places = mapped(exact, &ContactPoint<double>::position);
     result.best_area = best_convex_area(places, result.normal, max_points_);
-    const KeptIndices best = run(find_reducer<S>("optimal"), {});
+    const KeptIndices best = run(find_reducer("optimal"), {});
     result.best.assign(best.begin(), best.end());
     if (!measure_time || count_of(points) <= max_points_) return;
     constexpr int kRounds = 41;
@@ -178,7 +178,7 @@ class Explorer {
   }
 
   const std::vector<std::string>& names_;
-  std::vector<Reducer<S>> reducers_;
+  std::vector<const ReducerInfo*> reducers_;
   std::vector<Points> memories_;  // what each kept in the last frame
   int max_points_;
   int last_frame_ = -2;

@@ -31,7 +31,7 @@ template <class S>
 void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
   for (int back = kSteps; back > 0; --back) {
     collide_hull_hull(rounded.a, Pose<S>(), rounded.b, earlier(hulls, back).cast<S>(),
-                      CollideOptions<S>(), &rounded.cache);
+                      CollideOptions(), &rounded.cache);
   }
 }
 
@@ -128,7 +128,7 @@ Found contact(const RoundedHulls<S>& c) {
   PairCache<S> cache;
   if (cached) cache = c.cache;
   Contact<S> result;
-  CollideOptions<S> options;
+  CollideOptions options;
   options.preference = preference;
   const double separation = static_cast<double>(collide_hull_hull<S>(
       c.a, c.b, c.b_in_a, options, cached ? &cache : nullptr, result, nullptr));

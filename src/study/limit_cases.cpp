@@ -167,7 +167,7 @@ Deepest deepest_of(const Manifolds<S>& manifolds) {
 
 template <class S>
 Deepest collided(const RoundedPair<S>& pair, Preference preference) {
-  CollideOptions<S> options;
+  CollideOptions options;
   options.preference = preference;
   Manifolds<S> manifolds;
   collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds);

@@ -32,7 +32,7 @@ const Pose<float> kFloor{Quat<float>::Identity(), Vec3<float>(0, -0.5F, 0)};
 struct LandingPair {
   Shape<float> floor, box;
   LandingMethod method;
-  CollideOptions<float> options;
+  CollideOptions options;
   IncrementalOptions incremental;
   PairCache<float> cache;
   PersistentManifold<float> persistent;
@@ -42,7 +42,7 @@ struct LandingPair {
       : floor(shape_cast<float>(make_box(Vec3d(20, 0.5, 20)))),
         box(shape_cast<float>(make_box(c.half_extents))),
         method(by) {
-    options.reducer = find_reducer<float>("area");
+    options.reducer = find_reducer("area");
     incremental.settings.confirm = by == LandingMethod::ByIds ? Confirm::Ids : Confirm::Distance;
   }
   void collide_at(const Pose<float>& box_pose) {

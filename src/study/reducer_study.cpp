@@ -28,7 +28,7 @@ constexpr double kMoveOfFrame = 0.01;
 
 struct Method {
   std::string name;
-  Reducer<float> reducer;
+  const ReducerInfo* reducer;
   bool remembers = false;
 };
 
@@ -36,7 +36,7 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> list;
   for (const ReducerInfo& info : reducers()) {
-    const Reducer<float> reducer = find_reducer<float>(info.name);
+    const ReducerInfo* reducer = find_reducer(info.name);
     if (reducer == nullptr) continue;  // "none" is no method
     list.push_back({info.name, reducer, info.remembers});
     if (info.remembers) list.push_back({info.name + ", first frame", reducer});
@@ -68,18 +68,18 @@ std::vector<FeatureId> remembered(const Method& method, const Case& frames) {
   for (const ContactPolygon& frame : frames | std::views::take(kFramesBefore)) {
     ReduceOptions options = reduce_options(0);
     options.previous = ids;
-    const Reduction reduction = reduce<float>(method.reducer, frame.points, frame.normal, options);
-    ids = mapped(reduction.kept, [&](int i) { return at(frame.points, i).id; });
+    const KeptIndices kept = reduce<float>(method.reducer, frame.points, frame.normal, options);
+    ids = mapped(kept, [&](int i) { return at(frame.points, i).id; });
   }
   return ids;
 }
 
-trace::ReducerAnswer judge(const Reduction& reduction, const ContactPolygon& polygon) {
+trace::ReducerAnswer judge(const KeptIndices& kept, const ContactPolygon& polygon) {
   const auto points = mapped(polygon.points, [](const ContactPoint<float>& point) {
     return ContactPoint<double>{point.position.cast<double>(), point.separation, point.id};
   });
   const Vec3d normal = polygon.normal.cast<double>().normalized();
-  return measure_reduction(points, normal, {reduction.kept.begin(), reduction.kept.size()}, kKept);
+  return measure_reduction(points, normal, {kept.begin(), kept.size()}, kKept);
 }
 
 }  // namespace
@@ -146,8 +146,8 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
         }
       },
       [&](std::size_t m, std::size_t p, std::size_t i) {
-        const Reduction reduction = reduced(m, p, i);
-        return reduction.kept.empty() ? 0.0 : static_cast<double>(reduction.kept.back());
+        const KeptIndices kept = reduced(m, p, i);
+        return kept.empty() ? 0.0 : static_cast<double>(kept.back());
       });
   for (trace::StudySeries& series : results[2].series) {
     for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // a share has none

@@ -52,9 +52,9 @@ const TimedWorkload& workload_at(int index) {
   return made.try_emplace(index, static_cast<Workload>(index)).first->second;
 }
 
-CollideOptions<float> options() {
-  CollideOptions<float> result;
-  result.reducer = find_reducer<float>("area");
+CollideOptions options() {
+  CollideOptions result;
+  result.reducer = find_reducer("area");
   return result;
 }
 
@@ -87,7 +87,7 @@ double pass(int index, Memory& memory, bool cached, const Collide& collide_pair)
 }
 
 double pass_without_recorder(int index, Memory& memory, bool cached) {
-  const CollideOptions<float> settings = options();
+  const CollideOptions settings = options();
   Manifolds<float> manifolds;
   return pass(index, memory, cached,
               [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {
@@ -110,7 +110,7 @@ double pass_cold(int workload) {
 
 double pass_recorded(int workload) {
   static std::map<int, Memory> memories;
-  const CollideOptions<float> settings = options();
+  const CollideOptions settings = options();
   Manifolds<float> manifolds;
   return pass(workload, memories[workload], true,
               [&](const TimedPair& pair, const Step& step, PairCache<float>* cache) {

@@ -77,16 +77,16 @@ std::vector<Row> rows() {
   return list;
 }
 
-std::vector<FeatureId> kept_ids(Reducer<float> reducer, const Patch& patch) {
+std::vector<FeatureId> kept_ids(const ReducerInfo* reducer, const Patch& patch) {
   std::vector<FeatureId> ids;
-  for (const int index : reduce<float>(reducer, patch.points, patch.normal, {}).kept) {
+  for (const int index : reduce<float>(reducer, patch.points, patch.normal, {})) {
     ids.push_back(patch.points[static_cast<std::size_t>(index)].id);
   }
   return ids;
 }
 
 void run(benchmark::State& state, const Row& row, int size) {
-  const Reducer<float> reducer = find_reducer<float>(row.reducer);
+  const ReducerInfo* reducer = find_reducer(row.reducer);
   const std::vector<Patch>& list = patches(size);
   std::vector<std::vector<FeatureId>> previous(list.size());
   if (row.remembers) {
@@ -96,7 +96,7 @@ void run(benchmark::State& state, const Row& row, int size) {
     for (std::size_t i = 0; i < list.size(); ++i) {
       ReduceOptions options;
       options.previous = previous[i];
-      Reduction reduction = reduce<float>(reducer, list[i].points, list[i].normal, options);
+      KeptIndices reduction = reduce<float>(reducer, list[i].points, list[i].normal, options);
       benchmark::DoNotOptimize(reduction);
     }
   }

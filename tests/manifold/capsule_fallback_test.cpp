@@ -19,8 +19,8 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(CapsuleFallback, Scalars);
 
 template <class S>
-CollideOptions<S> skip() {
-  CollideOptions<S> options;
+CollideOptions skip() {
+  CollideOptions options;
   options.degenerate = Degenerate::Skip;
   return options;
 }

@@ -57,7 +57,7 @@ class CapsuleHull : public testing::Test {
   static constexpr double kEpsilon = std::numeric_limits<S>::epsilon();
 
   static Manifold<S> collide(const RoundHull& pair, double margin = 0) {
-    CollideOptions<S> options;
+    CollideOptions options;
     options.margin = static_cast<S>(margin);
     return test::collide<S>(pair, options);
   }
@@ -399,7 +399,7 @@ TYPED_TEST(CapsuleHull, TouchingAnEdgeOrAVertexOnlyFallsBackOrIsSkipped) {
     EXPECT_NEAR(manifold.points[0].separation, -0.125, 32 * this->kEpsilon);
     EXPECT_GE(test::core_separation_along(this->normal(manifold), pair), -32 * this->kEpsilon);
   }
-  CollideOptions<S> skip;
+  CollideOptions skip;
   skip.degenerate = Degenerate::Skip;
   EXPECT_TRUE(test::collide<S>(on_edge, skip).points.empty());
 }

@@ -4,7 +4,7 @@
 
 #include "core/convex_polygon.h"
 #include "geometry/triangulate.h"
-#include "manifold/face_contact.h"
+#include "manifold/create_contact.h"
 #include "manifold/pair_cache.h"
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_sat.h"
@@ -58,10 +58,10 @@ int points_of_clipping(const PairCase<S>& pair, Preference preference) {
   const SatResult<S> axes = sat(placed, S(0), preference);
   if (axes.status != SatStatus::Touching || axes.chosen == AxisKind::EdgeEdge) return -1;
   const bool on_a = axes.chosen == AxisKind::FaceA;
-  PointSet<S> points;
+  Contact<S> contact;
   create_face_contact<S>(placed, on_a ? Owner::A : Owner::B, on_a ? axes.face_a : axes.face_b, S(0),
-                         points, nullptr);
-  return static_cast<int>(points.size());
+                         contact, nullptr);
+  return static_cast<int>(contact.points.size());
 }
 
 template <class S>
@@ -131,7 +131,7 @@ TYPED_TEST(Coplanar, SlowUnmergedHullsAreNeverWithoutContactAndAsDeepAsBruteForc
     if (best > -rounding) continue;
     ++touching;
     for (const Preference preference : {Preference::Relative, Preference::None}) {
-      CollideOptions<S> options;
+      CollideOptions options;
       options.preference = preference;
       const Manifold<S> manifold = test::collide(pair, options);
       const double smaller = std::min(exact.a.radius, exact.b.radius);
@@ -160,7 +160,7 @@ TYPED_TEST(Coplanar, ACachedContactOfUnmergedHullsIsNeverEmptyEither) {
     pose.rotation = about(Vec3d::UnitY(), 0.3 * angle) *
                     about(Vec3d(std::cos(angle), 0, std::sin(angle)), 0.002);
     const Manifold<S> manifold = collide_hull_hull(block, at(0, 0, 0).cast<S>(), block,
-                                                   pose.cast<S>(), CollideOptions<S>(), &cache);
+                                                   pose.cast<S>(), CollideOptions(), &cache);
     ASSERT_FALSE(manifold.points.empty()) << step;
     ASSERT_GT(manifold.normal.y(), S(0.99)) << step;
     // A corner is up to 0.71 m from the middle, tilted by 0.002 rad.

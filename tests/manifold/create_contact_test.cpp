@@ -37,7 +37,7 @@ Made create(const PairCase<double>& pair, AxisKind chosen, AxisKind deepest) {
   made.axes.deepest = deepest;
   Recorder<double> recorder(ToWorld<double>(pair.pose_a), {}, made.record);
   recorder.axes(placed, faces_a, made.axes, Preference::None);
-  create_contact(placed, made.axes, 0.0, Preference::None, made.contact, &recorder);
+  create_contact(placed, made.axes, {.preference = Preference::None}, made.contact, &recorder);
   return made;
 }
 
@@ -71,7 +71,7 @@ TEST(CreateContact, ShallowPreferredFaceGivesWayToTheDeepestAxis) {
     const SatResult<double> axes = sat(placed, 0.0, Preference::Relative);
     if (axes.status == SatStatus::Separated) continue;
     Contact<double> contact;
-    create_contact<double>(placed, axes, 0.0, Preference::Relative, contact, nullptr);
+    create_contact<double>(placed, axes, {}, contact, nullptr);
     if (contact.axis == axes.chosen) continue;
     ++given_way;
     ASSERT_EQ(contact.axis, axes.deepest) << "pair " << i;

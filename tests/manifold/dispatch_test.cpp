@@ -71,16 +71,16 @@ constexpr ShapeKind kKinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind
                                 ShapeKind::Plane, ShapeKind::Mesh};
 
 template <class S>
-CollideOptions<S> some_options(int number) {
-  CollideOptions<S> options;
+CollideOptions some_options(int number) {
+  CollideOptions options;
   options.degenerate = number % 5 == 0 ? Degenerate::Skip : Degenerate::Fallback;
   options.margin = number % 3 == 0 ? S(0.05) : S(0);
-  options.reducer = number % 2 == 0 ? find_reducer<S>("area") : nullptr;
+  options.reducer = number % 2 == 0 ? find_reducer("area") : nullptr;
   return options;
 }
 
 template <class S>
-Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions<S>& options) {
+Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options) {
   Manifolds<S> manifolds;
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
           pair.pose_b.template cast<S>(), options, manifolds);
@@ -125,9 +125,9 @@ TYPED_TEST(Dispatch, SlowTradingShapesOfDifferentKindsMirrorsEveryBit) {
       int touching = 0;
       for (int i = 0; i < 1000; ++i) {
         const PlacedShapes pair = random_pair(random, a, b);
-        const CollideOptions<S> options = some_options<S>(i);
-        const Manifolds<S> there = manifolds_of(pair, options);
-        Manifolds<S> back = manifolds_of(swapped(pair), options);
+        const CollideOptions options = some_options<S>(i);
+        const Manifolds<S> there = manifolds_of<S>(pair, options);
+        Manifolds<S> back = manifolds_of<S>(swapped(pair), options);
         touching += there.empty() ? 0 : 1;
         for (Manifold<S>& manifold : back) mirror(manifold);
         ASSERT_TRUE(same(there, back)) << "pair " << i;
@@ -154,9 +154,9 @@ TYPED_TEST(Dispatch, TradingTwoRoundShapesMirrorsEveryBitAlsoWhereTheirCentresCo
     for (int i = 0; i < 2000; ++i) {
       const PlacedShapes pair =
           i % 2 == 0 ? random_pair(random, kind, kind) : coincident_pair(random, kind, i);
-      const CollideOptions<S> options = some_options<S>(i);
-      const Manifolds<S> there = manifolds_of(pair, options);
-      Manifolds<S> back = manifolds_of(swapped(pair), options);
+      const CollideOptions options = some_options<S>(i);
+      const Manifolds<S> there = manifolds_of<S>(pair, options);
+      Manifolds<S> back = manifolds_of<S>(swapped(pair), options);
       touching += there.empty() ? 0 : 1;
       for (Manifold<S>& manifold : back) mirror(manifold);
       ASSERT_TRUE(same(there, back)) << to_string(kind) << " pair " << i;
@@ -174,7 +174,7 @@ TYPED_TEST(Dispatch, SlowTradingTwoHullsMirrorsTheContactUnlessFacesOfBothAreNea
   for (int i = 0; i < 3000; ++i) {
     const PlacedShapes pair =
         test::rounded<S>(random_pair(random, ShapeKind::Hull, ShapeKind::Hull));
-    CollideOptions<S> options;
+    CollideOptions options;
     options.preference = Preference::None;
     const Manifold<S> there = test::manifold_of<S>(pair, options);
     const Manifold<S> back = test::manifold_of<S>(swapped(pair), options);
@@ -213,13 +213,13 @@ TYPED_TEST(Dispatch, SlowRecordingChangesNoBitOfAnyPair) {
       SCOPED_TRACE(std::string(to_string(a)) + "-" + to_string(b));
       for (int i = 0; i < 500; ++i) {
         const PlacedShapes pair = random_pair(random, a, b);
-        const CollideOptions<S> options = some_options<S>(i);
+        const CollideOptions options = some_options<S>(i);
         Manifolds<S> watched;
         trace::Pair record;
         collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
                 pair.pose_b.template cast<S>(), options, watched, nullptr, &record,
                 {i % 2 == 0, i % 3 == 0, i % 5 == 0});
-        ASSERT_TRUE(same(watched, manifolds_of(pair, options))) << "pair " << i;
+        ASSERT_TRUE(same(watched, manifolds_of<S>(pair, options))) << "pair " << i;
         ASSERT_EQ(record.state, watched.empty() ? "separated" : "touching");
         ASSERT_EQ(record.manifolds.size(), watched.size());
       }
@@ -255,7 +255,7 @@ TYPED_TEST(Dispatch, SlowTradingTheArgumentsMirrorsTheWholeRecord) {
   trace::Stages all;
   all.gauss_map = all.minkowski = true;
   const auto record_of = [&](const PlacedShapes& pair, const std::string& a, const std::string& b,
-                             const CollideOptions<S>& options) {
+                             const CollideOptions& options) {
     trace::Pair record;
     record.a = a;
     record.b = b;
@@ -276,7 +276,7 @@ TYPED_TEST(Dispatch, SlowTradingTheArgumentsMirrorsTheWholeRecord) {
       SCOPED_TRACE(std::string(to_string(a)) + "-" + to_string(b));
       for (int i = 0; i < 60; ++i) {
         const PlacedShapes pair = random_pair(random, a, b);
-        CollideOptions<S> options = some_options<S>(i);
+        CollideOptions options = some_options<S>(i);
         options.penetration = static_cast<PenetrationMethod>(i % 4);
         const std::string told = line(record_of(pair, "one", "other", options));
         options.b_first = true;  // two hulls have no order of their own

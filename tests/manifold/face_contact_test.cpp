@@ -91,7 +91,7 @@ TYPED_TEST(FaceContact, PointsAboveTheReferenceFaceAreDropped) {
 TYPED_TEST(FaceContact, MarginKeepsPointsOfAGap) {
   using S = TypeParam;
   const PairCase<S> pair = stacked_cubes(10 * kDegree, -0.005).cast<S>();
-  CollideOptions<S> options;
+  CollideOptions options;
   EXPECT_TRUE(collide(pair, options).points.empty());
   options.margin = S(0.01);
   const Manifold<S> manifold = collide(pair, options);
@@ -166,9 +166,9 @@ TYPED_TEST(FaceContact, CylinderLyingOnABoxTouchesAlongItsLength) {
 TYPED_TEST(FaceContact, ReducerKeepsFourOfEightAndTouchesNothingElse) {
   using S = TypeParam;
   const PairCase<S> pair = stacked_cubes(45 * kDegree, 0.01).cast<S>();
-  CollideOptions<S> options;
+  CollideOptions options;
   const Manifold<S> all = collide(pair, options);
-  options.reducer = find_reducer<S>("area");
+  options.reducer = find_reducer("area");
   const Manifold<S> four = collide(pair, options);
   ASSERT_EQ(four.points.size(), 4u);
   EXPECT_EQ(four.normal, all.normal);

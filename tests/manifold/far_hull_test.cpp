@@ -36,7 +36,7 @@ struct Seen {
 };
 
 Seen seen_in_float(const PlacedShapes& pair) {
-  CollideOptions<float> options;
+  CollideOptions options;
   options.preference = Preference::None;
   const Manifold<float> manifold = test::manifold_of<float>(pair, options);
   if (manifold.points.empty()) return {};

@@ -25,7 +25,7 @@ class Stepped {
   Stepped(const Shape<double>& a, const Shape<double>& b, const IncrementalSettings& settings = {})
       : a_(shape_cast<S>(a)), b_(shape_cast<S>(b)) {
     incremental_.settings = settings;
-    options_.reducer = find_reducer<S>("area");
+    options_.reducer = find_reducer("area");
   }
   /// The manifold of the next frame; without points where there is none.
   Manifold<S> step(const Pose<double>& pose_a, const Pose<double>& pose_b) {
@@ -41,13 +41,13 @@ class Stepped {
                         incremental_, persistent_, manifolds, &pair);
     return pair;
   }
-  CollideOptions<S>& options() { return options_; }
+  CollideOptions& options() { return options_; }
   IncrementalOptions& incremental() { return incremental_; }
   const PersistentManifold<S>& persistent() const { return persistent_; }
 
  private:
   Shape<S> a_, b_;
-  CollideOptions<S> options_;
+  CollideOptions options_;
   IncrementalOptions incremental_;
   PersistentManifold<S> persistent_;
 };
@@ -360,7 +360,7 @@ TEST(IncrementalManifold, EveryReducerLeavesFourPointsOfAPrismWithManyCorners) {
   for (const ReducerInfo& info : reducers()) {
     Stepped<double> pair(make_cylinder(0.5, 0.5, 24), box(2, 0.5, 2),
                          {Confirm::Distance, 0.02, 1e-3});
-    pair.options().reducer = find_reducer<double>(info.name);
+    pair.options().reducer = find_reducer(info.name);
     ASSERT_EQ(pair.options().reducer == nullptr, info.name == "none");
     if (info.name == "none") continue;
     std::size_t reduced = 0;

@@ -116,8 +116,8 @@ TYPED_TEST(LargeAndSmall, IsToldAsItIsReturned) {
                           large_box(1e5),
                           {Quatd::Identity(), {0, -0.25, 0}}};
   for (const char* reducer : {"area", "none"}) {
-    CollideOptions<S> options;
-    options.reducer = find_reducer<S>(reducer);
+    CollideOptions options;
+    options.reducer = find_reducer(reducer);
     options.reduction.max_points = 3;
     const Manifold<S> manifold = test::manifold_of<S>(pair, options);
     EXPECT_EQ(manifold.points.size(), options.reducer == nullptr ? 4u : 3u);

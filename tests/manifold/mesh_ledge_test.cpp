@@ -20,7 +20,7 @@ template <class S>
 Manifolds<S> manifolds_of(const PlacedShapes& pair) {
   Manifolds<S> manifolds;
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
-          pair.pose_b.template cast<S>(), CollideOptions<S>{}, manifolds);
+          pair.pose_b.template cast<S>(), CollideOptions{}, manifolds);
   return manifolds;
 }
 

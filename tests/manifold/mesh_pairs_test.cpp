@@ -18,7 +18,7 @@ using test::kDegree;
 using test::PlacedShapes;
 
 template <class S>
-Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions<S>& options = {}) {
+Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
   Manifolds<S> manifolds;
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
           pair.pose_b.template cast<S>(), options, manifolds);
@@ -157,7 +157,7 @@ TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
 TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
   test::Random random(13);
   int touching = 0;
-  CollideOptions<double> exact;
+  CollideOptions exact;
   exact.preference = Preference::None;
   for (int i = 0; i < 3000; ++i) {
     const double size = random.decade(-4, 4);
@@ -228,7 +228,7 @@ template <class S>
 void slide(const Slider& slider, double size, bool internal_edges, double& worst_angle,
            double& worst_depth, int& least_manifolds) {
   const Mesh<double> floor = make_grid(8 * size, 8 * size, 8, 8, 0);
-  CollideOptions<S> options;
+  CollideOptions options;
   options.internal_edges = internal_edges;
   const double depth = 0.01 * size;
   worst_angle = worst_depth = 0;
@@ -417,7 +417,7 @@ void expect_told_and_skipped(const PlacedShapes& pair, const Vec3d& front) {
   ASSERT_FALSE(told.manifolds.empty());
   for (const trace::Manifold& manifold : told.manifolds)
     EXPECT_GT(-front.dot(manifold.normal), 1 - 1e-6);
-  CollideOptions<S> skip;
+  CollideOptions skip;
   skip.degenerate = Degenerate::Skip;
   const trace::Pair skipped = test::record_of<S>(pair, skip);
   ASSERT_TRUE(skipped.degenerate.has_value());

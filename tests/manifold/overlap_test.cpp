@@ -28,7 +28,7 @@ TYPED_TEST(Overlap, OfAHullWithItselfInPlaceHasPoints) {
     const Pose<double> pose = random.pose(5);
     const PairCase<S> pair = PairCase<double>{hull, pose, hull, pose}.cast<S>();
     for (const Preference preference : {Preference::Relative, Preference::None}) {
-      CollideOptions<S> options;
+      CollideOptions options;
       options.preference = preference;
       const Manifold<S> manifold = collide(pair, options);
       ASSERT_FALSE(manifold.points.empty()) << i;

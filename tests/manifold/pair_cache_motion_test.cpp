@@ -47,7 +47,7 @@ TYPED_TEST(PairCacheMotion, SlowResultsEqualThoseWithoutACacheUpToThePreference)
     const std::vector<Motion> all = motions(random, normal);
     const Pose<double> place = random.pose(3 * size);
     PairCase<S> pair = test::moved(start, place).template cast<S>();
-    CollideOptions<S> options;
+    CollideOptions options;
     options.margin = i % 4 == 3 ? S(0.005 * size) : S(0);
     for (std::size_t m = 0; m < all.size(); ++m) {
       PairCache<S> cache;
@@ -140,8 +140,8 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
     const Shape<float> a = hull_cast<float>(start.a);
     const Shape<float> b = hull_cast<float>(start.b);
     const double size = start.a.radius;
-    CollideOptions<float> options;
-    options.reducer = find_reducer<float>("area");
+    CollideOptions options;
+    options.reducer = find_reducer("area");
     for (const Motion& motion : motions(random, normal)) {
       PairCache<float> watched_cache, cache;
       for (int k = 0; k < 60; ++k) {

@@ -24,7 +24,7 @@ PairCase<S> resting() {
 
 template <class S>
 CacheAnswer<S> ask(const PairCase<S>& pair, const PairCache<S>& cache,
-                   const CollideOptions<S>& options = {}) {
+                   const CollideOptions& options = {}) {
   Contact<S> contact;
   return collide_from_cache<S>(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b), options,
                                cache, contact, nullptr);
@@ -32,7 +32,7 @@ CacheAnswer<S> ask(const PairCase<S>& pair, const PairCache<S>& cache,
 
 template <class S>
 Manifold<S> collide(const PairCase<S>& pair, PairCache<S>& cache,
-                    const CollideOptions<S>& options = {}) {
+                    const CollideOptions& options = {}) {
   return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options, &cache);
 }
 
@@ -146,7 +146,7 @@ TEST(PairCache, FeaturesThatHavePartedSeparateThePairAndAreStillThere) {
 }
 
 TEST(PairCache, WithoutAPreferenceOnlySeparatingAxesAreKept) {
-  CollideOptions<double> options;
+  CollideOptions options;
   options.preference = Preference::None;
   PairCase<double> pair = resting<double>();
   PairCache<double> cache;

@@ -22,14 +22,14 @@ constexpr PenetrationMethod kDeepMethods[] = {PenetrationMethod::Epa, Penetratio
                                               PenetrationMethod::Sampling};
 
 template <class S>
-CollideOptions<S> by(PenetrationMethod method) {
-  CollideOptions<S> options;
+CollideOptions by(PenetrationMethod method) {
+  CollideOptions options;
   options.penetration = method;
   return options;
 }
 
 template <class S>
-Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions<S>& options,
+Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions& options,
                          trace::Pair& record, const trace::Stages& stages = {}) {
   record.a = "crate";
   record.b = "floor";
@@ -41,7 +41,7 @@ Manifold<S> told_contact(const PairCase<S>& pair, const CollideOptions<S>& optio
 
 /// The same with the shapes given the other way round, and worked on in the same order.
 template <class S>
-trace::Pair told_traded(const PairCase<S>& pair, CollideOptions<S> options,
+trace::Pair told_traded(const PairCase<S>& pair, CollideOptions options,
                         const trace::Stages& stages = {}) {
   options.b_first = true;
   trace::Pair record;
@@ -127,7 +127,7 @@ TYPED_TEST(PenetrationContact, TouchesWhereTheSeparatingAxisTestDoesAndWithEpaAs
       const double preferred = 0.06 * depth + 0.004 * std::max(pair.a.radius, pair.b.radius);
       ASSERT_NEAR(-test::deepest(found), depth, preferred + rounding);
       same_ids += test::sorted_ids(found) == test::sorted_ids(expected) ? 1 : 0;
-      CollideOptions<S> pure = by<S>(method), pure_sat = by<S>(PenetrationMethod::Sat);
+      CollideOptions pure = by<S>(method), pure_sat = by<S>(PenetrationMethod::Sat);
       pure.preference = pure_sat.preference = Preference::None;
       same_pure_ids += test::sorted_ids(test::collide(pair, pure)) ==
                                test::sorted_ids(test::collide(pair, pure_sat))
@@ -165,7 +165,7 @@ TYPED_TEST(PenetrationContact, ApartByLessThanTheMarginIsLeftToTheSeparatingAxis
   using S = TypeParam;
   const PairCase<S> pair = test::stacked_cubes(0.3, -0.01).cast<S>();
   for (const PenetrationMethod method : kDeepMethods) {
-    CollideOptions<S> options = by<S>(method);
+    CollideOptions options = by<S>(method);
     EXPECT_TRUE(test::collide(pair, options).points.empty());
     options.margin = S(0.02);
     trace::Pair record;

@@ -75,7 +75,7 @@ PlacedShapes rounded(const PlacedShapes& pair) {
 
 /// The one manifold of two convex shapes; without points when there is none.
 template <class S>
-Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions<S>& options = {}) {
+Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
   Manifolds<S> manifolds;
   collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
           pair.pose_b.template cast<S>(), options, manifolds);
@@ -84,7 +84,7 @@ Manifold<S> manifold_of(const PlacedShapes& pair, const CollideOptions<S>& optio
 
 /// What a record says of the pair.
 template <class S>
-trace::Pair record_of(const PlacedShapes& pair, const CollideOptions<S>& options = {},
+trace::Pair record_of(const PlacedShapes& pair, const CollideOptions& options = {},
                       const trace::Stages& stages = {}) {
   Manifolds<S> manifolds;
   trace::Pair record;

@@ -60,7 +60,7 @@ TYPED_TEST(PlanePairs, SphereHasOnePointBelowItsCentreOnThePlaneWhereverThePairI
 TYPED_TEST(PlanePairs, NothingTouchesAboveThePlaneButWithinTheMargin) {
   using S = TypeParam;
   const Shape<double> shapes[] = {test::ball(1), test::lying_capsule(2, 1), test::cube(1)};
-  CollideOptions<S> margin;
+  CollideOptions margin;
   margin.margin = S(0.1);
   for (const Shape<double>& shape : shapes) {
     const PlacedShapes pair{shape, test::at(0, 1.05, 0), test::ground(), {}};
@@ -122,7 +122,7 @@ TYPED_TEST(PlanePairs, BoxOnAFaceAnEdgeAndACornerIsNamedSo) {
   const Quatd on_corner = Quatd::FromTwoVectors(Vec3d(1, 1, 1), Vec3d::UnitY()) * Quatd::Identity();
   for (const double depth : {0.001, 0.02, 0.2}) {
     for (const Preference preference : {Preference::Relative, Preference::None}) {
-      CollideOptions<S> options;
+      CollideOptions options;
       options.preference = preference;
       const Manifold<S> face =
           test::manifold_of<S>(box_on_ground(Quatd::Identity(), depth), options);
@@ -145,7 +145,7 @@ TYPED_TEST(PlanePairs, BoxOnAFaceAnEdgeAndACornerIsNamedSo) {
 
 TYPED_TEST(PlanePairs, TypeForgivesATiltThatNobodySeesUnlessPreferenceIsOff) {
   using S = TypeParam;
-  CollideOptions<S> strict;
+  CollideOptions strict;
   strict.preference = Preference::None;
   const PlacedShapes nearly_level =
       box_on_ground(test::about(Vec3d::UnitX(), 0.05 * kDegree), 0.01);
@@ -211,7 +211,7 @@ TYPED_TEST(PlanePairs, APlaneIsTheTopOfAWideBox) {
     const Manifold<S> on_plane = test::manifold_of<S>(pair);
     pair.b = slab;
     pair.pose_b.position.y() = -20;
-    CollideOptions<S> options;
+    CollideOptions options;
     options.preference = Preference::None;
     const Manifold<S> on_box = test::manifold_of<S>(pair, options);
     ASSERT_EQ(on_box.axis, AxisKind::FaceB);
@@ -227,8 +227,8 @@ TYPED_TEST(PlanePairs, APlaneIsTheTopOfAWideBox) {
 
 TYPED_TEST(PlanePairs, ReducerLeavesFourOfTheCornersOfASunkenBox) {
   using S = TypeParam;
-  CollideOptions<S> options;
-  options.reducer = find_reducer<S>("area");
+  CollideOptions options;
+  options.reducer = find_reducer("area");
   const PlacedShapes pair = box_on_ground(test::about(Vec3d(1, 0, 1), 3 * kDegree), 2);
   EXPECT_EQ(test::manifold_of<S>(pair).points.size(), 8u);
   EXPECT_EQ(test::manifold_of<S>(pair, options).points.size(), 4u);

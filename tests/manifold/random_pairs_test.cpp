@@ -30,8 +30,8 @@ bool all_finite(const Manifold<S>& manifold) {
 }
 
 template <class S>
-Manifold<S> collide(const PairCase<S>& pair, Preference preference, Reducer<S> reducer) {
-  CollideOptions<S> options;
+Manifold<S> collide(const PairCase<S>& pair, Preference preference, const ReducerInfo* reducer) {
+  CollideOptions options;
   options.preference = preference;
   options.reducer = reducer;
   return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options);

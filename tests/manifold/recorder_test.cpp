@@ -12,8 +12,7 @@ using test::kDegree;
 using test::PairCase;
 
 template <class S>
-Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions<S>& options,
-                     trace::Pair& record) {
+Manifold<S> recorded(const PairCase<S>& pair, const CollideOptions& options, trace::Pair& record) {
   record.a = "crate";
   record.b = "floor";
   Manifolds<S> manifolds;
@@ -53,9 +52,9 @@ TYPED_TEST(RecordOfAPair, SlowChangesNoBitOfAnyManifold) {
   int touching = 0;
   for (int i = 0; i < 10000; ++i) {
     const PairCase<S> pair = test::random_pair(random).template cast<S>();
-    CollideOptions<S> options;
+    CollideOptions options;
     options.preference = i % 2 == 0 ? Preference::Relative : Preference::None;
-    options.reducer = i % 3 == 0 ? nullptr : find_reducer<S>("area");
+    options.reducer = i % 3 == 0 ? nullptr : find_reducer("area");
     options.margin = i % 5 == 0 ? S(0.01) * pair.a.radius : S(0);
     trace::Pair record;
     const Manifold<S> watched = recorded(pair, options, record);
@@ -74,8 +73,8 @@ TYPED_TEST(RecordOfAPair, SlowChangesNoBitOfAnyManifold) {
 
 TYPED_TEST(RecordOfAPair, HoldsTheManifoldExactly) {
   using S = TypeParam;
-  CollideOptions<S> options;
-  options.reducer = find_reducer<S>("area");
+  CollideOptions options;
+  options.reducer = find_reducer("area");
   trace::Pair record;
   const Manifold<S> manifold =
       recorded(test::stacked_cubes(30 * kDegree, 0.01).cast<S>(), options, record);
@@ -95,8 +94,8 @@ TYPED_TEST(RecordOfAPair, HoldsTheManifoldExactly) {
 
 TYPED_TEST(RecordOfAPair, TellsTheStagesOfAFaceContact) {
   using S = TypeParam;
-  CollideOptions<S> options;
-  options.reducer = find_reducer<S>("area");
+  CollideOptions options;
+  options.reducer = find_reducer("area");
   trace::Pair record;
   recorded(test::stacked_cubes(45 * kDegree, 0.01).cast<S>(), options, record);
   const double rounding = 16 * std::numeric_limits<S>::epsilon();

@@ -16,8 +16,8 @@ using test::deepest;
 using test::PairCase;
 
 template <class S>
-CollideOptions<S> margin(double metres) {
-  CollideOptions<S> options;
+CollideOptions margin(double metres) {
+  CollideOptions options;
   options.margin = static_cast<S>(metres);
   return options;
 }
@@ -123,7 +123,7 @@ TYPED_TEST(Regressions, Fcl319BoxAndCylinder) {
                         {Quatd(.991445, 0, 0, -.130526).normalized(), {.4, -.4, .93}}};
   // FCL's cylinder stands along z, ours along y.
   pair.pose_b.rotation = pair.pose_b.rotation * about(Vec3d::UnitX(), 90 * test::kDegree);
-  CollideOptions<S> options = margin<S>(0.03);
+  CollideOptions options = margin<S>(0.03);
   options.preference = Preference::None;
   // A side of 15 degrees looks along x after the turn: the box begins at 0.8 - 0.195, the cylinder
   // ends at 0.4 + 0.18. As reported, and pushed on until they meet.

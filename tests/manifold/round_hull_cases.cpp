@@ -78,7 +78,7 @@ RoundHull rounded(const RoundHull& exact) {
 }
 
 template <class S>
-Manifold<S> collide(const RoundHull& pair, const CollideOptions<S>& options) {
+Manifold<S> collide(const RoundHull& pair, const CollideOptions& options) {
   Manifolds<S> manifolds;
   collide<S>(shape_cast<S>(round_shape(pair)), pair.round_pose.cast<S>(),
              shape_cast<S>(Shape<double>(pair.hull)), pair.hull_pose.cast<S>(), options, manifolds);
@@ -186,7 +186,7 @@ RoundHull random_round_hull(Random& random, bool sphere, double ratio) {
 
 template RoundHull rounded<float>(const RoundHull&);
 template RoundHull rounded<double>(const RoundHull&);
-template Manifold<float> collide(const RoundHull&, const CollideOptions<float>&);
-template Manifold<double> collide(const RoundHull&, const CollideOptions<double>&);
+template Manifold<float> collide(const RoundHull&, const CollideOptions&);
+template Manifold<double> collide(const RoundHull&, const CollideOptions&);
 
 }  // namespace contactscope::test

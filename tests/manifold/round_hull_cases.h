@@ -30,7 +30,7 @@ RoundHull rounded(const RoundHull& exact);
 
 /// The one manifold, the round shape being A; without points when there is none.
 template <class S>
-Manifold<S> collide(const RoundHull& pair, const CollideOptions<S>& options = {});
+Manifold<S> collide(const RoundHull& pair, const CollideOptions& options = {});
 
 /// The distance of the core from the hull; in overlap minus the least translation that parts them.
 /// Outside by brute_force_distance. Inside by every axis: the normals of all faces, from vertices,

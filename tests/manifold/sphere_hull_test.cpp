@@ -37,7 +37,7 @@ class SphereHull : public testing::Test {
   }
   /// What the trace says of the pair.
   static trace::Pair recorded(const RoundHull& pair, Degenerate answer, Manifolds<S>& manifolds) {
-    CollideOptions<S> options;
+    CollideOptions options;
     options.degenerate = answer;
     trace::Pair record;
     collide<S>(Sphere<S>{static_cast<S>(pair.radius)}, pair.round_pose.cast<S>(),
@@ -87,7 +87,7 @@ TYPED_TEST(SphereHull, InsideIsProjectedOntoTheFaceOfLeastPenetration) {
 }
 
 TYPED_TEST(SphereHull, TheMarginKeepsAGap) {
-  CollideOptions<TypeParam> options;
+  CollideOptions options;
   const RoundHull pair = in_cube(Vec3d(0.7, 0.7, 0), std::hypot(0.2, 0.2) - 0.01);
   EXPECT_TRUE(test::collide<TypeParam>(pair, options).points.empty());
   options.margin = TypeParam(0.02);

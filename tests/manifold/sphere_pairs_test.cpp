@@ -114,7 +114,7 @@ TYPED_TEST(SpherePairs, SpheresThatKissTouchAndApartDoNotUnlessWithinTheMargin) 
   };
   EXPECT_EQ(test::manifold_of<S>(at_distance(0.75)).points.size(), 1u);
   EXPECT_EQ(test::manifold_of<S>(at_distance(0.76)).points.size(), 0u);
-  CollideOptions<S> options;
+  CollideOptions options;
   options.margin = S(0.02);
   const Manifold<S> near = test::manifold_of<S>(at_distance(0.76), options);
   ASSERT_EQ(near.points.size(), 1u);
@@ -146,7 +146,7 @@ TYPED_TEST(SpherePairs, CoincidentCentresFallBackToADirectionOfTheSecondBody) {
               16 * this->kEps);
     EXPECT_NEAR(manifold.points[0].separation, -0.7, 1e-6);
 
-    CollideOptions<S> skip;
+    CollideOptions skip;
     skip.degenerate = Degenerate::Skip;
     EXPECT_TRUE(test::manifold_of<S>(pair, skip).points.empty());
     const trace::Pair record = test::record_of<S>(pair, skip);

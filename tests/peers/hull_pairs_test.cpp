@@ -49,7 +49,7 @@ bool both_boxes(const PairCase<double>& pair) {
 
 template <class S>
 Manifold<S> ours(const PairCase<double>& pair) {
-  CollideOptions<S> options;
+  CollideOptions options;
   options.preference = Preference::None;
   return test::collide(pair.template cast<S>(), options);
 }

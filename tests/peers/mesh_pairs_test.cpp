@@ -85,7 +85,7 @@ double nearest_gap(const std::vector<WithTriangle>& triangles, const Vec3d& dire
 void expect_right(const OnMesh& pair, const std::vector<WithTriangle>& triangles) {
   const double separation = triangles.front().separation;
   constexpr double kRounding = 1e-13;  // metres: 16 ulps of coordinates of up to 30 m
-  CollideOptions<double> options;
+  CollideOptions options;
   options.preference = Preference::None;
   for (const bool internal_edges : {false, true}) {
     options.internal_edges = internal_edges;

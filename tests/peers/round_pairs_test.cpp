@@ -28,7 +28,7 @@ void expect_right(const RoundPair& pair, double separation) {
   // Hulls have planes that were rounded to float.
   const double rounding = 32 * std::numeric_limits<float>::epsilon() * length_scale(pair);
   if (std::abs(separation) <= rounding) return;
-  CollideOptions<S> options;
+  CollideOptions options;
   options.preference = Preference::None;
   Manifolds<S> manifolds;
   collide<S>(shape_cast<S>(pair.a), pair.pose_a.cast<S>(), shape_cast<S>(pair.b),

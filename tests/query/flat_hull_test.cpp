@@ -191,7 +191,7 @@ TYPED_TEST(FlatHulls, OnOnePlaneTouchWithDepthZero) {
   const Hull<double> plate = build_hull(
       std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {.allow_flat = true});
   const PairCase<double> pair{plate, Pose<double>(), plate, test::at(0.5, 0, 0.25)};
-  CollideOptions<S> options;
+  CollideOptions options;
   const Manifold<S> manifold = test::collide(pair.template cast<S>(), options);
   ASSERT_EQ(manifold.points.size(), 4u);
   for (const ContactPoint<S>& point : manifold.points) EXPECT_EQ(point.separation, S(0));
@@ -225,7 +225,7 @@ TYPED_TEST(FlatHulls, MakeTheSameContactsWithAndWithoutACache) {
       pair.pose_b.position += 0.002 * random.unit_vector();
       const PairCase<S> rounded = pair.template cast<S>();
       const Manifold<S> cached = collide_hull_hull(rounded.a, rounded.pose_a, rounded.b,
-                                                   rounded.pose_b, CollideOptions<S>(), &cache);
+                                                   rounded.pose_b, CollideOptions(), &cache);
       const Manifold<S> whole = test::collide(rounded);
       ASSERT_EQ(cached.points.empty(), whole.points.empty()) << i << ' ' << frame;
       if (whole.points.empty()) continue;

@@ -29,8 +29,7 @@ template <class S>
 std::vector<int> reduced(const std::vector<ContactPoint<S>>& points, int max_points) {
   ReduceOptions options;
   options.max_points = max_points;
-  const KeptIndices kept =
-      reduce<S>(find_reducer<S>("area"), points, Vec3<S>::UnitY(), options).kept;
+  const KeptIndices kept = reduce<S>(find_reducer("area"), points, Vec3<S>::UnitY(), options);
   return {kept.begin(), kept.end()};
 }
 
@@ -150,11 +149,10 @@ TYPED_TEST(AreaReducer, SpansMostOfTheBestArea) {
 }
 
 TEST(Reducers, AreFoundByTheNamesThatAreListed) {
-  EXPECT_NE(find_reducer<float>("area"), nullptr);
-  EXPECT_NE(find_reducer<double>("area"), nullptr);
-  EXPECT_NE(find_reducer<float>("area"), find_reducer<float>("distance"));
-  EXPECT_EQ(find_reducer<float>("none"), nullptr);
-  EXPECT_EQ(find_reducer<float>("Area"), nullptr);
+  EXPECT_NE(find_reducer("area"), nullptr);
+  EXPECT_NE(find_reducer("area"), find_reducer("distance"));
+  EXPECT_EQ(find_reducer("none"), nullptr);
+  EXPECT_EQ(find_reducer("Area"), nullptr);
   std::vector<std::string> names;
   for (const ReducerInfo& info : reducers()) {
     names.push_back(info.name);

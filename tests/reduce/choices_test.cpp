@@ -27,13 +27,12 @@ struct Told {
 
 Told told(const std::string& reducer, const std::vector<ContactPoint<double>>& points,
           const Vec3d& normal = kUp, int max_points = 4) {
-  Choices choices(points, normal);
+  Choices choices{{points, normal}};
   ReduceOptions options;
   options.max_points = max_points;
   options.choices = &choices;
-  const Reduction reduction =
-      reduce<double>(find_reducer<double>(reducer), points, normal, options);
-  return {{reduction.kept.begin(), reduction.kept.end()}, choices.made()};
+  const KeptIndices kept = reduce<double>(find_reducer(reducer), points, normal, options);
+  return {{kept.begin(), kept.end()}, choices.made};
 }
 
 std::vector<trace::Choice> choices(const std::string& reducer,
@@ -79,12 +78,12 @@ TEST(Choices, OfAHandMadePolygonAreExact) {
   const std::vector<ContactPoint<double>> points =
       points_at({{0, 0, 1}, {4, 0, 2}, {4, 3, 7}, {0, 3, 3}, {2, 5, 4}, {6, 1, 5}});
   // As if 2, 0, 5 and 3 were kept.
-  Choices choices(points, kUp);
+  Choices choices{{points, kUp}};
   choices.deepest();
   choices.farthest(2);
   choices.triangle(2, 0);
   choices.outside(std::vector<int>{2, 5, 0}, 2, 3, false);
-  const std::vector<trace::Choice>& made = choices.made();
+  const std::vector<trace::Choice>& made = choices.made;
   ASSERT_EQ(made.size(), 4u);
   EXPECT_THAT(values(made[0]), ElementsAre(1, 2, 7, 3, 4, 5));  // depths
   EXPECT_THAT(candidates(made[1]), ElementsAre(0, 1, 3, 4, 5));

@@ -15,14 +15,13 @@ using test::Slide;
 using testing::ElementsAre;
 
 template <class S>
-std::vector<int> reduced(Reducer<S> reducer, const std::vector<ContactPoint<S>>& points,
+std::vector<int> reduced(const ReducerInfo* reducer, const std::vector<ContactPoint<S>>& points,
                          const Vec3<S>& normal, int most, const std::vector<FeatureId>& previous) {
   ReduceOptions options;
   options.max_points = most;
   options.previous = previous;
-  const Reduction reduction = reduce<S>(reducer, points, normal, options);
-  EXPECT_EQ(reduction.status, ReduceStatus::Reduced);
-  return {reduction.kept.begin(), reduction.kept.end()};
+  const KeptIndices kept = reduce<S>(reducer, points, normal, options);
+  return {kept.begin(), kept.end()};
 }
 
 template <class S>
@@ -106,7 +105,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthInEveryFrameOfAnyMotion) {
       const auto points = test::patch_at<S>(slide, 0.05 * frame, 1e-4, random);
       if (static_cast<int>(points.size()) <= most || points.size() > 12) continue;
       const std::vector<int> kept =
-          reduced<S>(find_reducer<S>("coherent"), points, Vec3<S>::UnitZ(), most, previous);
+          reduced<S>(find_reducer("coherent"), points, Vec3<S>::UnitZ(), most, previous);
       const std::vector<Place> places = test::seen_along<S>(points, Vec3<S>::UnitZ());
       expect_kept(promise_of(points, places, most), points, places, kept, most);
       const std::vector<FeatureId> ids = ids_of(points, kept);
@@ -141,7 +140,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthOfManyPoints) {
       std::vector<FeatureId> previous;
       for (int frame = 0; frame < 3; ++frame) {
         const std::vector<int> kept =
-            reduced<S>(find_reducer<S>("coherent"), points, Vec3<S>::UnitZ(), 4, previous);
+            reduced<S>(find_reducer("coherent"), points, Vec3<S>::UnitZ(), 4, previous);
         expect_kept(promise, points, places, kept, 4);
         previous = ids_of(points, kept);
         previous[static_cast<std::size_t>(frame)] = points[static_cast<std::size_t>(frame)].id;
@@ -177,7 +176,7 @@ TYPED_TEST(CoherentReducer, SlowBoundsAreaAndDepthWhateverWasKeptBefore) {
       for (int most = 3; most <= 6; ++most) {
         if (count <= most) continue;
         const std::vector<int> kept =
-            reduced<S>(find_reducer<S>("coherent"), patch.points, patch.normal, most, previous);
+            reduced<S>(find_reducer("coherent"), patch.points, patch.normal, most, previous);
         ASSERT_EQ(std::set<int>(kept.begin(), kept.end()).size(), kept.size()) << "an index twice";
         ASSERT_LE(static_cast<int>(kept.size()), most);
         const Promise promise = promise_of(patch.points, places, most);
@@ -198,8 +197,8 @@ TYPED_TEST(CoherentReducer, WithoutHistoryIsOptimalOnALevelPatch) {
     for (auto& point : patch.points) point.separation = patch.points[0].separation;
     for (const int most : {2, 3, 4, 5, 12}) {
       if (static_cast<int>(patch.points.size()) <= most) continue;
-      EXPECT_EQ(reduced<S>(find_reducer<S>("coherent"), patch.points, patch.normal, most, {}),
-                reduced<S>(find_reducer<S>("optimal"), patch.points, patch.normal, most, {}));
+      EXPECT_EQ(reduced<S>(find_reducer("coherent"), patch.points, patch.normal, most, {}),
+                reduced<S>(find_reducer("optimal"), patch.points, patch.normal, most, {}));
     }
   }
 }
@@ -218,10 +217,10 @@ TYPED_TEST(CoherentReducer, NoiseChangesNoIdOfWhatRests) {
     for (int frame = 0; frame < 300; ++frame) {
       const auto points = test::patch_at<S>(slide, time, 2e-4, random);
       if (points.size() <= 4) break;
-      const auto ids = ids_of(points, reduced<S>(find_reducer<S>("coherent"), points,
-                                                 Vec3<S>::UnitZ(), 4, kept_before));
+      const auto ids = ids_of(
+          points, reduced<S>(find_reducer("coherent"), points, Vec3<S>::UnitZ(), 4, kept_before));
       const auto optimal = ids_of(
-          points, reduced<S>(find_reducer<S>("optimal_deepest"), points, Vec3<S>::UnitZ(), 4, {}));
+          points, reduced<S>(find_reducer("optimal_deepest"), points, Vec3<S>::UnitZ(), 4, {}));
       if (frame > 0) {
         ASSERT_EQ(ids, kept_before) << "motion " << motion << ", frame " << frame;
         changed_by_optimal += new_ids(optimal_before, optimal);
@@ -248,7 +247,7 @@ TYPED_TEST(CoherentReducer, GivesUpFewerPointsOverMotionsThanOthers) {
       for (int r = 0; r < 4; ++r) {
         std::vector<FeatureId>& before = kept_before[r];
         const auto now = ids_of(
-            points, reduced<S>(find_reducer<S>(kNames[r]), points, Vec3<S>::UnitZ(), 4, before));
+            points, reduced<S>(find_reducer(kNames[r]), points, Vec3<S>::UnitZ(), 4, before));
         for (const auto& point : points) {
           given_up[r] += static_cast<int>(std::ranges::count(before, point.id) > 0 &&
                                           std::ranges::count(now, point.id) == 0);
@@ -279,7 +278,7 @@ TYPED_TEST(CoherentReducer, SlowKeepsAsManyOldIdsAsTheBoundsAllow) {
     }
     if (random.chance(0.5)) previous.push_back(FeatureId::of({Owner::A, 99}, {Owner::B, 99}));
     const std::vector<int> kept =
-        reduced<S>(find_reducer<S>("coherent"), patch.points, patch.normal, 4, previous);
+        reduced<S>(find_reducer("coherent"), patch.points, patch.normal, 4, previous);
     if (kept == old) continue;
     ++chosen_anew;
     const std::vector<Place> places = test::seen_along(patch.points, patch.normal);
@@ -332,13 +331,13 @@ TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
   const Vec3<S> up = Vec3<S>::UnitZ();
   const auto level = points_at<S>(hexagon, {-0.01, -0.01, -0.01, -0.01, -0.01, -0.01});
   const std::vector<int> old = {1, 2, 4, 5};
-  EXPECT_EQ(reduced<S>(find_reducer<S>("coherent"), level, up, 4, ids_of(level, old)), old);
+  EXPECT_EQ(reduced<S>(find_reducer("coherent"), level, up, 4, ids_of(level, old)), old);
   // By a little it stays, by more the deepest comes in and as many as possible stay.
   const auto tilted = points_at<S>(hexagon, {-0.013, -0.01, -0.01, -0.007, -0.01, -0.01});
-  EXPECT_EQ(reduced<S>(find_reducer<S>("coherent"), tilted, up, 4, ids_of(tilted, old)), old);
+  EXPECT_EQ(reduced<S>(find_reducer("coherent"), tilted, up, 4, ids_of(tilted, old)), old);
   const auto steep = points_at<S>(hexagon, {-0.05, -0.01, -0.01, 0.03, -0.01, -0.01});
   const std::vector<int> kept =
-      reduced<S>(find_reducer<S>("coherent"), steep, up, 4, ids_of(steep, old));
+      reduced<S>(find_reducer("coherent"), steep, up, 4, ids_of(steep, old));
   EXPECT_EQ(kept.size(), 4U);
   EXPECT_EQ(kept.back(), 0);
 }
@@ -352,12 +351,9 @@ TYPED_TEST(CoherentReducer, KeepsTheExtremesOfALineWhileTheyAreNearlyExtreme) {
   };
   const auto old = ids_of(line(0.99), {1, 0});
   for (const int most : {2, 4}) {
-    EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), line(0.99), up, most, old),
-                ElementsAre(1, 0));
-    EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), line(1.04), up, most, old),
-                ElementsAre(1, 0));
-    EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), line(1.08), up, most, old),
-                ElementsAre(0, 4));
+    EXPECT_THAT(reduced<S>(find_reducer("coherent"), line(0.99), up, most, old), ElementsAre(1, 0));
+    EXPECT_THAT(reduced<S>(find_reducer("coherent"), line(1.04), up, most, old), ElementsAre(1, 0));
+    EXPECT_THAT(reduced<S>(find_reducer("coherent"), line(1.08), up, most, old), ElementsAre(0, 4));
   }
 }
 
@@ -366,11 +362,11 @@ TYPED_TEST(CoherentReducer, OneAloneStaysWhileItIsNearlyTheDeepest) {
   const Vec3<S> up = Vec3<S>::UnitZ();
   const std::vector<Place> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto level = points_at<S>(square, {-0.01, -0.0101, -0.01, -0.01});
-  EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), level, up, 1, {}), ElementsAre(1));
-  EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), level, up, 1, ids_of(level, {3})),
+  EXPECT_THAT(reduced<S>(find_reducer("coherent"), level, up, 1, {}), ElementsAre(1));
+  EXPECT_THAT(reduced<S>(find_reducer("coherent"), level, up, 1, ids_of(level, {3})),
               ElementsAre(3));
   const auto tilted = points_at<S>(square, {-0.01, -0.02, -0.01, -0.01});
-  EXPECT_THAT(reduced<S>(find_reducer<S>("coherent"), tilted, up, 1, ids_of(tilted, {3})),
+  EXPECT_THAT(reduced<S>(find_reducer("coherent"), tilted, up, 1, ids_of(tilted, {3})),
               ElementsAre(1));
 }
 

@@ -23,13 +23,13 @@ struct Kept {
 };
 
 Kept measure(const std::string& name, int count) {
-  const auto reducer = find_reducer<double>(name);
+  const auto reducer = find_reducer(name);
   test::Random random(static_cast<std::uint64_t>(count));
   Kept mean;
   int deepest_kept = 0;
   for (int i = 0; i < kPolygons; ++i) {
     const test::ContactPolygon polygon = test::random_contact_polygon(random, count);
-    const KeptIndices kept = reduce<double>(reducer, polygon.points, polygon.normal, {}).kept;
+    const KeptIndices kept = reduce<double>(reducer, polygon.points, polygon.normal, {});
     std::vector<Vec3d> all;
     for (const auto& point : polygon.points) all.push_back(point.position);
     std::vector<Vec3d> chosen;
@@ -97,7 +97,7 @@ double share_kept(const std::string& name, const std::vector<ContactPoint<double
   std::vector<Vec3d> all;
   for (const ContactPoint<double>& point : points) all.push_back(point.position);
   std::vector<Vec3d> chosen;
-  for (const int k : reduce<double>(find_reducer<double>(name), points, normal, {}).kept) {
+  for (const int k : reduce<double>(find_reducer(name), points, normal, {})) {
     chosen.push_back(all[static_cast<std::size_t>(k)]);
   }
   return convex_area(chosen, normal) / best_convex_area(all, normal, 4);

@@ -166,12 +166,11 @@ TEST_P(FourPointReducer, KeepsTheFirstOfItsChoicesWhenAskedForFewer) {
   for (int i = 0; i < 100; ++i) {
     const test::ContactPolygon polygon = test::random_contact_polygon(random, 9);
     ReduceOptions options;
-    const auto reducer = find_reducer<double>(GetParam());
-    const KeptIndices four = reduce<double>(reducer, polygon.points, polygon.normal, options).kept;
+    const auto reducer = find_reducer(GetParam());
+    const KeptIndices four = reduce<double>(reducer, polygon.points, polygon.normal, options);
     for (const int max_points : {1, 2, 3, 6}) {
       options.max_points = max_points;
-      const KeptIndices kept =
-          reduce<double>(reducer, polygon.points, polygon.normal, options).kept;
+      const KeptIndices kept = reduce<double>(reducer, polygon.points, polygon.normal, options);
       ASSERT_EQ(kept.size(), std::min(four.size(), static_cast<std::size_t>(max_points)));
       EXPECT_TRUE(std::equal(kept.begin(), kept.end(), four.begin()));
     }

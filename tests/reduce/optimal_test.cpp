@@ -14,13 +14,12 @@ using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
 template <class S>
-std::vector<int> reduced(Reducer<S> reducer, const std::vector<ContactPoint<S>>& points,
+std::vector<int> reduced(const ReducerInfo* reducer, const std::vector<ContactPoint<S>>& points,
                          const Vec3<S>& normal, int max_points) {
   ReduceOptions options;
   options.max_points = max_points;
-  const Reduction reduction = reduce<S>(reducer, points, normal, options);
-  EXPECT_EQ(reduction.status, ReduceStatus::Reduced);
-  return {reduction.kept.begin(), reduction.kept.end()};
+  const KeptIndices kept = reduce<S>(reducer, points, normal, options);
+  return {kept.begin(), kept.end()};
 }
 
 /// Points in the x-y plane, z up, of these separations.
@@ -51,11 +50,11 @@ template <class S>
 class OptimalReducer : public testing::Test {
  protected:
   static std::vector<int> best(const std::vector<ContactPoint<S>>& points, int max_points) {
-    return reduced<S>(find_reducer<S>("optimal"), points, Vec3<S>::UnitZ(), max_points);
+    return reduced<S>(find_reducer("optimal"), points, Vec3<S>::UnitZ(), max_points);
   }
   static std::vector<int> best_with_deepest(const std::vector<ContactPoint<S>>& points,
                                             int max_points) {
-    return reduced<S>(find_reducer<S>("optimal_deepest"), points, Vec3<S>::UnitZ(), max_points);
+    return reduced<S>(find_reducer("optimal_deepest"), points, Vec3<S>::UnitZ(), max_points);
   }
 };
 using Scalars = testing::Types<float, double>;
@@ -73,7 +72,7 @@ TYPED_TEST(OptimalReducer, SlowNoChoiceOfAnyPointsHasMoreArea) {
       for (int most = 3; most <= 6; ++most) {
         if (count <= most) continue;
         const std::vector<int> kept =
-            reduced<S>(find_reducer<S>("optimal"), patch.points, patch.normal, most);
+            reduced<S>(find_reducer("optimal"), patch.points, patch.normal, most);
         ASSERT_NEAR(test::hull_area(test::at(places, kept)), test::largest_area(places, most),
                     rounding)
             << "shape " << static_cast<int>(shape) << ", case " << i << ", most " << most;
@@ -99,7 +98,7 @@ TYPED_TEST(OptimalReducer, SlowNoChoiceWithTheDeepestHasMoreArea) {
       for (int most = 1; most <= 6; ++most) {
         if (count <= most) continue;
         const std::vector<int> kept =
-            reduced<S>(find_reducer<S>("optimal_deepest"), patch.points, patch.normal, most);
+            reduced<S>(find_reducer("optimal_deepest"), patch.points, patch.normal, most);
         ASSERT_EQ(kept[0], first);
         const double largest = test::largest_area(
             places, most, [&](const std::vector<int>& c) { return std::ranges::count(c, first); });
@@ -120,11 +119,11 @@ TYPED_TEST(OptimalReducer, KeepsTheFarthestTwo) {
       const double extent = test::extent(places);
       const double tolerance = test::area_rounding(patch.points, places) / extent;
       const std::vector<int> two =
-          reduced<S>(find_reducer<S>("optimal"), patch.points, patch.normal, 2);
+          reduced<S>(find_reducer("optimal"), patch.points, patch.normal, 2);
       ASSERT_NEAR(test::extent(test::at(places, two)), extent, tolerance);
 
       const std::vector<int> with_deepest =
-          reduced<S>(find_reducer<S>("optimal_deepest"), patch.points, patch.normal, 2);
+          reduced<S>(find_reducer("optimal_deepest"), patch.points, patch.normal, 2);
       const int first = deepest(patch.points);
       ASSERT_EQ(with_deepest[0], first);
       double farthest = 0;

@@ -29,7 +29,7 @@ template <class S>
 std::vector<int> kept_by(const std::string& name, const std::vector<ContactPoint<S>>& points,
                          const ReduceOptions& options = {}) {
   const Vec3<S> up = Vec3<S>::UnitY();
-  const KeptIndices kept = reduce<S>(find_reducer<S>(name), points, up, options).kept;
+  const KeptIndices kept = reduce<S>(find_reducer(name), points, up, options);
   return {kept.begin(), kept.end()};
 }
 

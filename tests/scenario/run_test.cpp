@@ -251,8 +251,8 @@ TEST(RunMemory, AReducerThatRemembersIsGivenWhatItKeptInTheFrameBefore) {
     std::vector<FeatureId> before;
     int swayed = 0;  // frames in which the memory decides
     for (int frame = 0; frame < scenario.frames; ++frame) {
-      CollideOptions<double> options;
-      options.reducer = find_reducer<double>(info.name);
+      CollideOptions options;
+      options.reducer = find_reducer(info.name);
       const auto manifold = [&](const std::vector<FeatureId>& previous) {
         options.reduction.previous = previous;
         const double time = frame * scenario.dt;

@@ -330,8 +330,8 @@ TEST(Scenario, AScaleOfImpulsesIsOneThatALegendCanState) {
 }
 
 TEST(Scenario, TheDefaultReducerExists) {
-  EXPECT_NE(find_reducer<float>(PipelineSettings().reducer), nullptr);
-  EXPECT_NE(find_reducer<double>(PipelineSettings().reducer), nullptr);
+  EXPECT_NE(find_reducer(PipelineSettings().reducer), nullptr);
+  EXPECT_NE(find_reducer(PipelineSettings().reducer), nullptr);
 }
 
 TEST(Scenario, LimitsThemselvesAreAccepted) {

@@ -235,7 +235,7 @@ TEST(EllipticalPolygon, ReducersKeepAboutWhatTheirEnginesKeep) {
       const Vec3d normal = polygon.normal.cast<double>().normalized();
       for (std::size_t e = 0; e < area.size(); ++e) {
         const KeptIndices kept =
-            reduce<double>(find_reducer<double>(kEngineMeans[e].name), points, normal, {}).kept;
+            reduce<double>(find_reducer(kEngineMeans[e].name), points, normal, {});
         const trace::ReducerAnswer quality =
             measure_reduction(points, normal, {kept.begin(), kept.size()}, 4);
         area[e] += quality.area_ratio / kPolygons;

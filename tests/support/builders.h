@@ -44,7 +44,7 @@ inline PairCase<double> stacked_cubes(double yaw, double overlap) {
 }
 
 template <class S>
-Manifold<S> collide(const PairCase<S>& pair, const CollideOptions<S>& options = {}) {
+Manifold<S> collide(const PairCase<S>& pair, const CollideOptions& options = {}) {
   return collide_hull_hull(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
 }
 
