@@ -1,10 +1,10 @@
-#include "dynamics/mass_properties.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
+
+#include "dynamics/body.h"
 
 // Sphere and capsule by the formulas of every textbook. A hull is cut into tetrahedra from one of
 // its vertices (Tonon 2004, "Explicit exact formulas for the 3-D tetrahedron inertia tensor"), here
@@ -29,9 +29,7 @@ void for_each_surface_triangle(const Hull<S>& hull, const Visit& visit) {
   const auto corner = [&](int half_edge) {
     return Vec3d(hull.origin(half_edge).template cast<double>());
   };
-  const auto after = [&](int half_edge) {
-    return hull.half_edges[static_cast<std::size_t>(half_edge)].next;
-  };
+  const auto after = [&](int half_edge) { return at(hull.half_edges, half_edge).next; };
   for (const int first : hull.face_edges) {
     for (int edge = after(first); after(edge) != first; edge = after(edge))
       visit(corner(first), corner(edge), corner(after(edge)));
@@ -47,10 +45,10 @@ std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
   for_each_surface_triangle(hull, [&](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
     const Vec3d a = p - apex, b = q - apex, c = r - apex;
     const double det = a.dot(b.cross(c));
-    result.volume += det / 6;
+    result.mass += det / 6;
     first_moment += det / 24 * (a + b + c);
   });
-  const Vec3d from_apex = first_moment / result.volume;
+  const Vec3d from_apex = first_moment / result.mass;
   result.center = apex + from_apex;
 
   Mat3<double> moments = Mat3<double>::Zero();
@@ -60,7 +58,6 @@ std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
     moments += det / 120 * (outer(a) + outer(b) + outer(c) + outer(Vec3d(a + b + c)));
   });
   result.inertia = moments.trace() * Mat3<double>::Identity() - moments;
-  result.mass = result.volume;
   return result;
 }
 
@@ -68,7 +65,7 @@ template <class S>
 std::optional<MassProperties> of_unit_density(const Sphere<S>& sphere) {
   const double r = sphere.radius;
   MassProperties result;
-  result.volume = result.mass = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  result.mass = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   result.inertia = 0.4 * result.mass * r * r * Mat3<double>::Identity();
   return result;
 }
@@ -84,7 +81,7 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
   const double ball = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const double cylinder = std::numbers::pi * r * r * length;
   MassProperties result;
-  result.volume = result.mass = ball + cylinder;
+  result.mass = ball + cylinder;
   result.center = 0.5 * (end_a + end_b);
   const double along = (0.4 * ball + 0.5 * cylinder) * r * r;
   // Both half balls together have the ball's moment about its own centre; each is moved out by
@@ -105,11 +102,8 @@ std::optional<MassProperties> of_unit_density(const Massless&) {
 }  // namespace
 
 template <class S>
-std::optional<MassProperties> mass_properties(const Shape<S>& shape, double density) {
-  std::optional<MassProperties> properties =
-      std::visit([](const auto& kind) { return of_unit_density(kind); }, shape);
-  if (properties) *properties = with_mass(*properties, density * properties->volume);
-  return properties;
+std::optional<MassProperties> mass_properties(const Shape<S>& shape) {
+  return std::visit([](const auto& kind) { return of_unit_density(kind); }, shape);
 }
 
 MassProperties with_mass(const MassProperties& properties, double mass) {
@@ -127,7 +121,7 @@ double shortest_edge(double mass, const Mat3<double>& inertia) {
   return std::sqrt(std::max(0.0, 6 / mass * (moments.x() + moments.y() - moments.z())));
 }
 
-template std::optional<MassProperties> mass_properties(const Shape<float>&, double);
-template std::optional<MassProperties> mass_properties(const Shape<double>&, double);
+template decltype(mass_properties<float>) mass_properties<float>;
+template decltype(mass_properties<double>) mass_properties<double>;
 
 }  // namespace contactscope

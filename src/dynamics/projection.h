@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/prepare.h"
+#include "dynamics/constraint.h"
 
 namespace contactscope {
 
@@ -40,16 +40,16 @@ template <class S>
 ProjectedPoint<S> projected(const BodyPair<S>& bodies, const ConstraintPoint<S>& point,
                             const Vec3<S>& normal) {
   const SolverBody<S>&a = bodies.a, &b = bodies.b;
-  ProjectedPoint<S> result;
   const Vec3<S> arm_a = a.body.rotation * point.anchor_a, arm_b = b.body.rotation * point.anchor_b;
-  result.lever_a = arm_a.cross(normal);
-  result.lever_b = arm_b.cross(normal);
-  result.turned_a = a.inverse_inertia_world * result.lever_a;
-  result.turned_b = b.inverse_inertia_world * result.lever_b;
-  result.separation = separation_now(bodies, point, normal);
-  result.inverse_mass = bodies.inverse_mass() +
-                        (result.lever_a.dot(result.turned_a) + result.lever_b.dot(result.turned_b));
-  return result;
+  const Vec3<S> lever_a = arm_a.cross(normal), lever_b = arm_b.cross(normal);
+  const Vec3<S> turned_a = a.inverse_inertia_world * lever_a;
+  const Vec3<S> turned_b = b.inverse_inertia_world * lever_b;
+  return {lever_a,
+          lever_b,
+          turned_a,
+          turned_b,
+          separation_now(bodies, point, normal),
+          bodies.inverse_mass() + (lever_a.dot(turned_a) + lever_b.dot(turned_b))};
 }
 
 /// Moves a dynamic body by `way`, metres, and turns it by `turn`, radians; both world.

@@ -5,29 +5,18 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {
 namespace {
 
-/// Places on the contact plane, and the way back.
-class ContactPlane {
- public:
-  ContactPlane(std::span<const Vec3d> points, const Vec3d& normal) : origin_(Vec3d::Zero()) {
-    for (const Vec3d& point : points) origin_ += (point - points[0]) / double(points.size());
-    origin_ += points[0];
-    u_ = any_perpendicular(normal);
-    v_ = normal.cross(u_);
-  }
-  Vec2d seen(const Vec3d& point) const {
-    const Vec3d offset = point - origin_;
-    return {u_.dot(offset), v_.dot(offset)};
-  }
-  Vec3d place(const Vec2d& seen) const { return origin_ + seen.x() * u_ + seen.y() * v_; }
-
- private:
-  Vec3d origin_, u_, v_;
-};
+/// The contact plane, from the middle of the points.
+PlaneFrame<double> contact_plane(std::span<const Vec3d> points, const Vec3d& normal) {
+  Vec3d middle = Vec3d::Zero();
+  for (const Vec3d& point : points) middle += (point - points[0]) / double(points.size());
+  return {Vec3d(middle + points[0]), normal};
+}
 
 struct BorderPoint {
   double distance = std::numeric_limits<double>::infinity();
@@ -96,12 +85,11 @@ trace::Stability rest_of(std::span<const Vec3d> points, const Vec3d& normal,
   result.center_of_mass = result.projection = center_of_mass;
   result.verdict = "no contact";
   if (points.empty()) return result;
-  const ContactPlane plane(points, normal);
+  const PlaneFrame<double> plane = contact_plane(points, normal);
   const Vec2d projection = plane.seen(center_of_mass);
   result.projection = plane.place(projection);
-  std::vector<Vec2d> seen;
-  for (const Vec3d& point : points) seen.push_back(plane.seen(point));
-  const std::vector<Vec2d> corners = convex_polygon(std::move(seen));
+  const std::vector<Vec2d> corners =
+      convex_polygon(mapped(points, [&](const Vec3d& point) { return plane.seen(point); }));
   for (const Vec2d& corner : corners) result.support.push_back(plane.place(corner));
 
   const std::array<Vec2d, 2> ends = ends_of(corners);

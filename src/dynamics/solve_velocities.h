@@ -6,7 +6,6 @@
 #include <span>
 
 #include "dynamics/constraint.h"
-#include "dynamics/solver_settings.h"
 
 /// Sequential impulses: each contact point by itself, in turn, over and over. Source: Catto 2006,
 /// "Fast and Simple Physics using Sequential Impulses"; Gregorius 2015, "Recap: Solving Contact".
@@ -27,13 +26,6 @@ struct PositionBias {
   S mass_scale = 1;
   S impulse_scale = 0;
 };
-
-/// Points that are apart: they may close, but not by more than what there is between them, in `h`
-/// seconds (Catto 2013, "Continuous Collision", speculative contacts).
-template <class S>
-PositionBias<S> speculative(S separation, S h) {
-  return {separation / h, S(1), S(0)};
-}
 
 /// Gregorius 2015, "Recap: Solving Contact (4)": v_rel = -0.1 / dt * d. Overlap up to the slop is let
 /// be, else contacts would come and go.
@@ -74,7 +66,9 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
 template <class S>
 PositionBias<S> position_bias(S separation, bool on, bool against_static,
                               const SolverSettings& settings, S h) {
-  if (separation > 0) return speculative(separation, h);
+  // Points that are apart may close, but not by more than what there is between them (Catto 2013,
+  // "Continuous Collision", speculative contacts).
+  if (separation > 0) return {separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
   if (settings.position_correction == PositionCorrection::Baumgarte)
     return baumgarte(separation, settings, h);
@@ -83,15 +77,12 @@ PositionBias<S> position_bias(S separation, bool on, bool against_static,
 
 /// Impulses that the points begin with.
 template <class S>
-void warm_start(std::span<SolverBody<S>> bodies,
-                const std::vector<ContactConstraint<S>>& contacts) {
-  for (const ContactConstraint<S>& contact : contacts) {
-    const BodyPair<S> pair(bodies, contact);
-    for (const ConstraintPoint<S>& point : contact.points)
-      pair.push(point, Vec3<S>(point.normal_impulse * contact.normal +
-                               point.friction_u * contact.tangent_u +
-                               point.friction_v * contact.tangent_v));
-  }
+void warm_start(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
+  for_each_point(bodies, contacts, [](const auto& pair, const auto& contact, const auto& point) {
+    pair.push(point,
+              Vec3<S>(point.normal_impulse * contact.normal + point.friction_u * contact.tangent_u +
+                      point.friction_v * contact.tangent_v));
+  });
 }
 
 template <class S>
@@ -141,16 +132,6 @@ void solve_velocities(std::span<SolverBody<S>> bodies, std::vector<ContactConstr
   }
 }
 
-/// Notes the relative velocities that restitution goes by.
-template <class S>
-void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts) {
-  for (ContactConstraint<S>& contact : contacts) {
-    const BodyPair<S> pair(bodies, contact);
-    for (ConstraintPoint<S>& point : contact.points)
-      point.approach = pair.velocity_at(point).dot(contact.normal);
-  }
-}
-
 // Bodies at rest meet with what gravity adds in one sub-step, and must not bounce from that; as much
 // again for what the sweeps leave over.
 inline constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
@@ -181,22 +162,19 @@ template <class S>
 void apply_restitution(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        const Vec3<S>& gravity, S h) {
   const S threshold = static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;
-  for (ContactConstraint<S>& contact : contacts) {
-    if (contact.restitution == 0) continue;
-    const BodyPair<S> pair(bodies, contact);
+  for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
+    if (contact.restitution == 0 || !(point.approach < -threshold) || point.total_normal == 0)
+      return;
     const S closing =
         (static_cast<S>(pair.a.body.dynamic()) - static_cast<S>(pair.b.body.dynamic())) *
         gravity.dot(contact.normal);
-    for (ConstraintPoint<S>& point : contact.points) {
-      if (!(point.approach < -threshold) || point.total_normal == 0) continue;
-      const S velocity = pair.velocity_at(point).dot(contact.normal);
-      const S target = contact.restitution * met_velocity(point, closing, h);
-      const S change = point.normal_mass * (target - velocity);
-      const S total = std::max(point.total_normal + change, S(0));
-      pair.push(point, Vec3<S>((total - point.total_normal) * contact.normal));
-      point.total_normal = total;
-    }
-  }
+    const S velocity = pair.velocity_at(point).dot(contact.normal);
+    const S target = contact.restitution * met_velocity(point, closing, h);
+    const S change = point.normal_mass * (target - velocity);
+    const S total = std::max(point.total_normal + change, S(0));
+    pair.push(point, Vec3<S>((total - point.total_normal) * contact.normal));
+    point.total_normal = total;
+  });
 }
 
 }  // namespace contactscope

@@ -1,53 +1,18 @@
 #include "dynamics/solver.h"
 
 #include "dynamics/integrate.h"
-#include "dynamics/prepare.h"
 #include "dynamics/projection.h"
 #include "dynamics/solve_velocities.h"
 
 namespace contactscope {
-namespace {
-
-template <class S>
-std::vector<SolverBody<S>> solver_bodies(const std::vector<Body<S>>& bodies) {
-  std::vector<SolverBody<S>> result(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    result[i].body = bodies[i];
-    result[i].turn_inertia();
-  }
-  return result;
-}
-
-/// A sub-step begins without what the last one gave, unless that warms it.
-template <class S>
-void begin_substep(std::vector<ContactConstraint<S>>& contacts, bool keep) {
-  for (ContactConstraint<S>& contact : contacts) {
-    for (ConstraintPoint<S>& point : contact.points) {
-      point.position_impulse = 0;
-      if (!keep) point.normal_impulse = point.friction_u = point.friction_v = 0;
-    }
-  }
-}
-
-template <class S>
-void end_substep(std::vector<ContactConstraint<S>>& contacts) {
-  for (ContactConstraint<S>& contact : contacts) {
-    for (ConstraintPoint<S>& point : contact.points) {
-      point.total_normal += point.normal_impulse;
-      point.total_u += point.friction_u;
-      point.total_v += point.friction_v;
-    }
-  }
-}
-
-}  // namespace
-
 template <class S>
 void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& given, S dt) {
   const SolverSettings settings = settled(given, bodies);
-  std::vector<SolverBody<S>> moving = solver_bodies(bodies);
+  std::vector<SolverBody<S>> moving;
+  for (const Body<S>& body : bodies) moving.push_back({body});
+  for (SolverBody<S>& body : moving) body.turn_inertia();
   const std::span<SolverBody<S>> all(moving);
   impulses.resize(pairs.size());
   std::vector<ContactConstraint<S>> contacts = prepare_contacts<S>(all, pairs, impulses, settings);
@@ -56,9 +21,13 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
   for (int substep = 0; substep < settings.substeps; ++substep) {
     for (SolverBody<S>& moved : moving)
       if (moved.body.dynamic()) moved.body.velocity += h * gravity;
-    if (substep == 0) note_approach(all, contacts);
+    for_each_point(all, contacts, [&](const auto& pair, const auto& contact, auto& point) {
+      if (substep == 0) point.approach = pair.velocity_at(point).dot(contact.normal);
+      /// A sub-step begins without what the last one gave, unless that warms it.
+      point.position_impulse = 0;
+      if (!settings.warm_start) point.normal_impulse = point.friction_u = point.friction_v = 0;
+    });
     update_separations(all, contacts);
-    begin_substep(contacts, settings.warm_start);
     warm_start(all, contacts);
     for (int i = 0; i < settings.iterations; ++i)
       solve_velocities(all, contacts, settings, true, h);
@@ -71,7 +40,11 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
     }
     if (settings.position_correction == PositionCorrection::Projection)
       for (int i = 0; i < settings.iterations; ++i) project_positions(all, contacts, settings);
-    end_substep(contacts);
+    for_each_point(all, contacts, [](const auto&, const auto&, auto& point) {
+      point.total_normal += point.normal_impulse;
+      point.total_u += point.friction_u;
+      point.total_v += point.friction_v;
+    });
   }
   update_separations(all, contacts);
   for (int i = 0; i < settings.iterations; ++i) apply_restitution(all, contacts, gravity, h);
@@ -85,12 +58,7 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
   }
 }
 
-#define CONTACTSCOPE_INSTANTIATE(S)                                                              \
-  template void solve_step(std::vector<Body<S>>&, std::span<const PairContacts<S>>,              \
-                           std::vector<PairImpulses<S>>&, const Vec3<S>&, const SolverSettings&, \
-                           S);
-CONTACTSCOPE_INSTANTIATE(float)
-CONTACTSCOPE_INSTANTIATE(double)
-#undef CONTACTSCOPE_INSTANTIATE
+template decltype(solve_step<float>) solve_step<float>;
+template decltype(solve_step<double>) solve_step<double>;
 
 }  // namespace contactscope

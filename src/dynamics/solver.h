@@ -63,4 +63,50 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& settings, S dt);
 
+/// Two bodies that may touch, and what is kept of them from step to step.
+template <class S>
+struct WorldPair {
+  int a = 0, b = 0;
+  S friction = S(0.6);
+  S restitution = 0;
+  PairCache<S> cache{};
+};
+
+/// Everything that moves. A value: a copy is a snapshot, and goes on as the original would have.
+template <class S>
+struct World {
+  Vec3<S> gravity = Vec3<S>(S(0), S(-9.81), S(0));  // metres a second, a second
+  std::vector<Body<S>> bodies;
+  std::vector<WorldPair<S>> pairs;
+  std::vector<PairImpulses<S>> impulses;  // of the last step, one a pair
+};
+
+/// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
+/// speculative margin, settled(), are kept.
+template <class S>
+void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
+                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
+  contacts.resize(world.pairs.size());
+  CollideOptions options;
+  options.margin = static_cast<S>(*settled(settings, world.bodies).speculative_margin);
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    WorldPair<S>& pair = world.pairs[i];
+    collide(at(shapes, pair.a), at(world.bodies, pair.a).pose(), at(shapes, pair.b),
+            at(world.bodies, pair.b).pose(), options, contacts[i], &pair.cache);
+  }
+}
+
+/// find_contacts, then solve_step: `dt` seconds. The contacts stay to be looked at.
+template <class S>
+void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
+          S dt, std::vector<Manifolds<S>>& contacts) {
+  find_contacts(world, shapes, settings, contacts);
+  std::vector<PairContacts<S>> pairs;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const WorldPair<S>& pair = world.pairs[i];
+    pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution});
+  }
+  solve_step<S>(world.bodies, pairs, world.impulses, world.gravity, settings, dt);
+}
+
 }  // namespace contactscope

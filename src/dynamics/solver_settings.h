@@ -43,7 +43,7 @@ struct SolverSettings {
 
 /// With the lengths that were not given: 1/200 of `size` for the slop and four times that for the
 /// speculative margin, 5 mm and 2 cm for a metre, as Box2D has them. `size` is that of the smallest
-/// body, see shortest_edge() in mass_properties.h.
+/// body, see shortest_edge() in body.h.
 constexpr SolverSettings settled(SolverSettings settings, double size) {
   constexpr double kSlop = 0.005, kSpeculativeMargin = 0.02;
   if (!settings.slop) settings.slop = kSlop * size;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/mass_properties.h"
+#include "dynamics/body.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
@@ -35,7 +35,7 @@ double read_mass(const Value& table, const ScenarioShape& shape) {
                "' is dynamic and has no mass; add mass = 1.0 (kilograms) or density = 1000 "
                "(kilograms a cubic metre)");
   const double kilograms = mass ? mass->positive("kilograms")
-                                : density->positive("kilograms a cubic metre") * filled->volume;
+                                : density->positive("kilograms a cubic metre") * filled->mass;
   const Value& given = mass ? *mass : *density;
   if (kilograms < kSmallestMass || kilograms > kLargestMass)
     given.fail("'" + given.name() +

@@ -159,9 +159,10 @@ Measurement judge(const LandingPanel& panel, double parameter, LandingMethod met
 LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   LandingPair pair(c, method);
   const Pose<double> start = start_of(c);
+  const MassProperties filled = *mass_properties(pair.box);
   std::vector<Body<float>> bodies{
       static_body<float>(kFloor),
-      dynamic_body<float>(start.cast<float>(), *mass_properties(pair.box, 1000))};
+      dynamic_body<float>(start.cast<float>(), with_mass(filled, 1000 * filled.mass))};
   Body<float>& body = bodies[1];
   if (c.landing == Landing::Slide)
     body.velocity = start.rotate(Vec3d(c.parameter, 0, 0)).cast<float>();

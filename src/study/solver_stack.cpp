@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "dynamics/world.h"
+#include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "study/random_cases.h"
 #include "study/study.h"
@@ -93,10 +93,12 @@ class StandingStack {
     int changed = 0, all = 0;
     ids_.resize(world_.pairs.size());
     for (std::size_t i = 0; i < world_.pairs.size(); ++i) {
-      const std::vector<FeatureId>& now = world_.pairs[i].kept;
+      std::vector<FeatureId> now;
+      for (const Manifold<float>& manifold : contacts_[i])
+        for (const ContactPoint<float>& point : manifold.points) now.push_back(point.id);
       for (const FeatureId& id : now) changed += std::ranges::count(ids_[i], id) == 0 ? 1 : 0;
       all += count_of(now);
-      ids_[i] = now;
+      ids_[i] = std::move(now);
     }
     ids_changed_ = all == 0 ? 0 : static_cast<double>(changed) / all;
   }

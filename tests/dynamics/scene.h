@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/at.h"
-#include "dynamics/world.h"
+#include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "support/builders.h"
 
@@ -19,7 +19,7 @@ std::vector<WorldPair<S>> pair_all(const std::vector<Body<S>>& bodies, S frictio
   for (int a = 0; a < count_of(bodies); ++a) {
     for (int b = a + 1; b < count_of(bodies); ++b) {
       if (at(bodies, a).dynamic() || at(bodies, b).dynamic())
-        pairs.push_back({a, b, {}, friction, restitution});
+        pairs.push_back({a, b, friction, restitution});
     }
   }
   return pairs;

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "dynamics/prepare.h"
+#include "dynamics/constraint.h"
 #include "dynamics/scene.h"
 #include "support/random_geometry.h"
 
