@@ -26,7 +26,7 @@ struct CollideOptions {
   /// Two shapes between which the table has no order are worked on as if given the other way round.
   bool b_first = false;
   const ReducerInfo* reducer = nullptr;  // nullptr keeps all points
-  ReduceOptions reduction;               // `previous` in the order of the arguments, as results are
+  ReduceOptions reduction{};             // `previous` in the order of the arguments, as results are
 };
 
 /// How points of an incremental manifold are confirmed in the next frame.

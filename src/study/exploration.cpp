@@ -107,7 +107,7 @@ template <class S>
 class Explorer {
  public:
   Explorer(const std::vector<std::string>& names, int max_points)
-      : names_(names), reducers_(mapped(names, find_reducer<S>)), max_points_(max_points) {}
+      : names_(names), reducers_(mapped(names, find_reducer)), max_points_(max_points) {}
 
   /// All but whether the centre of mass is supported, which takes all manifolds of a pair.
   void answer(bool measure_time, trace::Exploration& result) {
