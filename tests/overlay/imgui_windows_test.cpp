@@ -1,4 +1,4 @@
-#include "overlay/imgui_windows.h"
+#include "overlay/panels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
