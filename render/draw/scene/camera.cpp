@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "core/at.h"
 #include "draw/scene/points.h"
@@ -19,11 +18,9 @@ Point2 mix2(const Point2& a, const Point2& b, double t) {
   return pixel(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
 }
 
-std::array<std::function<double(const Point2&)>, 4> borders(const Rect& r) {
-  return {[r](const Point2& p) { return p.x - r.x; },
-          [r](const Point2& p) { return r.x + r.width - p.x; },
-          [r](const Point2& p) { return p.y - r.y; },
-          [r](const Point2& p) { return r.y + r.height - p.y; }};
+/// From the left, right, upper and lower border of a rectangle; negative outside.
+std::array<double, 4> distances(const Rect& r, const Point2& p) {
+  return {p.x - r.x, r.right() - p.x, p.y - r.y, r.bottom() - p.y};
 }
 
 }  // namespace
@@ -144,9 +141,10 @@ std::vector<Point2> project_polygon(const Camera& camera, const std::vector<Vec3
 }
 
 std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon) {
-  for (const auto& border : borders(rect)) {
-    polygon =
-        clipped(polygon, border, [](const Point2& a, const Point2& b, double at_a, double at_b) {
+  for (std::size_t border = 0; border < 4; ++border) {
+    polygon = clipped(
+        polygon, [&](const Point2& p) { return distances(rect, p)[border]; },
+        [](const Point2& a, const Point2& b, double at_a, double at_b) {
           return mix2(a, b, at_a / (at_a - at_b));
         });
   }
@@ -155,9 +153,9 @@ std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon) 
 
 std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to) {
   double first = 0, last = 1;
-  for (const auto& border : borders(rect)) {
-    const double d0 = border(from);
-    const double d1 = border(to);
+  const std::array<double, 4> at_from = distances(rect, from), at_to = distances(rect, to);
+  for (std::size_t border = 0; border < 4; ++border) {
+    const double d0 = at_from[border], d1 = at_to[border];
     if (d0 < 0 && d1 < 0) return std::nullopt;
     if (d0 < 0) first = std::max(first, d0 / (d0 - d1));
     if (d1 < 0) last = std::min(last, d0 / (d0 - d1));
