@@ -1,10 +1,8 @@
-#include "draw/panels/sheet.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
-#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {
