@@ -1,6 +1,6 @@
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/at.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 

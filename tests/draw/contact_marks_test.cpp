@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/charts/pair_history.h"
 #include "draw/crate_on_slab.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "image/font.h"
 

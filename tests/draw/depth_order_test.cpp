@@ -1,4 +1,4 @@
-#include "draw/scene/depth_order.h"
+#include "draw/scene/visibility.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

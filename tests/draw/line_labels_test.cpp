@@ -1,4 +1,4 @@
-#include "draw/charts/line_labels.h"
+#include "draw/scene/labels.h"
 
 #include <gtest/gtest.h>
 

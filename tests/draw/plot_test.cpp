@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/charts/plot_geometry.h"
 #include "image/font.h"
 
 namespace contactscope::draw {

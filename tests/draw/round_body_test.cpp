@@ -1,4 +1,4 @@
-#include "draw/scene/round_body.h"
+#include "draw/scene/visibility.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-
-#include "draw/scene/depth_order.h"
-#include "draw/scene/hidden_lines.h"
 
 namespace contactscope::draw {
 namespace {
@@ -95,7 +92,7 @@ TEST(RoundBody, AnEyeInsideSeesNothingOfIt) {
   const RoundBody around{{{0, 0, -3}, {0, 0, 3}}, 1};
   const Camera camera = looking_from({0, 0.5, 2});
   EXPECT_TRUE(around.outline(camera).empty());
-  EXPECT_TRUE(around.front(camera, key_light(camera)).empty());
+  EXPECT_TRUE(around.front(camera).empty());
   EXPECT_TRUE(around.shadow(camera).empty());
 }
 
@@ -112,7 +109,7 @@ TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
   for (const RoundBody& body : {kBall, kPill}) {
     for (const Camera& camera : {looking_from({3, 2, 4}), flat_from({-2, 1, 1})}) {
       double covered = 0;
-      for (const RoundBody::Facet& facet : body.front(camera, key_light(camera))) {
+      for (const RoundBody::Facet& facet : body.front(camera)) {
         for (const Vec3d& p : facet.polygon) {
           EXPECT_NEAR(core_distance(body, p), body.radius, 1e-9);
         }
@@ -205,8 +202,7 @@ TEST(RoundBody, TheNearerOfTwoSpheresIsPaintedLast) {
                                          RoundBody{{{0.3, 0.1, -1}}, 0.6}};
   std::vector<Surface> surfaces;
   for (int k = 0; k < 2; ++k) {
-    for (RoundBody::Facet& facet :
-         bodies[static_cast<std::size_t>(k)].front(camera, key_light(camera))) {
+    for (RoundBody::Facet& facet : bodies[static_cast<std::size_t>(k)].front(camera)) {
       surfaces.push_back({std::move(facet.polygon), {}, k});
     }
   }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "crate_on_slab.h"
-#include "draw/charts/time_series.h"
+#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/palette.h"
 #include "inside.h"

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "core/at.h"
-#include "draw/charts/plot_geometry.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
@@ -121,10 +120,7 @@ std::string spell_failures(const trace::StudySeries& series) {
 PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height) {
   const Layout layout = make_layout(width, height, false, {});
   const bool has_legend = study.form != trace::StudyForm::WorkPrecision;
-  PlotPage page;
-  page.scale = layout.scale;
-  page.drawing.width = width;
-  page.drawing.height = height;
+  PlotPage page{{.width = width, .height = height}, layout.scale, {}, {}};
   draw_captions(study.title, "Against " + study.reference,
                 spell_context(study.context, !has_legend), layout, page.drawing);
   const double left = layout.legend.x;

@@ -1,4 +1,4 @@
-#include "draw/charts/plot_geometry.h"
+#include "draw/charts/plot.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "draw/charts/line_labels.h"
-#include "draw/charts/plot_geometry.h"
+#include "draw/charts/plot.h"
+#include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

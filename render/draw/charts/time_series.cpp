@@ -1,4 +1,4 @@
-#include "draw/charts/time_series.h"
+#include "draw/charts/series_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
 namespace {

@@ -4,7 +4,6 @@
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/labels.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/at.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {
@@ -49,16 +48,15 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
 }
 
 // The signs of the contact plane alone. Its legend stands in the order in which it is made.
-constexpr Swatch kKeptPolygonSwatch{
-    LegendGroup::Points, 12, [](auto& pen) { pen.box(with_alpha(kContact, 0.16f), kContact, 2); }};
+constexpr Swatch kKeptPolygonSwatch{LegendGroup::Points, 12,
+                                    [](auto& pen) { pen.area(kContact, 0.16f, 2); }};
 constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13,
                                 [](auto& pen) { draw_deepest_mark(pen.middle(), pen, 0.72); }};
 constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14, [](auto& pen) { pen.hatched(kDropped); }};
-constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15, [](auto& pen) {
-                                      pen.box(with_alpha(kNormal, 0), kNormal, 1.6, true);
-                                    }};
+constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15,
+                                    [](auto& pen) { pen.area(kNormal, 0, 1.6, true); }};
 constexpr Swatch kAxesBoxSwatch{LegendGroup::Points, 16,
-                                [](auto& pen) { pen.box(with_alpha(kAxis, 0), kAxis, 2, true); }};
+                                [](auto& pen) { pen.area(kAxis, 0, 2, true); }};
 constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](auto& pen) {
                                     pen.level_line(0, 22, 1.5, with_alpha(kDropped, 0.7f));
                                   }};
@@ -140,9 +138,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
 
 Drawing ContactCells::frame(int number) const {
   const auto moment = std::ranges::find(moments_, number, &ContactMoment::frame);
-  Drawing drawing;
-  drawing.width = layout_.width;
-  drawing.height = layout_.height;
+  Drawing drawing{.width = layout_.width, .height = layout_.height};
   const Pen pen(drawing, layout_.scale, kNumber);
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, pen);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "draw/charts/id_strip.h"
+#include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "trace/exploration.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "core/at.h"
-#include "draw/charts/pair_history.h"
 #include "draw/insets/contact_cells.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

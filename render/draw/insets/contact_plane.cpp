@@ -5,12 +5,9 @@
 #include <string>
 
 #include "core/at.h"
-#include "draw/charts/pair_history.h"
 #include "draw/scene/labels.h"
-#include "draw/scene/pair_points.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

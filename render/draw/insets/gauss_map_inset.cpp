@@ -5,9 +5,10 @@
 #include <optional>
 #include <set>
 
-#include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 
 /// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge an
 /// arc between the faces that it joins. Two edges make a face of the Minkowski difference where their
@@ -66,11 +67,8 @@ std::vector<Vec3d> map_ring(const Vec3d& axis) {
   return points;
 }
 
-/// A direction that both shapes share: where an arc of A crosses one of B.
-struct MapCrossing {
-  Vec3d normal;
-  int a, b;  // edges
-};
+/// Where an arc of A crosses one of B: the normal is a direction that both shapes share.
+using MapCrossing = trace::EdgePair;
 
 /// One shape's map; that of B is turned inside out.
 class ShapeMap {
@@ -99,7 +97,7 @@ class ShapeMap {
       const double from = arc.from.dot(*ring.ring_axis_), to = arc.to.dot(*ring.ring_axis_);
       if (from * to >= 0) continue;
       const Vec3d at = (std::abs(to) * arc.from + std::abs(from) * arc.to).normalized();
-      found.push_back({at, is_a_ ? arc.edge : 0, is_a_ ? 0 : arc.edge});
+      found.push_back({.a = is_a_ ? arc.edge : 0, .b = is_a_ ? 0 : arc.edge, .normal = at});
     }
     return found;
   }
@@ -155,15 +153,6 @@ class ShapeMap {
   std::vector<MapArc> arcs_;
 };
 
-void draw_sphere(const Camera& camera, Sketch& sketch) {
-  const RoundBody sphere{{Vec3d::Zero()}, 1.0};
-  const int index = static_cast<int>(sketch.bodies.size());
-  for (RoundBody::Facet& facet : sphere.front(camera, key_light(camera)))
-    sketch.surfaces.push_back({std::move(facet.polygon), toned(kSphere, facet.lit), index});
-  sketch.curves.push_back({sphere.outline(camera), {1.5f, with_alpha(kShapeEdge, 0.6f)}, true});
-  sketch.bodies.push_back(sphere);
-}
-
 void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const Camera& camera,
                Sketch& sketch) {
   if (!camera.faces(normal, normal)) return;
@@ -194,12 +183,8 @@ Vec3d best_direction(const trace::Pair& pair) {
 
 std::vector<MapCrossing> crossings_of(const trace::Pair& pair, const ShapeMap& a,
                                       const ShapeMap& b) {
-  std::vector<MapCrossing> crossings;
-  if (pair.sat) {
-    for (const trace::EdgePair& edges : pair.sat->edge_pairs)
-      crossings.push_back({edges.normal, edges.a, edges.b});
-  }
-  if (!crossings.empty() || a.is_ring() == b.is_ring()) return crossings;
+  if (pair.sat && !pair.sat->edge_pairs.empty()) return pair.sat->edge_pairs;
+  if (a.is_ring() == b.is_ring()) return {};
   return a.is_ring() ? b.crossings(a) : a.crossings(b);
 }
 
@@ -221,7 +206,8 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   InsetPicture picture;
   picture.heading = "Gauss map of A and −B";
   Sketch& sketch = picture.sketch;
-  draw_sphere(inset.camera, sketch);
+  draw_body(inset.camera, {{Vec3d::Zero()}, 1}, kSphere, {1.5f, with_alpha(kShapeEdge, 0.6f)},
+            sketch);
   const trace::Pair* pair = first_pair(scene.frame, has_map);
   if (pair == nullptr) {
     sketch.label(Vec3d::Zero(), "no two hulls, nor a hull and a capsule", kQuietText, 15, 0).bold =

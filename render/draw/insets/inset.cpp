@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
 
 namespace contactscope::draw {

@@ -3,13 +3,12 @@
 #include <set>
 
 #include "core/at.h"
-#include "draw/charts/pair_history.h"
 #include "draw/insets/inset.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/simplex_steps.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/swatches.h"
 
 /// The Minkowski difference B - A, and in it what walks towards the origin or away from it:
 /// van den Bergen 2003, chapter 4; Gregorius 2015, "Incremental Manifold".
@@ -19,12 +18,10 @@ namespace {
 constexpr Color kDifference = rgb(0xE4E4E8);
 constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0,
                                    [](auto& pen) { pen.box(kDifference, kShapeEdge, 1.5); }};
-constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1, [](auto& pen) {
-                                  pen.box(with_alpha(kClipPolygon, 0.16f), kClipPolygon, 2);
-                                }};
-constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2, [](auto& pen) {
-                                   pen.box(with_alpha(kReferenceFace, 0.06f), kReferenceFace, 1.2);
-                                 }};
+constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1,
+                                [](auto& pen) { pen.area(kClipPolygon, 0.16f, 2); }};
+constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
+                                 [](auto& pen) { pen.area(kReferenceFace, 0.06f, 1.2); }};
 constexpr Swatch kNextOfSimplexSwatch{LegendGroup::Differences, 5,
                                       [](auto& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
 constexpr Swatch kNextOfPolytopeSwatch{LegendGroup::Differences, 6,

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
-#include "draw/scene/swatches.h"
+#include "draw/scene/pairs.h"
 
 /// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by no
 /// more than the gap. Where a body would be a frame later without it, and the gap.

@@ -1,10 +1,9 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
 /// the other. The polygon of the last shown step is at full strength, earlier ones fade.
@@ -14,9 +13,8 @@ namespace {
 // Height of a drawn side plane, as a fraction of the reference face's size.
 constexpr double kPlaneHeight = 0.22;
 
-constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1, [](auto& pen) {
-                                    pen.box(with_alpha(kSidePlane, 0.2f), kSidePlane, 1.2);
-                                  }};
+constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1,
+                                  [](auto& pen) { pen.area(kSidePlane, 0.2f, 1.2); }};
 
 // Gregorius 2015, "Hull vs Hull: Face Contact".
 template <bool kReference>

@@ -1,5 +1,4 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

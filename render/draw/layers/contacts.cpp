@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; of shapes that are apart how far, and
 /// where.
@@ -33,14 +33,10 @@ std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction) 
   if (shape.vertices.empty()) return std::nullopt;
   double most = -1e300;
   for (const Vec3d& v : shape.vertices) most = std::max(most, direction.dot(v));
-  Vec3d sum = Vec3d::Zero();
-  int count = 0;
-  for (const Vec3d& v : shape.vertices) {
-    if (most - direction.dot(v) > 1e-5 * shape.mesh->radius) continue;
-    sum += v;
-    ++count;
-  }
-  return sum / count + shape.traced().radius * direction;
+  std::vector<Vec3d> front = shape.vertices;
+  std::erase_if(
+      front, [&](const Vec3d& v) { return most - direction.dot(v) > 1e-5 * shape.mesh->radius; });
+  return mean_of(front) + shape.traced().radius * direction;
 }
 
 // Along a known normal the gap is the pair's separation: from the shape whose vertex it was

@@ -10,7 +10,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
 /// are cores inflated by margins. The cores stay apart while the margins overlap, so that closest
@@ -24,12 +23,10 @@ constexpr LineStyle kCoreBack{1.0f, with_alpha(kReferenceFace, 0.35f), true,
                               LineStyle::Hidden::Same};
 constexpr LineStyle kRoundedSurface{2.0f, kReferenceFace};
 constexpr LineStyle kExtension{1.0f, with_alpha(kQuietText, 0.8f)};
-constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0, [](auto& pen) {
-                               pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 1.8, true);
-                             }};
-constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) {
-                                  pen.box(with_alpha(kReferenceFace, 0), kReferenceFace, 2);
-                                }};
+constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0,
+                             [](auto& pen) { pen.area(kReferenceFace, 0, 1.8, true); }};
+constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1,
+                                [](auto& pen) { pen.area(kReferenceFace, 0, 2); }};
 // A length between two ticks.
 constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](auto& pen) {
                                   pen.level_line(2, 20, 1.8, kReferenceFace);

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Recap: Solving Contact": what the solver gave each point in the step from here.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

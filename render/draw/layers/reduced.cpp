@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/swatches.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": layer sat_axes shows the best axis of
 /// each query, layer contact_axis the one that was chosen, and the edges that it is made by.

@@ -5,7 +5,6 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

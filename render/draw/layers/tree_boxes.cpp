@@ -1,19 +1,15 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/swatches.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
 namespace {
 
-constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0,
-                              [](auto& pen) { pen.box(with_alpha(kNormal, 0), kNormal, 2); }};
-constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1,
-                            [](auto& pen) { pen.box(with_alpha(kSidePlane, 0), kSidePlane, 2.5); }};
-constexpr Swatch kMissSwatch{LegendGroup::Trees, 2, [](auto& pen) {
-                               pen.box(with_alpha(kDropped, 0), kDropped, 1.5, true);
-                             }};
+constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kNormal, 0, 2); }};
+constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
+constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
+                             [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
 
 /// The twelve edges; of a flat box each but once.
 void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& style,

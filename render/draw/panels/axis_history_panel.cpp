@@ -2,9 +2,8 @@
 #include <array>
 #include <span>
 
-#include "draw/charts/pair_history.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
 namespace {

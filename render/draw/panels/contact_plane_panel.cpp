@@ -4,8 +4,7 @@
 
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_points.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 

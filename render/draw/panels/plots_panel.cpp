@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "draw/charts/time_series.h"
+#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {

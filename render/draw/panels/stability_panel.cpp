@@ -4,15 +4,12 @@
 #include <limits>
 #include <string_view>
 
-#include "draw/charts/pair_history.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_points.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,8 +1,7 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_points.h"
-#include "draw/scene/palette.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -94,8 +93,8 @@ class SummaryPanel : public PanelContent {
   // The first pairs, as many as have room whole, so that the same ones are there in every frame.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
-    constexpr float kRounding = 1;  // pixels; the window of a panel is cut to whole ones
-    const auto room = static_cast<float>(sheet.rest().height) + kRounding;
+    constexpr float kWholePixels = 1;  // pixels; the window of a panel is cut to whole ones
+    const auto room = static_cast<float>(sheet.rest().height) + kWholePixels;
     std::size_t shown = pairs.size();
     if (shown > 1 && height_of(shown, moment) > room) {
       const float others = std::max(0.0f, room - height_of(0, moment));

@@ -3,7 +3,6 @@
 
 #include "draw/scene/quantity.h"
 #include "draw/scene/scene.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,5 +1,4 @@
 #include "draw/scene/labels.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
 #include "draw/scene/sketch.h"
 #include "image/font.h"

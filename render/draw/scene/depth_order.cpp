@@ -1,4 +1,4 @@
-#include "draw/scene/depth_order.h"
+#include "draw/scene/visibility.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "draw/scene/hidden_lines.h"
+#include "draw/scene/visibility.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "draw/scene/camera.h"
+
 namespace contactscope::draw {
 namespace {
 

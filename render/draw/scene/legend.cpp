@@ -4,9 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "draw/scene/layout.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/swatches.h"
 #include "image/font.h"
 
 namespace contactscope::draw {

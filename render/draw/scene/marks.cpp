@@ -2,7 +2,6 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "draw/scene/palette.h"
 #include "draw/scene/sketch.h"
 
 namespace contactscope::draw {

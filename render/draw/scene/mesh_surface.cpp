@@ -7,7 +7,6 @@
 #include "core/convex_polygon.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/swatches.h"
 
 namespace contactscope::draw {
 namespace {

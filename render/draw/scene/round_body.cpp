@@ -1,4 +1,4 @@
-#include "draw/scene/round_body.h"
+#include "draw/scene/visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +138,7 @@ std::vector<Vec3d> RoundBody::outline(const Camera& camera) const {
   return mapped(outline_of(*this, camera), &OutlinePoint::at);
 }
 
-std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, const Vec3d& light) const {
+std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
   std::vector<Facet> facets;
   if (contains_eye(*this, camera)) return facets;
   const auto add = [&](std::vector<Vec3d> polygon, double lit) {
@@ -146,7 +146,7 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, const Vec3d
   };
   const Vec3d along = core.back() - core.front();
   const bool is_capsule = along.squaredNorm() > 0;
-  for (const Patch& patch : patches_around(light)) {
+  for (const Patch& patch : patches_around(key_light(camera))) {
     std::vector<Vec3d> seam;  // where the normals turn from one end of a capsule to the other
     for (std::size_t end = 0; end < (is_capsule ? 2u : 1u); ++end) {
       std::vector<Vec3d> normals = patch.normals;

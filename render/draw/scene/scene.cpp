@@ -73,8 +73,8 @@ std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
 
 ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
   for (const trace::Shape& shape : shapes) {
-    places_.emplace(shape.name, meshes_.size());
-    meshes_.push_back(make_mesh(shape));
+    places_.emplace(shape.name, size());
+    push_back(make_mesh(shape));
   }
 }
 
@@ -85,7 +85,7 @@ std::optional<std::size_t> ShapeMeshes::find(std::string_view name) const {
 
 double ShapeMeshes::smallest_radius() const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const ShapeMesh& mesh : meshes_) {
+  for (const ShapeMesh& mesh : *this) {
     if (mesh.radius > 0) smallest = std::min(smallest, mesh.radius);
   }
   return smallest;

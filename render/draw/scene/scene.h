@@ -40,22 +40,16 @@ struct ShapeMesh {
 ShapeMesh make_mesh(const trace::Shape& shape);
 
 /// Those of a sequence, in the header's order, which outlives them.
-class ShapeMeshes {
+class ShapeMeshes : public std::vector<ShapeMesh> {
  public:
   explicit ShapeMeshes(const std::vector<trace::Shape>& shapes);
 
   /// The place of the shape of that name; nothing where there is none.
   std::optional<std::size_t> find(std::string_view name) const;
-  std::size_t size() const { return meshes_.size(); }
-  ShapeMesh& operator[](std::size_t i) { return meshes_[i]; }
-  const ShapeMesh& operator[](std::size_t i) const { return meshes_[i]; }
-  auto begin() const { return meshes_.begin(); }
-  auto end() const { return meshes_.end(); }
   /// Metres, of the smallest shape; infinite where there is none, or nothing but planes.
   double smallest_radius() const;
 
  private:
-  std::vector<ShapeMesh> meshes_;
   std::unordered_map<std::string_view, std::size_t> places_;
 };
 
@@ -78,8 +72,8 @@ struct PlacedShape {
 /// The shapes of one frame, in the header's order.
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame);
 
-/// How long a whole sequence draws what is no length, or too short a one. All are 1, 2 or 5 times a power of ten, so
-/// that a legend can state them.
+/// How long arrows and overlaps are drawn, the same in a whole sequence. The factors are 1, 2 or 5
+/// times a power of ten, so that a legend can state them.
 struct SequenceScales {
   double overlap = 1;          // overlaps are drawn this many times as long
   double impulse = 0;          // metres for one newton second; 0 where there are no impulses

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/scene/pair_points.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

@@ -5,13 +5,8 @@
 #include <vector>
 
 #include "core/vec3.h"
-#include "draw/scene/depth_order.h"
-#include "draw/scene/drawing.h"
-#include "draw/scene/hidden_lines.h"
-#include "draw/scene/layout.h"
 #include "draw/scene/legend.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/round_body.h"
+#include "draw/scene/visibility.h"
 
 /// What the stages of the pipeline look like, still in the world: the layers add to a Sketch, and
 /// compose() turns it into a Drawing. Lengths in metres where they belong to the scene, in pixels

@@ -43,18 +43,23 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
   }
 }
 
+void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
+               const LineStyle& outline, Sketch& sketch) {
+  const int index = count_of(sketch.bodies);
+  for (RoundBody::Facet& facet : body.front(camera))
+    sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
+  const std::vector<Vec3d> around = body.outline(camera);
+  if (!around.empty()) {
+    sketch.shadows.push_back(body.shadow(camera));
+    sketch.curves.push_back({around, outline, true});
+  }
+  sketch.bodies.push_back(body);
+}
+
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
   constexpr Color kCore = with_alpha(kShapeEdge, 0.6f);
   const RoundBody body{shape.vertices, shape.traced().radius};
-  const int index = count_of(sketch.bodies);
-  for (RoundBody::Facet& facet : body.front(camera, key_light(camera)))
-    sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
-  const std::vector<Vec3d> outline = body.outline(camera);
-  if (!outline.empty()) {
-    sketch.shadows.push_back(body.shadow(camera));
-    sketch.curves.push_back({outline, kSilhouette, true});
-  }
-  sketch.bodies.push_back(body);
+  draw_body(camera, body, fill, kSilhouette, sketch);
   if (body.core.size() == 2) sketch.line(body.core[0], body.core[1], {1.0f, kCore, true});
   for (const Vec3d& point : body.core) sketch.mark(MarkKind::Core, point, kCore);
 }

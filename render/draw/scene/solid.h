@@ -13,7 +13,11 @@ std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, con
 /// Faces, silhouette and edges of a polyhedron: hidden lines are faint.
 void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
 
-/// A smooth outline, and inside the core that all is measured from: Gregorius 2015 draws spheres and
+/// The surface of a round body and its outline; neither of them for an eye inside of it.
+void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
+               const LineStyle& outline, Sketch& sketch);
+
+/// A body, and inside of it the core that all is measured from: Gregorius 2015 draws spheres and
 /// capsules as points and segments with a radius.
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
 
