@@ -50,7 +50,7 @@ bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) 
     const auto is_outside = [&](int corner) {
       return cross(edge, box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner)) - p) < 0;
     };
-    if (std::ranges::all_of(std::views::iota(0, 4), is_outside)) return false;
+    if (is_outside(0) && is_outside(1) && is_outside(2) && is_outside(3)) return false;
   }
   return true;
 }

@@ -32,6 +32,15 @@ auto mapped(const Sequence& sequence, const Make& make) {
   return made;
 }
 
+/// The elements of all lists that are a member of the elements of a list, in order.
+template <class Sequence, class Owner, class Inner>
+auto joined(const Sequence& sequence, std::vector<Inner> Owner::*member) {
+  std::vector<std::reference_wrapper<const Inner>> all;
+  for (const Owner& element : sequence)
+    all.insert(all.end(), (element.*member).begin(), (element.*member).end());
+  return all;
+}
+
 /// Each vector or box of a list in another scalar: cast_each<Vec3<float>>(vertices).
 template <class To, class Sequence>
 std::vector<To> cast_each(const Sequence& sequence) {

@@ -131,10 +131,10 @@ class Builder {
   std::size_t partition(std::span<int> triangles, const Split& split, const Box& centers) const {
     const double lower = centers.lower[split.axis];
     const double extent = centers.upper[split.axis] - lower;
-    const auto right = std::ranges::partition(triangles, [&](int triangle) {
+    const auto right = std::partition(triangles.begin(), triangles.end(), [&](int triangle) {
       return bin_of(at(centers_, triangle)[split.axis], lower, extent) < split.bin;
     });
-    return triangles.size() - right.size();
+    return static_cast<std::size_t>(right - triangles.begin());
   }
   std::size_t partition_halves(std::span<int> triangles, const Box& centers) const {
     int axis = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
+#include <tuple>
 #include <utility>
 
 #include "core/at.h"
@@ -72,13 +72,15 @@ std::vector<int> places_of(const Hull<double>& built, const std::vector<Vec3d>& 
 /// The original's vertex with the most of the corner's faces, the nearest among equals.
 int vertex_that_it_stands_for(const Hull<double>& hull,
                               const std::vector<std::vector<int>>& faces_of, const Corner& corner) {
-  return *std::ranges::min_element(std::views::iota(0, hull.vertex_count()), {}, [&](int vertex) {
+  std::tuple<std::ptrdiff_t, double, int> best{1, 0, -1};
+  for (int vertex = 0; vertex < hull.vertex_count(); ++vertex) {
     const auto shared = std::ranges::count_if(corner.faces, [&](int face) {
       return std::ranges::find(at(faces_of, vertex), face) != at(faces_of, vertex).end();
     });
     const Vec3d way = at(hull.vertices, vertex) - corner.place;
-    return std::pair(-shared, way.squaredNorm());
-  });
+    best = std::min(best, {-shared, way.squaredNorm(), vertex});
+  }
+  return std::get<int>(best);
 }
 
 /// The original's edge between two of its faces; else the vertex that `corner` stands for.
@@ -147,7 +149,7 @@ CoreHull intersect(const Hull<double>& hull, double margin) {
     const int first = at(hull.half_edges, at(hull.face_edges, at(face_of, vertex))).origin;
     const auto start =
         std::ranges::find(outline, first, [&](int corner) { return at(corners, corner).original; });
-    if (start != outline.end()) std::ranges::rotate(outline, start);
+    if (start != outline.end()) std::rotate(outline.begin(), start, outline.end());
     core.faces.push_back(face_ref(Owner::A, at(face_of, vertex)));
   }
   core.hull = hull_from_polygons(mapped(corners, &Corner::place), outlines);

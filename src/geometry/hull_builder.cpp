@@ -147,7 +147,7 @@ Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>
   }
   for (std::vector<int>& face : faces) {
     for (int& point : face) point = at(number, point);
-    std::ranges::rotate(face, std::ranges::min_element(face));
+    std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   }
   std::ranges::sort(faces);
   return hull_from_polygons(std::move(vertices), faces);

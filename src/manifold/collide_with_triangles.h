@@ -35,9 +35,9 @@ FeatureRef outline_feature(int edge, S parameter) {
 /// Takes points out of a contact; what is left of the points of a face may be those of an edge.
 template <class S, class Predicate>
 void remove_points(Contact<S>& contact, const Predicate& predicate) {
-  const auto removed = std::ranges::remove_if(contact.points, predicate);
-  if (removed.empty()) return;
-  contact.points.truncate(contact.points.size() - removed.size());
+  const auto end = std::remove_if(contact.points.begin(), contact.points.end(), predicate);
+  if (end == contact.points.end()) return;
+  contact.points.truncate(static_cast<std::size_t>(end - contact.points.begin()));
   contact.type = face_contact_type(contact.points.size());
 }
 

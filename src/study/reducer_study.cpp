@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <ranges>
+#include <span>
 
 #include "core/at.h"
 #include "reduce/reducer.h"
@@ -65,7 +65,7 @@ Case make_case(std::mt19937_64& engine, std::mt19937_64& motion, int count) {
 /// What a method that remembers kept in the last of the frames before.
 std::vector<FeatureId> remembered(const Method& method, const Case& frames) {
   std::vector<FeatureId> ids;
-  for (const ContactPolygon& frame : frames | std::views::take(kFramesBefore)) {
+  for (const ContactPolygon& frame : std::span(frames).first(kFramesBefore)) {
     ReduceOptions options = reduce_options(0);
     options.previous = ids;
     const KeptIndices kept = reduce<float>(method.reducer, frame.points, frame.normal, options);

@@ -28,7 +28,7 @@ void expect_flat(const Hull<double>& hull, double tolerance) {
   EXPECT_EQ(front.size(), hull.vertices.size());
   EXPECT_EQ(hull.edge_count(), hull.vertex_count());
   std::ranges::reverse(back);
-  std::ranges::rotate(back, std::ranges::find(back, front[0]));
+  std::rotate(back.begin(), std::ranges::find(back, front[0]), back.end());
   EXPECT_EQ(back, front);
   EXPECT_EQ(hull.planes[1].normal, Vec3d(-hull.planes[0].normal));
   EXPECT_EQ(hull.planes[1].offset, -hull.planes[0].offset);

@@ -3,10 +3,10 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
+#include "core/at.h"
 #include "draw/charts/axis.h"
 #include "draw/scene/pen.h"
 #include "trace/study.h"
@@ -59,7 +59,7 @@ struct PositiveRange {
 
 /// Those of all series.
 inline auto points_of(const trace::Study& study) {
-  return study.series | std::views::transform(&trace::StudySeries::points) | std::views::join;
+  return joined(study.series, &trace::StudySeries::points);
 }
 
 /// The larger error of a point.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/at.h"
 #include "draw/charts/plot.h"
@@ -78,7 +79,7 @@ struct Diagram : Pen {
   std::vector<Axis::Tick> labelled_ticks(const Axis& axis) const {
     std::vector<Axis::Tick> ticks = axis.ticks(px(kLeastDecade));
     std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
-    std::ranges::stable_partition(ticks, &Axis::Tick::decade);
+    std::stable_partition(ticks.begin(), ticks.end(), std::mem_fn(&Axis::Tick::decade));
     return ticks;
   }
 
@@ -220,7 +221,7 @@ struct Diagram : Pen {
             {course.points[i - 1], course.points[i], course.strong ? 1.5f : 0.7f});
       }
     }
-    std::ranges::stable_partition(order, &Course::strong);
+    std::stable_partition(order.begin(), order.end(), std::mem_fn(&Course::strong));
     const auto weight_of = [](const Course* course) {
       return course->strong ? Weight::Bold : Weight::Regular;
     };

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "trace/exploration.h"
@@ -104,9 +104,7 @@ class ContactCells {
   double row_width() const;
   std::size_t cell_count() const { return moments_.empty() ? 0 : moments_.front().cells.size(); }
   /// Of every moment.
-  auto all_cells() const {
-    return moments_ | std::views::transform(&ContactMoment::cells) | std::views::join;
-  }
+  auto all_cells() const { return joined(moments_, &ContactMoment::cells); }
   std::vector<LegendEntry> legend() const;
   void frame_patches(const Vec3d& above);
   void gather_ids();
