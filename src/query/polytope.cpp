@@ -222,7 +222,7 @@ bool Polytope<S>::expand(int seen, const DifferencePoint<S>& point) {
   return true;
 }
 
-template class Polytope<float>;
-template class Polytope<double>;
+template struct Polytope<float>;
+template struct Polytope<double>;
 
 }  // namespace contactscope

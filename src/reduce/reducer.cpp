@@ -10,14 +10,14 @@
 namespace contactscope {
 
 // The reducers of a file: the talk's, those that look at no geometry, engines' ways, the optimal ones.
-std::vector<ReducerInfo> area_reducers(), simple_reducers(), engine_reducers(), optimal_reducers(),
-    coherent_reducers();
+std::vector<ReducerInfo> area_reducers(), extremes_reducers(), simple_reducers(), engine_reducers(),
+    optimal_reducers(), coherent_reducers();
 
 const std::vector<ReducerInfo>& reducers() {
   static const std::vector<ReducerInfo> all = [] {
     std::vector<ReducerInfo> listed;
-    for (const auto family : {&area_reducers, &simple_reducers, &engine_reducers, &optimal_reducers,
-                              &coherent_reducers})
+    for (const auto family : {&area_reducers, &extremes_reducers, &simple_reducers,
+                              &engine_reducers, &optimal_reducers, &coherent_reducers})
       std::ranges::copy(family(), std::back_inserter(listed));
     listed.push_back({"none", "keeps every point", nullptr, nullptr});
     return listed;
