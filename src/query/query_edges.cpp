@@ -43,12 +43,12 @@ ArcEnd<S> end_along(const PlacedHull<S>& b, const Vec3<S>& direction, const Vec3
 /// a minimum over vertices of linear functions of t: concave, and below the line of each single vertex.
 /// Where that is negative, dividing by |n(t)| <= 1 only lowers it.
 template <class S>
-bool arc_stays_below(const PlacedHull<S>& b, const Arc<S>& arc, S bound) {
-  const ArcEnd<S>&first = arc.first, &second = arc.second;
+bool arc_stays_below(const PlacedHull<S>& b, const Vec3<S>& on_edge, const ArcEnd<S>& first,
+                     const ArcEnd<S>& second, S bound) {
   const S most = std::min(bound, S(0));
-  const S first_at_second = second.direction.dot(Vec3<S>(b.vertices[first.support] - arc.on_edge));
+  const S first_at_second = second.direction.dot(Vec3<S>(b.vertices[first.support] - on_edge));
   if (std::max(first.separation, first_at_second) <= most) return true;
-  const S second_at_first = first.direction.dot(Vec3<S>(b.vertices[second.support] - arc.on_edge));
+  const S second_at_first = first.direction.dot(Vec3<S>(b.vertices[second.support] - on_edge));
   return std::max(second.separation, second_at_first) <= most;
 }
 
@@ -123,10 +123,13 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
   const PlacedHull<S>& a = pair.a;
   const PlacedHull<S>& b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
-  const auto walk = [&](const Arc<S>& arc) {
-    const ArcEnd<S>&first = arc.first, &second = arc.second;
-    if (first.support == second.support || arc_stays_below(b, arc, to_beat)) return;
-    const Vec3<S> along_a = a.direction(arc.half_edge);
+  // Inlined, and an arc is put together only where it is walked: most are left out.
+  const auto walk = [&](int edge, const Vec3<S>& on_edge, const ArcEnd<S>& first,
+                        const ArcEnd<S>& second) __attribute__((always_inline)) {
+    if (first.support == second.support || arc_stays_below(b, on_edge, first, second, to_beat))
+      return;
+    const Arc<S> arc{edge, on_edge, first, second};
+    const Vec3<S> along_a = a.direction(edge);
     const Vec3<S> first_in_b = a_to_b * first.direction;
     const Vec3<S> second_in_b = a_to_b * second.direction;
     walk_arc(b.hull, first_in_b, second_in_b, first.support, second.support,
@@ -145,10 +148,10 @@ void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, c
       const Vec3<S> on_edge = a.origin(edge);
       const Vec3<S> side = a.direction(edge).cross(a.normals[first]);
       const ArcEnd<S> middle = end_along(b, side, on_edge);
-      walk({edge, on_edge, end_at(first), middle});
-      walk({edge, on_edge, middle, end_at(second)});
+      walk(edge, on_edge, end_at(first), middle);
+      walk(edge, on_edge, middle, end_at(second));
     } else if (faces_a.support(first) != faces_a.support(second)) {
-      walk({edge, a.origin(edge), end_at(first), end_at(second)});
+      walk(edge, a.origin(edge), end_at(first), end_at(second));
     }
   }
 }
