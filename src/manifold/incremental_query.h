@@ -157,10 +157,9 @@ CoreQuery<S> query_half_space(const ShapeCore<S>& a, const ShapeCore<S>& b, cons
 }
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)": GJK on the cores; where they overlap or
-/// touch, `method`. A half-space needs neither: its distance is exact at every depth, and it never
-/// overlaps. `run` and `steps`: where to leave the run of GJK and what
-/// `method` did, or nullptr. Empty where nothing can be said, as of coordinates that are not finite.
-/// `b` may be a half-space.
+/// touch, `method`. `b` may be a half-space, which needs neither: its distance is exact at every
+/// depth, and it never overlaps. `run` and `steps`: where to leave the run of GJK and what `method`
+/// did, or nullptr. Empty where nothing can be said, as of coordinates that are not finite.
 ///
 /// Where the normal is within rounding of a face's, it is that face's: GJK finds it from points that
 /// are near each other and loses as many digits as they are nearer than the shapes are large.

@@ -29,7 +29,6 @@ trace::Point trace_point(const ContactPoint<S>& in_world) {
 void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
              trace::Reduction& reduction) {
   const bool all_kept = reduction.kept.size() == points.size();
-  if (all_kept && points.size() < 3) return;  // they span no area
   const std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
   if (all_kept) {
     reduction.area = convex_area(all, normal);
@@ -121,23 +120,26 @@ void Recorder<S>::clip_step(const Plane<S>& side, const ClipPolygon<S>& left) {
 template <class S>
 KeptIndices Recorder<S>::reduce(const CollideOptions& options, ContactPoints<S> points,
                                 const Vec3<S>& normal) {
-  const auto exact = mapped(points, [](const ContactPoint<S>& point) -> ContactPoint<double> {
-    return {point.position.template cast<double>(), static_cast<double>(point.separation),
-            point.id};
-  });
+  if (!stages_.reduction)
+    return contactscope::reduce(options.reducer, points, normal, options.reduction);
+  // Two points span no area, and nothing is to be chosen among so few.
+  const bool measured = count_of(points) > std::min(2, options.reduction.max_points);
+  const auto exact = mapped(measured ? points : ContactPoints<S>{},
+                            [](const ContactPoint<S>& point) -> ContactPoint<double> {
+                              return {point.position.template cast<double>(),
+                                      static_cast<double>(point.separation), point.id};
+                            });
   const Vec3d exact_normal = normal.template cast<double>();
   Choices choices{{exact, exact_normal}};
   ReduceOptions watched = options.reduction;
-  watched.choices = stages_.reduction ? &choices : nullptr;
+  watched.choices = &choices;
   const KeptIndices kept = contactscope::reduce(options.reducer, points, normal, watched);
-  if (!stages_.reduction) return kept;
-
   trace::Reduction& reduction = pair_.reduction.emplace();
   reduction.method = options.reducer->name;
   reduction.points = mapped(points, trace_point<S>);
   reduction.kept.assign(kept.begin(), kept.end());
-  reduction.choices = choices.made;
-  measure(exact, exact_normal, options.reduction.max_points, reduction);
+  reduction.choices = std::move(choices.made);
+  if (measured) measure(exact, exact_normal, options.reduction.max_points, reduction);
   return kept;
 }
 
