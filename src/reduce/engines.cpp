@@ -280,7 +280,9 @@ constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
   };
   const int c = points.highest([&](int q) { return area(q, a, b); }, points.negligible_area(a, b));
   KeptIndices choices;
-  for (const int corner : {a, b, c}) steps::add_once(choices, corner);
+  choices.push_back(a);
+  steps::add_once(choices, b);
+  steps::add_once(choices, c);
   if (c >= 0)
     steps::add_once(
         choices,

@@ -64,8 +64,9 @@ bool grow(const Candidates<S>& points, KeptIndices& kept, const ReduceOptions& o
 
   const bool left = points.doubled_area(third, first, second) > S(0);
   KeptIndices ring;  // the polygon kept so far, counter-clockwise
-  for (const int corner : {third, left ? first : second, left ? second : first})
-    ring.push_back(corner);
+  ring.push_back(third);
+  ring.push_back(left ? first : second);
+  ring.push_back(left ? second : first);
   while (count_of(kept) < options.max_points) {
     const Addition next = largest_addition<added>(points, ring, negligible, handicap);
     if (next.index < 0) break;

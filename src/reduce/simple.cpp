@@ -18,8 +18,10 @@ constexpr auto reduce_to_first = []<class S>(const Candidates<S>& /*points*/,
 constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   KeptIndices order = steps::numbers_up_to(points.count());
-  std::ranges::partial_sort(order, order.begin() + options.max_points, {},
-                            [&](int i) { return std::pair(points.separation(i), i); });
+  std::partial_sort(
+      order.begin(), order.begin() + options.max_points, order.end(), [&](int a, int b) {
+        return std::pair(points.separation(a), a) < std::pair(points.separation(b), b);
+      });
   return steps::first_of(order, options);
 };
 
