@@ -1,3 +1,4 @@
+#include "reduce/choices.h"
 #include "reduce/steps.h"
 
 namespace contactscope {
