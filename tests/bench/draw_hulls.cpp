@@ -48,10 +48,10 @@ void leave_overlap(PairCase<double>& pair, double overlap) {
 
 PairCase<double> box_face(Random& random) {
   PairCase<double> pair{unit_cube(), {}, unit_cube(), {}};
-  const Vec3d level = Vec3d(random.uniform(-1, 1), 0, random.uniform(-1, 1)).normalized();
-  pair.pose_b.rotation =
-      turn(level, random.uniform(0, 0.003)) * turn(Vec3d::UnitY(), random.uniform(5, 40) * kDegree);
-  pair.pose_b.position = Vec3d(random.uniform(-0.3, 0.3), 0.9, random.uniform(-0.3, 0.3));
+  const Vec3d level = random.level(1, 0).normalized();
+  const Quatd about_up = turn(Vec3d::UnitY(), random.uniform(5, 40) * kDegree);
+  pair.pose_b.rotation = turn(level, random.uniform(0, 0.003)) * about_up;
+  pair.pose_b.position = random.level(0.3, 0.9);
   leave_overlap(pair, random.uniform(0.001, 0.010));
   return pair;
 }
@@ -63,7 +63,7 @@ PairCase<double> box_edge(Random& random) {
   const double crossing = random.uniform(50, 130) * kDegree;
   pair.pose_a.rotation = turn(Vec3d::UnitX(), roll_a);
   pair.pose_b.rotation = turn(Vec3d::UnitY(), crossing) * turn(Vec3d::UnitX(), roll_b);
-  pair.pose_b.position = Vec3d(random.uniform(-0.3, 0.3), 1.3, random.uniform(-0.3, 0.3));
+  pair.pose_b.position = random.level(0.3, 1.3);
   leave_overlap(pair, random.uniform(0.001, 0.010));
   return pair;
 }
@@ -77,8 +77,7 @@ PairCase<double> box_random(Random& random) {
   pair.pose_b.rotation = random.rotation();
   const Vec3d reach =
       half_size_of_bounds(pair.pose_a.rotation) + half_size_of_bounds(pair.pose_b.rotation);
-  pair.pose_b.position = reach.cwiseProduct(
-      Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+  pair.pose_b.position = reach.cwiseProduct(random.vector(-1, 1));
   return pair;
 }
 

@@ -89,8 +89,7 @@ DrawnHull draw_on_mesh(Workload workload, const Mesh<double>& grid, Random& rand
   Vec3d place;
   do {
     triangle = random.index(grid.triangle_count());
-    place = grid.corner(triangle, 0) +
-            Vec3d(random.uniform(-0.25, 0.25), 0, random.uniform(-0.25, 0.25));
+    place = grid.corner(triangle, 0) + random.level(0.25, 0);
   } while (std::abs(place.x()) > 23 || std::abs(place.z()) > 10.5);
 
   DrawnHull drawn;

@@ -336,8 +336,7 @@ TYPED_TEST(CapsuleHull, SlowNothingJumpsWhereAnEndPassesAnEdgeOrAVertex) {
     // Down past the box's edge x = 1 or its corner, in and out again at any slant: there the normal
     // turns, as it must, but while the core is outside it does so no faster than the core moves.
     const Vec3d target(1, 0, i % 2 == 0 ? 0.3 : 1);
-    const Vec3d end =
-        target + Vec3d(random.uniform(-0.002, 0.002), 0.05, random.uniform(-0.002, 0.002));
+    const Vec3d end = target + random.level(0.002, 0.05);
     const Vec3d other =
         end + 0.5 * Vec3d(random.uniform(-1, 1), random.uniform(0, 1), random.uniform(-1, 1));
     expect_no_jump<S>(on_box(end, other, 0.1), 1e-4, 1000, Turn::AsTheCoreMoves, seconds);

@@ -30,7 +30,7 @@ Hull<double> random_block(Random& random) {
   const int kind = random.index(4);
   if (kind == 0) return make_cylinder(random.uniform(0.2, 1), 0.3, 3 + random.index(20));
   if (kind == 1) return make_cone(random.uniform(0.2, 1), 0.3, 3 + random.index(20));
-  return make_box(Vec3d(random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)));
+  return make_box(random.vector(0.1, 1));
 }
 
 /// The upper block stands on the lower one, level or tilted by up to 0.1 rad; half of the pairs are
@@ -47,7 +47,7 @@ PairCase<double> standing_pair(Random& random) {
     lowest = std::min(lowest, pair.pose_b.rotate(vertex).y());
   }
   const double depth = random.decade(-4, -1);
-  pair.pose_b.position = Vec3d(random.uniform(-1, 1), 0.5 - depth - lowest, random.uniform(-1, 1));
+  pair.pose_b.position = random.level(1, 0.5 - depth - lowest);
   return random.chance(0.5) ? pair : test::moved(pair, random.pose(5));
 }
 

@@ -34,7 +34,7 @@ TYPED_TEST(ContactIds, FlipWhenAAndBTradePlaces) {
     const double tilt = random.uniform(0, 1e-3);
     pair.pose_b.rotation =
         test::about(Vec3d::UnitX(), tilt) * test::about(Vec3d::UnitY(), random.uniform(0.1, 6));
-    pair.pose_b.position = Vec3d(random.uniform(-0.4, 0.4), 0.49, random.uniform(-0.4, 0.4));
+    pair.pose_b.position = random.level(0.4, 0.49);
     const PairCase<S> placed = test::moved(pair, random.pose(5)).cast<S>();
     const Manifold<S> there = collide(placed);
     const Manifold<S> back = collide(test::swapped(placed));

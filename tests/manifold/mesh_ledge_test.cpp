@@ -112,7 +112,7 @@ void expect_like_the_solid(unsigned seed, int count, const MakeSolid& make_solid
   int touching = 0;
   for (int i = 0; i < count; ++i) {
     const Hull<double> solid = make_solid(random);
-    const Vec3d half(random.uniform(0.1, 0.6), random.uniform(0.1, 0.6), random.uniform(0.1, 0.6));
+    const Vec3d half = random.vector(0.1, 0.6);
     const Shape<double> shape =
         i % 2 == 0 ? Shape<double>(make_box(half)) : test::upright_capsule(half.x(), half.y());
     const PlacedShapes pair{shape, random.pose(1.3), solid, random.pose(0.1)};

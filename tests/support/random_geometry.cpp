@@ -22,9 +22,19 @@ int Random::index(int count) {
   return static_cast<int>(uniform(0, count));
 }
 
+Vec3d Random::vector(double low, double high) {
+  const double z = uniform(low, high), y = uniform(low, high);
+  return {uniform(low, high), y, z};
+}
+
+Vec3d Random::level(double reach, double y) {
+  const double z = uniform(-reach, reach);
+  return {uniform(-reach, reach), y, z};
+}
+
 Vec3d Random::unit_vector() {
   for (;;) {
-    const Vec3d v(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const Vec3d v = vector(-1, 1);
     const double squared = v.squaredNorm();
     if (squared > 0.01 && squared < 1) return v / std::sqrt(squared);
   }
@@ -48,7 +58,8 @@ Quatd Random::rotation_by(double angle) {
 
 Pose<double> Random::pose(double radius) {
   const Quatd turned = rotation();
-  return {turned, radius * std::cbrt(uniform(0, 1)) * unit_vector()};
+  const Vec3d way = unit_vector();
+  return {turned, radius * std::cbrt(uniform(0, 1)) * way};
 }
 
 namespace {

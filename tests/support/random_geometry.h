@@ -8,8 +8,9 @@
 
 namespace contactscope::test {
 
-/// Random numbers that are the same with every standard library: the engine is specified to the
-/// bit, the standard distributions are not.
+/// Random numbers that are the same with every standard library and compiler. The engine is specified
+/// to the bit, the standard distributions are not; and a compiler may evaluate the arguments of a call
+/// and the operands of an operator in any order, so two draws stand in two statements, or in braces.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -21,6 +22,10 @@ class Random {
   /// In [0, count).
   int index(int count);
   bool chance(double probability) { return uniform(0, 1) < probability; }
+  /// Three coordinates in [low, high).
+  Vec3d vector(double low, double high);
+  /// x and z in [-reach, reach), y as given.
+  Vec3d level(double reach, double y);
   Vec3d unit_vector();
   Quatd rotation();
   /// A rotation by an angle in radians about a random axis.
