@@ -280,7 +280,7 @@ constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
   };
   const int c = points.highest([&](int q) { return area(q, a, b); }, points.negligible_area(a, b));
   KeptIndices choices;
-  choices.push_back(a);
+  choices.push_back(a);  // one by one, as in steps::grow()
   steps::add_once(choices, b);
   steps::add_once(choices, c);
   if (c >= 0)

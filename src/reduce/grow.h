@@ -64,6 +64,7 @@ bool grow(const Candidates<S>& points, KeptIndices& kept, const ReduceOptions& o
 
   const bool left = points.doubled_area(third, first, second) > S(0);
   KeptIndices ring;  // the polygon kept so far, counter-clockwise
+  // One by one: a loop over a list of the three waits until the list is stored, a tenth of the time.
   ring.push_back(third);
   ring.push_back(left ? first : second);
   ring.push_back(left ? second : first);
