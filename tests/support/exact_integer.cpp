@@ -75,10 +75,24 @@ ExactInteger ExactInteger::of(double value, int exponent) {
   return ExactInteger(mantissa) * power;
 }
 
-double ExactInteger::to_double() const {
+double ExactInteger::top_digits(int& exponent) const {
+  const std::size_t dropped = digits_.size() > 3 ? digits_.size() - 3 : 0;
   double value = 0;
-  for (std::size_t i = digits_.size(); i-- > 0;) value = value * 0x1p32 + digits_[i];
+  for (std::size_t i = digits_.size(); i-- > dropped;) value = value * 0x1p32 + digits_[i];
+  exponent = static_cast<int>(32 * dropped);
   return negative_ ? -value : value;
+}
+
+double ExactInteger::to_double() const {
+  int exponent = 0;
+  const double top = top_digits(exponent);
+  return std::ldexp(top, exponent);
+}
+
+double ExactInteger::ratio(const ExactInteger& a, const ExactInteger& b) {
+  int of_a = 0, of_b = 0;
+  const double top_a = a.top_digits(of_a), top_b = b.top_digits(of_b);
+  return std::ldexp(top_a / top_b, of_a - of_b);
 }
 
 ExactInteger ExactInteger::operator-() const {

@@ -17,8 +17,10 @@ class ExactInteger {
 
   /// -1, 0 or 1.
   int sign() const { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
-  /// Rounded, infinite where it is out of range.
+  /// Correct to a few roundings, infinite where it is out of range.
   double to_double() const;
+  /// a / b likewise, however large both are; b is not 0.
+  static double ratio(const ExactInteger& a, const ExactInteger& b);
 
   ExactInteger operator-() const;
   friend ExactInteger operator+(const ExactInteger& a, const ExactInteger& b);
@@ -28,6 +30,8 @@ class ExactInteger {
 
  private:
   void trim();
+  /// The number is about this times 2^exponent.
+  double top_digits(int& exponent) const;
 
   std::vector<std::uint32_t> digits_;  // base 2^32, lowest first, no zero on top
   bool negative_ = false;              // false for 0
