@@ -22,11 +22,6 @@ using test::Random;
 using test::TrianglePair;
 using test::TrianglePairs;
 
-template <class S>
-Triangle<S> rounded(const Triangle<double>& t) {
-  return {t[0].cast<S>(), t[1].cast<S>(), t[2].cast<S>()};
-}
-
 const Triangle<double> kFloor{Vec3d(0, 0, 0), Vec3d(4, 0, 0), Vec3d(0, 4, 0)};
 
 void expect_segment(const TriangleOverlap<double>& overlap, const Vec3d& a, const Vec3d& b) {
@@ -123,7 +118,7 @@ void expect_near(const std::array<Vec3d, 2>& segment, const std::array<Vec3d, 2>
 template <class S>
 void agrees(const TrianglePair& pair, const ExactOverlap& expected, double size, double far,
             const std::string& where) {
-  const Triangle<S> a = rounded<S>(pair.first), b = rounded<S>(pair.second);
+  const Triangle<S> a = test::rounded<S>(pair.first), b = test::rounded<S>(pair.second);
   const TriangleOverlap<S> overlap = triangle_overlap(a, b);
   ASSERT_EQ(overlap.kind, expected.kind) << where;
   ASSERT_EQ(triangle_overlap_kind(b, a), expected.kind) << where;

@@ -9,6 +9,11 @@ namespace contactscope::test {
 
 using TrianglePair = std::pair<Triangle<double>, Triangle<double>>;
 
+template <class S>
+Triangle<S> rounded(const Triangle<double>& t) {
+  return {t[0].template cast<S>(), t[1].template cast<S>(), t[2].template cast<S>()};
+}
+
 /// How a random pair of triangles is made.
 enum class TrianglePairs {
   Random,          // corners anywhere in one cube
