@@ -193,9 +193,8 @@ void AabbTree<S>::refit(std::span<const Vec3<S>> vertices,
     if (node.leaf()) {
       for (int k = node.next; k < node.next + node.count; ++k) node.box.include(at(boxes, k));
     } else {
-      const Node& left = nodes[i + 1];
-      node.box.include(left.box);
-      node.box.include(left.leaf() ? nodes[i + 2].box : at(nodes, left.next).box);
+      node.box.include(nodes[i + 1].box);
+      node.box.include(at(nodes, right_of(static_cast<int>(i))).box);
     }
   }
 }

@@ -38,6 +38,12 @@ struct AabbTree {
   std::vector<int> triangles;  // in tree order
   std::vector<Aabb<S>> boxes;  // of each of `triangles`
 
+  /// The right child of an inner node; the left one is the next node.
+  int right_of(int node) const {
+    const Node& left = at(nodes, node + 1);
+    return left.leaf() ? node + 2 : left.next;
+  }
+
   /// The box of everything; empty for no triangles.
   Aabb<S> bounds() const { return nodes.empty() ? Aabb<S>{} : nodes.front().box; }
 

@@ -1,7 +1,6 @@
-// Time of a million triangle-triangle tests in milliseconds, which is that of one in nanoseconds:
-// "random" has corners
-// anywhere in one cube, "mix" is 92 % of those, 7 % coplanar or touching, 1 % nearly coplanar.
-// Beside it CGAL's exact predicates, where it is installed.
+// Time of a million triangle-triangle tests in milliseconds, which is that of one in nanoseconds.
+// "random" has corners anywhere in one cube; "mix" is 92 % of those, 7 % coplanar or touching, 1 %
+// nearly coplanar. Beside it CGAL's exact predicates, where it is installed.
 #include <benchmark/benchmark.h>
 
 #include <vector>
