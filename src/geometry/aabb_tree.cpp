@@ -150,24 +150,24 @@ class Builder {
   /// bins between them, which are the same cut, the first one is taken.
   static void sweep(const Bins& bins, int axis, double area, Split& best) {
     std::array<double, kBins> right_cost;  // of this bin and all above; set where a triangle is
-    int used[kBins];                       // ascending
+    std::array<int, kBins> used{};         // ascending
     int used_count = 0, all = 0;
     for (std::uint32_t rest = bins.used; rest != 0; rest &= rest - 1)
-      used[used_count++] = std::countr_zero(rest);
-    PackedBox right = at(bins.boxes, used[used_count - 1]);
+      at(used, used_count++) = std::countr_zero(rest);
+    PackedBox right = at(bins.boxes, at(used, used_count - 1));
     for (int k = used_count - 1; k > 0; --k) {
-      right.include(at(bins.boxes, used[k]));
-      all += at(bins.counts, used[k]);
+      right.include(at(bins.boxes, at(used, k)));
+      all += at(bins.counts, at(used, k));
       at(right_cost, k) = surface_area(right.box()) / area * all;
     }
-    PackedBox left = at(bins.boxes, used[0]);
+    PackedBox left = at(bins.boxes, at(used, 0));
     int left_count = 0;
     for (int k = 1; k < used_count; ++k) {
-      left.include(at(bins.boxes, used[k - 1]));
-      left_count += at(bins.counts, used[k - 1]);
+      left.include(at(bins.boxes, at(used, k - 1)));
+      left_count += at(bins.counts, at(used, k - 1));
       // Two boxes of nodes are tested first; boxes of triangles cost as much each.
       const double cost = 2 + surface_area(left.box()) / area * left_count + at(right_cost, k);
-      if (cost < best.cost) best = {axis, used[k - 1] + 1, cost};
+      if (cost < best.cost) best = {axis, at(used, k - 1) + 1, cost};
     }
   }
 

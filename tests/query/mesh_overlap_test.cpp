@@ -50,29 +50,8 @@ void expect_brute_force(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
   EXPECT_GE(overlap.counts.triangle_pairs, static_cast<std::int64_t>(expected.size()));
 }
 
-Mesh<double> built(const test::SphereMesh& sphere) {
-  return build_mesh(sphere.vertices, sphere.triangles);
-}
-
-Mesh<double> cube(double half) {
-  const auto corner = [half](int i) -> Vec3d {
-    return half * Vec3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-  };
-  std::vector<Vec3d> vertices;
-  for (int i = 0; i < 8; ++i) vertices.push_back(corner(i));
-  return build_mesh(vertices, {{0, 2, 3},
-                               {0, 3, 1},
-                               {4, 5, 7},
-                               {4, 7, 6},
-                               {0, 1, 5},
-                               {0, 5, 4},
-                               {2, 6, 7},
-                               {2, 7, 3},
-                               {0, 4, 6},
-                               {0, 6, 2},
-                               {1, 3, 7},
-                               {1, 7, 5}});
-}
+using test::built;
+using test::cube_mesh;
 
 TEST(MeshOverlap, SlowSpheresGiveThePairsOfBruteForce) {
   Random random(51);
@@ -100,7 +79,7 @@ TEST(MeshOverlap, SlowMeshesFarFromTheOriginGiveThePairsOfBruteForce) {
 }
 
 TEST(MeshOverlap, CubesFaceToFaceShareAreas) {
-  const Mesh<double> mesh = cube(1);
+  const Mesh<double> mesh = cube_mesh(1);
   const Pose<double> beside{Quatd::Identity(), Vec3d(2, 0.5, 0.25)};
   expect_brute_force(mesh, mesh, beside);
   const MeshOverlap<double> overlap = mesh_overlap(mesh, mesh, beside);
@@ -118,7 +97,7 @@ TEST(MeshOverlap, CubesFaceToFaceShareAreas) {
 }
 
 TEST(MeshOverlap, ACubeInsideACubeCrossesNothing) {
-  const MeshOverlap<double> overlap = mesh_overlap(cube(3), cube(1), Pose<double>{});
+  const MeshOverlap<double> overlap = mesh_overlap(cube_mesh(3), cube_mesh(1), Pose<double>{});
   EXPECT_FALSE(overlap.overlapping());
   EXPECT_EQ(overlap.counts.triangle_pairs, 0);
 }

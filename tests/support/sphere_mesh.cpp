@@ -7,8 +7,7 @@ namespace contactscope::test {
 namespace {
 
 SpherePair sphere_pair(double waves, const Pose<double>& b_in_a) {
-  const SphereMesh a = sphere_mesh(1, 110, 44, waves), b = sphere_mesh(1, 110, 44, -waves);
-  return {build_mesh(a.vertices, a.triangles), build_mesh(b.vertices, b.triangles), b_in_a};
+  return {built(sphere_mesh(1, 110, 44, waves)), built(sphere_mesh(1, 110, 44, -waves)), b_in_a};
 }
 
 Quatd some_rotation() {
@@ -42,6 +41,30 @@ SphereMesh sphere_mesh(double radius, int meridians, int parallels, double waves
     mesh.triangles.push_back({last + m, south, last + next});
   }
   return mesh;
+}
+
+Mesh<double> built(const SphereMesh& sphere) {
+  return build_mesh(sphere.vertices, sphere.triangles);
+}
+
+Mesh<double> cube_mesh(double half_side) {
+  const auto corner = [half_side](int i) -> Vec3d {
+    return half_side * Vec3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  };
+  std::vector<Vec3d> vertices;
+  for (int i = 0; i < 8; ++i) vertices.push_back(corner(i));
+  return build_mesh(vertices, {{0, 2, 3},
+                               {0, 3, 1},
+                               {4, 5, 7},
+                               {4, 7, 6},
+                               {0, 1, 5},
+                               {0, 5, 4},
+                               {2, 6, 7},
+                               {2, 7, 3},
+                               {0, 4, 6},
+                               {0, 6, 2},
+                               {1, 3, 7},
+                               {1, 7, 5}});
 }
 
 SpherePair crossing_spheres() {

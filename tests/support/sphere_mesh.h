@@ -14,6 +14,10 @@ struct SphereMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 SphereMesh sphere_mesh(double radius, int meridians, int parallels, double waves);
+Mesh<double> built(const SphereMesh& sphere);
+
+/// A watertight cube of twelve triangles, about the origin.
+Mesh<double> cube_mesh(double half_side);
 
 /// Two spheres of 9,680 triangles and radius 1 m, in each other.
 struct SpherePair {
