@@ -243,6 +243,18 @@ void AabbTree<S>::refit(std::span<const Vec3<S>> vertices,
   }
 }
 
+template <class S>
+double AabbTree<S>::expected_cost() const {
+  double weighted = 0;
+  for (const Node& node : nodes) {
+    const int boxes_tested = node.leaf() ? node.count : 2;
+    weighted += boxes_tested * surface_area(node.box.template cast<double>());
+  }
+  const double all = surface_area(bounds().template cast<double>());
+  // Of triangles on one line: every query meets every box.
+  return all > 0 ? weighted / all : static_cast<double>(nodes.size() + triangles.size());
+}
+
 AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes) {
   return Builder(boxes).run();
 }

@@ -1,8 +1,11 @@
 // Two spheres of 9,680 triangles in each other, float, milliseconds: "crossing" in a circle,
-// "concentric" crossing all over. "build" makes both trees, "vertices" moves those of b and "refit"
-// fits its boxes around them, both of which are a part of "query".
+// "concentric" crossing all over. "build" makes both trees; "vertices" moves those of b and "refit"
+// fits its boxes around them, both of which are a part of "query". "deforming" is a frame of
+// crossing spheres of which a is twisted to and fro, by at most one radian: its tree is brought up
+// to date, and then comes the query.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <string>
 
 #include "query/mesh_overlap.h"
@@ -27,10 +30,19 @@ std::vector<Aabb<double>> boxes_of(const Mesh<double>& mesh) {
   });
 }
 
+/// Turns the vertices of `from` about z, by `angle` radians a metre of height.
+void twist(const Mesh<float>& from, float angle, Mesh<float>& to) {
+  for (int i = 0; i < count_of(from.vertices); ++i) {
+    const Vec3f& v = at(from.vertices, i);
+    const float c = std::cos(angle * v.z()), s = std::sin(angle * v.z());
+    at(to.vertices, i) = {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
+  }
+}
+
 template <class Pass>
 void add(const std::string& name, const Pass& pass) {
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-    for (auto _ : state) pass(state);
+  benchmark::RegisterBenchmark(name.c_str(), [run = pass](benchmark::State& state) mutable {
+    for (auto _ : state) run(state);
   })->Unit(benchmark::kMillisecond);
 }
 
@@ -59,6 +71,19 @@ int main(int argc, char** argv) {
       [&](benchmark::State&) { benchmark::DoNotOptimize(vertices_in(one.b, one.b_in_a)); });
   AabbTree<float> tree = one.b.tree;
   add("refit", [&](benchmark::State&) { tree.refit(one.b.vertices, one.b.triangles); });
+  for (const TreeUpdate how : {TreeUpdate::Refit, TreeUpdate::Rebuild, TreeUpdate::Auto}) {
+    constexpr const char* kNames[] = {"deforming/refit", "deforming/rebuild", "deforming/auto"};
+    add(kNames[static_cast<int>(how)],
+        [&, how, mesh = one.a, frame = 0, rebuilt = 0,
+         cost = one.a.tree.expected_cost()](benchmark::State& state) mutable {
+          state.PauseTiming();
+          twist(one.a, static_cast<float>(std::sin(0.1 * ++frame)), mesh);
+          state.ResumeTiming();
+          rebuilt += update_tree(mesh, how, cost) ? 1 : 0;
+          benchmark::DoNotOptimize(mesh_overlap(mesh, one.b, one.b_in_a));
+          state.counters["rebuilt"] = static_cast<double>(rebuilt) / frame;
+        });
+  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

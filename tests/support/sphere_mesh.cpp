@@ -22,7 +22,7 @@ SphereMesh sphere_mesh(double radius, int meridians, int parallels, double waves
     const double polar = std::numbers::pi * p / (parallels + 1);
     for (int m = 0; m < meridians; ++m) {
       const double around = 2 * std::numbers::pi * m / meridians;
-      const double swelling = 1 + waves * std::sin(5 * around) * std::sin(4 * polar);
+      const double swelling = 1 + waves * std::sin(3 * around) * std::sin(2 * polar);
       mesh.vertices.push_back(radius * swelling *
                               Vec3d(std::sin(polar) * std::cos(around),
                                     std::sin(polar) * std::sin(around), std::cos(polar)));
@@ -72,7 +72,7 @@ SpherePair crossing_spheres() {
 }
 
 SpherePair concentric_spheres() {
-  return sphere_pair(0.02, {some_rotation(), Vec3d::Zero()});
+  return sphere_pair(0.1, {some_rotation(), Vec3d::Zero()});
 }
 
 }  // namespace contactscope::test

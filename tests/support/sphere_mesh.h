@@ -7,8 +7,8 @@ namespace contactscope::test {
 
 /// Vertices and triangles of a closed sphere about the origin of its frame, poles on z, fronts
 /// outside: `meridians` of them around, `parallels` between the poles, 2 meridians parallels
-/// triangles. The radius, in metres, swells and shrinks by the part `waves` of it, five times
-/// around and four times from pole to pole.
+/// triangles. The radius, in metres, swells and shrinks by the part `waves` of it, three times
+/// around and twice from pole to pole.
 struct SphereMesh {
   std::vector<Vec3d> vertices;
   std::vector<std::array<int, 3>> triangles;
