@@ -61,6 +61,8 @@ const std::vector<StudyInfo>& studies() {
        &study_manifold_stability},
       {"solver", "stacks by position method, warm starting, iterations and sub-steps",
        &study_solver},
+      {"overlap", "false positives of bounding volumes, and what a threshold on edge axes costs",
+       &study_overlap},
   };
   return list;
 }
