@@ -18,8 +18,8 @@ struct BoundingSphere {
   friend bool operator==(const BoundingSphere&, const BoundingSphere&) = default;
 };
 
-/// A sphere from its own frame to the parent of `pose`. Its centre is rounded there as the shape's own
-/// vertices are.
+/// A sphere from its own frame to the parent of `pose`. Its centre is rounded there as the shape's
+/// own vertices are.
 template <class S>
 BoundingSphere<S> placed(const BoundingSphere<S>& sphere, const Pose<S>& pose) {
   return {pose.transform(sphere.center), sphere.radius};

@@ -207,7 +207,8 @@ Obb<S> obb_of_kind(const Capsule<S>& capsule) {
     axes.col(2) = axes.col(0).cross(axes.col(1));
   }
   Obb<S> box = box_along<S>(axes.template cast<S>(), capsule.points);
-  // The axes may be longer than 1 or shorter, or lean, by rounding; a ball needs that much more of them.
+  // The axes may be longer than 1 or shorter, or lean, by rounding; a ball needs that much more of
+  // them.
   const Extended radius = Extended::Constant(capsule.radius);
   const long double more = along_axis ? 1 : 1 + 8 * std::numeric_limits<S>::epsilon();
   for (int k = 0; k < 3; ++k)

@@ -38,8 +38,8 @@ struct Obb {
   friend bool operator==(const Obb&, const Obb&) = default;
 };
 
-/// A box from its own frame to the parent of `pose`. Centre and axes are rounded there as the shape's
-/// own vertices are.
+/// A box from its own frame to the parent of `pose`. Centre and axes are rounded there as the
+/// shape's own vertices are.
 template <class S>
 Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   const Mat3<S> rotation = pose.rotation.toRotationMatrix();
@@ -49,8 +49,8 @@ Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   return result;
 }
 
-/// The same points, but for the rounding of the centre, which is half an ulp of the coordinates: the
-/// half extents reach from there to the farther side. An empty box stays empty.
+/// The same points, but for the rounding of the centre, which is half an ulp of the coordinates:
+/// the half extents reach from there to the farther side. An empty box stays empty.
 template <class S>
 Obb<S> obb_of(const Aabb<S>& box) {
   if (box.empty()) return {};

@@ -44,8 +44,8 @@ bool holds_all(const Ball& ball, const Support& points) {
   return true;
 }
 
-/// The smallest around at most five points, whose last one is on it: of the balls through any of them
-/// the smallest that holds all. `support` becomes the points that it goes through.
+/// The smallest around at most five points, whose last one is on it: of the balls through any of
+/// them the smallest that holds all. `support` becomes the points that it goes through.
 std::optional<Ball> smallest_of_few(Support& support) {
   std::optional<Ball> smallest;
   Support kept;

@@ -50,8 +50,8 @@ bool is_bound(QueryMethod method) {
   return method <= QueryMethod::BoundingSphere;
 }
 
-/// Why a method does not know two shapes of these kinds; null where it does. `one` comes before `other`
-/// in the table.
+/// Why a method does not know two shapes of these kinds; null where it does. `one` comes before
+/// `other` in the table.
 const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
   if (is_bound(method)) {
     return one == ShapeKind::Plane || other == ShapeKind::Plane

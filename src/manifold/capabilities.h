@@ -6,9 +6,9 @@
 
 #include "geometry/shape.h"
 
-/// What can be asked of a pair of shapes, and which of the methods here answers it: the capability map
-/// of collision detection as a table. A question that no method answers is refused with the reason, and
-/// the reason says what to ask instead.
+/// What can be asked of a pair of shapes, and which of the methods here answers it: the capability
+/// map of collision detection as a table. A question that no method answers is refused with the
+/// reason, and the reason says what to ask instead.
 namespace contactscope {
 
 /// What a pair is asked for.
@@ -48,13 +48,13 @@ constexpr const char* to_string(QueryMethod method) {
   return kNames[static_cast<int>(method)];
 }
 
-/// Why a method cannot answer for two shapes of these kinds, in whichever order: a sentence for a reader,
-/// without a full stop; nothing where it answers.
+/// Why a method cannot answer for two shapes of these kinds, in whichever order: a sentence for a
+/// reader, without a full stop; nothing where it answers.
 std::optional<std::string> refusal(QueryMethod method, QueryKind query, ShapeKind one,
                                    ShapeKind other);
 
-/// The methods that answer of the shapes themselves, in the order in which to prefer them: what gives
-/// the least work beyond the question. None for what is refused; bounds are never among them.
+/// The methods that answer of the shapes themselves, in the order in which to prefer them: what
+/// gives the least work beyond the question. None for what is refused; bounds are never among them.
 std::vector<QueryMethod> methods_for(QueryKind query, ShapeKind one, ShapeKind other);
 
 /// Why no method answers of the shapes themselves; nothing where one does.

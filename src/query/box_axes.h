@@ -7,10 +7,12 @@
 #include "core/pack.h"
 #include "geometry/obb.h"
 
-/// The fifteen axes of two oriented boxes side by side, three to a pack: Gottschalk, Lin and Manocha
-/// 1996. Everything in A's frame, where the axes of A are the coordinate axes and those of B the columns
-/// of R = A^T B. The cross product of axis i of A and axis j of B then has the entries of column j of R
-/// turned by 90 degrees about axis i, and it projects both boxes by entries of R as well.
+/// The fifteen axes of two oriented boxes side by side, three to a pack: Gottschalk, Lin and
+/// Manocha
+/// 1996. Everything in A's frame, where the axes of A are the coordinate axes and those of B the
+///    columns
+/// of R = A^T B. The cross product of axis i of A and axis j of B then has the entries of column j
+/// of R turned by 90 degrees about axis i, and it projects both boxes by entries of R as well.
 namespace contactscope::boxes {
 
 /// Three numbers side by side. What the fourth lane holds means nothing, NaN included.
@@ -129,7 +131,8 @@ class BoxAxes {
     const Three<S> squares = rotation_.of[kJ] * rotation_.of[kJ];
     return next(squares) + after_next(squares);
   }
-  /// Likewise the sums of the absolute entries: no less than the sines, no more than sqrt(2) of them.
+  /// Likewise the sums of the absolute entries: no less than the sines, no more than sqrt(2) of
+  /// them.
   template <int kJ>
   [[gnu::always_inline]] Three<S> rough_lengths() const {
     return next(absolute_.of[kJ]) + after_next(absolute_.of[kJ]);

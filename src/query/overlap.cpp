@@ -9,9 +9,9 @@
 namespace contactscope {
 namespace {
 
-/// The bound of what distances from spheres round by, in epsilon of the lengths that they are sums of:
-/// at most 4u for a coordinate in the frame of a box, as much again for axes that are orthonormal to 8
-/// epsilon, and 3u for the sum of squares.
+/// The bound of what distances from spheres round by, in epsilon of the lengths that they are sums
+/// of: at most 4u for a coordinate in the frame of a box, as much again for axes that are
+/// orthonormal to 8 epsilon, and 3u for the sum of squares.
 constexpr int kDistanceBound = 16;
 
 /// Whether two bounds whose middles are `squared` apart overlap if they reach that far together;
@@ -37,7 +37,8 @@ template <class S>
 bool separated_along(const Aabb<S>& a, const Aabb<S>& b, int k, const Comparison<S>& comparison) {
   if (!comparison.touching) return !(a.lower[k] < b.upper[k] && b.lower[k] < a.upper[k]);
   if (comparison.tolerance == 0) return !(a.lower[k] <= b.upper[k] && b.lower[k] <= a.upper[k]);
-  // The difference of what lies near each other is right to half an ulp, a sum with the tolerance is not.
+  // The difference of what lies near each other is right to half an ulp, a sum with the tolerance
+  // is not.
   return !(gap_along(a, b, k) <= comparison.tolerance);
 }
 
@@ -55,7 +56,8 @@ struct BoxAndSphere {
     const S all = size() + comparison.tolerance;
     if (!(all <= std::numeric_limits<S>::max())) return false;
     if (!comparison.touching && excess.isZero(0)) {
-      // The middle is inside, where only faces tell how deep it is; a sphere of radius 0 needs that.
+      // The middle is inside, where only faces tell how deep it is; a sphere of radius 0 needs
+      // that.
       const S rounding = S(kDistanceBound) * std::numeric_limits<S>::epsilon() * all;
       return (middle.cwiseAbs() - half_extents).maxCoeff() - radius < -rounding;
     }

@@ -10,8 +10,8 @@
 /// Overlap tests of bounding volumes, in one frame, metres: yes or no, and to who watches why.
 namespace contactscope {
 
-/// What counts as an overlap, the same for every pair of bounds. An axis is a unit direction, the gap
-/// along it what lies between the projections of both, negative where they overlap.
+/// What counts as an overlap, the same for every pair of bounds. An axis is a unit direction, the
+/// gap along it what lies between the projections of both, negative where they overlap.
 template <class S>
 struct Comparison {
   bool touching = true;  // a gap of 0 counts
@@ -22,8 +22,8 @@ struct Comparison {
   /// Bounds that touch do not: every gap is less than 0.
   static constexpr Comparison exclusive() { return {false, 0}; }
   /// No gap is larger than the tolerance. Bounds whose distance is that or less overlap, and none
-  /// farther apart than sqrt(3) times that: a corner may lie so far out along two or three axes. About a
-  /// sphere the distance itself is compared.
+  /// farther apart than sqrt(3) times that: a corner may lie so far out along two or three axes.
+  /// About a sphere the distance itself is compared.
   static constexpr Comparison within(S tolerance) { return {true, tolerance}; }
 };
 
@@ -62,7 +62,8 @@ template <class S>
 struct OverlapAxis {
   OverlapAxisKind kind = OverlapAxisKind::FaceA;
   int a = -1, b = -1;
-  /// Unit, from A towards B; zero where a cross product vanishes, and then nothing below has a meaning.
+  /// Unit, from A towards B; zero where a cross product vanishes, and then nothing below has a
+  /// meaning.
   Vec3<S> direction = Vec3<S>::Zero();
   S length =
       1;  // of the cross product before it was made unit: the sine of the angle of both edges
@@ -80,19 +81,19 @@ struct OverlapRecord {
 };
 
 // All tests: an empty bound, one with NaN and an oriented box with an infinity overlap nothing, and
-// then a record stays without axes. `record`: null when nobody watches, which costs nothing; it changes
-// no answer and is emptied first. Trading A and B changes no answer.
+// then a record stays without axes. `record`: null when nobody watches, which costs nothing; it
+// changes no answer and is emptied first. Trading A and B changes no answer.
 
-/// Compares coordinates: no rounding at all, but that of adding the tolerance. Without tolerance it is
-/// what overlaps(a, b) of aabb.h says.
+/// Compares coordinates: no rounding at all, but that of adding the tolerance. Without tolerance it
+/// is what overlaps(a, b) of aabb.h says.
 template <class S>
 bool overlaps(const Aabb<S>& a, const Aabb<S>& b, const Comparison<S>& comparison,
               OverlapRecord<S>* record = nullptr);
 
-// The tests below round. Each has a bound of what it rounds by, a few epsilon of the lengths that it
-// adds: the sizes of both bounds and the way between their middles, wherever the origin is. What lies
-// within that bound of touching counts as touching. So, inclusive, no bounds that overlap are called
-// apart, and exclusive, none that are apart are called overlapping.
+// The tests below round. Each has a bound of what it rounds by, a few epsilon of the lengths that
+// it adds: the sizes of both bounds and the way between their middles, wherever the origin is. What
+// lies within that bound of touching counts as touching. So, inclusive, no bounds that overlap are
+// called apart, and exclusive, none that are apart are called overlapping.
 
 template <class S>
 bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
@@ -109,26 +110,27 @@ template <class S>
 bool overlaps(const Obb<S>& a, const BoundingSphere<S>& b, const Comparison<S>& comparison,
               OverlapRecord<S>* record = nullptr);
 
-/// The separating axis test of two oriented boxes: Gottschalk, Lin and Manocha 1996, "OBBTree". Boxes
-/// are apart exactly if one of fifteen axes has a gap, which is at least the distance over sqrt(3).
+/// The separating axis test of two oriented boxes: Gottschalk, Lin and Manocha 1996, "OBBTree".
+/// Boxes are apart exactly if one of fifteen axes has a gap, which is at least the distance over
+/// sqrt(3).
 ///
 /// `test` says which axes are tried. The first two give what engines give:
 /// - Faces: boxes that only edges keep apart are called overlapping.
-/// - Fifteen: gaps are compared with 0 as they were rounded. Along a cross product of length s they are
-///   wrong by some epsilon (size of the pair) / s: boxes that overlap are called apart, by up to their
-///   size, unless s up to some ten epsilon are skipped. Skipping s up to t in turn calls boxes
-///   overlapping that are apart by up to sqrt(2) t (size of the pair).
+/// - Fifteen: gaps are compared with 0 as they were rounded. Along a cross product of length s they
+///   are wrong by some epsilon (size of the pair) / s: boxes that overlap are called apart, by up
+///   to their size, unless s up to some ten epsilon are skipped. Skipping s up to t in turn calls
+///   boxes overlapping that are apart by up to sqrt(2) t (size of the pair).
 ///
-/// Guarded loses nothing. With D, metres, the sum of the coordinates of the way between the middles,
-/// of the half extents of both and of the tolerance:
+/// Guarded loses nothing. With D, metres, the sum of the coordinates of the way between the
+/// middles, of the half extents of both and of the tolerance:
 /// 1. Inclusive and within: no boxes that overlap, or are within the tolerance, are called apart.
-/// 2. Boxes with a gap of more than 32 epsilon D along one of the fifteen axes are called apart: those
-///    at a distance of more than 56 epsilon D.
-/// 3. Exclusive: no boxes that touch or are apart are called overlapping. Those that overlap by more
-///    than 48 epsilon D along all fifteen axes are.
-/// All three are of the boxes that the numbers of `a` and `b` stand for, taken as exact, and hold for
-/// any angles and sizes, parallel, nearly parallel and flat boxes among them. overlap_boxes.cpp derives
-/// them.
+/// 2. Boxes with a gap of more than 32 epsilon D along one of the fifteen axes are called apart:
+///    those at a distance of more than 56 epsilon D.
+/// 3. Exclusive: no boxes that touch or are apart are called overlapping. Those that overlap by
+///    more than 48 epsilon D along all fifteen axes are.
+/// All three are of the boxes that the numbers of `a` and `b` stand for, taken as exact, and hold
+/// for any angles and sizes, parallel, nearly parallel and flat boxes among them. overlap_boxes.cpp
+/// derives them.
 template <class S>
 bool overlaps(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
               const ObbTest<S>& test, OverlapRecord<S>* record = nullptr);

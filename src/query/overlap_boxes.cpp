@@ -11,33 +11,34 @@
 //
 //     f(l) = |t . l| - sum h_k |a_k . l| - sum h_k |b_k . l|
 //
-// is the gap along l times the length of l, so f(l) > 0 proves the boxes apart, whatever l is: an axis
-// need not be the right one for that. What rounding does to f(l), with l as it was computed, is at most
-// 5.5 epsilon |l| D: 4u |t| |l| for t . l with its subtractions, 3u |l| for each a_k . l, 6u for the
-// sum. So f(l) > 8 epsilon |l| D keeps promise 1. The point is that the bound shrinks with |l|. The
-// usual formulas take a_k . l from the entries of A^T B, which is off by epsilon where l itself is
-// as short as that; then a bound that is safe must be epsilon D, and hides every gap up to epsilon D / |l|.
+// is the gap along l times the length of l, so f(l) > 0 proves the boxes apart, whatever l is: an
+// axis need not be the right one for that. What rounding does to f(l), with l as it was computed,
+// is at most 5.5 epsilon |l| D: 4u |t| |l| for t . l with its subtractions, 3u |l| for each a_k .
+// l, 6u for the sum. So f(l) > 8 epsilon |l| D keeps promise 1. The point is that the bound shrinks
+// with |l|. The usual formulas take a_k . l from the entries of A^T B, which is off by epsilon
+// where l itself is as short as that; then a bound that is safe must be epsilon D, and hides every
+// gap up to epsilon D / |l|.
 //
 // Promise 2 needs that l has the right direction too. Of a_i x b_j with nearly parallel edges the
-// product cancels. But a_i x b_j = (a_i - b_j) x (a_i + b_j) / 2, where each entry of both factors is
-// right to u of itself, and the factors are at right angles, so that their product does not cancel: the
-// direction is right to some 3 epsilon, at any angle. Where one factor is 0 the edges are parallel, and
-// the faces tell (below).
+// product cancels. But a_i x b_j = (a_i - b_j) x (a_i + b_j) / 2, where each entry of both factors
+// is right to u of itself, and the factors are at right angles, so that their product does not
+// cancel: the direction is right to some 3 epsilon, at any angle. Where one factor is 0 the edges
+// are parallel, and the faces tell (below).
 //
-// That boxes at distance w have a gap of w / sqrt(3): the direction n between their closest points is a
-// sum of at most three of the axes with positive factors, all within an octant of A's or B's own axes,
-// so that no two of them are more than 90 degrees apart: n = sum c_m l_m, 1 = |n|^2 >= sum c_m^2 >=
-// (sum c_m)^2 / 3, and w = w n . n = sum c_m (gap along l_m) <= sqrt(3) (the largest).
+// That boxes at distance w have a gap of w / sqrt(3): the direction n between their closest points
+// is a sum of at most three of the axes with positive factors, all within an octant of A's or B's
+// own axes, so that no two of them are more than 90 degrees apart: n = sum c_m l_m, 1 = |n|^2 >=
+// sum c_m^2 >= (sum c_m)^2 / 3, and w = w n . n = sum c_m (gap along l_m) <= sqrt(3) (the largest).
 //
-// What leaving out an axis of length s costs: turn B about n until b_j is parallel to a_i. That moves
-// its points by s D at most and leaves the gap g along n as it is. Of boxes with parallel edges some face
-// axis has a gap of g / sqrt(2), a corner in the plane; turned back, g / sqrt(2) - s D. So where
-// all faces overlap by more than s D, no such axis separates.
+// What leaving out an axis of length s costs: turn B about n until b_j is parallel to a_i. That
+// moves its points by s D at most and leaves the gap g along n as it is. Of boxes with parallel
+// edges some face axis has a gap of g / sqrt(2), a corner in the plane; turned back, g / sqrt(2) -
+// s D. So where all faces overlap by more than s D, no such axis separates.
 //
-// All this is done for few pairs. Before it the usual formulas decide, with a bound of 128 epsilon D on
-// either side: they are off by 50 epsilon D for axes that are orthonormal to 8 epsilon, and the rest
-// is what the paragraph above asks for. Edges parallel to 16 epsilon are left out there. That decides
-// nothing that the slow test would decide otherwise.
+// All this is done for few pairs. Before it the usual formulas decide, with a bound of 128 epsilon
+// D on either side: they are off by 50 epsilon D for axes that are orthonormal to 8 epsilon, and
+// the rest is what the paragraph above asks for. Edges parallel to 16 epsilon are left out there.
+// That decides nothing that the slow test would decide otherwise.
 
 namespace contactscope {
 namespace {
@@ -109,8 +110,8 @@ template <bool kTolerant, class S>
   return all<S>(clear) ? Verdict::Overlap : Verdict::Undecided;
 }
 
-/// Calls visit(kind, i, j, direction) for the fifteen axes, until it returns false; whether it never did.
-/// Directions are not unit, those of parallel edges zero.
+/// Calls visit(kind, i, j, direction) for the fifteen axes, until it returns false; whether it
+/// never did. Directions are not unit, those of parallel edges zero.
 template <class S, class Visit>
 bool for_each_axis(const Obb<S>& a, const Obb<S>& b, const Visit& visit) {
   for (int i = 0; i < 3; ++i)

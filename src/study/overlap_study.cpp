@@ -20,9 +20,9 @@ constexpr double kThresholds[] = {1e-18, 1e-16, 1e-15, 1e-14, 1e-12, 1e-10, 1e-8
 constexpr int kThresholdPairs = 20000;
 constexpr int kThresholdRepetitions = 3;
 
-// The largest gap of two boxes over all axes, metres, by brute force over the corners in long double. It
-// shares nothing with the tests that it judges. Where long double does not tell the direction of a cross
-// product, that is shorter than 1e-16, and the faces tell the gap to as much.
+// The largest gap of two boxes over all axes, metres, by brute force over the corners in long
+// double. It shares nothing with the tests that it judges. Where long double does not tell the
+// direction of a cross product, that is shorter than 1e-16, and the faces tell the gap to as much.
 
 using LongVec = Vec3<long double>;
 
@@ -91,8 +91,8 @@ struct BoundedPair {
       : a(one), b(other), overlap(largest_gap(a.box, b.box) <= 0) {}
 };
 
-/// Both with the longest side 1 m and the others that over `elongation`, at any rotation, and as likely
-/// anywhere that any of their bounds could overlap.
+/// Both with the longest side 1 m and the others that over `elongation`, at any rotation, and as
+/// likely anywhere that any of their bounds could overlap.
 std::vector<BoundedPair> bounded_pairs(std::mt19937_64& engine, double elongation, int count) {
   const Vec3d half = 0.5 * Vec3d(1, 1 / elongation, 1 / elongation);
   const double reach = 2 * half.norm();
@@ -160,9 +160,10 @@ struct NearParallelPair {
   double gap;
 };
 
-/// Sides of 0.2 to 2 m. A third of the pairs has one rotation; the others are turned by 1e-17 to 0.1 rad
-/// about any axis. Of those half have the middles of two edges over each other, 0.01 to 100 mm apart or
-/// deep along the edges' cross product; all others are anywhere up to 2.2 m from each other.
+/// Sides of 0.2 to 2 m. A third of the pairs has one rotation; the others are turned by 1e-17 to
+/// 0.1 rad about any axis. Of those half have the middles of two edges over each other, 0.01 to 100
+/// mm apart or deep along the edges' cross product; all others are anywhere up to 2.2 m from each
+/// other.
 template <class S>
 NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
   const auto half = [&]() -> Vec3d {
@@ -271,16 +272,16 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
 
 /// Overlap tests of bounding volumes, in three results.
 ///
-/// "false_positives": of pairs of boxes, 1:1:1, 3:1:1 and 10:1:1, at random rotations and anywhere that
-/// their bounds could overlap, the share of those that a bound lets through although they are apart,
-/// against the time of a test: AABBs, spheres, oriented boxes by their six face normals and by all
-/// axes. A pair that overlaps and is not let through counts as failed; there is none.
+/// "false_positives": of pairs of boxes, 1:1:1, 3:1:1 and 10:1:1, at random rotations and anywhere
+/// that their bounds could overlap, the share of those that a bound lets through although they are
+/// apart, against the time of a test: AABBs, spheres, oriented boxes by their six face normals and
+/// by all axes. A pair that overlaps and is not let through counts as failed; there is none.
 ///
-/// "threshold": of pairs of nearly parallel oriented boxes the deepest overlap, metres, that is called
-/// apart, and the widest gap that is called an overlap, over the sine up to which cross products of
-/// edges are skipped; at 1e-18 none is. Beside it the test whose bound on rounding needs no threshold.
-/// Errors of less than 0.03 mm, float's rounding, count as that. "wrong": the share of the pairs that
-/// overlap, or are apart, for which that happens, half a pair at least.
+/// "threshold": of pairs of nearly parallel oriented boxes the deepest overlap, metres, that is
+/// called apart, and the widest gap that is called an overlap, over the sine up to which cross
+/// products of edges are skipped; at 1e-18 none is. Beside it the test whose bound on rounding
+/// needs no threshold. Errors of less than 0.03 mm, float's rounding, count as that. "wrong": the
+/// share of the pairs that overlap, or are apart, for which that happens, half a pair at least.
 std::vector<trace::Study> study_overlap(const StudyOptions& options,
                                         const StudyProgress& progress) {
   std::vector<trace::Study> results = study_bounds(options, progress);

@@ -1,6 +1,7 @@
-// Time of a pair of oriented boxes in float on one core, a million pairs of which a tenth are parallel,
-// and how many each test gets wrong. Bullet (GImpact) and FCL test the same pairs where they were found.
-// Passes of all tests take turns, so that what else the machine does falls on all of them.
+// Time of a pair of oriented boxes in float on one core, a million pairs of which a tenth are
+// parallel, and how many each test gets wrong. Bullet (GImpact) and FCL test the same pairs where
+// they were found. Passes of all tests take turns, so that what else the machine does falls on all
+// of them.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -15,8 +15,8 @@ struct BoxPair {
   double rounding;  // metres: gaps of up to this much are float's
 };
 
-/// Boxes with sides of 0.2 to 2 m at any rotation; every tenth pair has one rotation but for 1e-7 rad.
-/// Half of all pairs overlap, about.
+/// Boxes with sides of 0.2 to 2 m at any rotation; every tenth pair has one rotation but for 1e-7
+/// rad. Half of all pairs overlap, about.
 std::vector<BoxPair> overlap_pairs(int count);
 
 using OverlapPass =

@@ -16,7 +16,8 @@ using test::PlacedShapes;
 constexpr QueryKind kEveryQuery[] = {QueryKind::Overlap, QueryKind::Touching, QueryKind::Distance,
                                      QueryKind::Penetration, QueryKind::Manifold};
 
-/// Reaches from -0.5 to 0.5 along y; a plane and a mesh, which is the lower one, have their surface there.
+/// Reaches from -0.5 to 0.5 along y; a plane and a mesh, which is the lower one, have their surface
+/// there.
 Shape<double> shape_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::Sphere:
@@ -160,7 +161,8 @@ TEST(Capabilities, EveryClaimedCellAnswersRight) {
         EXPECT_LT(deep.metres, 1e-9);
         break;
       case QueryKind::Penetration:
-        // Portal refinement ends at the face that one ray meets, and samples come near the least depth.
+        // Portal refinement ends at the face that one ray meets, and samples come near the least
+        // depth.
         EXPECT_GE(deep.metres, 0.125 - 1e-9);
         EXPECT_LE(deep.metres, method == QueryMethod::Mpr ? 0.2 : 0.125 + 1e-3);
         break;

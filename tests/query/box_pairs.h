@@ -16,8 +16,8 @@ enum class Turned {
 };
 
 /// Two oriented boxes of up to `size` metres, sides up to a thousand times shorter, one in eight of
-/// them 0. Half the pairs are anywhere about touching, the others touch along one of the fifteen axes
-/// but for up to some hundred roundings. All of it `out` metres from the origin.
+/// them 0. Half the pairs are anywhere about touching, the others touch along one of the fifteen
+/// axes but for up to some hundred roundings. All of it `out` metres from the origin.
 template <class S>
 std::array<Obb<S>, 2> random_boxes(Random& random, double size, Turned turned, double out = 0) {
   const auto side = [&] { return random.chance(0.125) ? 0 : size * random.decade(-3, 0); };

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "query/box_pairs.h"
-#include "support/brute_force_boxes.h"
 #include "query/overlap.h"
+#include "support/brute_force_boxes.h"
 
 namespace contactscope {
 namespace {

@@ -58,8 +58,8 @@ inline double gap_along(const QuadVector& axis, const QuadBox& a, const QuadBox&
   return double((one > other ? one : other) / Quad(std::sqrt((long double)(squared))));
 }
 
-/// The largest gap over the normals of all faces, as the columns span them, and all cross products of
-/// edges: above 0 exactly if the boxes are apart, and then at most their distance.
+/// The largest gap over the normals of all faces, as the columns span them, and all cross products
+/// of edges: above 0 exactly if the boxes are apart, and then at most their distance.
 template <class S>
 double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   const QuadBox of_a(a, a.center), of_b(b, a.center);
@@ -75,7 +75,8 @@ double exact_gap(const Obb<S>& a, const Obb<S>& b) {
   return largest;
 }
 
-/// What the bounds of rounding are relative to: half extents of both and the way between the middles.
+/// What the bounds of rounding are relative to: half extents of both and the way between the
+/// middles.
 template <class S>
 double size_of_pair(const Obb<S>& a, const Obb<S>& b) {
   const Vec3d way = b.center.template cast<double>() - a.center.template cast<double>();
