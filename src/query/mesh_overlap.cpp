@@ -1,9 +1,11 @@
 #include "query/mesh_overlap.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "core/at.h"
+#include "core/pack.h"
 
 namespace contactscope {
 namespace {
@@ -13,9 +15,22 @@ Triangle<S> corners_of(const std::vector<Vec3<S>>& vertices, const std::array<in
   return {at(vertices, triangle[0]), at(vertices, triangle[1]), at(vertices, triangle[2])};
 }
 
+/// overlaps(), for floats with all axes at once. Lanes: lower x, y, z and an upper x that is not
+/// looked at, against upper x, y, z and a lower z.
 template <class S>
-S sum_of_extents(const Aabb<S>& box) {
-  return box.extent().sum();
+bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
+  if constexpr (std::is_same_v<S, float>) {
+    static_assert(sizeof(Aabb<float>) == 6 * sizeof(float));
+    using Four = lanes::Pack<float>;
+    const auto lower = [](const Aabb<float>& box) { return lanes::load<float>(box.lower.data()); };
+    const auto upper = [](const Aabb<float>& box) {
+      const Four last = lanes::load<float>(box.lower.data() + 2);
+      return __builtin_shufflevector(last, last, 1, 2, 3, 0);
+    };
+    return (lanes::bits<float>((lower(a) <= upper(b)) & (lower(b) <= upper(a))) & 7u) == 7u;
+  } else {
+    return overlaps(a, b);
+  }
 }
 
 template <class S>
@@ -44,7 +59,7 @@ class MeshTraversal {
 
  private:
   void visit(int i, int j) {
-    const bool hit = overlaps(at(a_.tree.nodes, i).box, at(tree_b_.nodes, j).box);
+    const bool hit = boxes_overlap(at(a_.tree.nodes, i).box, at(tree_b_.nodes, j).box);
     ++result_.counts.node_pairs;
     if (visits_ != nullptr) visits_->push_back({i, j, hit});
     if (hit) open_.push_back({i, j});
@@ -56,20 +71,27 @@ class MeshTraversal {
     const typename Tree::Node& b = at(tree_b_.nodes, j);
     if (a.leaf() && b.leaf()) {
       compare_leaves(a, b);
-    } else if (b.leaf() || (!a.leaf() && sum_of_extents(a.box) > sum_of_extents(b.box))) {
+    } else if (a.leaf()) {
+      visit(i, j + 1);
+      visit(i, tree_b_.right_of(j));
+    } else if (b.leaf()) {
       visit(i + 1, j);
       visit(a_.tree.right_of(i), j);
     } else {
-      visit(i, j + 1);
-      visit(i, tree_b_.right_of(j));
+      const int right_a = a_.tree.right_of(i), right_b = tree_b_.right_of(j);
+      visit(i + 1, j + 1);
+      visit(i + 1, right_b);
+      visit(right_a, j + 1);
+      visit(right_a, right_b);
     }
   }
 
   void compare_leaves(const typename Tree::Node& a, const typename Tree::Node& b) {
     ++result_.counts.leaf_pairs;
     for (int k = a.next; k < a.next + a.count; ++k) {
+      if (!boxes_overlap(at(a_.tree.boxes, k), b.box)) continue;
       for (int l = b.next; l < b.next + b.count; ++l) {
-        if (overlaps(at(a_.tree.boxes, k), at(tree_b_.boxes, l)))
+        if (boxes_overlap(at(a_.tree.boxes, k), at(tree_b_.boxes, l)))
           compare_triangles(at(a_.tree.triangles, k), at(tree_b_.triangles, l));
       }
     }

@@ -53,8 +53,8 @@ struct NodePairVisit {
 /// watches.
 ///
 /// Source: Gottschalk, Lin and Manocha 1996, "OBBTree", section 5, the simultaneous traversal, with
-/// axis-aligned boxes. Of two nodes that overlap the larger one is opened, by the extents of its
-/// box, unless it is a leaf.
+/// axis-aligned boxes. Of two inner nodes whose boxes overlap, the children of one are compared with
+/// those of the other; a leaf is compared with the children of an inner node.
 template <class S>
 MeshOverlap<S> mesh_overlap(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                             std::vector<NodePairVisit>* visits = nullptr);

@@ -120,12 +120,13 @@ TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
     bool has_parent = false;
     for (std::size_t k = 0; k < i && !has_parent; ++k) {
       const NodePairVisit& parent = visits[k];
-      const auto child = [](const AabbTree<double>& tree, int from, int to) {
-        return !at(tree.nodes, from).leaf() && (to == from + 1 || to == tree.right_of(from));
+      // A leaf stands for itself.
+      const auto below = [](const AabbTree<double>& tree, int from, int to) {
+        if (at(tree.nodes, from).leaf()) return to == from;
+        return to == from + 1 || to == tree.right_of(from);
       };
-      has_parent =
-          parent.overlaps && ((parent.b == visits[i].b && child(a.tree, parent.a, visits[i].a)) ||
-                              (parent.a == visits[i].a && child(b.tree, parent.b, visits[i].b)));
+      has_parent = parent.overlaps && below(a.tree, parent.a, visits[i].a) &&
+                   below(b.tree, parent.b, visits[i].b);
       ASSERT_FALSE(parent.a == visits[i].a && parent.b == visits[i].b) << "seen twice";
     }
     ASSERT_TRUE(has_parent) << i;
