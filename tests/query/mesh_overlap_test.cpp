@@ -15,7 +15,7 @@ using enum TriangleOverlapKind;
 using test::Random;
 
 template <class S>
-Triangle<S> corners(const std::vector<Vec3<S>>& vertices, const std::array<int, 3>& triangle) {
+Triangle<S> triangle_at(const std::vector<Vec3<S>>& vertices, const std::array<int, 3>& triangle) {
   return {at(vertices, triangle[0]), at(vertices, triangle[1]), at(vertices, triangle[2])};
 }
 
@@ -27,8 +27,8 @@ std::vector<MeshIntersection<S>> brute_force(const Mesh<S>& a, const Mesh<S>& b,
   std::vector<MeshIntersection<S>> found;
   for (int i = 0; i < a.triangle_count(); ++i) {
     for (int j = 0; j < b.triangle_count(); ++j) {
-      const TriangleOverlap<S> overlap = triangle_overlap(corners(a.vertices, at(a.triangles, i)),
-                                                          corners(moved, at(b.triangles, j)));
+      const TriangleOverlap<S> overlap = triangle_overlap(
+          triangle_at(a.vertices, at(a.triangles, i)), triangle_at(moved, at(b.triangles, j)));
       if (overlap.kind != None) found.push_back({i, j, overlap});
     }
   }

@@ -31,7 +31,7 @@ inline constexpr int kTrianglePairs = 7;
 TrianglePair random_triangle_pair(Random& random, TrianglePairs how, double size,
                                   const Vec3d& center, bool in_float);
 
-/// SURVEY.md's mix: 92 % Random, 7 % Coplanar or Touching, 1 % NearlyCoplanar.
+/// A mix as meshes give it: 92 % Random, 7 % Coplanar or Touching, 1 % NearlyCoplanar.
 TrianglePairs draw_from_mix(Random& random);
 
 }  // namespace contactscope::test
