@@ -49,7 +49,7 @@ class Columns : public BroadPhase {
 
   void find_pairs() override {
     gather();
-    divide(0, entries_.size(), Region(), 0);
+    divide(0, keys_.size(), Region(), 0);
   }
 
   /// All boxes in the order of their lower ends on the swept axis.
@@ -60,7 +60,7 @@ class Columns : public BroadPhase {
       if (has(i)) keys_.push_back({sortable(box(i).lower[axes[0]]), i});
     }
     sort_keys();
-    entries_.resize(keys_.size());
+    if (entries_.size() < keys_.size()) entries_.resize(3 * keys_.size());
     for (std::size_t k = 0; k < keys_.size(); ++k) {
       const Aabb<float>& from = box(keys_[k].handle);
       Entry& entry = entries_[k];
@@ -116,37 +116,36 @@ class Columns : public BroadPhase {
     }
   }
 
-  /// Of the entries from `begin` on; what it makes of them stands behind `end`, which is the last
-  /// one of all, until it is done.
+  /// Of the entries from `begin` on; its halves are put behind `end`, which is the last one of all.
   void divide(std::size_t begin, std::size_t end, const Region& region, int depth) {
     ++counts_.visits;
     int axis = 0;
     float border = 0;
-    if (end - begin <= kEnough || depth == kDeepest || !choose_border(begin, end, axis, border)) {
+    const std::size_t count = end - begin;
+    if (count <= kEnough || depth == kDeepest || !choose_border(begin, end, axis, border)) {
       sweep(begin, end, region);
       return;
     }
-    Region below = region, above = region;
-    below.upper[axis] = above.lower[axis] = border;
-    divide_half(begin, end, below, depth,
-                [&](const Entry& entry) { return entry.lower[axis] < border; });
-    divide_half(begin, end, above, depth,
-                [&](const Entry& entry) { return entry.upper[axis] >= border; });
-  }
-
-  template <class Belongs>
-  void divide_half(std::size_t begin, std::size_t end, const Region& region, int depth,
-                   const Belongs& belongs) {
-    const std::size_t first = entries_.size();
-    entries_.resize(first + (end - begin));
-    std::size_t count = first;
-    for (std::size_t i = begin; i < end; ++i) {
-      entries_[count] = entries_[i];
-      count += belongs(entries_[i]);  // without a branch: half of them do
+    if (entries_.size() < end + 2 * count) entries_.resize(2 * (end + 2 * count));
+    const Entry* const from = entries_.data() + begin;
+    Entry* const below = entries_.data() + end;
+    Entry* const above = below + count;
+    std::size_t below_count = 0, above_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      // Without a branch, which would go either way half of the time.
+      below[below_count] = from[i];
+      above[above_count] = from[i];
+      below_count += from[i].lower[axis] < border;
+      above_count += from[i].upper[axis] >= border;
     }
-    entries_.resize(count);
-    divide(first, count, region, depth + 1);
-    entries_.resize(first);
+    std::move(above, above + above_count, below + below_count);
+    const std::size_t middle = end + below_count;
+    Region half = region;
+    half.lower[axis] = border;
+    divide(middle, middle + above_count, half, depth + 1);
+    half = region;
+    half.upper[axis] = border;
+    divide(end, middle, half, depth + 1);
   }
 
   /// False where halves would have too many boxes in common.
