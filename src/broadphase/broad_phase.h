@@ -40,9 +40,9 @@ struct BroadPhaseCounts {
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
-  BroadPhase() = default;
-  BroadPhase(const BroadPhase&) = delete;
   BroadPhase& operator=(const BroadPhase&) = delete;
+  /// Another one with the same boxes, which goes on by itself.
+  virtual std::unique_ptr<BroadPhase> clone() const = 0;
 
   /// Returns the handle of the box: the number of a box that was removed, or the next one.
   /// Throws std::invalid_argument for an empty box or one with NaN; then nothing changes.
@@ -68,6 +68,9 @@ class BroadPhase {
   std::size_t memory() const;
 
  protected:
+  BroadPhase() = default;
+  BroadPhase(const BroadPhase&) = default;
+
   /// A box came, has another place than `from`, or is about to go.
   virtual void added(int /*handle*/) {}
   virtual void moved(int /*handle*/, const Aabb<float>& /*from*/) {}
@@ -108,11 +111,26 @@ bool is_bounded(const Aabb<float>& box);
 /// The smallest box in float around one in double.
 Aabb<float> outward_box(const Aabb<double>& box);
 
+/// What clone() and BroadPhaseInfo::make are made of: `class Tree : public Clonable<Tree>`.
+template <class Derived>
+class Clonable : public BroadPhase {
+ public:
+  std::unique_ptr<BroadPhase> clone() const override {
+    return std::make_unique<Derived>(static_cast<const Derived&>(*this));
+  }
+};
+
 struct BroadPhaseInfo {
   std::string name;
   std::string summary;  // one line
   std::unique_ptr<BroadPhase> (*make)();
 };
+
+/// A row of the table for one of them.
+template <class Derived>
+BroadPhaseInfo info_of(const char* name, const char* summary) {
+  return {name, summary, [] { return std::unique_ptr<BroadPhase>(std::make_unique<Derived>()); }};
+}
 
 /// Every broad phase, in the order in which to list them.
 const std::vector<BroadPhaseInfo>& broad_phases();

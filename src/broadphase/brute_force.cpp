@@ -5,7 +5,7 @@ namespace {
 
 /// Compares every box with every other one: n (n - 1) / 2 comparisons. What the others are held
 /// against.
-class BruteForce : public BroadPhase {
+class BruteForce : public Clonable<BruteForce> {
   void find_pairs() override {
     for (int i = 0; i < handles(); ++i) {
       for (int j = i + 1; has(i) && j < handles(); ++j) {
@@ -18,8 +18,7 @@ class BruteForce : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo brute_force_broad_phase() {
-  return {"brute_force", "every box with every other one",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<BruteForce>()); }};
+  return info_of<BruteForce>("brute_force", "every box with every other one");
 }
 
 }  // namespace contactscope

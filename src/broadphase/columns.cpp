@@ -28,7 +28,7 @@ constexpr int kDeepest = 48;
 /// is reported in the one that holds the lowest corner of what both share.
 /// Source: Zomorodian and Edelsbrunner 2002, "Fast Software for Box Intersections", halves space as
 /// the columns here do.
-class Columns : public BroadPhase {
+class Columns : public Clonable<Columns> {
   /// A box, its axes in the order in which they are used: the first one is swept.
   struct Entry {
     float lower[3];
@@ -231,9 +231,8 @@ class Columns : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo columns_broad_phase() {
-  return {"columns",
-          "columns sorted along one axis, made anew each time: the fastest for all pairs",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<Columns>()); }};
+  return info_of<Columns>(
+      "columns", "columns sorted along one axis, made anew each time: the fastest for all pairs");
 }
 
 }  // namespace contactscope

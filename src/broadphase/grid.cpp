@@ -24,7 +24,7 @@ constexpr float kCellOfMedian = 1.5f;
 /// Boxes that are far larger than a cell, or infinite, are compared with all.
 /// Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable
 /// Objects".
-class Grid : public BroadPhase {
+class Grid : public Clonable<Grid> {
   struct Entry {
     Cell cell;
     int handle;
@@ -141,8 +141,8 @@ class Grid : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo grid_broad_phase() {
-  return {"grid", "a uniform grid, its cells in a hash table: for boxes of similar size",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<Grid>()); }};
+  return info_of<Grid>("grid",
+                       "a uniform grid, its cells in a hash table: for boxes of similar size");
 }
 
 }  // namespace contactscope

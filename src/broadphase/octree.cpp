@@ -14,7 +14,7 @@ constexpr int kDeepest = 24;  // halvings of the root: boxes a ten-millionth of 
 /// looking at others, and stays there while its centre does: right where the density varies. The
 /// root doubles until it holds every centre. Boxes without end are compared with all.
 /// Source: Ulrich 2000, "Loose Octrees", Game Programming Gems 1.
-class Octree : public BroadPhase {
+class Octree : public Clonable<Octree> {
   struct Node {
     int parent = -1;
     std::array<int, 8> children = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -175,8 +175,8 @@ class Octree : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo octree_broad_phase() {
-  return {"octree", "a loose octree, a box in the node of its size: for varying density",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<Octree>()); }};
+  return info_of<Octree>("octree",
+                         "a loose octree, a box in the node of its size: for varying density");
 }
 
 }  // namespace contactscope

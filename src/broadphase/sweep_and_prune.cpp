@@ -17,7 +17,7 @@ constexpr std::int64_t kMostSwaps = 32;
 /// A scene of which much jumped is sorted anew.
 /// Source: Baraff 1992, "Dynamic Simulation of Non-Penetrating Rigid Bodies", section 2.3; Cohen et
 /// al. 1995, "I-COLLIDE".
-class SweepAndPrune : public BroadPhase {
+class SweepAndPrune : public Clonable<SweepAndPrune> {
   struct End {
     float at;
     int handle;
@@ -162,8 +162,8 @@ class SweepAndPrune : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo sweep_and_prune_broad_phase() {
-  return {"sweep_and_prune", "ends in order on three axes, pairs kept: for scenes that move little",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<SweepAndPrune>()); }};
+  return info_of<SweepAndPrune>(
+      "sweep_and_prune", "ends in order on three axes, pairs kept: for scenes that move little");
 }
 
 }  // namespace contactscope

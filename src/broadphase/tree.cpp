@@ -15,7 +15,7 @@ constexpr float kMargin = 0.1f;
 /// and the tree is kept in balance by rotations on the way back to the root. Boxes without end are
 /// compared with all.
 /// Source: Catto 2019, "Dynamic Bounding Volume Hierarchies"; Adelson-Velsky and Landis 1962.
-class Tree : public BroadPhase {
+class Tree : public Clonable<Tree> {
   struct Node {
     Aabb<float> box;
     int parent = -1;
@@ -246,8 +246,7 @@ class Tree : public BroadPhase {
 }  // namespace
 
 BroadPhaseInfo tree_broad_phase() {
-  return {"tree", "a dynamic tree of boxes, balanced: for anything",
-          [] { return std::unique_ptr<BroadPhase>(std::make_unique<Tree>()); }};
+  return info_of<Tree>("tree", "a dynamic tree of boxes, balanced: for anything");
 }
 
 }  // namespace contactscope

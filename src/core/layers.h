@@ -19,6 +19,7 @@
   ROW(Dropped, "dropped")                      \
   ROW(IncidentFace, "incident_face")           \
   ROW(Tree, "tree")                            \
+  ROW(Bounds, "bounds")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
