@@ -7,7 +7,7 @@
 namespace contactscope {
 namespace {
 
-constexpr int kDeepest = 24;  // halvings of the root: boxes a ten-millionth of it share a node
+constexpr int kDeepestLevel = 24;  // halvings of the root: boxes a ten-millionth of it share a node
 
 /// A loose octree: each box hangs in the node of its size that holds its centre, and a node reaches
 /// as far as the boxes below it do, half of its side at most. A box is in one node, found without
@@ -59,7 +59,7 @@ class Octree : public Clonable<Octree> {
 
     int node = root_;
     Cube cube = cube_;
-    for (int depth = 0; depth < kDeepest && 0.5f * cube.half >= half; ++depth) {
+    for (int depth = 0; depth < kDeepestLevel && 0.5f * cube.half >= half; ++depth) {
       count_in(node, handle);
       const int octant = cube.octant(center);
       cube = cube.child(octant);

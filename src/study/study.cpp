@@ -63,6 +63,8 @@ const std::vector<StudyInfo>& studies() {
        &study_solver},
       {"overlap", "false positives of bounding volumes, and what a threshold on edge axes costs",
        &study_overlap},
+      {"broad_phase", "pairs of boxes that overlap: time, memory and comparisons by number of boxes",
+       &study_broad_phase},
   };
   return list;
 }

@@ -19,29 +19,27 @@ int index_of(void* name) {
 }
 
 /// What a Bullet world uses: two trees, pairs kept from step to step.
-class Broadphase : public BroadPhasePeer {
+class Broadphase : public PairFinder {
  public:
-  const char* name() const override { return "Bullet dbvt"; }
-
-  void place(std::span<const Aabb<float>> boxes) override {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+  void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
+    for (const int index : moved) {
+      const auto i = static_cast<std::size_t>(index);
       const btVector3 lower = vector_of(boxes[i].lower), upper = vector_of(boxes[i].upper);
       if (proxies_.size() == i) {
-        proxies_.push_back(
-            phase_.createProxy(lower, upper, 0, name_of(static_cast<int>(i)), 1, 1, &dispatcher_));
+        proxies_.push_back(phase_.createProxy(lower, upper, 0, name_of(index), 1, 1, &dispatcher_));
       } else {
         phase_.setAabb(proxies_[i], lower, upper, &dispatcher_);
       }
     }
   }
 
-  std::vector<std::pair<int, int>> pairs() override {
+  std::vector<BoxPair> pairs() override {
     phase_.calculateOverlappingPairs(&dispatcher_);
-    std::vector<std::pair<int, int>> result;
+    std::vector<BoxPair> result;
     btBroadphasePairArray& found = phase_.getOverlappingPairCache()->getOverlappingPairArray();
     for (int i = 0; i < found.size(); ++i) {
-      result.emplace_back(index_of(found[i].m_pProxy0->m_clientObject),
-                          index_of(found[i].m_pProxy1->m_clientObject));
+      result.push_back({index_of(found[i].m_pProxy0->m_clientObject),
+                        index_of(found[i].m_pProxy1->m_clientObject)});
     }
     return result;
   }
@@ -54,28 +52,27 @@ class Broadphase : public BroadPhasePeer {
 };
 
 /// The tree alone, each pair looked for anew.
-class TreeAgainstItself : public BroadPhasePeer {
+class TreeAgainstItself : public PairFinder {
  public:
-  const char* name() const override { return "Bullet collideTT"; }
-
-  void place(std::span<const Aabb<float>> boxes) override {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+  void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
+    for (const int index : moved) {
+      const auto i = static_cast<std::size_t>(index);
       btDbvtVolume volume =
           btDbvtVolume::FromMM(vector_of(boxes[i].lower), vector_of(boxes[i].upper));
       if (leaves_.size() == i) {
-        leaves_.push_back(tree_.insert(volume, name_of(static_cast<int>(i))));
+        leaves_.push_back(tree_.insert(volume, name_of(index)));
       } else {
         tree_.update(leaves_[i], volume);
       }
     }
-    tree_.optimizeIncremental(1 + static_cast<int>(boxes.size()) / 100);
+    tree_.optimizeIncremental(1 + static_cast<int>(moved.size()) / 100);
   }
 
-  std::vector<std::pair<int, int>> pairs() override {
+  std::vector<BoxPair> pairs() override {
     struct Collect : btDbvt::ICollide {
-      std::vector<std::pair<int, int>> found;
+      std::vector<BoxPair> found;
       void Process(const btDbvtNode* a, const btDbvtNode* b) override {
-        if (a != b) found.emplace_back(index_of(a->data), index_of(b->data));
+        if (a != b) found.push_back({index_of(a->data), index_of(b->data)});
       }
     } collect;
     tree_.collideTT(tree_.m_root, tree_.m_root, collect);
@@ -89,11 +86,10 @@ class TreeAgainstItself : public BroadPhasePeer {
 
 }  // namespace
 
-std::vector<std::unique_ptr<BroadPhasePeer>> bullet_broad_phases() {
-  std::vector<std::unique_ptr<BroadPhasePeer>> all;
-  all.push_back(std::make_unique<Broadphase>());
-  all.push_back(std::make_unique<TreeAgainstItself>());
-  return all;
+std::vector<PairFinderInfo> bullet_broad_phases() {
+  return {
+      {"Bullet, dbvt", 100'000, 10'000, [] { return std::make_unique<Broadphase>(); }},
+      {"Bullet, collideTT", 100'000, 10'000, [] { return std::make_unique<TreeAgainstItself>(); }}};
 }
 
 }  // namespace contactscope::peers

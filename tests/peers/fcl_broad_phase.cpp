@@ -6,13 +6,13 @@
 namespace contactscope::peers {
 namespace {
 
-class DynamicTree : public BroadPhasePeer {
+class DynamicTree : public PairFinder {
  public:
-  const char* name() const override { return "FCL tree"; }
-
-  void place(std::span<const Aabb<float>> boxes) override {
+  void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
     const bool first = objects_.empty();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    std::vector<fcl::CollisionObject<float>*> changed;
+    for (const int index : moved) {
+      const auto i = static_cast<std::size_t>(index);
       const Vec3<float> sides = boxes[i].extent();
       if (first) {
         objects_.push_back(std::make_unique<fcl::CollisionObject<float>>(
@@ -21,26 +21,27 @@ class DynamicTree : public BroadPhasePeer {
       }
       objects_[i]->setTranslation(boxes[i].center());
       objects_[i]->computeAABB();
+      changed.push_back(objects_[i].get());
     }
     if (first) {
-      std::vector<fcl::CollisionObject<float>*> all;
-      for (const auto& object : objects_) all.push_back(object.get());
-      manager_.registerObjects(all);
+      manager_.registerObjects(changed);
       manager_.setup();
+    } else if (changed.size() < objects_.size()) {
+      manager_.update(changed);
     } else {
       manager_.update();
     }
   }
 
-  std::vector<std::pair<int, int>> pairs() override {
-    std::vector<std::pair<int, int>> found;
+  std::vector<BoxPair> pairs() override {
+    std::vector<BoxPair> found;
     manager_.collide(
         &found, [](fcl::CollisionObject<float>* a, fcl::CollisionObject<float>* b, void* data) {
           const auto index = [](const fcl::CollisionObject<float>* object) {
             return static_cast<int>(reinterpret_cast<std::intptr_t>(object->getUserData()));
           };
           if (a->getAABB().overlap(b->getAABB()))
-            static_cast<std::vector<std::pair<int, int>>*>(data)->emplace_back(index(a), index(b));
+            static_cast<std::vector<BoxPair>*>(data)->push_back({index(a), index(b)});
           return false;
         });
     return found;
@@ -53,17 +54,14 @@ class DynamicTree : public BroadPhasePeer {
 
 }  // namespace
 
-std::vector<std::unique_ptr<BroadPhasePeer>> fcl_broad_phases() {
-  std::vector<std::unique_ptr<BroadPhasePeer>> all;
-  all.push_back(std::make_unique<DynamicTree>());
-  return all;
+std::vector<PairFinderInfo> fcl_broad_phases() {
+  return {{"FCL, tree", 100'000, 10'000, [] { return std::make_unique<DynamicTree>(); }}};
 }
 
-std::vector<std::unique_ptr<BroadPhasePeer>> broad_phase_peers() {
-  std::vector<std::unique_ptr<BroadPhasePeer>> all = bullet_broad_phases();
-  for (auto* const make : {&fcl_broad_phases, &ode_broad_phases}) {
-    for (std::unique_ptr<BroadPhasePeer>& peer : (*make)()) all.push_back(std::move(peer));
-  }
+std::vector<PairFinderInfo> broad_phase_peers() {
+  std::vector<PairFinderInfo> all = bullet_broad_phases();
+  for (auto* const list : {&fcl_broad_phases, &ode_broad_phases})
+    for (const PairFinderInfo& info : list()) all.push_back(info);
   return all;
 }
 

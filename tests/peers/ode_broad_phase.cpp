@@ -5,17 +5,16 @@
 namespace contactscope::peers {
 namespace {
 
-class Space : public BroadPhasePeer {
+class Space : public PairFinder {
  public:
-  Space(const char* name, dSpaceID space) : name_(name), space_(space) {}
+  explicit Space(dSpaceID space) : space_(space) {}
   ~Space() override { dSpaceDestroy(space_); }
   Space(const Space&) = delete;
   Space& operator=(const Space&) = delete;
 
-  const char* name() const override { return name_; }
-
-  void place(std::span<const Aabb<float>> boxes) override {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+  void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
+    for (const int index : moved) {
+      const auto i = static_cast<std::size_t>(index);
       const Aabb<double> box = boxes[i].cast<double>();
       const Vec3<double> sides = box.extent(), center = box.center();
       if (geoms_.size() == i) {
@@ -26,32 +25,31 @@ class Space : public BroadPhasePeer {
     }
   }
 
-  std::vector<std::pair<int, int>> pairs() override {
-    std::vector<std::pair<int, int>> found;
+  std::vector<BoxPair> pairs() override {
+    std::vector<BoxPair> found;
     dSpaceCollide(space_, &found, [](void* data, dGeomID a, dGeomID b) {
       const auto index = [](dGeomID geom) {
         return static_cast<int>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
       };
-      static_cast<std::vector<std::pair<int, int>>*>(data)->emplace_back(index(a), index(b));
+      static_cast<std::vector<BoxPair>*>(data)->push_back({index(a), index(b)});
     });
     return found;
   }
 
  private:
-  const char* name_;
   dSpaceID space_;
   std::vector<dGeomID> geoms_;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<BroadPhasePeer>> ode_broad_phases() {
+std::vector<PairFinderInfo> ode_broad_phases() {
   dInitODE2(0);
-  std::vector<std::unique_ptr<BroadPhasePeer>> all;
-  all.push_back(
-      std::make_unique<Space>("ODE sweep", dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY)));
-  all.push_back(std::make_unique<Space>("ODE hash", dHashSpaceCreate(nullptr)));
-  return all;
+  return {
+      {"ODE, sweep", 10'000, 10'000,
+       [] { return std::make_unique<Space>(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY)); }},
+      {"ODE, hash", 10'000, 10'000,
+       [] { return std::make_unique<Space>(dHashSpaceCreate(nullptr)); }}};
 }
 
 }  // namespace contactscope::peers
