@@ -47,6 +47,7 @@
   ROW(AxisHistory, "axis_history")             \
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
+  ROW(Pipeline, "pipeline")                    \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on
