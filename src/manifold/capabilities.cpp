@@ -15,7 +15,7 @@ struct MethodRow {
 
 constexpr const char* kYesOrNo =
     "an overlap test of bounds says yes or no; ask the shapes themselves for more";
-constexpr const char* kOnePoint =
+constexpr const char* kOnePointApart =
     "it finds a normal and a depth, and no points; ask \"contacts\", which clips the features "
     "there";
 
@@ -26,10 +26,10 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, true, false, false},
      "GJK ends where the shapes overlap, and finds one pair of points where they do not; ask "
      "\"sat\" or \"epa\" for the depth, \"contacts\" for a manifold"},
-    {{true, true, false, true, false}, kOnePoint},
-    {{true, true, false, true, false}, kOnePoint},
-    {{true, true, false, true, false}, kOnePoint},
-    {{true, true, false, true, false}, kOnePoint},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
     {{true, true, false, true, true},
      "contacts end where the shapes are apart by more than the margin; ask \"gjk\" for a distance"},
 };
