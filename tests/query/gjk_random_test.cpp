@@ -63,8 +63,10 @@ Shape<double> random_shape(Random& random, double size) {
   // A quarter are needles or plates, up to the flattest that the hull builder takes.
   const double aspect = random.chance(0.25) ? random.decade(1, 5) : 1;
   switch (random.index(6)) {
-    case 0:
-      return {{size * random.uniform(0, 1) * random.unit_vector()}, {}};
+    case 0: {
+      const Vec3d way = random.unit_vector();
+      return {{size * random.uniform(0, 1) * way}, {}};
+    }
     case 1: {
       const Vec3d half = size * random.unit_vector();
       return {{-half, half}, {}};
@@ -111,7 +113,8 @@ ShapePair<double> random_pair(Random& random, double largest_ratio, double farth
   if (kind < 0.8) gap = 0;                     // touching
   if (kind < 0.7) gap = random.decade(-7, 0);  // near
   if (kind < 0.2) gap = random.decade(0, 3);   // far
-  const Vec3d aside = random.decade(-6, 0) * smaller * random.unit_vector();
+  const Vec3d way_aside = random.unit_vector();
+  const Vec3d aside = random.decade(-6, 0) * smaller * way_aside;
   b_in_a.position = farthest(pair.a, direction) -
                     b_in_a.rotate(farthest(pair.b, b_in_a.inverse_rotate(Vec3d(-direction)))) +
                     gap * smaller * direction + aside - direction.dot(aside) * direction;
