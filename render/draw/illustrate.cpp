@@ -10,24 +10,39 @@ namespace {
 
 using Needs = std::array<bool Stages::*, 3>;
 
-// One row for each Panel, in their order.
-constexpr std::array<Needs, kPanelNames.size()> kOfPanels{{
-    {&Stages::sat, &Stages::reduction},                        // Summary
-    {&Stages::clip, &Stages::reduction},                       // ContactPlane
-    {&Stages::sat},                                            // AxisHistory
-    {&Stages::stability},                                      // Stability
-    {},                                                        // Plots
-    {&Stages::minkowski, &Stages::gjk, &Stages::penetration},  // Minkowski
-    {&Stages::gauss_map, &Stages::sat},                        // GaussMap
-}};
+Needs needs_of(Panel panel) {
+  switch (panel) {
+    case Panel::Summary:
+      return {&Stages::sat, &Stages::reduction};
+    case Panel::ContactPlane:
+      return {&Stages::clip, &Stages::reduction};
+    case Panel::AxisHistory:
+      return {&Stages::sat};
+    case Panel::Stability:
+      return {&Stages::stability};
+    case Panel::Plots:
+    case Panel::Pipeline:
+      return {};
+    case Panel::Minkowski:
+      return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
+    case Panel::GaussMap:
+      return {&Stages::gauss_map, &Stages::sat};
+  }
+  return {};
+}
 
-// And for each Story.
-constexpr std::array<Needs, 4> kOfStories{{
-    {},                                    // None
-    {&Stages::clip},                       // ClipSteps
-    {&Stages::gjk, &Stages::penetration},  // GjkSteps
-    {&Stages::gjk, &Stages::penetration},  // EpaSteps
-}};
+Needs needs_of(Story story) {
+  switch (story) {
+    case Story::None:
+      return {};
+    case Story::ClipSteps:
+      return {&Stages::clip};
+    case Story::GjkSteps:
+    case Story::EpaSteps:
+      return {&Stages::gjk, &Stages::penetration};
+  }
+  return {};
+}
 
 // Labels stand away from the middle of what touches.
 Vec3d center_of_contact(const Scene& scene) {
@@ -117,8 +132,8 @@ Stages stages_shown(const std::vector<View>& views) {
   };
   for (const View& view : views) {
     for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
-    for (const Panel panel : view.panels) add(kOfPanels[static_cast<std::size_t>(panel)]);
-    add(kOfStories[static_cast<std::size_t>(view.story)]);
+    for (const Panel panel : view.panels) add(needs_of(panel));
+    add(needs_of(view.story));
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
   }
   return stages;

@@ -48,6 +48,7 @@ void override_reducer(Scenario& scenario, const std::string& reducer) {
   if (std::ranges::find(reducers(), reducer, &ReducerInfo::name) == reducers().end())
     throw UsageError("--reducer '" + reducer + "' is no reducer; known are " +
                      names_of(reducers()));
+  scenario.pipeline.reducer = reducer;
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
 

@@ -139,6 +139,11 @@ ExitCode run_explore(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
   const Scenario& scenario = scenarios.front();
+  if (!scenario.broad_phase.empty())
+    throw InputError(
+        scenario.path, 0, 0,
+        "explore follows pairs from frame to frame, and a broad phase chooses those of "
+        "this scenario anew in each; list the pairs to explore as [[pairs]]");
   const std::vector<int> frames = options.selected(scenario.frames);
 
   ExploreOptions explore_options;

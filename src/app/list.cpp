@@ -3,6 +3,7 @@
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
+#include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
@@ -19,6 +20,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   const auto with_summary = [](const auto& info) { return Item{info.name, info.summary}; };
   const auto name_alone = [](std::string_view name) { return Item{std::string(name), ""}; };
   if (what == "reducers") return mapped(reducers(), with_summary);
+  if (what == "broad_phases") return mapped(broad_phases(), with_summary);
   if (what == "layers") return mapped(kLayerNames, name_alone);
   if (what == "panels") return mapped(kPanelNames, name_alone);
   if (what == "studies") return mapped(studies(), with_summary);
@@ -66,7 +68,7 @@ Verb list_verb() {
           "List what a scenario may name",
           &run_list,
           "[WHAT] --json",
-          {{"WHAT", "scenarios, reducers, layers, panels or studies"}}};
+          {{"WHAT", "scenarios, reducers, broad_phases, layers, panels or studies"}}};
 }
 
 }  // namespace contactscope::app

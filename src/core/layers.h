@@ -19,6 +19,7 @@
   ROW(Dropped, "dropped")                      \
   ROW(IncidentFace, "incident_face")           \
   ROW(Tree, "tree")                            \
+  ROW(Bounds, "bounds")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -46,6 +47,7 @@
   ROW(AxisHistory, "axis_history")             \
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
+  ROW(Pipeline, "pipeline")                    \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

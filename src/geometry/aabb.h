@@ -24,6 +24,11 @@ struct Aabb {
   Vec3<S> center() const { return S(0.5) * lower + S(0.5) * upper; }
   Vec3<S> extent() const { return upper - lower; }
 
+  /// Every point of `other` is inside, too.
+  bool contains(const Aabb& other) const {
+    return ((lower.array() <= other.lower.array()) && (other.upper.array() <= upper.array())).all();
+  }
+
   /// Grows by a point or a box.
   void include(const Vec3<S>& point) {
     lower = lower.cwiseMin(point);
@@ -58,6 +63,13 @@ bool overlaps(const Aabb<S>& a, const Aabb<S>& b) {
   return (a.lower.x() <= b.upper.x()) & (b.lower.x() <= a.upper.x()) &
          (a.lower.y() <= b.upper.y()) & (b.lower.y() <= a.upper.y()) &
          (a.lower.z() <= b.upper.z()) & (b.lower.z() <= a.upper.z());
+}
+
+/// Smallest box around both.
+template <class S>
+Aabb<S> merged(Aabb<S> a, const Aabb<S>& b) {
+  a.include(b);
+  return a;
 }
 
 /// Square metres, all six sides; 0 for an empty box.

@@ -38,6 +38,12 @@ struct AabbTree {
   std::vector<int> triangles;  // in tree order
   std::vector<Aabb<S>> boxes;  // of each of `triangles`
 
+  /// The right child of an inner node; the left one is the next node.
+  int right_of(int node) const {
+    const Node& left = at(nodes, node + 1);
+    return left.leaf() ? node + 2 : left.next;
+  }
+
   /// The box of everything; empty for no triangles.
   Aabb<S> bounds() const { return nodes.empty() ? Aabb<S>{} : nodes.front().box; }
 
@@ -68,6 +74,12 @@ struct AabbTree {
 
   /// The same triangles in the same order, as candidates, and how they were found.
   trace::Tree recorded_query(const Aabb<S>& box) const;
+
+  /// How many boxes a query tests that is small and meets the root, as the surface area heuristic
+  /// expects: of each inner node two and of each leaf all its triangles', weighted by the surface
+  /// of the node over that of the root (Goldsmith and Salmon 1987). 0 for no triangles. Says what a
+  /// tree has become after refits, beside what it was when it was built. O(n).
+  double expected_cost() const;
 
   /// Makes all boxes anew after vertices moved; the shape of the tree stays, so that it gets slower
   /// the more the mesh is distorted. `corners` are the vertex indices of each triangle, as many as

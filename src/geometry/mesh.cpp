@@ -129,6 +129,14 @@ Vec3d normal_of(const Mesh<S>& mesh, int triangle) {
   return triangle_normal(corner(0), corner(1), corner(2));
 }
 
+template <class S>
+AabbTree<S> new_tree(const Mesh<S>& mesh) {
+  return aabb_tree_cast<S>(
+      build_aabb_tree(mapped(mesh.triangles, [&](const std::array<int, 3>& triangle) {
+        return box_of<S>(mesh.vertices, triangle).template cast<double>();
+      })));
+}
+
 }  // namespace
 
 Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -196,9 +204,7 @@ Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int,
   mesh.triangles.resize(kept);
   mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found);
   classify_edges(mesh);
-  mesh.tree = build_aabb_tree(mapped(mesh.triangles, [&](const std::array<int, 3>& triangle) {
-    return box_of<double>(mesh.vertices, triangle);
-  }));
+  mesh.tree = new_tree(mesh);
   return mesh;
 }
 
@@ -229,11 +235,25 @@ void refit(Mesh<S>& mesh) {
   mesh.tree.refit(mesh.vertices, mesh.triangles);
 }
 
+template <class S>
+bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built) {
+  if (how != TreeUpdate::Rebuild) {
+    mesh.tree.refit(mesh.vertices, mesh.triangles);
+    if (how == TreeUpdate::Refit) return false;
+    if (mesh.tree.expected_cost() <= kWorstTreeCost * cost_when_built) return false;
+  }
+  mesh.tree = new_tree(mesh);
+  cost_when_built = mesh.tree.expected_cost();
+  return true;
+}
+
 template double bend_angle(const Mesh<float>&, int, int);
 template double bend_angle(const Mesh<double>&, int, int);
 template Mesh<float> mesh_cast(const Mesh<double>&);
 template Mesh<double> mesh_cast(const Mesh<double>&);
 template void refit(Mesh<float>&);
 template void refit(Mesh<double>&);
+template bool update_tree(Mesh<float>&, TreeUpdate, double&);
+template bool update_tree(Mesh<double>&, TreeUpdate, double&);
 
 }  // namespace contactscope

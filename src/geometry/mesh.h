@@ -91,6 +91,20 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh);
 template <class S>
 void refit(Mesh<S>& mesh);
 
+/// What becomes of a tree whose mesh was deformed.
+enum class TreeUpdate : std::uint8_t {
+  Refit,    // the same tree, with boxes made anew
+  Rebuild,  // a new tree
+  Auto,     // refitted, and built anew once it has become kWorstTreeCost times as expensive
+};
+inline constexpr double kWorstTreeCost = 1.3;
+
+/// Brings the tree of a mesh up to date whose vertices were moved, and nothing else of the mesh.
+/// `cost_when_built` is AabbTree::expected_cost() of the tree as it was built last; it is kept
+/// up to date here. Returns whether the tree was built anew.
+template <class S>
+bool update_tree(Mesh<S>& mesh, TreeUpdate how, double& cost_when_built);
+
 /// Angle in radians by which the surface bends across an edge that has a neighbour: the one between
 /// the normals of both triangles, positive where convex, 0 where flat. The same seen from either
 /// triangle. Over pi for a sheet folded onto itself and beyond by up to kFlatEdgeAngle, never near

@@ -110,7 +110,7 @@ WorldSettings read_world(const std::optional<Value>& value, const std::string& u
   WorldSettings world;
   if (up == "z") world.gravity = {0, 0, world.gravity.y()};
   if (!value) return world;
-  const Value& table = value->table({"gravity", "friction", "restitution"});
+  const Value& table = value->table({"gravity", "friction", "restitution", "broad_phase"});
   if (const auto gravity = table.find("gravity")) {
     world.gravity = gravity->vector3();
     if (world.gravity.cwiseAbs().maxCoeff() > kMostGravity)

@@ -85,10 +85,13 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
       tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
     return;
   }
-  for (const char* name : {"world", "solver"})
+  for (const char* name : {"world", "solver"}) {
+    // A broad phase also chooses where nothing is dynamic.
+    if (name == std::string_view("world") && !scenario.broad_phase.empty()) continue;
     tell(file, name,
          "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
          sentences);
+  }
   for (const Value& shape : file.require("shapes", "").members())
     for (const char* key : {"friction", "restitution"})
       tell(shape, key, "no shape is dynamic, and only the solver goes by it; remove it", sentences);

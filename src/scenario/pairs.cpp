@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
+#include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "manifold/dispatch.h"
 #include "reduce/reducer.h"
@@ -69,6 +72,24 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   return settings;
 }
 
+/// Calls tell(a, b) for every two of these shapes of which one is dynamic, or for every two where
+/// none of the scenario is: what the solver cannot move apart is of interest only where it moves
+/// nothing at all. Returns how many.
+template <class Tell>
+std::size_t pairs_among(const std::vector<int>& indices, const std::vector<ScenarioShape>& shapes,
+                        const Tell& tell) {
+  const bool any_dynamic = std::ranges::any_of(shapes, &ScenarioShape::dynamic);
+  std::size_t count = 0;
+  for (auto a = indices.begin(); a != indices.end(); ++a) {
+    for (auto b = a + 1; b != indices.end(); ++b) {
+      if (any_dynamic && !at(shapes, *a).dynamic() && !at(shapes, *b).dynamic()) continue;
+      tell(*a, *b);
+      ++count;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 PipelineSettings read_pipeline(const Value& value) {
@@ -118,26 +139,48 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
   return pairs;
 }
 
+std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs) {
+  const auto key = world ? world->find("broad_phase") : std::nullopt;
+  if (!key) return "";
+  if (pairs)
+    key->fail(
+        "'broad_phase' chooses among all pairs, and [[pairs]] lists those to run; remove one");
+  return key->one_of(names_in(broad_phases()), "broad phase");
+}
+
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings, const Value& where) {
-  const bool any_dynamic = std::ranges::any_of(shapes, &ScenarioShape::dynamic);
-  const auto dynamic = [&](int i) { return at(shapes, i).dynamic(); };
-  const int shape_count = count_of(shapes);
-  std::vector<ScenarioPair> pairs;
-  std::size_t count = 0;
-  for (int a = 0; a < shape_count; ++a) {
-    for (int b = a + 1; b < shape_count; ++b) {
-      // What the solver cannot move apart is of interest only where it moves nothing at all.
-      if (any_dynamic && !dynamic(a) && !dynamic(b)) continue;
-      if (++count > kMaxPairs) continue;
-      pairs.push_back({a, b, "", settings});
-      check_incremental(pairs.back(), shapes, where);
-    }
-  }
+  std::vector<int> all(shapes.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::size_t count = pairs_among(all, shapes, [](int, int) {});
   if (count > kMaxPairs)
     where.fail(std::to_string(shapes.size()) + " shapes make " + std::to_string(count) +
                " pairs; list those to run, at most " + std::to_string(kMaxPairs) +
-               ", as [[pairs]]");
+               ", as [[pairs]], or let [world] broad_phase = \"tree\" choose them in each frame");
+  std::vector<ScenarioPair> pairs;
+  pairs_among(all, shapes, [&](int a, int b) {
+    pairs.push_back({a, b, "", settings});
+    check_incremental(pairs.back(), shapes, where);
+  });
+  return pairs;
+}
+
+std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
+                                           const PipelineSettings& settings, const Value& where) {
+  std::map<std::pair<ShapeKind, bool>, int> seen;
+  std::vector<int> first_two;
+  for (int i = 0; i < count_of(shapes); ++i) {
+    const ScenarioShape& shape = at(shapes, i);
+    if (++seen[{kind_of(*shape.geometry), shape.dynamic()}] <= 2) first_two.push_back(i);
+  }
+  std::vector<ScenarioPair> pairs;
+  std::set<std::pair<ShapeKind, ShapeKind>> taken;
+  pairs_among(first_two, shapes, [&](int a, int b) {
+    const auto kind = [&](int i) { return kind_of(*at(shapes, i).geometry); };
+    if (!taken.insert(std::minmax(kind(a), kind(b))).second) return;
+    pairs.push_back({a, b, "", settings});
+    check_incremental(pairs.back(), shapes, where);
+  });
   return pairs;
 }
 

@@ -167,10 +167,16 @@ PipelineSettings read_pipeline(const Value& value);
 /// [[pairs]]; each starts from `settings` and may override all of them but the scalar.
 std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings);
+/// The key broad_phase of [world]; empty where there is none. Refused beside [[pairs]].
+std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs);
 /// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair of
 /// which one is. Too many throw, at `where`.
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings, const Value& where);
+/// The first of these of every two types of shapes: what can be said of the pairs that a broad phase
+/// may choose, before it does.
+std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
+                                           const PipelineSettings& settings, const Value& where);
 /// Takes out the pairs that make no contacts, planes and meshes with each other: where nothing was
 /// looked for, "separated" would be a lie. Warns once of each two kinds of them.
 void leave_out_uncollided(Scenario& scenario);

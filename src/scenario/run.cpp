@@ -7,10 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "broadphase/world_box.h"
 #include "core/at.h"
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
 #include "manifold/incremental.h"
+#include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
 namespace contactscope {
@@ -50,18 +52,6 @@ trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) 
   return stages;
 }
 
-/// The first entry of every two shapes of which one is dynamic.
-std::vector<bool> acting_pairs(const Scenario& scenario) {
-  std::vector<bool> acting;
-  std::set<std::pair<int, int>> seen;
-  for (const ScenarioPair& pair : scenario.pairs) {
-    const bool first = seen.emplace(std::minmax(pair.a, pair.b)).second;
-    acting.push_back(first &&
-                     (scenario.shape(pair.a).dynamic() || scenario.shape(pair.b).dynamic()));
-  }
-  return acting;
-}
-
 /// The body of a shape at the start.
 template <class S>
 Body<S> body_of(const ScenarioShape& shape, const Shape<S>& rounded) {
@@ -80,12 +70,17 @@ void move_boxes(trace::Tree& tree, const Vec3d& by) {
     for (Vec3d* corner : {&visit.box.lower, &visit.box.upper}) *corner += by;
 }
 
-/// What a pair keeps from one frame for the next.
+/// A pair that is run, and what it keeps from one frame for the next.
 template <class S>
-struct Memory {
+struct ActivePair {
+  ScenarioPair pair;
+  bool acts = false;            // the solver gets its contacts
   std::vector<FeatureId> kept;  // by the reducer, or all
   PairCache<S> cache;
   PersistentManifold<S> persistent;
+  PairImpulses<S> impulses;  // of dynamic scenarios
+
+  BoxPair shapes() const { return {pair.a, pair.b}; }
 };
 
 }  // namespace
@@ -97,17 +92,16 @@ class Runner::In final : public Runner::InScalar {
       : scenario_(scenario),
         stages_(with_insets(stages, scenario.views)),
         dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)),
-        acts_(acting_pairs(scenario)),
-        remembers_(mapped(scenario.pairs,
-                          [&](const ScenarioPair& pair) { return remembers(scenario, pair); })),
-        memories_(scenario.pairs.size()) {
+        chooser_(scenario) {
     shapes_ = std::make_shared<const std::vector<Shape<S>>>(
         mapped(scenario.shapes,
                [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
-    if (!dynamic_) return;
-    for (std::size_t i = 0; i < shapes_->size(); ++i)
+    // Of two entries that name the same shapes the solver goes by the first.
+    std::set<std::pair<int, int>> seen;
+    for (const ScenarioPair& pair : scenario.pairs)
+      pairs_.push_back(active(pair, seen.emplace(std::minmax(pair.a, pair.b)).second));
+    for (std::size_t i = 0; dynamic_ && i < shapes_->size(); ++i)
       bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
-    impulses_.resize(scenario.pairs.size());
   }
 
   std::unique_ptr<InScalar> copy() const override { return std::make_unique<In>(*this); }
@@ -126,7 +120,10 @@ class Runner::In final : public Runner::InScalar {
   }
 
   trace::Frame run(int frame, bool recorded) override {
-    const bool keeps = dynamic_ || std::ranges::find(remembers_, true) != remembers_.end();
+    const bool keeps = dynamic_ || chooser_.chooses() ||
+                       std::ranges::any_of(pairs_, [&](const ActivePair<S>& active) {
+                         return remembers(scenario_, active.pair);
+                       });
     assert(!keeps || frame >= next_);
     if (!keeps) next_ = frame;
     while (next_ < frame) step(false, nullptr);
@@ -155,18 +152,20 @@ class Runner::In final : public Runner::InScalar {
     }
     if (dynamic_ && recorded) result->solver = solver_facts(scenario_, bodies_);
 
-    std::vector<Manifolds<S>> contacts(scenario_.pairs.size());
+    if (chooser_.chooses()) choose_pairs(poses, recorded ? result : nullptr);
+    std::vector<Manifolds<S>> contacts(pairs_.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const ScenarioPair& pair = pairs_[i].pair;
       if (!result) {
-        if (dynamic_ || remembers_[i]) contacts[i] = collide_pair(i, poses, nullptr);
+        if (dynamic_ || remembers(scenario_, pair))
+          contacts[i] = collide_pair(pairs_[i], poses, nullptr);
         continue;
       }
-      const ScenarioPair& pair = scenario_.pairs[i];
       trace::Pair& record = result->pairs.emplace_back();
       record.a = scenario_.shape(pair.a).name;
       record.b = scenario_.shape(pair.b).name;
       record.label = pair.label;
-      contacts[i] = collide_pair(i, poses, recorded ? &record : nullptr);
+      contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
         for (const int index : {pair.a, pair.b}) {
           const ScenarioShape& shape = scenario_.shape(index);
@@ -183,14 +182,40 @@ class Runner::In final : public Runner::InScalar {
     ++next_;
   }
 
+  ActivePair<S> active(const ScenarioPair& pair, bool first) const {
+    return {
+        .pair = pair,
+        .acts = first && (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic()),
+        .kept = {},
+        .cache = {},
+        .persistent = {},
+        .impulses = {}};
+  }
+
+  /// The pairs of this frame. Those that were there in the frame before keep what they have.
+  void choose_pairs(const std::vector<Pose<S>>& poses, trace::Frame* record) {
+    std::vector<Aabb<float>> boxes;
+    for (int i = 0; i < count_of(poses); ++i)
+      boxes.push_back(world_box(at(*shapes_, i), at(poses, i), 0.5 * chooser_.reach()));
+    std::vector<ActivePair<S>> chosen;
+    auto before = pairs_.begin();
+    for (const BoxPair& pair : chooser_.choose(boxes, record)) {
+      while (before != pairs_.end() && before->shapes() < pair) ++before;
+      if (before != pairs_.end() && before->shapes() == pair)
+        chosen.push_back(std::move(*before));
+      else
+        chosen.push_back(active({pair.a, pair.b, "", scenario_.pipeline}, true));
+    }
+    pairs_ = std::move(chosen);
+  }
+
   /// Writes into `record` unless that is null. Shapes of one type are worked on in the order of the
   /// file, whichever of them a pair names first: then trading a and b mirrors every result.
-  Manifolds<S> collide_pair(std::size_t index, const std::vector<Pose<S>>& poses,
+  Manifolds<S> collide_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses,
                             trace::Pair* record) {
-    const ScenarioPair& pair = scenario_.pairs[index];
+    const ScenarioPair& pair = memory.pair;
     const Shape<S>&a = at(*shapes_, pair.a), &b = at(*shapes_, pair.b);
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
-    Memory<S>& memory = memories_[index];
     CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
     options.reduction.previous = memory.kept;
@@ -253,41 +278,43 @@ class Runner::In final : public Runner::InScalar {
                               collider_pose_at(shape, next), scenario_.dt);
     }
     std::vector<PairContacts<S>> pairs;
+    std::vector<PairImpulses<S>> impulses;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const ScenarioPair& pair = scenario_.pairs[i];
+      const ScenarioPair& pair = pairs_[i].pair;
       const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
         return std::pair((scenario_.shape(pair.a).*coefficient).value_or(otherwise),
                          (scenario_.shape(pair.b).*coefficient).value_or(otherwise));
       };
       const auto friction = own(&ScenarioShape::friction, scenario_.world.friction);
       const auto restitution = own(&ScenarioShape::restitution, scenario_.world.restitution);
-      pairs.push_back({pair.a, pair.b, acts_[i] ? &contacts[i] : nullptr,
+      impulses.push_back(std::move(pairs_[i].impulses));
+      pairs.push_back({pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr,
                        static_cast<S>(std::sqrt(friction.first * friction.second)),
                        static_cast<S>(std::max(restitution.first, restitution.second))});
     }
-    solve_step<S>(bodies_, pairs, impulses_, scenario_.world.gravity.cast<S>(), scenario_.solver,
+    solve_step<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
                   static_cast<S>(scenario_.dt));
     // A script knows where it is; steps would add up their rounding.
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!scenario_.shapes[i].dynamic())
         bodies_[i].place(collider_pose_at(scenario_.shapes[i], next).template cast<S>());
-    for (std::size_t i = 0; result && i < contacts.size(); ++i) {
-      record_impulses(contacts[i], impulses_[i], result->pairs[i]);
-      record_relative_velocities(scenario_.pairs[i], before, bodies_, result->pairs[i]);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      pairs_[i].impulses = std::move(impulses[i]);
+      if (!result) continue;
+      record_impulses(contacts[i], pairs_[i].impulses, result->pairs[i]);
+      record_relative_velocities(pairs_[i].pair, before, bodies_, result->pairs[i]);
     }
   }
 
   const Scenario& scenario_;
   trace::Stages stages_;
   bool dynamic_;                                         // some shape is moved by the solver
-  std::vector<bool> acts_;                               // one a pair: the solver gets its contacts
-  std::vector<bool> remembers_;                          // one a pair: it goes by the frame before
   std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
   // Before the next frame, all that it and the frames after it depend on:
   int next_ = 0;
-  std::vector<Body<S>> bodies_;            // one a shape; of dynamic scenarios alone
-  std::vector<PairImpulses<S>> impulses_;  // one a pair, likewise
-  std::vector<Memory<S>> memories_;        // one a pair
+  std::vector<Body<S>> bodies_;  // one a shape; of dynamic scenarios alone
+  std::vector<ActivePair<S>> pairs_;
+  PairChooser chooser_;
 };
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages) {

@@ -192,15 +192,19 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
                                 (scenario.frames - 1) * scenario.dt);
   PipelineSettings settings;
   file.read("pipeline", settings, read_pipeline);
-  if (const auto pairs = file.find("pairs"))
-    scenario.pairs = read_pairs(*pairs, scenario.shapes, settings);
-  else
-    scenario.pairs = every_pair(scenario.shapes, settings, shapes);
+  const auto pairs = file.find("pairs"), world = file.find("world");
+  scenario.broad_phase = read_broad_phase(world, pairs);
+  scenario.pairs = pairs ? read_pairs(*pairs, scenario.shapes, settings)
+                   : scenario.broad_phase.empty()
+                       ? every_pair(scenario.shapes, settings, shapes)
+                       : one_of_each_kind(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
+  scenario.pipeline = settings;
   leave_out_uncollided(scenario);
-  scenario.world = read_world(file.find("world"), scenario.up);
+  scenario.world = read_world(world, scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   warn_of_idle_keys(file, scenario);
+  if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they stood for their kinds
   scenario.views = {default_view()};
   file.read("views", scenario.views, read_views);
   if (const auto expect = file.find("expect"))

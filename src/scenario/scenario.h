@@ -130,7 +130,10 @@ struct Scenario {
   double dt = 1.0 / 60.0;  // seconds
   std::vector<ScenarioShape> shapes;
   Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
+  PipelineSettings pipeline;      // [pipeline]
   std::vector<ScenarioPair> pairs;
+  std::string
+      broad_phase;  // chooses the pairs of each frame, and none are listed; empty: none does
   WorldSettings world;
   SolverSettings solver;    // settled
   std::vector<View> views;  // at least one

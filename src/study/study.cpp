@@ -61,6 +61,11 @@ const std::vector<StudyInfo>& studies() {
        &study_manifold_stability},
       {"solver", "stacks by position method, warm starting, iterations and sub-steps",
        &study_solver},
+      {"overlap", "false positives of bounding volumes, and what a threshold on edge axes costs",
+       &study_overlap},
+      {"broad_phase",
+       "pairs of boxes that overlap: time, memory and comparisons by number of boxes",
+       &study_broad_phase},
   };
   return list;
 }

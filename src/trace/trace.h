@@ -58,6 +58,37 @@ struct Solver {
   friend bool operator==(const Solver&, const Solver&) = default;
 };
 
+/// A shape's box in the broad phase, under the shape's name.
+struct Bounds {
+  std::string name;
+  Box box;  // world, metres; with the margin that contacts are looked for within
+
+  static constexpr auto fields() {
+    return std::tuple(field::name(&Bounds::name), field::merged(&Bounds::box));
+  }
+  friend bool operator==(const Bounds&, const Bounds&) = default;
+};
+
+/// How the frame's pairs were chosen from all: those whose boxes overlap.
+struct BroadPhase {
+  std::string method;          // "tree", as `contactscope list broad_phases` names it
+  int pairs = 0;               // whose boxes overlap, and which make contacts
+  int comparisons = 0;         // of two boxes, in this frame
+  int visits = 0;              // of nodes, cells or columns
+  int swaps = 0;               // of neighbouring endpoints
+  std::vector<Bounds> bounds;  // of each shape, but for those without end
+
+  static constexpr auto fields() {
+    using B = BroadPhase;
+    return std::tuple(field::exact("method", &B::method), field::exact("pairs", &B::pairs),
+                      field::exact("comparisons", &B::comparisons).optional(),
+                      field::exact("visits", &B::visits).optional(),
+                      field::exact("swaps", &B::swaps).optional(),
+                      field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"));
+  }
+  friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
+};
+
 /// Columns for plots: sums over a frame. Of the points that the solver took, of all where there is
 /// no solver.
 struct Totals {
@@ -100,6 +131,7 @@ struct Frame {
   double time = 0;               // seconds
   std::vector<Placement> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
+  std::optional<BroadPhase> broad_phase{};  // where one chose the pairs
   std::optional<Solver> solver{};
   std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
 
@@ -109,6 +141,7 @@ struct Frame {
                       field::exact("time", &Frame::time),
                       field::facts("poses", &Frame::poses).entries("pose"),
                       field::facts("pairs", &Frame::pairs).entries("pair"),
+                      field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
                       field::fact("solver", &Frame::solver).apart("solver"),
                       field::fact("totals", &Frame::totals).apart("totals"));
   }

@@ -14,7 +14,7 @@ using Box = Aabb<double>;
 const Box kUnit{Vec3d(0, 0, 0), Vec3d(1, 1, 1)};
 
 template <class Part>
-Box merged(Box box, const Part& part) {
+Box grown(Box box, const Part& part) {
   box.include(part);
   return box;
 }
@@ -39,10 +39,10 @@ TEST(Aabb, AGapAlongOneAxisIsEnough) {
 TEST(Aabb, ABoxInsideAnotherOverlapsAndAddsNothing) {
   const Box inner{Vec3d(0.2, 0.2, 0.2), Vec3d(0.3, 1, 0.3)};
   EXPECT_TRUE(overlaps(kUnit, inner));
-  EXPECT_EQ(merged(kUnit, inner), kUnit);
-  EXPECT_EQ(merged(inner, kUnit), kUnit);
-  EXPECT_EQ(merged(kUnit, Vec3d(1, 0, 0.5)), kUnit);
-  EXPECT_NE(merged(kUnit, Vec3d(1.1, 0, 0.5)), kUnit);
+  EXPECT_EQ(grown(kUnit, inner), kUnit);
+  EXPECT_EQ(grown(inner, kUnit), kUnit);
+  EXPECT_EQ(grown(kUnit, Vec3d(1, 0, 0.5)), kUnit);
+  EXPECT_NE(grown(kUnit, Vec3d(1.1, 0, 0.5)), kUnit);
 }
 
 TEST(Aabb, TheEmptyBoxOverlapsNothingAndMergesIntoTheOther) {
@@ -51,8 +51,8 @@ TEST(Aabb, TheEmptyBoxOverlapsNothingAndMergesIntoTheOther) {
   EXPECT_FALSE(kUnit.empty());
   EXPECT_FALSE(overlaps(empty, kUnit));
   EXPECT_FALSE(overlaps(empty, empty));
-  EXPECT_EQ(merged(empty, kUnit), kUnit);
-  EXPECT_EQ(merged(kUnit, empty), kUnit);
+  EXPECT_EQ(grown(empty, kUnit), kUnit);
+  EXPECT_EQ(grown(kUnit, empty), kUnit);
   EXPECT_EQ(surface_area(empty), 0);
 }
 
@@ -72,7 +72,7 @@ TEST(Aabb, SurfaceAreaCountsAllSixSides) {
 }
 
 TEST(Aabb, MergingHoldsBothAndNoMore) {
-  EXPECT_EQ(merged(kUnit, Box{Vec3d(-1, 0.5, 2), Vec3d(0, 0.6, 3)}),
+  EXPECT_EQ(grown(kUnit, Box{Vec3d(-1, 0.5, 2), Vec3d(0, 0.6, 3)}),
             (Box{Vec3d(-1, 0, 0), Vec3d(1, 1, 3)}));
 }
 

@@ -21,7 +21,8 @@ struct CurveStyle {
 /// One colour for all series whose names begin alike.
 CurveStyle style_of(const trace::Study& study, const std::string& method) {
   if (method == study.signal) return {kDropped, true, true};
-  constexpr Color kColors[] = {rgb(0xD55E00), rgb(0x0072B2), rgb(0x009E73), rgb(0xCC79A7)};
+  constexpr Color kColors[] = {rgb(0xD55E00), rgb(0x0072B2), rgb(0x009E73),
+                               rgb(0xCC79A7), rgb(0xE69F00), rgb(0x56B4E9)};
   const auto stem_of = [](const std::string& name) { return name.substr(0, name.find(',')); };
   std::vector<std::string> stems;
   for (const trace::StudySeries& series : study.series) {

@@ -27,6 +27,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
 
 // By name; a whole stack as one entry.
 void explain_shapes(const Scene& scene, Legend& legend) {
+  if (scene.frame.broad_phase) return;  // no shape has a role
   for (const bool of_a : {true, false}) {
     std::vector<std::string> names;
     for (const PlacedShape& shape : scene.shapes) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/box_outline.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
@@ -10,24 +11,6 @@ constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kN
 constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
 constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
                              [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
-
-/// The twelve edges; of a flat box each but once.
-void outline(const trace::Box& box, const Pose<double>& pose, const LineStyle& style,
-             Sketch& sketch) {
-  int flat = 0;  // bits of the axes along which the box has no extent
-  for (int k = 0; k < 3; ++k) flat |= box.lower[k] == box.upper[k] ? 1 << k : 0;
-  // By bits: 1 the upper x, 2 the upper y, 4 the upper z.
-  const auto corner = [&](int bits) {
-    const Eigen::AlignedBox3d solid(box.lower, box.upper);
-    return pose.transform(solid.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)));
-  };
-  for (int bits = 0; bits < 8; ++bits) {
-    for (const int axis : {1, 2, 4}) {
-      if ((bits & axis) != 0 || ((bits | axis) & flat) != 0) continue;
-      sketch.line(corner(bits), corner(bits | axis), style);
-    }
-  }
-}
 
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = pair.tree ? scene.find(pair.tree->shape) : nullptr;

@@ -13,6 +13,7 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::AxisHistory, make_axis_history_panel},
     {Panel::Stability, make_stability_panel},
     {Panel::Plots, make_plots_panel},
+    {Panel::Pipeline, make_pipeline_panel},
 };
 
 }  // namespace

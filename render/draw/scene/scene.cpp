@@ -120,7 +120,8 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
   for (const trace::Pair& pair : frame.pairs) {
     for (const std::string* name : {&pair.a, &pair.b}) {
       const auto place = meshes.find(*name);
-      if (!place || has_role[*place]) continue;
+      // Where a broad phase chooses pairs, a role would come and go from frame to frame.
+      if (!place || has_role[*place] || frame.broad_phase) continue;
       placed[*place].is_a = name == &pair.a;
       has_role[*place] = true;
     }

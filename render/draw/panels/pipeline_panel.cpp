@@ -1,0 +1,93 @@
+#include <algorithm>
+
+#include "draw/panels/panel.h"
+
+/// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline", Gregorius
+/// 2015, "Collision Pipeline".
+namespace contactscope::draw {
+namespace {
+
+constexpr double kBarHeight = 10, kAfterBar = 6;  // pixels at 720 lines
+constexpr float kSpacing = 5;                     // likewise, between rows of a sheet
+
+struct StageCount {
+  std::string name;
+  int count;
+  Color color;
+};
+
+std::vector<StageCount> stages_of(const trace::Frame& frame) {
+  std::vector<StageCount> stages;
+  const int shapes = count_of(frame.poses);
+  if (frame.broad_phase) {
+    stages.push_back(
+        {"pairs of " + std::to_string(shapes) + " shapes", shapes * (shapes - 1) / 2, kShapeEdge});
+    stages.push_back(
+        {"pairs of boxes compared", frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
+    stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kSidePlane});
+  } else {
+    stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kSidePlane});
+  }
+  int touching = 0, points = 0;
+  for (const trace::Pair& pair : frame.pairs) {
+    touching += !pair.manifolds.empty();
+    for (const trace::Manifold& manifold : pair.manifolds) points += count_of(manifold.points);
+  }
+  stages.push_back({"pairs in contact", touching, with_alpha(kContact, 0.6f)});
+  stages.push_back({"contact points", points, kContact});
+  return stages;
+}
+
+class PipelinePanel : public PanelContent {
+ public:
+  PipelinePanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {
+    for (const trace::Frame& frame : frames)
+      for (const StageCount& stage : stages_of(frame)) most_ = std::max(most_, stage.count);
+  }
+
+  PanelNeed need(const PanelMoment& moment) const override {
+    const auto rows = static_cast<float>(stages_of(frames_[moment.frame]).size());
+    const float bar = static_cast<float>(kBarHeight + kAfterBar) * scale_;
+    const float height = Sheet::heading_height(scale_) +
+                         rows * (Sheet::line_height(scale_) + bar + kSpacing * scale_);
+    return {height, height, height, 0};
+  }
+
+  /// A bar a stage, from the same scale in every frame, so that a bar that grows is a count that does.
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    const trace::Frame& frame = frames_[moment.frame];
+    sheet.heading(frame.broad_phase ? "what each stage lets through: " + frame.broad_phase->method
+                                    : "what each stage lets through");
+    for (const StageCount& stage : stages_of(frame)) {
+      const Rect row = sheet.rest();
+      const Pen& pen = sheet.pen();
+      const std::string number = std::to_string(stage.count);
+      pen.text(number,
+               {static_cast<float>(row.right()),
+                static_cast<float>(row.y) + pen.px(1) + sheet.text_height() * 0.86f},
+               Align::Right, kText, Weight::Bold);
+      sheet.line(stage.name, kText);
+      const Rect rest = sheet.rest();
+      const double share = static_cast<double>(stage.count) / std::max(1, most_);
+      const double width = stage.count == 0 ? 0 : std::max(1.0, rest.width * share);
+      pen.fill({rest.x, rest.y, rest.width, pen.px(kBarHeight)}, with_alpha(kDropped, 0.1f));
+      pen.fill({rest.x, rest.y, width, pen.px(kBarHeight)}, stage.color);
+      sheet.skip(pen.px(kBarHeight + kAfterBar));
+    }
+    return {};
+  }
+
+ private:
+  const Frames& frames_;
+  float scale_;
+  int most_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_pipeline_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<PipelinePanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/aabb.h"
+
+namespace contactscope {
+
+/// Two boxes of a broad phase, by their handles; a < b.
+struct BoxPair {
+  int a = 0;
+  int b = 0;
+  friend auto operator<=>(const BoxPair&, const BoxPair&) = default;
+};
+
+/// Both ascending.
+struct PairChanges {
+  std::vector<BoxPair> begun;
+  std::vector<BoxPair> ended;
+};
+
+/// Work that a broad phase did since it was made: what its time is spent on, whatever the machine.
+struct BroadPhaseCounts {
+  std::int64_t comparisons = 0;  // of two boxes
+  std::int64_t visits = 0;       // of cells, nodes or columns
+  std::int64_t swaps = 0;        // of neighbouring endpoints, by sweep and prune
+};
+
+/// Finds which of many boxes overlap. Boxes are closed: those that touch overlap, as in the narrow
+/// phase, so that no contact at distance zero is lost between the two. A box may be infinite, as
+/// that of a plane is.
+///
+/// Boxes are in float, metres. Round those of a scene in double outwards: outward_box().
+class BroadPhase {
+ public:
+  virtual ~BroadPhase() = default;
+  BroadPhase& operator=(const BroadPhase&) = delete;
+  /// Another one with the same boxes, which goes on by itself.
+  virtual std::unique_ptr<BroadPhase> clone() const = 0;
+
+  /// Returns the handle of the box: the number of a box that was removed, or the next one.
+  /// Throws std::invalid_argument for an empty box or one with NaN; then nothing changes.
+  int add(const Aabb<float>& box);
+  /// As far as one likes. Throws as add() does.
+  void move(int handle, const Aabb<float>& box);
+  void remove(int handle);
+
+  /// Every pair that overlaps now, ascending.
+  std::vector<BoxPair> pairs();
+  /// Which pairs overlap that did not when this was called last, and the reverse. A handle that was
+  /// given away again counts as the same box.
+  PairChanges changes();
+  /// Handles of the boxes that overlap `box`, ascending.
+  std::vector<int> query(const Aabb<float>& box) const;
+
+  bool has(int handle) const;
+  const Aabb<float>& box(int handle) const { return boxes_[static_cast<std::size_t>(handle)]; }
+  /// One past the largest handle there ever was.
+  int handles() const { return static_cast<int>(boxes_.size()); }
+  const BroadPhaseCounts& counts() const { return counts_; }
+  /// Bytes that it holds, with room that its lists keep for more.
+  std::size_t memory() const;
+
+ protected:
+  BroadPhase() = default;
+  BroadPhase(const BroadPhase&) = default;
+
+  /// A box came, has another place than `from`, or is about to go.
+  virtual void added(int /*handle*/) {}
+  virtual void moved(int /*handle*/, const Aabb<float>& /*from*/) {}
+  virtual void removing(int /*handle*/) {}
+  /// Appends every overlapping pair once, in any order, by report().
+  virtual void find_pairs() = 0;
+  /// Appends to `found` every box that overlaps, once, in any order. Where there is no structure for
+  /// it: looks at all of them.
+  virtual void find(const Aabb<float>& box, std::vector<int>& found) const;
+  virtual std::size_t own_memory() const { return 0; }
+
+  void report(int i, int j) { found_.push_back(i < j ? BoxPair{i, j} : BoxPair{j, i}); }
+  /// Reports i and j if their boxes overlap.
+  void compare(int i, int j) {
+    ++counts_.comparisons;
+    if (overlaps(box(i), box(j))) report(i, j);
+  }
+
+  mutable BroadPhaseCounts counts_;
+
+ private:
+  std::vector<Aabb<float>> boxes_;  // by handle; empty where there is none
+  std::vector<int> free_;
+  std::vector<BoxPair> found_;
+  std::vector<BoxPair> last_;  // of changes()
+};
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& list) {
+  return list.capacity() * sizeof(T);
+}
+
+/// Boxes beyond this, in metres, and infinite ones have areas and cells that float cannot count.
+/// Whatever divides space keeps them in a list and compares them with every other box.
+inline constexpr float kLargestCoordinate = 1e15f;
+bool is_bounded(const Aabb<float>& box);
+
+/// The smallest box in float around one in double.
+Aabb<float> outward_box(const Aabb<double>& box);
+
+/// What clone() and BroadPhaseInfo::make are made of: `class Tree : public Clonable<Tree>`.
+template <class Derived>
+class Clonable : public BroadPhase {
+ public:
+  std::unique_ptr<BroadPhase> clone() const override {
+    return std::make_unique<Derived>(static_cast<const Derived&>(*this));
+  }
+};
+
+struct BroadPhaseInfo {
+  std::string name;
+  std::string summary;  // one line
+  std::unique_ptr<BroadPhase> (*make)();
+};
+
+/// A row of the table for one of them.
+template <class Derived>
+BroadPhaseInfo info_of(const char* name, const char* summary) {
+  return {name, summary, [] { return std::unique_ptr<BroadPhase>(std::make_unique<Derived>()); }};
+}
+
+/// Every broad phase, in the order in which to list them.
+const std::vector<BroadPhaseInfo>& broad_phases();
+
+/// A broad phase by name; nullptr when there is none such.
+std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name);
+
+}  // namespace contactscope

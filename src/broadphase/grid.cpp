@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "broadphase/broad_phase.h"
+#include "core/at.h"
+
+namespace contactscope {
+namespace {
+
+using Cell = std::array<std::int32_t, 3>;
+
+/// A box over more cells than this is compared with all others instead.
+constexpr std::int64_t kMostCells = 64;
+/// Of the median of the boxes' largest sides. With 1 a box of that size lies in up to eight cells,
+/// and a larger cell holds more boxes that do not meet.
+constexpr float kCellOfMedian = 1.5f;
+
+/// A uniform grid without end, whose cells are kept in a hash table: right where boxes are of
+/// similar size. Cells are as large as the boxes want them and made anew for each call, as many
+/// boxes as there are.
+///
+/// A pair is reported in one cell only, the one that holds the lowest corner of what both share.
+/// Boxes that are far larger than a cell, or infinite, are compared with all.
+/// Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable
+/// Objects".
+class Grid : public Clonable<Grid> {
+  struct Entry {
+    Cell cell;
+    int handle;
+  };
+
+  void find_pairs() override {
+    choose_cells();
+    sort_into_cells();
+    for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
+      for (int i = first_[bucket]; i < first_[bucket + 1]; ++i) {
+        for (int j = i + 1; j < first_[bucket + 1]; ++j)
+          compare_in_cell(at(sorted_, i), at(sorted_, j));
+      }
+    }
+    for (std::size_t k = 0; k < large_.size(); ++k) {
+      for (int other = 0; other < handles(); ++other) {
+        if (!has(other) || other == large_[k]) continue;
+        const bool is_large = std::ranges::binary_search(large_, other);
+        if (!is_large || other > large_[k]) compare(large_[k], other);
+      }
+    }
+  }
+
+  void choose_cells() {
+    sides_.clear();
+    for (int i = 0; i < handles(); ++i) {
+      if (has(i) && is_bounded(box(i))) sides_.push_back(box(i).extent().maxCoeff());
+    }
+    cell_ = 1;
+    if (sides_.empty()) return;
+    const auto middle = sides_.begin() + static_cast<std::ptrdiff_t>(sides_.size() / 2);
+    std::nth_element(sides_.begin(), middle, sides_.end());
+    // Where most boxes are points, any cell does; it must only not be so small that the cells of
+    // the others cannot be counted.
+    const float largest = *std::max_element(middle, sides_.end());
+    cell_ = std::max({kCellOfMedian * *middle, largest / 1024, 1e-30f});
+  }
+
+  /// False where the coordinate has no number.
+  bool cell_at(const Vec3<float>& point, Cell& cell) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float number = std::floor(point[axis] / cell_);
+      if (!(std::abs(number) < 1e9f)) return false;
+      cell[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(number);
+    }
+    return true;
+  }
+
+  void sort_into_cells() {
+    entries_.clear();
+    large_.clear();
+    for (int i = 0; i < handles(); ++i) {
+      if (!has(i)) continue;
+      Cell lower{}, upper{};
+      std::int64_t cells = kMostCells + 1;
+      if (is_bounded(box(i)) && cell_at(box(i).lower, lower) && cell_at(box(i).upper, upper)) {
+        cells = 1;
+        for (std::size_t axis = 0; axis < 3 && cells <= kMostCells; ++axis)
+          cells *= std::int64_t{upper[axis]} - lower[axis] + 1;
+      }
+      if (cells > kMostCells) {
+        large_.push_back(i);
+        continue;
+      }
+      for (std::int32_t x = lower[0]; x <= upper[0]; ++x) {
+        for (std::int32_t y = lower[1]; y <= upper[1]; ++y) {
+          for (std::int32_t z = lower[2]; z <= upper[2]; ++z) entries_.push_back({{x, y, z}, i});
+        }
+      }
+    }
+    counts_.visits += static_cast<std::int64_t>(entries_.size());
+
+    // A counting sort by bucket: those of one bucket stand side by side.
+    std::size_t buckets = 1;
+    while (buckets < entries_.size()) buckets *= 2;
+    first_.assign(buckets + 1, 0);
+    const auto bucket_of = [&](const Cell& cell) {
+      const auto part = [&](std::size_t axis, std::uint32_t prime) {
+        return static_cast<std::uint32_t>(cell[axis]) * prime;
+      };
+      std::uint32_t hash = part(0, 73856093u) ^ part(1, 19349663u) ^ part(2, 83492791u);
+      hash ^= hash >> 15;
+      return static_cast<std::size_t>(hash) & (buckets - 1);
+    };
+    for (const Entry& entry : entries_) ++first_[bucket_of(entry.cell) + 1];
+    for (std::size_t b = 1; b <= buckets; ++b) first_[b] += first_[b - 1];
+    sorted_.resize(entries_.size());
+    std::vector<int>& next = next_;
+    next = first_;
+    for (const Entry& entry : entries_) at(sorted_, next[bucket_of(entry.cell)]++) = entry;
+  }
+
+  void compare_in_cell(const Entry& i, const Entry& j) {
+    if (i.cell != j.cell) return;  // their cells share a bucket
+    ++counts_.comparisons;
+    const Aabb<float>&a = box(i.handle), &b = box(j.handle);
+    Cell home{};
+    if (!overlaps(a, b) || !cell_at(a.lower.cwiseMax(b.lower), home) || home != i.cell) return;
+    report(i.handle, j.handle);
+  }
+
+  std::size_t own_memory() const override {
+    return bytes_of(sides_) + bytes_of(entries_) + bytes_of(sorted_) + bytes_of(first_) +
+           bytes_of(next_) + bytes_of(large_);
+  }
+
+  float cell_ = 1;  // metres
+  std::vector<float> sides_;
+  std::vector<Entry> entries_, sorted_;
+  std::vector<int> first_, next_;  // entry of each bucket
+  std::vector<int> large_;         // ascending
+};
+
+}  // namespace
+
+BroadPhaseInfo grid_broad_phase() {
+  return info_of<Grid>("grid",
+                       "a uniform grid, its cells in a hash table: for boxes of similar size");
+}
+
+}  // namespace contactscope

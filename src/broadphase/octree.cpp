@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <array>
+
+#include "broadphase/broad_phase.h"
+#include "core/at.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kDeepestLevel = 24;  // halvings of the root: boxes a ten-millionth of it share a node
+
+/// A loose octree: each box hangs in the node of its size that holds its centre, and a node reaches
+/// as far as the boxes below it do, half of its side at most. A box is in one node, found without
+/// looking at others, and stays there while its centre does: right where the density varies. The
+/// root doubles until it holds every centre. Boxes without end are compared with all.
+/// Source: Ulrich 2000, "Loose Octrees", Game Programming Gems 1.
+class Octree : public Clonable<Octree> {
+  struct Node {
+    int parent = -1;
+    std::array<int, 8> children = {-1, -1, -1, -1, -1, -1, -1, -1};
+    int below = 0;          // boxes in it and under it
+    Aabb<float> reach;      // around those boxes, and perhaps around some that have left
+    std::vector<int> here;  // handles
+  };
+  /// Where a node's centres lie: metres, half of its side.
+  struct Cube {
+    Vec3<float> center = Vec3<float>::Zero();
+    float half = 0;
+
+    int octant(const Vec3<float>& point) const {
+      return (point.x() >= center.x()) + 2 * (point.y() >= center.y()) +
+             4 * (point.z() >= center.z());
+    }
+    Cube child(int octant) const {
+      const float q = 0.5f * half;
+      return {center + Vec3<float>(octant & 1 ? q : -q, octant & 2 ? q : -q, octant & 4 ? q : -q),
+              q};
+    }
+    bool holds(const Vec3<float>& point) const {
+      return (point - center).cwiseAbs().maxCoeff() <= half;
+    }
+  };
+
+  void added(int handle) override {
+    homes_.resize(static_cast<std::size_t>(handles()), -1);
+    const Aabb<float>& added = box(handle);
+    if (!is_bounded(added)) {
+      endless_.push_back(handle);
+      at(homes_, handle) = -1;
+      return;
+    }
+    const Vec3<float> center = added.center();
+    const float half = 0.5f * added.extent().maxCoeff();
+    if (root_ < 0) {
+      root_ = new_node(-1);
+      cube_ = {center, std::max(half, 1e-30f)};
+    }
+    while (!cube_.holds(center) || cube_.half < half) grow(center);
+
+    int node = root_;
+    Cube cube = cube_;
+    for (int depth = 0; depth < kDeepestLevel && 0.5f * cube.half >= half; ++depth) {
+      count_in(node, handle);
+      const int octant = cube.octant(center);
+      cube = cube.child(octant);
+      if (at(at(nodes_, node).children, octant) < 0) {
+        const int child = new_node(node);
+        at(at(nodes_, node).children, octant) = child;
+      }
+      node = at(at(nodes_, node).children, octant);
+    }
+    count_in(node, handle);
+    at(nodes_, node).here.push_back(handle);
+    at(homes_, handle) = node;
+  }
+
+  void moved(int handle, const Aabb<float>& /*from*/) override {
+    removing(handle);
+    added(handle);
+  }
+
+  void removing(int handle) override {
+    int node = at(homes_, handle);
+    std::vector<int>& list = node < 0 ? endless_ : at(nodes_, node).here;
+    *std::ranges::find(list, handle) = list.back();
+    list.pop_back();
+    for (; node >= 0; node = at(nodes_, node).parent) {
+      if (--at(nodes_, node).below == 0) at(nodes_, node).reach = {};
+    }
+  }
+
+  void find_pairs() override {
+    for (int i = 0; i < handles(); ++i) {
+      if (!has(i)) continue;
+      if (at(homes_, i) < 0) {
+        for (int j = 0; j < handles(); ++j) {
+          // Of two that both are without end, the first one reports.
+          if (has(j) && j != i && (at(homes_, j) >= 0 || j > i)) compare(i, j);
+        }
+        continue;
+      }
+      visit(box(i), [&](int j) {
+        if (j > i) compare(i, j);
+      });
+    }
+  }
+
+  void find(const Aabb<float>& box, std::vector<int>& found) const override {
+    const auto test = [&](int handle) {
+      ++counts_.comparisons;
+      if (overlaps(this->box(handle), box)) found.push_back(handle);
+    };
+    for (const int handle : endless_) test(handle);
+    visit(box, test);
+  }
+
+  /// Calls test(handle) for all that hang in nodes that reach into a box.
+  template <class Test>
+  void visit(const Aabb<float>& box, Test&& test) const {
+    std::vector<int>& open = open_;
+    open.clear();
+    if (root_ >= 0) open.push_back(root_);
+    while (!open.empty()) {
+      const Node& node = at(nodes_, open.back());
+      open.pop_back();
+      ++counts_.visits;
+      if (!overlaps(node.reach, box)) continue;
+      for (const int handle : node.here) test(handle);
+      for (const int child : node.children) {
+        if (child >= 0 && at(nodes_, child).below > 0) open.push_back(child);
+      }
+    }
+  }
+
+  int new_node(int parent) {
+    nodes_.emplace_back().parent = parent;
+    return count_of(nodes_) - 1;
+  }
+
+  void count_in(int node, int handle) {
+    ++at(nodes_, node).below;
+    at(nodes_, node).reach.include(box(handle));
+  }
+
+  /// Makes the root a child of one of twice its side that reaches towards a point.
+  void grow(const Vec3<float>& towards) {
+    Cube larger = {cube_.center, 2 * cube_.half};
+    for (int i = 0; i < 3; ++i)
+      larger.center[i] += towards[i] >= cube_.center[i] ? cube_.half : -cube_.half;
+    if (at(nodes_, root_).below > 0) {
+      const int above = new_node(-1);
+      at(nodes_, above).below = at(nodes_, root_).below;
+      at(nodes_, above).reach = at(nodes_, root_).reach;
+      at(at(nodes_, above).children, larger.octant(cube_.center)) = root_;
+      at(nodes_, root_).parent = above;
+      root_ = above;
+    }
+    cube_ = larger;
+  }
+
+  std::size_t own_memory() const override {
+    std::size_t bytes = bytes_of(nodes_) + bytes_of(homes_) + bytes_of(endless_) + bytes_of(open_);
+    for (const Node& node : nodes_) bytes += bytes_of(node.here);
+    return bytes;
+  }
+
+  std::vector<Node> nodes_;
+  int root_ = -1;
+  Cube cube_;               // of the root
+  std::vector<int> homes_;  // node of each handle; -1 of boxes without end
+  std::vector<int> endless_;
+  mutable std::vector<int> open_;  // nodes that a search has yet to look at
+};
+
+}  // namespace
+
+BroadPhaseInfo octree_broad_phase() {
+  return info_of<Octree>("octree",
+                         "a loose octree, a box in the node of its size: for varying density");
+}
+
+}  // namespace contactscope

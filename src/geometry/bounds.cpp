@@ -1,0 +1,301 @@
+#include "geometry/bounds.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "core/convex_polygon.h"
+#include "geometry/extended.h"
+
+namespace contactscope {
+namespace {
+
+using Extended = Vec3<long double>;
+
+/// A box must have a surface this much smaller to be preferred to an earlier one.
+constexpr double kBetter = 1 - 1e-9;
+/// Pairs of edges grow with the square.
+constexpr int kMostPairedEdges = 64;
+
+/// Along axes that are orthonormal but for rounding, which the box then has.
+template <class S>
+Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>> points) {
+  const Mat3<long double> columns = axes.template cast<long double>();
+  const Mat3<long double> to_axes = columns.inverse();
+  Aabb<long double> extents;
+  for (const Vec3<S>& point : points) {
+    const Extended local = to_axes * point.template cast<long double>();
+    extents.include(local);
+  }
+  const Extended middle = columns * extents.center();
+  Obb<S> box{middle.cast<S>(), axes, Vec3<S>::Zero()};
+  // The rounded middle is not quite in the middle, and seen from there a place far from the origin
+  // costs no digits.
+  Extended reach = Extended::Zero();
+  for (const Vec3<S>& point : points) {
+    const Extended way =
+        point.template cast<long double>() - box.center.template cast<long double>();
+    reach = reach.cwiseMax(Extended(to_axes * way).cwiseAbs());
+  }
+  for (int k = 0; k < 3; ++k) box.half_extents[k] = rounded_up<S>(reach[k]);
+  return box;
+}
+
+double half_surface(const Vec3d& extents) {
+  return extents.x() * extents.y() + extents.y() * extents.z() + extents.z() * extents.x();
+}
+
+/// The smallest of the boxes that it is offered, by axes.
+class SmallestBox {
+ public:
+  explicit SmallestBox(std::span<const Vec3d> points) : points_(points) {}
+
+  /// Axes are orthonormal columns.
+  void offer(const Mat3<double>& axes) {
+    Aabb<double> extents;
+    for (const Vec3d& point : points_) {
+      const Vec3d local = axes.transpose() * point;
+      extents.include(local);
+    }
+    keep(half_surface(extents.extent()), axes);
+  }
+
+  /// About `normal`, of length > 0, along the side of the outline that gives the smallest surface.
+  void offer_about(const Vec3d& normal) {
+    const PlaneFrame<double> plane(points_[0], normal.normalized());
+    const Vec3d across = plane.u.cross(plane.v);
+    const std::vector<Vec2d> seen = mapped(points_, [&](const Vec3d& p) { return plane.seen(p); });
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3d& point : points_) {
+      low = std::min(low, across.dot(point));
+      high = std::max(high, across.dot(point));
+    }
+    const std::vector<Vec2d> outline = convex_polygon(seen);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2d side = outline[(i + 1) % outline.size()] - outline[i];
+      if (!(side.norm() > 0)) continue;
+      const Vec2d along = side.normalized(), up(-along.y(), along.x());
+      Vec2d lower = Vec2d::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+      for (const Vec2d& corner : outline) {
+        const Vec2d local(along.dot(corner), up.dot(corner));
+        lower = lower.cwiseMin(local);
+        upper = upper.cwiseMax(local);
+      }
+      const Vec2d extent = upper - lower;
+      Mat3<double> axes;
+      axes.col(0) = along.x() * plane.u + along.y() * plane.v;
+      axes.col(1) = up.x() * plane.u + up.y() * plane.v;
+      axes.col(2) = across;
+      keep(half_surface({extent.x(), extent.y(), high - low}), axes);
+    }
+  }
+
+  /// Made orthonormal to the last digit, which a chain of products above is not.
+  Mat3<double> axes() const {
+    if (axes_.isIdentity(0)) return axes_;
+    return Quatd(axes_).normalized().toRotationMatrix();
+  }
+
+ private:
+  void keep(double surface, const Mat3<double>& axes) {
+    if (!(surface < kBetter * surface_)) return;
+    surface_ = surface;
+    axes_ = axes;
+  }
+
+  std::span<const Vec3d> points_;
+  Mat3<double> axes_ = Mat3<double>::Identity();
+  double surface_ = std::numeric_limits<double>::infinity();
+};
+
+/// Eigenvectors of the second moments of the surface about its middle, each triangle evenly filled.
+class Principal {
+ public:
+  void add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const double area = Vec3d((b - a).cross(c - a)).norm();
+    const Vec3d sum = a + b + c;
+    area_ += area;
+    first_ += area / 3 * sum;
+    second_ += area / 12 *
+               (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  Mat3<double> axes() const {
+    if (!(area_ > 0)) return Mat3<double>::Identity();
+    const Vec3d middle = first_ / area_;
+    const Mat3<double> moments = second_ / area_ - middle * middle.transpose();
+    Mat3<double> axes = Eigen::SelfAdjointEigenSolver<Mat3<double>>(moments).eigenvectors();
+    if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
+    return axes;
+  }
+
+ private:
+  double area_ = 0;
+  Vec3d first_ = Vec3d::Zero();
+  Mat3<double> second_ = Mat3<double>::Zero();
+};
+
+/// The vertices from the first of them, in double: what is chosen from far away loses no digits.
+template <class S>
+std::vector<Vec3d> near_origin(const std::vector<Vec3<S>>& vertices) {
+  return mapped(vertices, [&](const Vec3<S>& vertex) -> Vec3d {
+    return vertex.template cast<double>() - vertices.front().template cast<double>();
+  });
+}
+
+template <class S>
+Obb<S> box_of_vertices(const SmallestBox& smallest, const std::vector<Vec3<S>>& vertices) {
+  return box_along<S>(smallest.axes().template cast<S>(), vertices);
+}
+
+template <class S>
+Obb<S> obb_of_kind(const Hull<S>& hull) {
+  const std::vector<Vec3d> points = near_origin(hull.vertices);
+  SmallestBox smallest(points);
+  smallest.offer(Mat3<double>::Identity());
+  Principal principal;
+  for (int face = 0; face < hull.face_count(); ++face) {
+    const std::vector<int> corners = face_vertices(hull, face);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      principal.add(at(points, corners[0]), at(points, corners[k - 1]), at(points, corners[k]));
+  }
+  smallest.offer(principal.axes());
+  for (const Plane<S>& plane : hull.planes)
+    smallest.offer_about(plane.normal.template cast<double>());
+  if (hull.edge_count() > kMostPairedEdges) return box_of_vertices(smallest, hull.vertices);
+  const auto direction = [&](int edge) -> Vec3d {
+    const Vec3<S> along = hull.target(2 * edge) - hull.origin(2 * edge);
+    return along.template cast<double>().normalized();
+  };
+  for (int one = 0; one < hull.edge_count(); ++one) {
+    for (int other = 0; other < one; ++other) {
+      const Vec3d normal = direction(one).cross(direction(other));
+      if (normal.norm() > 1e-3) smallest.offer_about(normal);
+    }
+  }
+  return box_of_vertices(smallest, hull.vertices);
+}
+
+template <class S>
+Obb<S> obb_of_kind(const Mesh<S>& mesh) {
+  const std::vector<Vec3d> points = near_origin(mesh.vertices);
+  SmallestBox smallest(points);
+  smallest.offer(Mat3<double>::Identity());
+  Principal principal;
+  for (const std::array<int, 3>& corners : mesh.triangles)
+    principal.add(at(points, corners[0]), at(points, corners[1]), at(points, corners[2]));
+  smallest.offer(principal.axes());
+  return box_of_vertices(smallest, mesh.vertices);
+}
+
+template <class S>
+Obb<S> obb_of_kind(const Sphere<S>& sphere) {
+  return {Vec3<S>::Zero(), Mat3<S>::Identity(), Vec3<S>::Constant(sphere.radius)};
+}
+
+template <class S>
+Obb<S> obb_of_kind(const Capsule<S>& capsule) {
+  const Vec3d along = (capsule.points[1] - capsule.points[0]).template cast<double>();
+  Mat3<double> axes = Mat3<double>::Identity();
+  const bool along_axis = (along.array() != 0).count() < 2;
+  if (!along_axis) {
+    axes.col(0) = along.normalized();
+    axes.col(1) = any_perpendicular<double>(axes.col(0));
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+  }
+  Obb<S> box = box_along<S>(axes.template cast<S>(), capsule.points);
+  // The axes may be longer than 1 or shorter, or lean, by rounding; a ball needs that much more of
+  // them.
+  const Extended radius = Extended::Constant(capsule.radius);
+  const long double more = along_axis ? 1 : 1 + 8 * std::numeric_limits<S>::epsilon();
+  for (int k = 0; k < 3; ++k)
+    box.half_extents[k] = rounded_up<S>((long double)(box.half_extents[k]) + more * radius[k]);
+  return box;
+}
+
+template <class S>
+Aabb<S> aabb_of_points(std::span<const Vec3<S>> points, const Pose<S>& pose, S radius) {
+  Aabb<S> box;
+  for (const Vec3<S>& point : points) box.include(pose.transform(point));
+  for (int k = 0; k < 3 && radius > 0; ++k) {
+    box.lower[k] = -rounded_up<S>((long double)(radius)-box.lower[k]);
+    box.upper[k] = rounded_up<S>((long double)(radius) + box.upper[k]);
+  }
+  return box;
+}
+
+template <class S>
+std::span<const Vec3<S>> points_of(const Hull<S>& hull) {
+  return hull.vertices;
+}
+template <class S>
+std::span<const Vec3<S>> points_of(const Mesh<S>& mesh) {
+  return mesh.vertices;
+}
+template <class S>
+std::span<const Vec3<S>> points_of(const Capsule<S>& capsule) {
+  return capsule.points;
+}
+template <class S>
+std::span<const Vec3<S>> points_of(const Sphere<S>&) {
+  static const Vec3<S> middle = Vec3<S>::Zero();
+  return {&middle, 1};
+}
+
+template <class S, class Kind>
+S radius_of(const Kind& kind) {
+  if constexpr (requires { kind.vertices; }) {
+    return 0;
+  } else {
+    return kind.radius;
+  }
+}
+
+/// What `make` makes of any shape with an end.
+template <class Bound, class S, class Make>
+std::optional<Bound> bound_of(const Shape<S>& shape, const Make& make) {
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) -> std::optional<Bound> {
+        if constexpr (std::is_same_v<Kind, HalfSpace<S>>) {
+          return std::nullopt;
+        } else {
+          return make(kind);
+        }
+      },
+      shape);
+}
+
+}  // namespace
+
+template <class S>
+std::optional<Aabb<S>> aabb_of(const Shape<S>& shape, const Pose<S>& pose) {
+  return bound_of<Aabb<S>>(shape, [&]<class Kind>(const Kind& kind) {
+    return aabb_of_points<S>(points_of(kind), pose, radius_of<S>(kind));
+  });
+}
+
+template <class S>
+std::optional<Obb<S>> obb_of(const Shape<S>& shape) {
+  return bound_of<Obb<S>>(shape, [](const auto& kind) { return obb_of_kind(kind); });
+}
+
+template <class S>
+std::optional<BoundingSphere<S>> bounding_sphere_of(const Shape<S>& shape) {
+  return bound_of<BoundingSphere<S>>(shape, []<class Kind>(const Kind& kind) {
+    BoundingSphere<S> sphere = sphere_around<S>(points_of(kind));
+    sphere.radius = rounded_up<S>((long double)(sphere.radius) + radius_of<S>(kind));
+    return sphere;
+  });
+}
+
+template decltype(aabb_of<float>) aabb_of<float>;
+template decltype(aabb_of<double>) aabb_of<double>;
+template decltype(bounding_sphere_of<float>) bounding_sphere_of<float>;
+template decltype(bounding_sphere_of<double>) bounding_sphere_of<double>;
+template std::optional<Obb<float>> obb_of<float>(const Shape<float>&);
+template std::optional<Obb<double>> obb_of<double>(const Shape<double>&);
+
+}  // namespace contactscope

@@ -1,0 +1,116 @@
+#include "manifold/capabilities.h"
+
+#include <utility>
+
+#include "manifold/dispatch.h"
+
+namespace contactscope {
+namespace {
+
+/// What a method answers where it knows the shapes, and why it does not answer the rest.
+struct MethodRow {
+  bool answers[kQueryKinds];  // overlap, touching, distance, penetration, manifold
+  const char* otherwise;
+};
+
+constexpr const char* kYesOrNo =
+    "an overlap test of bounds says yes or no; ask the shapes themselves for more";
+constexpr const char* kOnePointApart =
+    "it finds a normal and a depth, and no points; ask \"contacts\", which clips the features "
+    "there";
+
+constexpr MethodRow kRows[kQueryMethods] = {
+    {{true, true, false, false, false}, kYesOrNo},
+    {{true, true, false, false, false}, kYesOrNo},
+    {{true, true, false, false, false}, kYesOrNo},
+    {{true, true, true, false, false},
+     "GJK ends where the shapes overlap, and finds one pair of points where they do not; ask "
+     "\"sat\" or \"epa\" for the depth, \"contacts\" for a manifold"},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, false}, kOnePointApart},
+    {{true, true, false, true, true},
+     "contacts end where the shapes are apart by more than the margin; ask \"gjk\" for a distance"},
+};
+
+constexpr const char* kNoDistance =
+    "the largest gap over its axes is less than the distance where corners are closest; ask "
+    "\"gjk\"";
+
+constexpr const char* kNoTouch =
+    "of two shapes without a radius GJK says that they meet, touching or not; ask \"sat\" or "
+    "\"contacts\"";
+
+bool is_convex(ShapeKind kind) {
+  return kind <= ShapeKind::Hull;
+}
+
+bool is_bound(QueryMethod method) {
+  return method <= QueryMethod::BoundingSphere;
+}
+
+/// Why a method does not know two shapes of these kinds; null where it does. `one` comes before
+/// `other` in the table.
+const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
+  if (is_bound(method)) {
+    return one == ShapeKind::Plane || other == ShapeKind::Plane
+               ? "a plane has no end, and so no bounds; leave it out of the broad phase"
+               : nullptr;
+  }
+  if (method == QueryMethod::Contacts) {
+    if (can_collide(one, other)) return nullptr;
+    if (one == ShapeKind::Plane && other == ShapeKind::Plane)
+      return "two planes have no end: they overlap or are parallel";
+    if (one == ShapeKind::Plane)
+      return "a plane and a mesh both stand for the ground; use a hull for what lies on it";
+    return "two meshes are surfaces, without an inside that a depth could be measured in; ask for "
+           "the "
+           "overlap of their triangles";
+  }
+  if (!is_convex(other)) {
+    return other == ShapeKind::Plane
+               ? "a plane has no end, and so no farthest point along a direction; ask \"contacts\""
+               : "a mesh is not convex; ask \"contacts\", which works on its triangles";
+  }
+  if (method == QueryMethod::Gjk) return nullptr;
+  return one == ShapeKind::Hull
+             ? nullptr
+             : "the core of a sphere or a capsule has no volume, and its depth is "
+               "the radius less a distance; ask \"contacts\"";
+}
+
+}  // namespace
+
+std::optional<std::string> refusal(QueryMethod method, QueryKind query, ShapeKind one,
+                                   ShapeKind other) {
+  if (one > other) std::swap(one, other);
+  if (const char* reason = unknown_shapes(method, one, other)) return reason;
+  if (method == QueryMethod::Gjk && query == QueryKind::Touching && one == ShapeKind::Hull)
+    return kNoTouch;
+  const MethodRow& row = kRows[static_cast<int>(method)];
+  if (row.answers[static_cast<int>(query)]) return std::nullopt;
+  const bool searches_depth = method >= QueryMethod::Sat && method <= QueryMethod::Sampling;
+  return searches_depth && query == QueryKind::Distance ? kNoDistance : row.otherwise;
+}
+
+std::vector<QueryMethod> methods_for(QueryKind query, ShapeKind one, ShapeKind other) {
+  std::vector<QueryMethod> methods;
+  for (int m = static_cast<int>(QueryMethod::Gjk); m < kQueryMethods; ++m) {
+    const auto method = static_cast<QueryMethod>(m);
+    if (!refusal(method, query, one, other)) methods.push_back(method);
+  }
+  return methods;
+}
+
+std::optional<std::string> refusal(QueryKind query, ShapeKind one, ShapeKind other) {
+  if (!methods_for(query, one, other).empty()) return std::nullopt;
+  // Contacts know every pair that anything here knows.
+  return refusal(QueryMethod::Contacts, QueryKind::Manifold, one, other)
+      .value_or(query == QueryKind::Distance && !(is_convex(one) && is_convex(other))
+                    ? "the distance from a plane or a mesh is not known beyond the margin of its "
+                      "contacts; ask for \"manifold\" and read its separations"
+                    : "nothing here answers that");
+}
+
+}  // namespace contactscope

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "core/pack.h"
+#include "geometry/obb.h"
+
+/// The fifteen axes of two oriented boxes side by side, three to a pack: Gottschalk, Lin and
+/// Manocha
+/// 1996. Everything in A's frame, where the axes of A are the coordinate axes and those of B the
+///    columns
+/// of R = A^T B. The cross product of axis i of A and axis j of B then has the entries of column j
+/// of R turned by 90 degrees about axis i, and it projects both boxes by entries of R as well.
+namespace contactscope::boxes {
+
+/// Three numbers side by side. What the fourth lane holds means nothing, NaN included.
+template <class S>
+using Three = typename lanes::Vector<S, 4>::Type;
+
+/// The lanes from S number `first` of a box on, as it lies in memory: center, axes, half_extents.
+template <class S>
+[[gnu::always_inline]] inline Three<S> load(const Obb<S>& box, int first) {
+  static_assert(sizeof(Obb<S>) == 15 * sizeof(S) && std::is_standard_layout_v<Obb<S>>);
+  Three<S> pack;
+  std::memcpy(&pack, reinterpret_cast<const std::byte*>(&box) + first * sizeof(S), sizeof pack);
+  return pack;
+}
+
+/// Entries 1, 2, 0 and 2, 0, 1 of a vector: what a cross product multiplies.
+template <class T>
+[[gnu::always_inline]] inline T next(const T& v) {
+  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
+}
+template <class T>
+[[gnu::always_inline]] inline T after_next(const T& v) {
+  return __builtin_shufflevector(v, v, 2, 0, 1, 3);
+}
+template <int kLane, class T>
+[[gnu::always_inline]] inline T spread(const T& v) {
+  return __builtin_shufflevector(v, v, kLane, kLane, kLane, kLane);
+}
+
+template <class S>
+[[gnu::always_inline]] inline Three<S> absolute(const Three<S>& v) {
+  using Bits = decltype(v < v);
+  constexpr auto kAllButSign = std::numeric_limits<std::remove_cvref_t<decltype(Bits{}[0])>>::max();
+  return (Three<S>)((Bits)v & kAllButSign);  // NOLINT: GCC's way to look at the bits
+}
+
+/// All three lanes hold; `holds` is a comparison of two Three.
+template <class S, class Flags>
+[[gnu::always_inline]] inline bool all(const Flags& holds) {
+  if constexpr (sizeof(S) == 4) {
+    return (lanes::bits<S>(holds) & 7U) == 7U;
+  } else {
+    return (holds[0] & holds[1] & holds[2]) != 0;
+  }
+}
+
+/// Columns to rows.
+template <class S>
+struct Columns {
+  Three<S> of[3];
+
+  [[gnu::always_inline]] Columns transposed() const {
+    const auto& [x, y, z] = of;
+    const Three<S> low = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+    const Three<S> high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+    return {{__builtin_shufflevector(low, z, 0, 1, 4, 5),
+             __builtin_shufflevector(low, z, 2, 3, 5, 5),
+             __builtin_shufflevector(high, z, 0, 1, 6, 6)}};
+  }
+  /// The sum of the columns, each times an entry of `v`.
+  [[gnu::always_inline]] Three<S> times(const Three<S>& v) const {
+    return of[0] * spread<0>(v) + of[1] * spread<1>(v) + of[2] * spread<2>(v);
+  }
+};
+
+/// Projections on three axes, which need not be unit: each box reaches so far to either side of its
+/// middle, and the middles are so far apart.
+template <class S>
+struct Projections {
+  Three<S> distance, reach_a, reach_b;
+
+  /// What lies between the boxes, times the length of the axis; negative in overlap.
+  [[gnu::always_inline]] Three<S> gap() const { return distance - (reach_a + reach_b); }
+};
+
+template <class S>
+class BoxAxes {
+ public:
+  [[gnu::always_inline]] BoxAxes(const Obb<S>& a, const Obb<S>& b) {
+    const Columns<S> axes_a{{load(a, 3), load(a, 6), load(a, 9)}};
+    const Columns<S> axes_b{{load(b, 3), load(b, 6), load(b, 9)}};
+    const Columns<S> to_a = axes_a.transposed();
+    const Three<S> way = load(b, 0) - load(a, 0);
+    half_a_ = half_extents(a);
+    half_b_ = half_extents(b);
+    way_ = to_a.times(way);
+    for (int j = 0; j < 3; ++j) {
+      rotation_.of[j] = to_a.times(axes_b.of[j]);
+      absolute_.of[j] = absolute<S>(rotation_.of[j]);
+    }
+  }
+
+  [[gnu::always_inline]] Projections<S> faces_of_a() const {
+    return {absolute<S>(way_), half_a_, absolute_.times(half_b_)};
+  }
+  [[gnu::always_inline]] Projections<S> faces_of_b() const {
+    const Columns<S> rows = rotation_.transposed();
+    const Columns<S> sizes{
+        {absolute<S>(rows.of[0]), absolute<S>(rows.of[1]), absolute<S>(rows.of[2])}};
+    return {absolute<S>(rows.times(way_)), sizes.times(half_a_), half_b_};
+  }
+  /// Of the three axes of A with axis j of B.
+  template <int kJ>
+  [[gnu::always_inline]] Projections<S> edges() const {
+    constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
+    const Three<S>& column = rotation_.of[kJ];
+    const Three<S>& size = absolute_.of[kJ];
+    return {absolute<S>(after_next(way_) * next(column) - next(way_) * after_next(column)),
+            next(half_a_) * after_next(size) + after_next(half_a_) * next(size),
+            spread<kNext>(half_b_) * absolute_.of[kAfter] +
+                spread<kAfter>(half_b_) * absolute_.of[kNext]};
+  }
+  /// Of the same axes, the squares of the sines of their angles.
+  template <int kJ>
+  [[gnu::always_inline]] Three<S> squared_lengths() const {
+    const Three<S> squares = rotation_.of[kJ] * rotation_.of[kJ];
+    return next(squares) + after_next(squares);
+  }
+  /// Likewise the sums of the absolute entries: no less than the sines, no more than sqrt(2) of
+  /// them.
+  template <int kJ>
+  [[gnu::always_inline]] Three<S> rough_lengths() const {
+    return next(absolute_.of[kJ]) + after_next(absolute_.of[kJ]);
+  }
+
+  /// Sum of all half extents and of the way between the middles: what the projections round with.
+  [[gnu::always_inline]] S size() const {
+    const Three<S> sum = absolute<S>(way_) + half_a_ + half_b_;
+    return sum[0] + sum[1] + sum[2];
+  }
+  /// No half extent is negative, none NaN, and no length infinite.
+  [[gnu::always_inline]] bool are_boxes() const {
+    return all<S>((half_a_ >= S(0)) & (half_b_ >= S(0))) && size() <= std::numeric_limits<S>::max();
+  }
+
+ private:
+  [[gnu::always_inline]] static Three<S> half_extents(const Obb<S>& box) {
+    const Three<S> last = load(box, 11);  // behind the last entry of the axes: no more lies there
+    return __builtin_shufflevector(last, last, 1, 2, 3, 3);
+  }
+
+  Columns<S> rotation_, absolute_;
+  Three<S> way_, half_a_, half_b_;
+};
+
+}  // namespace contactscope::boxes

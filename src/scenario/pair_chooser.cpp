@@ -1,0 +1,59 @@
+#include "scenario/pair_chooser.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/at.h"
+#include "manifold/dispatch.h"
+
+namespace contactscope {
+
+PairChooser::PairChooser(const Scenario& scenario)
+    : scenario_(scenario), phase_(make_broad_phase(scenario.broad_phase)) {}
+
+double PairChooser::reach() const {
+  const PipelineSettings& settings = scenario_.pipeline;
+  const double margin = std::max(settings.margin, scenario_.solver.speculative_margin.value_or(0));
+  return settings.manifold == ManifoldKind::Incremental
+             ? margin + settings.incremental.breaking_distance
+             : margin;
+}
+
+std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
+                                         trace::Frame* record) {
+  const Vec3<float> far = Vec3<float>::Constant(std::numeric_limits<float>::infinity());
+  const BroadPhaseCounts before = phase_->counts();
+  for (int i = 0; i < count_of(boxes); ++i) {
+    const Aabb<float> box = at(boxes, i).empty() ? Aabb<float>{-far, far} : at(boxes, i);
+    if (i < phase_->handles())
+      phase_->move(i, box);
+    else
+      phase_->add(box);
+  }
+  std::vector<BoxPair> chosen = phase_->pairs();
+  const bool any_dynamic = std::ranges::any_of(scenario_.shapes, &ScenarioShape::dynamic);
+  std::erase_if(chosen, [&](const BoxPair& pair) {
+    const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
+    return (any_dynamic && !a.dynamic() && !b.dynamic()) ||
+           !can_collide(kind_of(*a.geometry), kind_of(*b.geometry));
+  });
+  if (record == nullptr) return chosen;
+
+  const auto since = [&](std::int64_t BroadPhaseCounts::*count) {
+    return static_cast<int>(phase_->counts().*count - before.*count);
+  };
+  trace::BroadPhase& facts = record->broad_phase.emplace();
+  facts.method = scenario_.broad_phase;
+  facts.pairs = count_of(chosen);
+  facts.comparisons = since(&BroadPhaseCounts::comparisons);
+  facts.visits = since(&BroadPhaseCounts::visits);
+  facts.swaps = since(&BroadPhaseCounts::swaps);
+  for (int i = 0; i < phase_->handles(); ++i) {
+    if (!is_bounded(phase_->box(i))) continue;
+    const Aabb<double> box = phase_->box(i).cast<double>();
+    facts.bounds.push_back({scenario_.shape(i).name, {box.lower, box.upper}});
+  }
+  return chosen;
+}
+
+}  // namespace contactscope

@@ -1,0 +1,254 @@
+#include "study/broad_phase_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "core/at.h"
+#include "study/random_cases.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kNumbersOfBoxes[] = {100, 1000, 10'000, 100'000, 1'000'000};
+constexpr int kSteps = 6;
+
+/// How the boxes of a scene are spread.
+enum class Spread { Uniform, Clustered };
+
+/// What happens between two steps.
+enum class Change {
+  Anew,      // nothing is kept: the finder is made again
+  All,       // every box moves by 1 % of its sides
+  Tenth,     // every tenth box does
+  Teleport,  // every tenth box goes anywhere
+};
+
+struct BoxScene {
+  const char* name;
+  Spread spread;
+  Change change;
+};
+
+constexpr BoxScene kScenes[] = {
+    {"from nothing", Spread::Uniform, Change::Anew},
+    {"from nothing, three decades of sizes", Spread::Clustered, Change::Anew},
+    {"all move by 1 %", Spread::Uniform, Change::All},
+    {"a tenth moves by 1 %", Spread::Uniform, Change::Tenth},
+    {"a tenth teleports", Spread::Uniform, Change::Teleport},
+};
+
+Vec3<float> random_vector(std::mt19937_64& engine, double low, double high) {
+  const double x = uniform(engine, low, high), y = uniform(engine, low, high);
+  return Vec3d(x, y, uniform(engine, low, high)).cast<float>();
+}
+
+/// Sides of half a metre to a metre about centres in a cube, so that each box meets about seven
+/// others; or clustered about five places, each ten times as dense, with sizes over three decades.
+struct BoxMaker {
+  Spread spread;
+  double side;  // of the cube, metres
+
+  BoxMaker(Spread how, int count)
+      : spread(how), side(std::cbrt((how == Spread::Uniform ? 0.48 : 30.0) * count)) {}
+
+  Aabb<float> operator()(std::mt19937_64& engine) const {
+    Vec3<float> center = random_vector(engine, 0, side);
+    Vec3<float> half = random_vector(engine, 0.25, 0.5);
+    if (spread == Spread::Clustered) {
+      half *= static_cast<float>(std::pow(10.0, uniform(engine, -2, 1)));
+      const double cluster = 0.2 * side * std::floor(uniform(engine, 0, 5));
+      center = random_vector(engine, -1, 1).cwiseProduct(random_vector(engine, 0, 0.1 * side));
+      center.array() += static_cast<float>(cluster);
+    }
+    return {center - half, center + half};
+  }
+};
+
+/// A scene with so many boxes, step by step.
+struct MovingBoxes {
+  const BoxScene& scene;
+  BoxMaker make;
+  std::mt19937_64 engine;
+  std::vector<Aabb<float>> boxes{};
+  std::vector<int> moved{};  // since the step before
+  int step = 0;
+
+  MovingBoxes(const BoxScene& of, int count, std::uint64_t seed)
+      : scene(of),
+        make(of.spread, count),
+        engine(case_engine(seed, 0, count, of.spread == Spread::Uniform ? 1 : 2)),
+        boxes(static_cast<std::size_t>(count)),
+        moved(static_cast<std::size_t>(count)) {
+    std::iota(moved.begin(), moved.end(), 0);
+    for (Aabb<float>& box : boxes) box = make(engine);
+  }
+
+  void advance() {
+    ++step;
+    if (scene.change != Change::Anew) moved.clear();
+    const bool all = scene.change == Change::Anew || scene.change == Change::All;
+    for (int i = all ? 0 : step % 10; i < count_of(boxes); i += all ? 1 : 10) {
+      if (scene.change != Change::Anew) moved.push_back(i);
+      Aabb<float>& box = at(boxes, i);
+      if (scene.change == Change::Anew) {
+        box = make(engine);
+        continue;
+      }
+      const Vec3<float> by = scene.change == Change::Teleport
+                                 ? Vec3<float>(make(engine).center() - box.center())
+                                 : random_vector(engine, -0.01, 0.01).cwiseProduct(box.extent());
+      box = {box.lower + by, box.upper + by};
+    }
+  }
+};
+
+class OwnPairFinder : public PairFinder {
+ public:
+  explicit OwnPairFinder(std::string_view name) : phase_(make_broad_phase(name)) {}
+
+  void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) override {
+    for (const int i : moved) {
+      if (i < phase_->handles())
+        phase_->move(i, at(boxes, i));
+      else
+        phase_->add(at(boxes, i));
+    }
+  }
+  std::vector<BoxPair> pairs() override { return phase_->pairs(); }
+  std::int64_t comparisons() const override { return phase_->counts().comparisons; }
+  std::size_t memory() const override { return phase_->memory(); }
+
+ private:
+  std::unique_ptr<BroadPhase> phase_;
+};
+
+int most_boxes(const PairFinderInfo& info, const BoxScene& scene) {
+  return scene.spread == Spread::Uniform ? info.most_boxes : info.most_of_mixed_sizes;
+}
+
+/// One finder on one scene.
+struct Contender {
+  const PairFinderInfo& info;
+  std::unique_ptr<PairFinder> finder{};
+  PassTimes times{};
+  Errors memory{}, comparisons{};  // a box
+  int failed = 0, of = 0;
+
+  /// The finder's pairs, ascending. Where `judged`, what they took counts.
+  std::vector<BoxPair> run(const MovingBoxes& now, bool judged) {
+    if (!finder || now.scene.change == Change::Anew) finder = info.make();
+    const std::int64_t before = finder->comparisons();
+    std::vector<BoxPair> found;
+    PassTimes time;
+    time.measure(1, [&](int) {
+      finder->place(now.boxes, now.moved);
+      found = finder->pairs();
+      return static_cast<double>(found.size());
+    });
+    if (judged) {
+      const double boxes = static_cast<double>(now.boxes.size());
+      times.add(time.summary().median);
+      memory.add(static_cast<double>(finder->memory()) / boxes);
+      comparisons.add(static_cast<double>(finder->comparisons() - before) / boxes);
+      ++of;
+    }
+    for (BoxPair& pair : found)
+      if (pair.b < pair.a) std::swap(pair.a, pair.b);
+    std::ranges::sort(found);
+    return found;
+  }
+
+  /// What the steps came to, by the order of the study's measures. What another library does not tell
+  /// is 0, and no point.
+  std::vector<trace::StudyPoint> points(int boxes) const {
+    constexpr double kMilliseconds = 1e-6;
+    const trace::Nanoseconds spent = times.summary();
+    std::vector<trace::StudyPoint> made;
+    for (const double value : {spent.median * kMilliseconds, spent.max * kMilliseconds,
+                               memory.sum / of, comparisons.sum / of}) {
+      made.push_back({static_cast<double>(boxes), {}, {}, spent, failed, of});
+      if (value > 0) made.back().error = made.back().error_worst = value;
+    }
+    return made;
+  }
+};
+
+}  // namespace
+
+std::vector<PairFinderInfo> own_pair_finders() {
+  return mapped(broad_phases(), [](const BroadPhaseInfo& info) -> PairFinderInfo {
+    PairFinderInfo finder{info.name, 1'000'000, 100'000,
+                          [&info] { return std::make_unique<OwnPairFinder>(info.name); }};
+    if (info.name == "brute_force") finder.most_boxes = finder.most_of_mixed_sizes = 10'000;
+    if (info.name == "sweep_and_prune") finder.most_boxes = finder.most_of_mixed_sizes = 10'000;
+    if (info.name == "grid") finder.most_of_mixed_sizes = 10'000;
+    return finder;
+  });
+}
+
+std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& finders,
+                                             std::span<const int> numbers_of_boxes,
+                                             const StudyOptions& options,
+                                             const StudyProgress& progress) {
+  const int steps = options.cases.value_or(kSteps);
+  std::vector<trace::Study> results = results_of(
+      "broad_phase", "float", "boxes",
+      "the pairs that columns find; " + std::to_string(steps) + " steps a point, seed " +
+          std::to_string(options.seed),
+      {{"time", "All pairs of boxes that overlap: time of a step", "milliseconds, median"},
+       {"longest", "All pairs of boxes that overlap: the longest step", "milliseconds, longest"},
+       {"memory", "What a broad phase holds", "bytes a box"},
+       {"comparisons", "How many boxes are held against each other",
+        "comparisons a box and step"}});
+  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+  const StudyStep tell =
+      counted(progress, static_cast<int>(std::size(kScenes) * numbers_of_boxes.size()));
+  for (const BoxScene& scene : kScenes) {
+    const std::size_t first = results[0].series.size();
+    for (trace::Study& study : results)
+      for (const PairFinderInfo& info : finders)
+        study.series.push_back({info.name, {}, scene.name, std::string("boxes, ") + scene.name});
+    for (const int count : numbers_of_boxes) {
+      const auto takes_part = [&](const PairFinderInfo& info) {
+        return count <= most_boxes(info, scene);
+      };
+      if (std::ranges::none_of(finders, takes_part)) continue;
+      tell(std::string(scene.name) + ", " + std::to_string(count) + " boxes");
+      MovingBoxes now(scene, count, options.seed);
+      const std::unique_ptr<PairFinder> judge = std::make_unique<OwnPairFinder>("columns");
+      std::vector<Contender> contenders;
+      for (const PairFinderInfo& info : finders) contenders.push_back({.info = info});
+      for (int step = 0; step <= steps; ++step) {
+        if (step > 0) now.advance();
+        judge->place(now.boxes, now.moved);
+        const std::vector<BoxPair> all = judge->pairs();
+        for (Contender& contender : contenders) {
+          if (count > most_boxes(contender.info, scene)) continue;
+          // The first step is no step from one to the next.
+          const bool has_all = std::ranges::includes(contender.run(now, step > 0), all);
+          if (!has_all && step > 0) ++contender.failed;
+        }
+      }
+      for (std::size_t i = 0; i < contenders.size(); ++i) {
+        if (contenders[i].of == 0) continue;
+        const std::vector<trace::StudyPoint> points = contenders[i].points(count);
+        for (std::size_t m = 0; m < results.size(); ++m)
+          results[m].series[first + i].points.push_back(points[m]);
+      }
+    }
+  }
+  return results;
+}
+
+/// Broad phases over the number of boxes: the time of a step, bytes and comparisons a box, in five
+/// scenes. Every step starts where all pairs of the step before are known, but for the scenes in which
+/// all is made from nothing in each. A step has failed where a pair was missed that columns find; that
+/// these find what brute force does, tests say.
+std::vector<trace::Study> study_broad_phase(const StudyOptions& options,
+                                            const StudyProgress& progress) {
+  return study_pair_finders(own_pair_finders(), kNumbersOfBoxes, options, progress);
+}
+
+}  // namespace contactscope

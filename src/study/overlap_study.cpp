@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/at.h"
+#include "query/overlap.h"
+#include "study/random_cases.h"
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kElongations[] = {1, 3, 10};
+constexpr int kBoundPairs = 20000;
+constexpr int kBoundRepetitions = 15;
+
+constexpr double kThresholds[] = {1e-18, 1e-16, 1e-15, 1e-14, 1e-12, 1e-10, 1e-8,
+                                  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1};
+constexpr int kThresholdPairs = 20000;
+constexpr int kThresholdRepetitions = 3;
+
+// The largest gap of two boxes over all axes, metres, by brute force over the corners in long
+// double. It shares nothing with the tests that it judges. Where long double does not tell the
+// direction of a cross product, that is shorter than 1e-16, and the faces tell the gap to as much.
+
+using LongVec = Vec3<long double>;
+
+template <class S>
+std::array<LongVec, 8> corners_of(const Obb<S>& box, const Vec3<S>& origin) {
+  std::array<LongVec, 8> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    LongVec& at_corner = at(corners, corner);
+    at_corner = box.center.template cast<long double>() - origin.template cast<long double>();
+    for (int k = 0; k < 3; ++k) {
+      const LongVec reach = box.axes.col(k).template cast<long double>() *
+                            static_cast<long double>(box.half_extents[k]);
+      at_corner += (corner >> k & 1) != 0 ? reach : LongVec(-reach);
+    }
+  }
+  return corners;
+}
+
+template <class S>
+double largest_gap(const Obb<S>& a, const Obb<S>& b) {
+  const auto corners_a = corners_of(a, a.center), corners_b = corners_of(b, a.center);
+  long double largest = -std::numeric_limits<long double>::infinity();
+  const auto try_axis = [&](const LongVec& axis) {
+    const long double length = axis.norm();
+    if (!(length > 0)) return;
+    const auto extent = [&](const std::array<LongVec, 8>& corners) {
+      long double low = axis.dot(corners[0]), high = low;
+      for (const LongVec& corner : corners) {
+        low = std::min(low, axis.dot(corner));
+        high = std::max(high, axis.dot(corner));
+      }
+      return std::pair(low, high);
+    };
+    const auto [low_a, high_a] = extent(corners_a);
+    const auto [low_b, high_b] = extent(corners_b);
+    largest = std::max(largest, std::max(low_b - high_a, low_a - high_b) / length);
+  };
+  const Mat3<long double> axes_a = a.axes.template cast<long double>(),
+                          axes_b = b.axes.template cast<long double>();
+  for (int i = 0; i < 3; ++i) {
+    try_axis(axes_a.col(i).cross(axes_a.col((i + 1) % 3)));
+    try_axis(axes_b.col(i).cross(axes_b.col((i + 1) % 3)));
+    for (int j = 0; j < 3; ++j) try_axis(axes_a.col(i).cross(axes_b.col(j)));
+  }
+  return static_cast<double>(largest);
+}
+
+/// Two boxes with all bounds of each.
+struct BoundedPair {
+  struct Bounded {
+    Obb<float> box;
+    Aabb<float> aabb;
+    BoundingSphere<float> sphere;
+
+    Bounded(const Vec3d& center, const Quatd& rotation, const Vec3d& half_extents)
+        : box{center.cast<float>(), rotation.toRotationMatrix().cast<float>(),
+              half_extents.cast<float>()} {
+      const Vec3f reach = box.axes.cwiseAbs() * box.half_extents;
+      aabb = {box.center - reach, box.center + reach};
+      sphere = {box.center, box.half_extents.norm()};
+    }
+  } a, b;
+  bool overlap;  // by brute force
+
+  BoundedPair(const Bounded& one, const Bounded& other)
+      : a(one), b(other), overlap(largest_gap(a.box, b.box) <= 0) {}
+};
+
+/// Both with the longest side 1 m and the others that over `elongation`, at any rotation, and as
+/// likely anywhere that any of their bounds could overlap.
+std::vector<BoundedPair> bounded_pairs(std::mt19937_64& engine, double elongation, int count) {
+  const Vec3d half = 0.5 * Vec3d(1, 1 / elongation, 1 / elongation);
+  const double reach = 2 * half.norm();
+  std::vector<BoundedPair> pairs;
+  for (int i = 0; i < count; ++i) {
+    Vec3d way;
+    for (int k = 0; k < 3; ++k) way[k] = uniform(engine, -reach, reach);
+    const BoundedPair::Bounded a(Vec3d::Zero(), uniform_rotation(engine), half);
+    pairs.emplace_back(a, BoundedPair::Bounded(way, uniform_rotation(engine), half));
+  }
+  return pairs;
+}
+
+struct BoundMethod {
+  const char* name;
+  bool (*overlap)(const BoundedPair& pair);
+};
+
+constexpr auto kInclusive = Comparison<float>::inclusive();
+const BoundMethod kBoundMethods[] = {
+    {"AABB",
+     [](const BoundedPair& pair) { return overlaps(pair.a.aabb, pair.b.aabb, kInclusive); }},
+    {"sphere",
+     [](const BoundedPair& pair) { return overlaps(pair.a.sphere, pair.b.sphere, kInclusive); }},
+    {"OBB, six axes",
+     [](const BoundedPair& pair) {
+       return overlaps(pair.a.box, pair.b.box, kInclusive, {ObbAxes::Faces, 0});
+     }},
+    {"OBB, fifteen axes",
+     [](const BoundedPair& pair) { return overlaps(pair.a.box, pair.b.box, kInclusive); }},
+};
+
+std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyProgress& progress) {
+  const StudyGrid grid(options, kBoundMethods, kElongations, kBoundPairs, kBoundRepetitions);
+  std::vector<trace::Study> results =
+      results_of("overlap", "float", "times as long as wide",
+                 "all axes in long double, " + std::to_string(grid.cases) +
+                     " pairs of boxes a point, seed " + std::to_string(options.seed),
+                 {{"false_positives", "How many pairs a bound lets through that do not overlap",
+                   "share of the passing pairs that are apart", "", 0.5 / grid.cases}});
+  std::mt19937_64 engine(options.seed);
+  std::vector<std::vector<BoundedPair>> pairs(grid.parameters.size());
+  measure_grid(
+      grid, results, progress,
+      [&](std::size_t p) { pairs[p] = bounded_pairs(engine, grid.parameters[p], grid.cases); },
+      [&](std::size_t m, std::size_t p, Measurement& measured) {
+        for (const BoundedPair& pair : pairs[p]) {
+          const bool passes = kBoundMethods[m].overlap(pair);
+          if (passes) measured.errors[0].add(pair.overlap ? 0 : 1);
+          measured.failed += pair.overlap && !passes ? 1 : 0;
+        }
+      },
+      [&](std::size_t m, std::size_t p, std::size_t i) {
+        return kBoundMethods[m].overlap(pairs[p][i]) ? 1.0 : 0.0;
+      });
+  for (trace::StudySeries& series : results[0].series)
+    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // a share has none
+  return results;
+}
+
+/// Two boxes as a scalar holds them, and their gap.
+template <class S>
+struct NearParallelPair {
+  Obb<S> a, b;
+  double gap;
+};
+
+/// Sides of 0.2 to 2 m. A third of the pairs has one rotation; the others are turned by 1e-17 to
+/// 0.1 rad about any axis. Of those half have the middles of two edges over each other, 0.01 to 100
+/// mm apart or deep along the edges' cross product; all others are anywhere up to 2.2 m from each
+/// other.
+template <class S>
+NearParallelPair<S> near_parallel_pair(std::mt19937_64& engine, int index) {
+  const auto half = [&]() -> Vec3d {
+    return {uniform(engine, 0.1, 1), uniform(engine, 0.1, 1), uniform(engine, 0.1, 1)};
+  };
+  const Vec3d half_a = half(), half_b = half();
+  const Quatd turn = uniform_rotation(engine);
+  const Vec3d about = uniform_rotation(engine) * Vec3d::UnitX();
+  const double angle = std::pow(10.0, uniform(engine, -17, -1));
+  Quatd other = turn;
+  if (index % 3 != 0) other = Quatd(Eigen::AngleAxisd(angle, about)) * turn;
+  Vec3d way = uniform(engine, 0, 2.2) * (uniform_rotation(engine) * Vec3d::UnitX());
+  if (index % 3 == 1) {
+    // The cross product of an edge with the same one turned, but for its length.
+    const Vec3d edge = turn * Vec3d::Unit(index / 3 % 3);
+    const Vec3d axis = edge.cross(about.cross(edge)).normalized();
+    const double gap = std::pow(10.0, uniform(engine, -5, -1));
+    way = (uniform(engine, 0, 1) < 0.5 ? gap : -gap) * axis;
+    for (int k = 0; k < 3; ++k) {
+      if (k == index / 3 % 3) continue;
+      const Vec3d side = turn * Vec3d::Unit(k);
+      way += std::copysign(half_a[k] + half_b[k], axis.dot(side)) * side;
+    }
+  }
+  NearParallelPair<S> pair{{Vec3<S>::Zero(), turn.toRotationMatrix().cast<S>(), half_a.cast<S>()},
+                           {way.cast<S>(), other.toRotationMatrix().cast<S>(), half_b.cast<S>()},
+                           0};
+  pair.gap = largest_gap(pair.a, pair.b);
+  return pair;
+}
+
+// Metres: gaps and overlaps up to this are rounding in float. Logarithmic axes end there.
+constexpr double kRoundingOfFloat = 3e-5;
+
+/// One series of the study of thresholds: what is wrong in one way, missed or phantom.
+template <class S>
+Measurement judge_threshold(const std::vector<NearParallelPair<S>>& pairs, const ObbTest<S>& test,
+                            bool missed, int repetitions) {
+  Measurement measured(2, count_of(pairs));
+  const auto answer = [&](const NearParallelPair<S>& pair) {
+    return overlaps(pair.a, pair.b, Comparison<S>::inclusive(), test);
+  };
+  for (const NearParallelPair<S>& pair : pairs) {
+    const double off = missed ? -pair.gap : pair.gap;
+    if (off <= 0) continue;  // not a pair that could be wrong in this way
+    const bool wrong = answer(pair) != missed && off > kRoundingOfFloat;
+    measured.errors[0].add(wrong ? off : kRoundingOfFloat);
+    measured.errors[1].add(wrong ? 1 : 0);
+  }
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    measured.times.measure(count_of(pairs),
+                           [&](int i) { return answer(at(pairs, i)) ? 1.0 : 0.0; });
+  }
+  return measured;
+}
+
+template <class S>
+void add_threshold_lines(const StudyOptions& options, const std::string& scalar,
+                         std::vector<trace::Study>& results, const StudyStep& step) {
+  std::mt19937_64 engine(options.seed);
+  std::vector<NearParallelPair<S>> pairs;
+  for (int i = 0; i < options.cases.value_or(kThresholdPairs); ++i)
+    pairs.push_back(near_parallel_pair<S>(engine, i));
+  const int repetitions = options.repetitions.value_or(kThresholdRepetitions);
+  for (const bool missed : {true, false}) {
+    const std::string panel = missed ? "overlaps called apart" : "gaps called overlaps";
+    const std::string parameter = panel + ", by the sine up to which axes are skipped";
+    add_line(results, {scalar, {}, panel, parameter}, kThresholds, [&](double threshold) {
+      return judge_threshold<S>(pairs, {ObbAxes::Fifteen, static_cast<S>(threshold)}, missed,
+                                repetitions);
+    });
+    add_line(results, {scalar + ", guarded", {}, panel, parameter}, kThresholds,
+             [&, measured = judge_threshold<S>(pairs, {}, missed, repetitions)](double) {
+               return measured;
+             });
+    step(scalar + ", " + panel);
+  }
+}
+
+std::vector<trace::Study> study_thresholds(const StudyOptions& options,
+                                           const StudyProgress& progress) {
+  const int cases = options.cases.value_or(kThresholdPairs);
+  std::vector<trace::Study> results = results_of(
+      "overlap", "float and double", "sine up to which axes are skipped",
+      "all axes in long double, " + std::to_string(cases) +
+          " pairs of nearly parallel boxes, seed " + std::to_string(options.seed),
+      {{"threshold", "Skip too few cross products and overlaps are missed, too many and gaps are",
+        "overlap or gap that is missed (m)", "", kRoundingOfFloat},
+       {"wrong", "How often skipping short cross products, or not, gives the wrong answer",
+        "share of the pairs with a wrong answer", "", 0.5 / cases}});
+  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+  const StudyStep step = counted(progress, 4);
+  add_threshold_lines<float>(options, "float", results, step);
+  add_threshold_lines<double>(options, "double", results, step);
+  for (trace::StudySeries& series : results[1].series) {
+    for (trace::StudyPoint& point : series.points)
+      point.error = point.error_worst = std::max(*point.error, results[1].resolution);  // a share
+  }
+  // Those of one panel stand together.
+  for (trace::Study& study : results)
+    std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
+  return results;
+}
+
+}  // namespace
+
+/// Overlap tests of bounding volumes, in three results.
+///
+/// "false_positives": of pairs of boxes, 1:1:1, 3:1:1 and 10:1:1, at random rotations and anywhere
+/// that their bounds could overlap, the share of those that a bound lets through although they are
+/// apart, against the time of a test: AABBs, spheres, oriented boxes by their six face normals and
+/// by all axes. A pair that overlaps and is not let through counts as failed; there is none.
+///
+/// "threshold": of pairs of nearly parallel oriented boxes the deepest overlap, metres, that is
+/// called apart, and the widest gap that is called an overlap, over the sine up to which cross
+/// products of edges are skipped; at 1e-18 none is. Beside it the test whose bound on rounding
+/// needs no threshold. Errors of less than 0.03 mm, float's rounding, count as that. "wrong": the
+/// share of the pairs that overlap, or are apart, for which that happens, half a pair at least.
+std::vector<trace::Study> study_overlap(const StudyOptions& options,
+                                        const StudyProgress& progress) {
+  std::vector<trace::Study> results = study_bounds(options, progress);
+  std::ranges::move(study_thresholds(options, progress), std::back_inserter(results));
+  return results;
+}
+
+}  // namespace contactscope

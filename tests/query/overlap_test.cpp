@@ -1,0 +1,248 @@
+#include "query/overlap.h"
+
+#include <gmock/gmock.h>
+
+#include "support/brute_force_boxes.h"
+#include "support/random_geometry.h"
+
+namespace contactscope {
+namespace {
+
+using test::Random;
+
+template <class S>
+class Overlap : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Overlap, Scalars);
+
+template <class S>
+BoundingSphere<S> ball(double x, double y, double z, double radius) {
+  return {Vec3d(x, y, z).cast<S>(), static_cast<S>(radius)};
+}
+
+template <class S>
+Aabb<S> cube_at(double x, double y, double z, double half) {
+  const Vec3d middle(x, y, z), reach = Vec3d::Constant(half);
+  return {Vec3d(middle - reach).cast<S>(), Vec3d(middle + reach).cast<S>()};
+}
+
+/// Answers inclusive, exclusive and within 0.25 of it.
+template <class S, class A, class B>
+std::array<bool, 3> answers(const A& a, const B& b) {
+  return {overlaps(a, b, Comparison<S>::inclusive()), overlaps(a, b, Comparison<S>::exclusive()),
+          overlaps(a, b, Comparison<S>::within(S(0.25)))};
+}
+
+constexpr std::array<bool, 3> kDeep = {true, true, true}, kTouching = {true, false, true},
+                              kNear = {false, false, true}, kFar = {false, false, false};
+
+TYPED_TEST(Overlap, AllBoundsAreComparedAlike) {
+  using S = TypeParam;
+  const Aabb<S> box = cube_at<S>(0, 0, 0, 1);
+  const Obb<S> turned = obb_of(box);
+  const BoundingSphere<S> sphere = ball<S>(0, 0, 0, 1);
+  const struct {
+    double x;
+    std::array<bool, 3> expected;
+  } kCases[] = {{1.75, kDeep}, {2, kTouching}, {2.125, kNear}, {2.25, kNear}, {2.5, kFar}};
+  for (const auto& [x, expected] : kCases) {
+    const Aabb<S> other_box = cube_at<S>(x, 0.5, 0, 1);
+    const BoundingSphere<S> other = ball<S>(x, 0, 0, 1);
+    EXPECT_EQ((answers<S>(box, other_box)), expected) << x;
+    EXPECT_EQ((answers<S>(turned, obb_of(other_box))), expected) << x;
+    EXPECT_EQ((answers<S>(box, obb_of(other_box))), expected) << x;
+    EXPECT_EQ((answers<S>(sphere, other)), expected) << x;
+    EXPECT_EQ((answers<S>(box, other)), expected) << x;
+    EXPECT_EQ((answers<S>(turned, other)), expected) << x;
+  }
+}
+
+TYPED_TEST(Overlap, AabbsCompareTheirCoordinatesExactly) {
+  using S = TypeParam;
+  Random random(1);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double size = random.decade(-4, 4);
+    const auto coordinate = [&] { return static_cast<S>(size * random.index(5)); };
+    Aabb<S> a, b;
+    for (Aabb<S>* box : {&a, &b}) {
+      box->include({coordinate(), coordinate(), coordinate()});
+      box->include({coordinate(), coordinate(), coordinate()});
+    }
+    bool inclusive = true, exclusive = true;
+    for (int k = 0; k < 3; ++k) {
+      inclusive &= a.lower[k] <= b.upper[k] && b.lower[k] <= a.upper[k];
+      exclusive &= a.lower[k] < b.upper[k] && b.lower[k] < a.upper[k];
+    }
+    OverlapRecord<S> record;
+    EXPECT_EQ(overlaps(a, b, Comparison<S>::inclusive(), &record), inclusive);
+    EXPECT_EQ(overlaps(a, b, Comparison<S>::inclusive()), overlaps(a, b));
+    EXPECT_EQ(overlaps(a, b, Comparison<S>::exclusive()), exclusive);
+    ASSERT_EQ(record.axes.size(), 3u);
+    S largest = -std::numeric_limits<S>::infinity();
+    for (const OverlapAxis<S>& axis : record.axes) largest = std::max(largest, axis.gap);
+    EXPECT_EQ(largest <= 0, inclusive);
+  }
+}
+
+/// Least distance of a point from a box that is not turned, in long double, from its nearest point.
+long double distance_from(const Vec3<long double>& half, const Vec3<long double>& point) {
+  const Vec3<long double> nearest = point.cwiseMin(half).cwiseMax(Vec3<long double>(-half));
+  return (point - nearest).norm();
+}
+
+TYPED_TEST(Overlap, OfBoxAndSphereIsTheirDistanceUnderRigidMotions) {
+  using S = TypeParam;
+  Random random(2);
+  int overlapping = 0;
+  for (int trial = 0; trial < 10000; ++trial) {
+    const double size = random.decade(-4, 4);
+    const Pose<double> pose = random.pose(random.chance(0.3) ? 1000 * size : size);
+    Obb<S> box;
+    for (int k = 0; k < 3; ++k)
+      box.half_extents[k] = random.chance(0.2) ? S(0) : S(size * random.decade(-2, 0));
+    box.center = pose.position.cast<S>();
+    box.axes = pose.rotation.cast<S>().normalized().toRotationMatrix();
+    BoundingSphere<S> sphere;
+    const Vec3d way = random.uniform(0, 2.5) * size * random.unit_vector();
+    sphere.center = (pose.position + way).cast<S>();
+    // As the numbers are: in the frame that the columns span.
+    const Mat3<long double> axes = box.axes.template cast<long double>();
+    const Vec3<long double> out =
+        sphere.center.template cast<long double>() - box.center.template cast<long double>();
+    const Vec3<long double> local = axes.inverse() * out;
+    const double distance =
+        double(distance_from(box.half_extents.template cast<long double>(), local));
+    sphere.radius =
+        S(std::max(0.0, distance * (1 + random.uniform(-1, 1) * random.decade(-16, 0))));
+    const double gap = distance - double(sphere.radius);
+    const double unit = std::numeric_limits<S>::epsilon() *
+                        (double(out.lpNorm<1>() + sphere.radius) + double(box.half_extents.sum()));
+    OverlapRecord<S> record;
+    const bool inclusive = overlaps(box, sphere, Comparison<S>::inclusive(), &record);
+    EXPECT_EQ(overlaps(box, sphere, Comparison<S>::inclusive()), inclusive);
+    ASSERT_EQ(record.axes.size(), 4u);
+    EXPECT_EQ(record.axes[3].separates, !inclusive);
+    if (distance > 0) {
+      EXPECT_NEAR(record.axes[3].gap, gap, 32 * unit) << trial;
+    }
+    if (gap <= 0) {
+      EXPECT_TRUE(inclusive) << trial << " " << gap / unit;
+    }
+    if (gap > 48 * unit) {
+      EXPECT_FALSE(inclusive) << trial << " " << gap / unit;
+    }
+    if (distance > 0 && gap >= 0) {
+      EXPECT_FALSE(overlaps(box, sphere, Comparison<S>::exclusive())) << trial;
+    }
+    overlapping += gap <= 0 ? 1 : 0;
+  }
+  EXPECT_GT(overlapping, 3000);
+  EXPECT_LT(overlapping, 7000);
+}
+
+TYPED_TEST(Overlap, AnAabbIsAnObbThatIsNotTurned) {
+  using S = TypeParam;
+  Random random(5);
+  for (int trial = 0; trial < 3000; ++trial) {
+    Aabb<S> box;
+    const Vec3d middle = 100 * random.unit_vector();
+    box.include((middle + random.unit_vector()).cast<S>());
+    box.include((middle + random.unit_vector()).cast<S>());
+    const Obb<S> other{(middle + random.uniform(0, 2) * random.unit_vector()).cast<S>(),
+                       random.rotation().cast<S>().normalized().toRotationMatrix(),
+                       Vec3<S>(S(0.5), S(0.3), S(0.1))};
+    const Obb<S> same = obb_of(box);
+    const double gap = test::exact_gap(same, other);
+    if (std::abs(gap) < 1e-4) continue;
+    EXPECT_EQ(overlaps(box, other, Comparison<S>::inclusive()), gap <= 0) << trial;
+    const BoundingSphere<S> sphere{other.center, S(0.5)};
+    OverlapRecord<S> record;
+    overlaps(same, sphere, Comparison<S>::inclusive(), &record);
+    if (std::abs(record.axes[3].gap) < S(1e-4)) continue;
+    EXPECT_EQ(overlaps(box, sphere, Comparison<S>::inclusive()),
+              overlaps(same, sphere, Comparison<S>::inclusive()))
+        << trial;
+  }
+}
+
+TYPED_TEST(Overlap, OfSpheresIsRightAtEverySizeAndFarAway) {
+  using S = TypeParam;
+  Random random(3);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const double size = random.decade(-4, 4);
+    const Vec3d at = 1000 * size * random.unit_vector();
+    BoundingSphere<S> a{at.cast<S>(), S(size * random.decade(-2, 0))};
+    BoundingSphere<S> b{(at + size * random.unit_vector()).cast<S>(), 0};
+    const long double distance =
+        (b.center.template cast<long double>() - a.center.template cast<long double>()).norm();
+    b.radius = S(
+        std::max(0.0L, distance * (1 + random.uniform(-1, 1) * random.decade(-16, 0)) - a.radius));
+    const double gap = double(distance - a.radius - b.radius);
+    const double unit = std::numeric_limits<S>::epsilon() * double(distance + a.radius + b.radius);
+    OverlapRecord<S> record;
+    const bool inclusive = overlaps(a, b, Comparison<S>::inclusive(), &record);
+    if (gap <= 0) {
+      EXPECT_TRUE(inclusive);
+    }
+    if (gap > 48 * unit) {
+      EXPECT_FALSE(inclusive);
+    }
+    if (gap >= 0) {
+      EXPECT_FALSE(overlaps(a, b, Comparison<S>::exclusive()));
+    }
+    if (gap < -48 * unit) {
+      EXPECT_TRUE(overlaps(a, b, Comparison<S>::exclusive()));
+    }
+    ASSERT_EQ(record.axes.size(), 1u);
+    EXPECT_NEAR(record.axes[0].gap, gap, 16 * unit);
+    EXPECT_EQ(record.axes[0].separates, !inclusive);
+    EXPECT_EQ(overlaps(b, a, Comparison<S>::inclusive()), inclusive);
+  }
+}
+
+TYPED_TEST(Overlap, APointInsideOverlapsAndAtTheBorderTouches) {
+  using S = TypeParam;
+  const Aabb<S> box = cube_at<S>(0, 0, 0, 1);
+  EXPECT_EQ((answers<S>(box, ball<S>(0.5, 0, 0, 0))), kDeep);
+  EXPECT_EQ((answers<S>(box, ball<S>(1, 0.5, 0, 0))), kTouching);
+  EXPECT_EQ((answers<S>(box, ball<S>(1.125, 0.5, 0, 0))), kNear);
+  EXPECT_EQ((answers<S>(obb_of(box), ball<S>(0, 0, 0, 0))), kDeep);
+  EXPECT_EQ((answers<S>(ball<S>(0, 0, 0, 0), ball<S>(0, 0, 0, 0))), kTouching);
+}
+
+TYPED_TEST(Overlap, EmptyBoundsAndNanOverlapNothingAndLeaveTheRecordEmpty) {
+  using S = TypeParam;
+  const S nan = std::numeric_limits<S>::quiet_NaN();
+  const Aabb<S> box = cube_at<S>(0, 0, 0, 1);
+  const BoundingSphere<S> sphere = ball<S>(0, 0, 0, 1);
+  Aabb<S> nan_box = box;
+  nan_box.upper.y() = nan;
+  BoundingSphere<S> nan_center = sphere, nan_radius = sphere;
+  nan_center.center.z() = nan;
+  nan_radius.radius = nan;
+  OverlapRecord<S> record;
+  const auto expect_nothing = [&](const auto& a, const auto& b) {
+    for (const auto& comparison :
+         {Comparison<S>::inclusive(), Comparison<S>::exclusive(), Comparison<S>::within(S(1))}) {
+      record.axes.resize(1);
+      EXPECT_FALSE(overlaps(a, b, comparison, &record));
+      EXPECT_THAT(record.axes, testing::IsEmpty());
+      EXPECT_FALSE(overlaps(a, b, comparison));
+    }
+  };
+  for (const Aabb<S>& bad : {Aabb<S>{}, nan_box}) {
+    expect_nothing(bad, box);
+    expect_nothing(box, bad);
+    expect_nothing(bad, sphere);
+    expect_nothing(bad, obb_of(box));
+  }
+  for (const BoundingSphere<S>& bad : {BoundingSphere<S>{}, nan_center, nan_radius}) {
+    expect_nothing(bad, sphere);
+    expect_nothing(sphere, bad);
+    expect_nothing(box, bad);
+    expect_nothing(obb_of(box), bad);
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
