@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "broadphase/sort_pairs.h"
 #include "core/at.h"
 
 namespace contactscope {
@@ -82,19 +81,19 @@ bool BroadPhase::has(int handle) const {
   return handle >= 0 && handle < handles() && !box(handle).empty();
 }
 
-std::vector<BoxPair> BroadPhase::pairs() {
+const std::vector<BoxPair>& BroadPhase::pairs() {
   found_.clear();
   find_pairs();
-  sort_pairs(found_, handles());
+  sorter_.sort(found_, handles());
   return found_;
 }
 
 PairChanges BroadPhase::changes() {
-  std::vector<BoxPair> now = pairs();
+  const std::vector<BoxPair>& now = pairs();
   PairChanges result;
   std::ranges::set_difference(now, last_, std::back_inserter(result.begun));
   std::ranges::set_difference(last_, now, std::back_inserter(result.ended));
-  last_ = std::move(now);
+  last_ = now;
   return result;
 }
 
@@ -113,7 +112,8 @@ void BroadPhase::find(const Aabb<float>& box, std::vector<int>& found) const {
 }
 
 std::size_t BroadPhase::memory() const {
-  return bytes_of(boxes_) + bytes_of(free_) + bytes_of(found_) + bytes_of(last_) + own_memory();
+  return bytes_of(boxes_) + bytes_of(free_) + bytes_of(found_) + bytes_of(last_) +
+         sorter_.memory() + own_memory();
 }
 
 }  // namespace contactscope

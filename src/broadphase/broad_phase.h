@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -8,16 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "broadphase/box_pair.h"
 #include "geometry/aabb.h"
 
 namespace contactscope {
-
-/// Two boxes of a broad phase, by their handles; a < b.
-struct BoxPair {
-  int a = 0;
-  int b = 0;
-  friend auto operator<=>(const BoxPair&, const BoxPair&) = default;
-};
 
 /// Both ascending.
 struct PairChanges {
@@ -51,8 +44,8 @@ class BroadPhase {
   void move(int handle, const Aabb<float>& box);
   void remove(int handle);
 
-  /// Every pair that overlaps now, ascending.
-  std::vector<BoxPair> pairs();
+  /// Every pair that overlaps now, ascending. Another call of this or of changes() overwrites them.
+  const std::vector<BoxPair>& pairs();
   /// Which pairs overlap that did not when this was called last, and the reverse. A handle that was
   /// given away again counts as the same box.
   PairChanges changes();
@@ -96,6 +89,7 @@ class BroadPhase {
   std::vector<int> free_;
   std::vector<BoxPair> found_;
   std::vector<BoxPair> last_;  // of changes()
+  PairSorter sorter_;
 };
 
 template <class T>

@@ -178,24 +178,28 @@ class Columns : public Clonable<Columns> {
     constexpr int kSides = 5;
     const auto stride = static_cast<std::size_t>(count + kLanes);
     sides_.resize(kSides * stride);
+    column_.resize(stride);
     float* const begins = sides_.data();
     float* const lower_y = begins + stride;
     float* const upper_y = lower_y + stride;
     float* const lower_z = upper_y + stride;
     float* const upper_z = lower_z + stride;
+    int* const handles = column_.data();
+    const Entry* const entries = entries_.data() + begin;
     for (int i = 0; i < count; ++i) {
-      const Entry& entry = entries_[begin + static_cast<std::size_t>(i)];
+      const Entry& entry = entries[i];
       begins[i] = entry.lower[0];
       lower_y[i] = entry.lower[1];
       upper_y[i] = entry.upper[1];
       lower_z[i] = entry.lower[2];
       upper_z[i] = entry.upper[2];
+      handles[i] = entry.handle;
     }
     std::fill_n(begins + count, kLanes, std::numeric_limits<float>::quiet_NaN());
 
     std::int64_t compared = 0;
     for (int i = 0; i < count; ++i) {
-      const Entry& entry = entries_[begin + static_cast<std::size_t>(i)];
+      const Entry& entry = entries[i];
       const auto load = [](const float* from) { return lanes::load_pack<Lanes>(from); };
       for (int j = i + 1; j < count; j += kLanes) {
         const auto before_it_ends = load(begins + j) <= entry.upper[0];
@@ -206,11 +210,9 @@ class Columns : public Clonable<Columns> {
         compared += kLanes;
         for (std::uint32_t left = lanes::bits<float>(hits); left != 0; left &= left - 1) {
           const int other = j + std::countr_zero(left);
-          const float y = std::max(entry.lower[1], lower_y[other]);
-          const float z = std::max(entry.lower[2], lower_z[other]);
-          if (y >= region.lower[1] && y < region.upper[1] && z >= region.lower[2] &&
-              z < region.upper[2]) {
-            report(entry.handle, entries_[begin + static_cast<std::size_t>(other)].handle);
+          if (std::max(entry.lower[1], lower_y[other]) >= region.lower[1] &&
+              std::max(entry.lower[2], lower_z[other]) >= region.lower[2]) {
+            report(entry.handle, handles[other]);
           }
         }
         if (!(before_it_ends[kLanes - 1])) break;
@@ -220,12 +222,14 @@ class Columns : public Clonable<Columns> {
   }
 
   std::size_t own_memory() const override {
-    return bytes_of(keys_) + bytes_of(sorted_keys_) + bytes_of(entries_) + bytes_of(sides_);
+    return bytes_of(keys_) + bytes_of(sorted_keys_) + bytes_of(entries_) + bytes_of(sides_) +
+           bytes_of(column_);
   }
 
   std::vector<Key> keys_, sorted_keys_;
   std::vector<Entry> entries_;  // all, then those of the columns being divided
   std::vector<float> sides_;    // of one column
+  std::vector<int> column_;     // its handles
 };
 
 }  // namespace

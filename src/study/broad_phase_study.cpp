@@ -45,13 +45,13 @@ Vec3<float> random_vector(std::mt19937_64& engine, double low, double high) {
 }
 
 /// Sides of half a metre to a metre about centres in a cube, so that each box meets about seven
-/// others; or clustered about five places, each ten times as dense, with sizes over three decades.
+/// others; or clustered about five places, with sizes over three decades, so that it meets as many.
 struct BoxMaker {
   Spread spread;
   double side;  // of the cube, metres
 
   BoxMaker(Spread how, int count)
-      : spread(how), side(std::cbrt((how == Spread::Uniform ? 0.48 : 30.0) * count)) {}
+      : spread(how), side(std::cbrt((how == Spread::Uniform ? 0.48 : 1600.0) * count)) {}
 
   Aabb<float> operator()(std::mt19937_64& engine) const {
     Vec3<float> center = random_vector(engine, 0, side);
@@ -116,7 +116,7 @@ class OwnPairFinder : public PairFinder {
         phase_->add(at(boxes, i));
     }
   }
-  std::vector<BoxPair> pairs() override { return phase_->pairs(); }
+  void find(std::vector<BoxPair>& found) override { found = phase_->pairs(); }
   std::int64_t comparisons() const override { return phase_->counts().comparisons; }
   std::size_t memory() const override { return phase_->memory(); }
 
@@ -132,19 +132,20 @@ int most_boxes(const PairFinderInfo& info, const BoxScene& scene) {
 struct Contender {
   const PairFinderInfo& info;
   std::unique_ptr<PairFinder> finder{};
+  std::vector<BoxPair> found{};
   PassTimes times{};
   Errors memory{}, comparisons{};  // a box
   int failed = 0, of = 0;
 
   /// The finder's pairs, ascending. Where `judged`, what they took counts.
-  std::vector<BoxPair> run(const MovingBoxes& now, bool judged) {
+  const std::vector<BoxPair>& run(const MovingBoxes& now, bool judged) {
     if (!finder || now.scene.change == Change::Anew) finder = info.make();
     const std::int64_t before = finder->comparisons();
-    std::vector<BoxPair> found;
+    found.clear();
     PassTimes time;
     time.measure(1, [&](int) {
       finder->place(now.boxes, now.moved);
-      found = finder->pairs();
+      finder->find(found);
       return static_cast<double>(found.size());
     });
     if (judged) {
@@ -218,12 +219,14 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
       tell(std::string(scene.name) + ", " + std::to_string(count) + " boxes");
       MovingBoxes now(scene, count, options.seed);
       const std::unique_ptr<PairFinder> judge = std::make_unique<OwnPairFinder>("columns");
+      std::vector<BoxPair> all;
       std::vector<Contender> contenders;
       for (const PairFinderInfo& info : finders) contenders.push_back({.info = info});
       for (int step = 0; step <= steps; ++step) {
         if (step > 0) now.advance();
         judge->place(now.boxes, now.moved);
-        const std::vector<BoxPair> all = judge->pairs();
+        all.clear();
+        judge->find(all);
         for (Contender& contender : contenders) {
           if (count > most_boxes(contender.info, scene)) continue;
           // The first step is no step from one to the next.

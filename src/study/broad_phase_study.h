@@ -19,8 +19,9 @@ class PairFinder {
   /// Box i is at boxes[i] now. The first call, where `moved` names all of them, adds them; later
   /// ones have as many boxes, and those that `moved` does not name are where they were.
   virtual void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) = 0;
-  /// Each pair once, in any order. Beyond those that overlap there may be some that nearly do.
-  virtual std::vector<BoxPair> pairs() = 0;
+  /// Adds each pair once to `found`, which is empty, in any order. Beyond those that overlap there may
+  /// be some that nearly do.
+  virtual void find(std::vector<BoxPair>& found) = 0;
   /// Since it was made; 0 where it does not count.
   virtual std::int64_t comparisons() const { return 0; }
   /// Bytes that it holds; 0 where it does not know.

@@ -33,15 +33,13 @@ class Broadphase : public PairFinder {
     }
   }
 
-  std::vector<BoxPair> pairs() override {
+  void find(std::vector<BoxPair>& found) override {
     phase_.calculateOverlappingPairs(&dispatcher_);
-    std::vector<BoxPair> result;
-    btBroadphasePairArray& found = phase_.getOverlappingPairCache()->getOverlappingPairArray();
-    for (int i = 0; i < found.size(); ++i) {
-      result.push_back({index_of(found[i].m_pProxy0->m_clientObject),
-                        index_of(found[i].m_pProxy1->m_clientObject)});
+    btBroadphasePairArray& pairs = phase_.getOverlappingPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < pairs.size(); ++i) {
+      found.push_back({index_of(pairs[i].m_pProxy0->m_clientObject),
+                       index_of(pairs[i].m_pProxy1->m_clientObject)});
     }
-    return result;
   }
 
  private:
@@ -68,15 +66,15 @@ class TreeAgainstItself : public PairFinder {
     tree_.optimizeIncremental(1 + static_cast<int>(moved.size()) / 100);
   }
 
-  std::vector<BoxPair> pairs() override {
+  void find(std::vector<BoxPair>& found) override {
     struct Collect : btDbvt::ICollide {
-      std::vector<BoxPair> found;
+      std::vector<BoxPair>& found;
+      explicit Collect(std::vector<BoxPair>& pairs) : found(pairs) {}
       void Process(const btDbvtNode* a, const btDbvtNode* b) override {
         if (a != b) found.push_back({index_of(a->data), index_of(b->data)});
       }
-    } collect;
+    } collect(found);
     tree_.collideTT(tree_.m_root, tree_.m_root, collect);
-    return collect.found;
   }
 
  private:

@@ -33,8 +33,7 @@ class DynamicTree : public PairFinder {
     }
   }
 
-  std::vector<BoxPair> pairs() override {
-    std::vector<BoxPair> found;
+  void find(std::vector<BoxPair>& found) override {
     manager_.collide(
         &found, [](fcl::CollisionObject<float>* a, fcl::CollisionObject<float>* b, void* data) {
           const auto index = [](const fcl::CollisionObject<float>* object) {
@@ -44,7 +43,6 @@ class DynamicTree : public PairFinder {
             static_cast<std::vector<BoxPair>*>(data)->push_back({index(a), index(b)});
           return false;
         });
-    return found;
   }
 
  private:

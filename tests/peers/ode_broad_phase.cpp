@@ -25,15 +25,13 @@ class Space : public PairFinder {
     }
   }
 
-  std::vector<BoxPair> pairs() override {
-    std::vector<BoxPair> found;
+  void find(std::vector<BoxPair>& found) override {
     dSpaceCollide(space_, &found, [](void* data, dGeomID a, dGeomID b) {
       const auto index = [](dGeomID geom) {
         return static_cast<int>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
       };
       static_cast<std::vector<BoxPair>*>(data)->push_back({index(a), index(b)});
     });
-    return found;
   }
 
  private:

@@ -36,10 +36,9 @@ class Forgetful : public PairFinder {
       i < phase_->handles() ? phase_->move(i, boxes[static_cast<std::size_t>(i)])
                             : void(phase_->add(boxes[static_cast<std::size_t>(i)]));
   }
-  std::vector<BoxPair> pairs() override {
-    std::vector<BoxPair> found = phase_->pairs();
+  void find(std::vector<BoxPair>& found) override {
+    found = phase_->pairs();
     found.pop_back();
-    return found;
   }
 
  private:
