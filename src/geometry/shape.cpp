@@ -58,6 +58,32 @@ void move(Mesh<double>& mesh, const Vec3d& origin) {
   refit(mesh);
 }
 
+void scale(Sphere<double>& sphere, double factor) {
+  sphere.radius *= factor;
+}
+
+void scale(HalfSpace<double>& half_space, double factor) {
+  half_space.plane.offset *= factor;
+}
+
+void scale(Capsule<double>& capsule, double factor) {
+  for (Vec3d& point : capsule.points) point *= factor;
+  capsule.radius *= factor;
+}
+
+void scale(Hull<double>& hull, double factor) {
+  for (Vec3d& vertex : hull.vertices) vertex *= factor;
+  for (Plane<double>& plane : hull.planes) plane.offset *= factor;
+  hull.centroid *= factor;
+  hull.radius *= factor;
+  lay_out(hull);
+}
+
+void scale(Mesh<double>& mesh, double factor) {
+  for (Vec3d& vertex : mesh.vertices) vertex *= factor;
+  refit(mesh);
+}
+
 }  // namespace
 
 template <class T>
@@ -81,6 +107,12 @@ Shape<double> seen_from(const Shape<double>& shape, const Vec3d& origin) {
   Shape<double> moved = shape;
   std::visit([&](auto& kind) { move(kind, origin); }, moved);
   return moved;
+}
+
+Shape<double> scaled(const Shape<double>& shape, double factor) {
+  Shape<double> larger = shape;
+  std::visit([&](auto& kind) { scale(kind, factor); }, larger);
+  return larger;
 }
 
 template Shape<float> shape_cast(const Shape<double>&);

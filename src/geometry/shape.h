@@ -64,4 +64,7 @@ Vec3d moved_origin(const Shape<double>& shape);
 /// frame, metres.
 Shape<double> seen_from(const Shape<double>& shape, const Vec3d& origin);
 
+/// The same shape, `factor` > 0 times as large, about its own origin.
+Shape<double> scaled(const Shape<double>& shape, double factor);
+
 }  // namespace contactscope

@@ -128,6 +128,10 @@ struct Surroundings {
 /// The [shapes] table, in file order. `end_time` is the time of the last frame in seconds.
 std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& surroundings,
                                        double end_time);
+/// scatter.cpp: the copies of `model` that a `scatter` key asks for, NAME_1, NAME_2 and so on, each
+/// with its place and size. `table` is that of the shape.
+std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& scatter,
+                                     const Value& table);
 /// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
 /// out of it, triangles without an area, is warned of.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);

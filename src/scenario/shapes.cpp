@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <system_error>
 
 #include "core/at.h"
@@ -16,11 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Keys of every shape, whatever its type.
-const Keys kCommonKeys = {"type", "position", "rotation", "motion", "friction", "restitution"};
+const Keys kCommonKeys = {"type",     "position",    "rotation", "motion",
+                          "friction", "restitution", "scatter"};
 
 // Half of what one face may have: a clip polygon of two such caps fits with room to spare.
 constexpr int kMaxSegments = 64;
 constexpr std::size_t kMaxHullPoints = 100000;
+constexpr int kMostShapes = 100000;  // of one scenario, once they are scattered
 
 /// Of shapes that are hulls.
 bool merges_coplanar(const Value& table) {
@@ -149,7 +152,25 @@ Keys every_key() {
   return keys;
 }
 
-ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, double end_time) {
+/// What a shape's name, pose and geometry do not say: how it is collided, and how it moves.
+ScenarioShape completed(ScenarioShape shape, const Value& table, double end_time) {
+  shape.collider = shape.geometry;
+  shape.collider_origin = moved_origin(*shape.geometry);
+  if (shape.is_moved())
+    shape.collider =
+        std::make_shared<const Shape<double>>(seen_from(*shape.geometry, shape.collider_origin));
+  if (const auto motion = table.find("motion")) {
+    if (is_dynamic(*motion))
+      shape.body = read_body(*motion, shape);
+    else
+      shape.motion = read_motion(*motion, shape.pose, end_time);
+  }
+  return shape;
+}
+
+/// Adds the shape of one table, or the many that are scattered.
+void read_shape(const Value& value, const Surroundings& surroundings, double end_time,
+                std::vector<ScenarioShape>& shapes) {
   if (value.name().empty())
     value.fail("a shape has an empty name; write [shapes.NAME] with at least one character");
   if (!value.is_table())
@@ -169,20 +190,19 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
   shape.type = word;
   shape.pose = read_pose(table, {});
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
-  shape.collider = shape.geometry;
-  shape.collider_origin = moved_origin(*shape.geometry);
-  if (shape.is_moved())
-    shape.collider =
-        std::make_shared<const Shape<double>>(seen_from(*shape.geometry, shape.collider_origin));
-  if (const auto motion = table.find("motion")) {
-    if (is_dynamic(*motion))
-      shape.body = read_body(*motion, shape);
-    else
-      shape.motion = read_motion(*motion, shape.pose, end_time);
-  }
   table.read("friction", shape.friction, read_friction);
   table.read("restitution", shape.restitution, read_share);
-  return shape;
+  const auto scatter = table.find("scatter");
+  if (!scatter) {
+    shapes.push_back(completed(std::move(shape), table, end_time));
+    return;
+  }
+  for (ScenarioShape& copy : scattered(shape, *scatter, table)) {
+    if (count_of(shapes) == kMostShapes)
+      scatter->fail("the scene has more than " + std::to_string(kMostShapes) +
+                    " shapes; scatter fewer");
+    shapes.push_back(completed(std::move(copy), table, end_time));
+  }
 }
 
 }  // namespace
@@ -222,9 +242,13 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
                                        double end_time) {
   if (!value.is_table())
     value.fail("'shapes' must hold one table for each shape; write [shapes.NAME]");
-  std::vector<ScenarioShape> shapes = mapped(value.members(), [&](const Value& member) {
-    return read_shape(member, surroundings, end_time);
-  });
+  std::vector<ScenarioShape> shapes;
+  for (const Value& member : value.members()) read_shape(member, surroundings, end_time, shapes);
+  std::set<std::string_view> names;
+  for (const ScenarioShape& shape : shapes)
+    if (!names.insert(shape.name).second)
+      value.fail("two shapes are named '" + shape.name +
+                 "', of which one is a copy that 'scatter' makes; give the other another name");
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
   return shapes;
 }

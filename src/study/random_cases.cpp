@@ -28,10 +28,6 @@ Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) 
 
 }  // namespace
 
-double uniform(std::mt19937_64& engine, double low, double high) {
-  return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
-}
-
 Quatd uniform_rotation(std::mt19937_64& engine) {
   const double share = uniform(engine, 0, 1);
   const double first = uniform(engine, 0, 2 * std::numbers::pi);

@@ -3,15 +3,12 @@
 #include <random>
 #include <vector>
 
+#include "core/random.h"
 #include "manifold/pair_cache.h"
 #include "study/separation_oracle.h"
 
 /// What the studies draw: the same from the same seed, on any machine.
 namespace contactscope {
-
-/// In [low, high), the same with every standard library: the engine is specified to the bit, the
-/// standard distributions are not.
-double uniform(std::mt19937_64& engine, double low, double high);
 
 /// Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992.
 Quatd uniform_rotation(std::mt19937_64& engine);

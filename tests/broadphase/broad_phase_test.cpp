@@ -32,8 +32,8 @@ class EveryBroadPhase : public ::testing::TestWithParam<std::string> {
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, EveryBroadPhase, ::testing::ValuesIn([] {
                            std::vector<std::string> names;
-                           for (const BroadPhaseInfo& info : broad_phases())
-                             names.push_back(info.name);
+                           for (const BroadPhaseInfo& phase : broad_phases())
+                             names.push_back(phase.name);
                            return names;
                          }()),
                          [](const auto& tested) { return tested.param; });

@@ -1,0 +1,135 @@
+#include <cmath>
+#include <random>
+
+#include "core/random.h"
+#include "scenario/readers.h"
+
+namespace contactscope::scenario_file {
+namespace {
+
+constexpr int kMostCopies = 20000;  // of one shape
+constexpr double kLargestFactor = 1e3;
+
+/// The key `scatter` of a shape.
+struct Scatter {
+  Vec3d lower, upper;          // metres, of the places of the copies' origins
+  std::array<int, 3> cells{};  // of a grid between them, one copy in each; all 0: no grid
+  int count = 0;               // copies
+  int seed = 1;
+  std::array<double, 2> scale = {1, 1};  // smallest and largest size
+  bool turned = true;                    // each by a rotation of its own
+};
+
+std::array<int, 3> read_cells(const Value& value) {
+  const std::vector<Value> numbers = value.array();
+  if (numbers.size() != 3)
+    value.fail("'cells' are three numbers, along x, y and z; write cells = [4, 1, 4]");
+  std::array<int, 3> cells{};
+  for (std::size_t i = 0; i < 3; ++i) cells[i] = numbers[i].integer(1, kMostCopies);
+  if (std::int64_t{cells[0]} * cells[1] * cells[2] > kMostCopies)
+    value.fail("'cells' make more than " + std::to_string(kMostCopies) + " copies; lower them");
+  return cells;
+}
+
+std::array<double, 2> read_scale(const Value& value) {
+  const std::vector<double> range = value.numbers(2);
+  if (!(range[0] >= 1 / kLargestFactor && range[0] <= range[1] && range[1] <= kLargestFactor))
+    value.fail(
+        "'scale' is from the smallest size to the largest, 0.001 to 1000 times that of the "
+        "shape; write scale = [0.5, 2]");
+  return {range[0], range[1]};
+}
+
+Scatter read_scatter(const Value& value) {
+  const Value& table = value.table({"count", "cells", "seed", "lower", "upper", "scale", "turned"});
+  Scatter scatter;
+  const auto count = table.find("count"), cells = table.find("cells");
+  if (count && cells) cells->fail("give 'count' or 'cells', not both");
+  if (!count && !cells)
+    table.fail("'scatter' does not say how many; add count = 100, or cells = [10, 1, 10]");
+  if (count) scatter.count = count->integer(1, kMostCopies);
+  if (cells) scatter.cells = read_cells(*cells);
+  if (cells) scatter.count = scatter.cells[0] * scatter.cells[1] * scatter.cells[2];
+  scatter.lower = read_position(table.require("lower", "lower = [-1, 0, -1] (metres)"));
+  const Value upper = table.require("upper", "upper = [1, 2, 1] (metres)");
+  scatter.upper = read_position(upper);
+  if (!(scatter.lower.array() <= scatter.upper.array()).all())
+    upper.fail("'upper' is below 'lower'; it has no smaller coordinate");
+  table.read("seed", scatter.seed, integer_in(0, 1'000'000'000));
+  table.read("scale", scatter.scale, read_scale);
+  table.read("turned", scatter.turned, &Value::boolean);
+  return scatter;
+}
+
+/// Evenly among all rotations: a point of the ball in four dimensions, made unit. It takes no
+/// function that libraries round differently.
+Quatd random_rotation(std::mt19937_64& engine) {
+  for (;;) {
+    const double w = uniform(engine, -1, 1), x = uniform(engine, -1, 1);
+    const double y = uniform(engine, -1, 1), z = uniform(engine, -1, 1);
+    const double length = std::sqrt(w * w + x * x + y * y + z * z);
+    if (length > 0.1 && length <= 1) return Quatd(w / length, x / length, y / length, z / length);
+  }
+}
+
+/// Small ones are many: as many between 1 and 2 as between 2 and infinity. Rational, for the same
+/// reason.
+double random_size(std::mt19937_64& engine, const std::array<double, 2>& scale) {
+  const auto [low, high] = scale;
+  return low * high / uniform(engine, low, high);
+}
+
+/// Metres: what says how large a shape is that can be scattered.
+double radius_of(const Shape<double>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return sphere->radius;
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return capsule->radius;
+  return std::get<Hull<double>>(shape).radius;
+}
+
+}  // namespace
+
+std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& value,
+                                     const Value& table) {
+  const Scatter scatter = read_scatter(value);
+  if (const auto position = table.find("position"))
+    position->fail("'scatter' places the copies; remove 'position'");
+  if (const auto rotation = table.find("rotation"); rotation && scatter.turned)
+    rotation->fail(
+        "'scatter' turns each copy by a rotation of its own; remove 'rotation', or add "
+        "turned = false to 'scatter'");
+  if (const auto motion = table.find("motion"); motion && motion->find("keyframes"))
+    motion->fail("keyframes would move every copy of '" + model.name +
+                 "' to the same places; give a velocity, or dynamic = true");
+  if (kind_of(*model.geometry) == ShapeKind::Plane || kind_of(*model.geometry) == ShapeKind::Mesh)
+    value.fail("spheres, capsules and hulls can be scattered, and '" + model.name + "' is a " +
+               model.type + "; write each one as a shape of its own");
+
+  std::mt19937_64 engine(static_cast<std::uint64_t>(scatter.seed));
+  std::vector<ScenarioShape> copies;
+  for (int i = 0; i < scatter.count; ++i) {
+    ScenarioShape copy = model;
+    copy.name = model.name + "_" + std::to_string(i + 1);
+    Vec3d share;  // of the way from `lower` to `upper`
+    for (int axis = 0, rest = i; axis < 3; ++axis) {
+      const int cells = scatter.cells[static_cast<std::size_t>(axis)];
+      // In a grid a copy keeps to the middle half of its cell.
+      share[axis] =
+          cells == 0 ? uniform(engine, 0, 1) : (rest % cells + uniform(engine, 0.25, 0.75)) / cells;
+      if (cells > 0) rest /= cells;
+    }
+    copy.pose.position = scatter.lower + share.cwiseProduct(scatter.upper - scatter.lower);
+    if (scatter.turned) copy.pose.rotation = random_rotation(engine);
+    if (scatter.scale != std::array<double, 2>{1, 1}) {
+      copy.geometry = std::make_shared<const Shape<double>>(
+          scaled(*model.geometry, random_size(engine, scatter.scale)));
+      const double radius = radius_of(*copy.geometry);
+      if (!(radius >= kSmallestLength && radius <= kLargestLength))
+        value.fail("'scale' makes a copy of '" + model.name +
+                   "' smaller than 1e-9 metres or larger than 1e9; lower its range");
+    }
+    copies.push_back(std::move(copy));
+  }
+  return copies;
+}
+
+}  // namespace contactscope::scenario_file
