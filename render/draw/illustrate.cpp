@@ -23,6 +23,8 @@ Needs needs_of(Panel panel) {
     case Panel::Plots:
     case Panel::Pipeline:
       return {};
+    case Panel::Endpoints:
+      return {&Stages::cells};
     case Panel::Minkowski:
       return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
     case Panel::GaussMap:

@@ -81,9 +81,10 @@ bool BroadPhase::has(int handle) const {
   return handle >= 0 && handle < handles() && !box(handle).empty();
 }
 
-const std::vector<BoxPair>& BroadPhase::pairs() {
+const std::vector<BoxPair>& BroadPhase::pairs(BroadPhaseRecord* record) {
+  if (record != nullptr) *record = {};
   found_.clear();
-  find_pairs();
+  find_pairs(record);
   sorter_.sort(found_, handles());
   return found_;
 }

@@ -25,6 +25,32 @@ struct BroadPhaseCounts {
   std::int64_t swaps = 0;        // of neighbouring endpoints, by sweep and prune
 };
 
+/// A part of space or of a tree, and what a step did there.
+struct BroadPhaseCell {
+  Aabb<float> box;  // of columns without end along the axis that is swept
+  int depth = 0;    // 0 at the root of a tree, and where there are no levels
+  int members = 0;  // boxes in it; of a tree's node that has others below 0
+  int tests = 0;    // of two boxes, of which one is in it, or is that of the node itself
+};
+
+/// The lower end of one box and the upper end of another changed places on an axis.
+struct EndSwap {
+  int axis = 0;
+  float place = 0;  // metres along it, of the end that moved down
+  int lower = 0;    // handle of the box whose lower end it is
+  int upper = 0;
+  bool meets = false;   // along the axis the boxes overlap now; else they no longer do
+  bool counts = false;  // a pair began, or ended, by it
+};
+
+/// What the structure of a broad phase looks like, for somebody who watches a step.
+struct BroadPhaseRecord {
+  std::vector<BroadPhaseCell> cells;  // those with something in them
+  std::vector<EndSwap> swaps;
+  std::vector<int>
+      large;  // handles, ascending: compared with all others, as too large for any cell
+};
+
 /// Finds which of many boxes overlap. Boxes are closed: those that touch overlap, as in the narrow
 /// phase, so that no contact at distance zero is lost between the two. A box may be infinite, as
 /// that of a plane is.
@@ -45,7 +71,8 @@ class BroadPhase {
   void remove(int handle);
 
   /// Every pair that overlaps now, ascending. Another call of this or of changes() overwrites them.
-  const std::vector<BoxPair>& pairs();
+  /// `record`: null when nobody watches, which costs nothing; it changes no pair and is emptied first.
+  const std::vector<BoxPair>& pairs(BroadPhaseRecord* record = nullptr);
   /// Which pairs overlap that did not when this was called last, and the reverse. A handle that was
   /// given away again counts as the same box.
   PairChanges changes();
@@ -69,7 +96,8 @@ class BroadPhase {
   virtual void moved(int /*handle*/, const Aabb<float>& /*from*/) {}
   virtual void removing(int /*handle*/) {}
   /// Appends every overlapping pair once, in any order, by report().
-  virtual void find_pairs() = 0;
+  /// `record`: as of pairs().
+  virtual void find_pairs(BroadPhaseRecord* record) = 0;
   /// Appends to `found` every box that overlaps, once, in any order. Where there is no structure for
   /// it: looks at all of them.
   virtual void find(const Aabb<float>& box, std::vector<int>& found) const;

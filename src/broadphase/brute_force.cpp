@@ -6,7 +6,7 @@ namespace {
 /// Compares every box with every other one: n (n - 1) / 2 comparisons. What the others are held
 /// against.
 class BruteForce : public Clonable<BruteForce> {
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* /*record*/) override {
     for (int i = 0; i < handles(); ++i) {
       for (int j = i + 1; has(i) && j < handles(); ++j) {
         if (has(j)) compare(i, j);

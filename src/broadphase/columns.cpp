@@ -47,14 +47,16 @@ class Columns : public Clonable<Columns> {
     float upper[3] = {kInfinity, kInfinity, kInfinity};
   };
 
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* record) override {
+    record_ = record;
     gather();
     divide(0, keys_.size(), Region(), 0);
+    record_ = nullptr;
   }
 
   /// All boxes in the order of their lower ends on the swept axis.
   void gather() {
-    const std::array<int, 3> axes = axes_by_spread();
+    const std::array<int, 3> axes = axes_ = axes_by_spread();
     keys_.clear();
     for (int i = 0; i < handles(); ++i) {
       if (has(i)) keys_.push_back({sortable(box(i).lower[axes[0]]), i});
@@ -207,7 +209,6 @@ class Columns : public Clonable<Columns> {
                           (load(upper_y + j) >= entry.lower[1]) &
                           (load(lower_z + j) <= entry.upper[2]) &
                           (load(upper_z + j) >= entry.lower[2]);
-        compared += kLanes;
         for (std::uint32_t left = lanes::bits<float>(hits); left != 0; left &= left - 1) {
           const int other = j + std::countr_zero(left);
           if (std::max(entry.lower[1], lower_y[other]) >= region.lower[1] &&
@@ -215,10 +216,23 @@ class Columns : public Clonable<Columns> {
             report(entry.handle, handles[other]);
           }
         }
+        // Those that begin before it ends come first.
+        compared += std::countr_one(lanes::bits<float>(before_it_ends));
         if (!(before_it_ends[kLanes - 1])) break;
       }
     }
     counts_.comparisons += compared;
+    if (record_ != nullptr) tell(region, count, compared);
+  }
+
+  void tell(const Region& region, int members, std::int64_t tests) {
+    BroadPhaseCell& cell = record_->cells.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      cell.box.lower[axes_[i]] = region.lower[i];
+      cell.box.upper[axes_[i]] = region.upper[i];
+    }
+    cell.members = members;
+    cell.tests = static_cast<int>(tests);
   }
 
   std::size_t own_memory() const override {
@@ -226,6 +240,8 @@ class Columns : public Clonable<Columns> {
            bytes_of(column_);
   }
 
+  std::array<int, 3> axes_{};
+  BroadPhaseRecord* record_ = nullptr;  // of the step that is going on
   std::vector<Key> keys_, sorted_keys_;
   std::vector<Entry> entries_;  // all, then those of the columns being divided
   std::vector<float> sides_;    // of one column

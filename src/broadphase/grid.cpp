@@ -30,9 +30,10 @@ class Grid : public Clonable<Grid> {
     int handle;
   };
 
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* record) override {
     choose_cells();
     sort_into_cells();
+    if (record != nullptr) tell(*record);
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       for (int i = first_[bucket]; i < first_[bucket + 1]; ++i) {
         for (int j = i + 1; j < first_[bucket + 1]; ++j)
@@ -44,6 +45,27 @@ class Grid : public Clonable<Grid> {
         if (!has(other) || other == large_[k]) continue;
         const bool is_large = std::ranges::binary_search(large_, other);
         if (!is_large || other > large_[k]) compare(large_[k], other);
+      }
+    }
+  }
+
+  /// Cells by bucket, and in a bucket as they come.
+  void tell(BroadPhaseRecord& record) const {
+    record.large = large_;
+    for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
+      const auto begin = record.cells.size();
+      std::vector<Cell> cells;
+      for (int i = first_[bucket]; i < first_[bucket + 1]; ++i) {
+        const Cell& cell = at(sorted_, i).cell;
+        const auto found = std::ranges::find(cells, cell);
+        if (found == cells.end()) {
+          const Vec3<float> lower = cell_ * Vec3<int>(cell[0], cell[1], cell[2]).cast<float>();
+          record.cells.push_back({.box = {lower, lower + Vec3<float>::Constant(cell_)}});
+        }
+        BroadPhaseCell& told =
+            record.cells[begin + static_cast<std::size_t>(found - cells.begin())];
+        told.tests += told.members++;
+        if (found == cells.end()) cells.push_back(cell);
       }
     }
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
@@ -89,7 +90,8 @@ class Octree : public Clonable<Octree> {
     }
   }
 
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* record) override {
+    std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's boxes
     for (int i = 0; i < handles(); ++i) {
       if (!has(i)) continue;
       if (at(homes_, i) < 0) {
@@ -100,8 +102,27 @@ class Octree : public Clonable<Octree> {
         continue;
       }
       visit(box(i), [&](int j) {
-        if (j > i) compare(i, j);
+        if (j <= i) return;
+        compare(i, j);
+        if (record != nullptr) ++at(tests, at(homes_, j));
       });
+    }
+    if (record != nullptr) tell(tests, *record);
+  }
+
+  /// Nodes from the root down, and what is without end.
+  void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
+    record.large = endless_;
+    std::ranges::sort(record.large);
+    std::vector<std::pair<int, int>> open;  // node, depth
+    if (root_ >= 0) open.emplace_back(root_, 0);
+    while (!open.empty()) {
+      const auto [index, depth] = open.back();
+      open.pop_back();
+      const Node& node = at(nodes_, index);
+      record.cells.push_back({node.reach, depth, count_of(node.here), at(tests, index)});
+      for (const int child : node.children)
+        if (child >= 0 && at(nodes_, child).below > 0) open.emplace_back(child, depth + 1);
     }
   }
 

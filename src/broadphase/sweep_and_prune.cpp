@@ -32,7 +32,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   void added(int handle) override { came_.push_back(handle); }
   void removing(int handle) override { went_.push_back(handle); }
 
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* record) override {
     if (!went_.empty()) forget_gone();
     for (const int handle : came_) {
       if (!has(handle)) continue;
@@ -46,7 +46,7 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
     came_.clear();
     went_.clear();
     update_ends();
-    if (many_came || !mend_order()) sort_anew();
+    if (many_came || !mend_order(record)) sort_anew();
     for (const std::uint64_t key : kept_)
       report(static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu));
   }
@@ -73,35 +73,43 @@ class SweepAndPrune : public Clonable<SweepAndPrune> {
   }
 
   /// False where too much jumped; then neither order nor pairs are right.
-  bool mend_order() {
+  bool mend_order(BroadPhaseRecord* record) {
     std::int64_t left = kMostSwaps * static_cast<std::int64_t>(axes_[0].size());
-    for (std::vector<End>& ends : axes_) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<End>& ends = at(axes_, axis);
       for (std::size_t i = 1; i < ends.size(); ++i) {
         const End end = ends[i];
         std::size_t k = i;
         for (; k > 0 && end < ends[k - 1]; --k) {
-          pass(end, ends[k - 1]);
+          pass(end, ends[k - 1], axis, record);
           ends[k] = ends[k - 1];
         }
         ends[k] = end;
         counts_.swaps += static_cast<std::int64_t>(i - k);
         left -= static_cast<std::int64_t>(i - k);
-        if (left < 0) return false;
+        if (left < 0) {
+          if (record != nullptr) record->swaps.clear();
+          return false;
+        }
       }
     }
     return true;
   }
 
   /// `end` goes down past `other`.
-  void pass(const End& end, const End& other) {
+  void pass(const End& end, const End& other, int axis, BroadPhaseRecord* record) {
     if (end.upper == other.upper) return;
+    const std::uint64_t key = key_of(end.handle, other.handle);
+    bool counts = false;
     if (end.upper) {
-      kept_.erase(key_of(end.handle, other.handle));
-      return;
+      counts = kept_.erase(key) > 0;
+    } else {
+      ++counts_.comparisons;
+      counts = overlaps(box(end.handle), box(other.handle)) && kept_.insert(key).second;
     }
-    ++counts_.comparisons;
-    if (overlaps(box(end.handle), box(other.handle)))
-      kept_.insert(key_of(end.handle, other.handle));
+    if (record == nullptr) return;
+    record->swaps.push_back({axis, end.at, end.upper ? other.handle : end.handle,
+                             end.upper ? end.handle : other.handle, !end.upper, counts});
   }
 
   /// Sorts all three axes, and finds the pairs along the one on which the boxes' middles lie

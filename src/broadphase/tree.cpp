@@ -178,14 +178,18 @@ class Tree : public Clonable<Tree> {
     return high;
   }
 
-  void find_pairs() override {
+  void find_pairs(BroadPhaseRecord* record) override {
+    std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's box
     for (const int i : endless_) {
       for (int j = 0; j < handles(); ++j) {
         // Of two that both are without end, the first one reports.
         if (has(j) && j != i && (at(leaves_, j) >= 0 || j > i)) compare(i, j);
       }
     }
-    if (root_ < 0) return;
+    if (root_ < 0) {
+      if (record != nullptr) tell(tests, *record);
+      return;
+    }
     // Two nodes of which each pair of leaves below is to be compared; of the same one, its own.
     open_.assign(1, {root_, root_});
     while (!open_.empty()) {
@@ -197,7 +201,13 @@ class Tree : public Clonable<Tree> {
         if (first.is_leaf()) continue;
         const auto [left, right] = first.children;
         open_.insert(open_.end(), {{left, left}, {right, right}, {left, right}});
-      } else if (!overlaps(first.box, second.box)) {
+        continue;
+      }
+      if (record != nullptr) {
+        ++at(tests, a);
+        ++at(tests, b);
+      }
+      if (!overlaps(first.box, second.box)) {
         continue;
       } else if (first.is_leaf() && second.is_leaf()) {
         compare(first.handle, second.handle);
@@ -206,6 +216,23 @@ class Tree : public Clonable<Tree> {
       } else {
         for (const int child : second.children) open_.emplace_back(a, child);
       }
+    }
+    if (record != nullptr) tell(tests, *record);
+  }
+
+  /// Nodes from the root down, and what is without end.
+  void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
+    record.large = endless_;
+    std::ranges::sort(record.large);
+    std::vector<std::pair<int, int>> open;  // node, depth
+    if (root_ >= 0) open.emplace_back(root_, 0);
+    while (!open.empty()) {
+      const auto [index, depth] = open.back();
+      open.pop_back();
+      const Node& node = at(nodes_, index);
+      record.cells.push_back({node.box, depth, node.is_leaf() ? 1 : 0, at(tests, index)});
+      if (node.is_leaf()) continue;
+      for (const int child : node.children) open.emplace_back(child, depth + 1);
     }
   }
 

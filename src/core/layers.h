@@ -19,6 +19,7 @@
   ROW(Dropped, "dropped")                      \
   ROW(IncidentFace, "incident_face")           \
   ROW(Tree, "tree")                            \
+  ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
@@ -48,6 +49,7 @@
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
   ROW(Pipeline, "pipeline")                    \
+  ROW(Endpoints, "endpoints")                  \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

@@ -20,7 +20,7 @@ double PairChooser::reach() const {
 }
 
 std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
-                                         trace::Frame* record) {
+                                         trace::Frame* record, bool cells) {
   const Vec3<float> far = Vec3<float>::Constant(std::numeric_limits<float>::infinity());
   const BroadPhaseCounts before = phase_->counts();
   for (int i = 0; i < count_of(boxes); ++i) {
@@ -30,7 +30,8 @@ std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
     else
       phase_->add(box);
   }
-  std::vector<BoxPair> chosen = phase_->pairs();
+  BroadPhaseRecord structure;
+  std::vector<BoxPair> chosen = phase_->pairs(record && cells ? &structure : nullptr);
   const bool any_dynamic = std::ranges::any_of(scenario_.shapes, &ScenarioShape::dynamic);
   std::erase_if(chosen, [&](const BoxPair& pair) {
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
@@ -51,9 +52,34 @@ std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
   for (int i = 0; i < phase_->handles(); ++i) {
     if (!is_bounded(phase_->box(i))) continue;
     const Aabb<double> box = phase_->box(i).cast<double>();
-    facts.bounds.push_back({scenario_.shape(i).name, {box.lower, box.upper}});
+    facts.bounds.push_back({scenario_.shape(i).name,
+                            {box.lower, box.upper},
+                            std::ranges::binary_search(structure.large, i)});
   }
+  tell(structure, facts);
   return chosen;
+}
+
+void PairChooser::tell(const BroadPhaseRecord& structure, trace::BroadPhase& facts) const {
+  Aabb<double> world;
+  for (const trace::Bounds& bounds : facts.bounds) {
+    world.include(bounds.box.lower);
+    world.include(bounds.box.upper);
+  }
+  for (const BroadPhaseCell& cell : structure.cells) {
+    // Columns have no end.
+    const Aabb<double> box = cell.box.cast<double>();
+    facts.cells.push_back({{box.lower.cwiseMax(world.lower), box.upper.cwiseMin(world.upper)},
+                           cell.depth,
+                           cell.members,
+                           cell.tests});
+  }
+  const auto name = [&](int handle) { return scenario_.shape(handle).name; };
+  for (const EndSwap& swap : structure.swaps) {
+    constexpr const char* kAxes[] = {"x", "y", "z"};
+    facts.end_swaps.push_back({kAxes[swap.axis], static_cast<double>(swap.place), name(swap.lower),
+                               name(swap.upper), swap.meets, swap.counts});
+  }
 }
 
 }  // namespace contactscope

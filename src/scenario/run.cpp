@@ -49,6 +49,7 @@ bool shown(const std::vector<View>& views, auto what) {
 trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
   stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
   stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
+  stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
   return stages;
 }
 
@@ -199,7 +200,7 @@ class Runner::In final : public Runner::InScalar {
       boxes.push_back(world_box(at(*shapes_, i), at(poses, i), 0.5 * chooser_.reach()));
     std::vector<ActivePair<S>> chosen;
     auto before = pairs_.begin();
-    for (const BoxPair& pair : chooser_.choose(boxes, record)) {
+    for (const BoxPair& pair : chooser_.choose(boxes, record, stages_.cells)) {
       while (before != pairs_.end() && before->shapes() < pair) ++before;
       if (before != pairs_.end() && before->shapes() == pair)
         chosen.push_back(std::move(*before));

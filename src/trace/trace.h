@@ -61,12 +61,46 @@ struct Solver {
 /// A shape's box in the broad phase, under the shape's name.
 struct Bounds {
   std::string name;
-  Box box;  // world, metres; with the margin that contacts are looked for within
+  Box box;             // world, metres; with the margin that contacts are looked for within
+  bool large = false;  // too large for any cell: compared with all others
 
   static constexpr auto fields() {
-    return std::tuple(field::name(&Bounds::name), field::merged(&Bounds::box));
+    return std::tuple(field::name(&Bounds::name), field::merged(&Bounds::box),
+                      field::exact("large", &Bounds::large).where_set());
   }
   friend bool operator==(const Bounds&, const Bounds&) = default;
+};
+
+/// A part of space or of a tree into which a broad phase sorts boxes, and what the frame cost there.
+struct Cell {
+  Box box;          // world, metres
+  int depth = 0;    // 0 at the root of a tree, and where there are no levels
+  int members = 0;  // boxes in it
+  int tests = 0;    // of two boxes, of which one is in it, or is the box of the node itself
+
+  static constexpr auto fields() {
+    return std::tuple(field::merged(&Cell::box), field::exact("depth", &Cell::depth).where_set(),
+                      field::exact("members", &Cell::members), field::exact("tests", &Cell::tests));
+  }
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// On an axis the lower end of one shape's box and the upper end of another's changed places.
+struct EndSwap {
+  std::string axis;     // "x", "y", "z"
+  double place = 0;     // metres along it
+  std::string lower;    // the shape whose lower end it is
+  std::string upper;    // the other one
+  bool meets = false;   // along the axis both overlap now; else they no longer do
+  bool counts = false;  // a pair began, or ended, by it
+
+  static constexpr auto fields() {
+    using E = EndSwap;
+    return std::tuple(field::exact("axis", &E::axis), field::exact("place", &E::place),
+                      field::exact("lower", &E::lower), field::exact("upper", &E::upper),
+                      field::exact("meets", &E::meets), field::exact("counts", &E::counts));
+  }
+  friend bool operator==(const EndSwap&, const EndSwap&) = default;
 };
 
 /// How the frame's pairs were chosen from all: those whose boxes overlap.
@@ -77,6 +111,9 @@ struct BroadPhase {
   int visits = 0;              // of nodes, cells or columns
   int swaps = 0;               // of neighbouring endpoints
   std::vector<Bounds> bounds;  // of each shape, but for those without end
+  // Where somebody looks at them:
+  std::vector<Cell> cells;         // those with something in them
+  std::vector<EndSwap> end_swaps;  // of sweep and prune
 
   static constexpr auto fields() {
     using B = BroadPhase;
@@ -84,7 +121,9 @@ struct BroadPhase {
                       field::exact("comparisons", &B::comparisons).optional(),
                       field::exact("visits", &B::visits).optional(),
                       field::exact("swaps", &B::swaps).optional(),
-                      field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"));
+                      field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"),
+                      field::facts("cells", &B::cells).where_set().entries("cell"),
+                      field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"));
   }
   friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
 };

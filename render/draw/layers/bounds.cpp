@@ -7,6 +7,8 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr std::size_t kMostNamed = 12;  // boxes
+
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3,
                                 [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
@@ -25,6 +27,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     const bool alone = bounds < meeting;
     outline(bounds->box, {}, alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kSidePlane},
             sketch);
+    if (all.size() <= kMostNamed) sketch.label(bounds->box.upper, bounds->name, kText, 14, 4);
     sketch.explain(
         alone ? kAloneSwatch : kMeetingSwatch,
         alone ? "box that meets no other" : "box that meets another: the pair is collided");

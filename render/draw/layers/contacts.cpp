@@ -19,6 +19,7 @@ constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
                                   draw_square(pen.middle(), pen.px(4.2), kContact, pen.drawing());
                                 }};
+constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
 constexpr Swatch kApartSwatch{LegendGroup::Points, 10, [](auto& pen) {
                                 pen.whisker(1.5, kContact);
                                 pen.dot(0, 4.8, kWhite);
@@ -87,6 +88,12 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
   return std::nullopt;
 }
 
+void draw_specks(const trace::Pair& pair, Sketch& sketch) {
+  for (const PairPoint& kept : kept_points(pair))
+    sketch.mark(MarkKind::Speck, kept.point->position, kContact);
+  sketch.explain(kSpeckSwatch, "contact point");
+}
+
 void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::string factor = spell_factor(scene.scales.overlap);
   for (const PairPoint& kept : kept_points(pair)) {
@@ -112,6 +119,10 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (scene.crowded()) {
+    if (!pair.manifolds.empty()) draw_specks(pair, sketch);
+    return;
+  }
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
@@ -157,7 +168,8 @@ const LayerDrawing kContactsLayer{
     .needs = {&Stages::sat, &Stages::gjk, &Stages::reduction},
     .beneath =
         [](const Scene& scene, Sketch& sketch) {
-          if (!scene.shows(Layer::ReferenceFace)) draw_touched_triangles(scene, sketch);
+          if (!scene.shows(Layer::ReferenceFace) && !scene.crowded())
+            draw_touched_triangles(scene, sketch);
         },
     .result = draw_contacts,
 };

@@ -14,6 +14,7 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Stability, make_stability_panel},
     {Panel::Plots, make_plots_panel},
     {Panel::Pipeline, make_pipeline_panel},
+    {Panel::Endpoints, make_endpoints_panel},
 };
 
 }  // namespace

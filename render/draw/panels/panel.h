@@ -113,6 +113,6 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
 // The panels, one file each.
 using MakePanel = std::unique_ptr<PanelContent>(const Staging&, const Frames&);
 MakePanel make_summary_panel, make_contact_plane_panel, make_axis_history_panel;
-MakePanel make_stability_panel, make_plots_panel, make_pipeline_panel;
+MakePanel make_stability_panel, make_plots_panel, make_pipeline_panel, make_endpoints_panel;
 
 }  // namespace contactscope::draw

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "draw/panels/panel.h"
 
@@ -12,7 +14,7 @@ constexpr float kSpacing = 5;                     // likewise, between rows of a
 
 struct StageCount {
   std::string name;
-  int count;
+  std::int64_t count;
   Color color;
 };
 
@@ -20,8 +22,8 @@ std::vector<StageCount> stages_of(const trace::Frame& frame) {
   std::vector<StageCount> stages;
   const int shapes = count_of(frame.poses);
   if (frame.broad_phase) {
-    stages.push_back(
-        {"pairs of " + std::to_string(shapes) + " shapes", shapes * (shapes - 1) / 2, kShapeEdge});
+    stages.push_back({"pairs of " + std::to_string(shapes) + " shapes",
+                      std::int64_t{shapes} * (shapes - 1) / 2, kShapeEdge});
     stages.push_back(
         {"pairs of boxes compared", frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
     stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kSidePlane});
@@ -38,6 +40,11 @@ std::vector<StageCount> stages_of(const trace::Frame& frame) {
   return stages;
 }
 
+/// What a bar is as long as: a stage often lets one of a thousand through.
+double digits(std::int64_t count) {
+  return std::log10(1 + static_cast<double>(count));
+}
+
 class PipelinePanel : public PanelContent {
  public:
   PipelinePanel(const Staging& staging, const Frames& frames)
@@ -49,12 +56,12 @@ class PipelinePanel : public PanelContent {
   PanelNeed need(const PanelMoment& moment) const override {
     const auto rows = static_cast<float>(stages_of(frames_[moment.frame]).size());
     const float bar = static_cast<float>(kBarHeight + kAfterBar) * scale_;
-    const float height = Sheet::heading_height(scale_) +
+    const float height = Sheet::heading_height(scale_) + Sheet::line_height(scale_) +
                          rows * (Sheet::line_height(scale_) + bar + kSpacing * scale_);
     return {height, height, height, 0};
   }
 
-  /// A bar a stage, from the same scale in every frame, so that a bar that grows is a count that does.
+  /// A bar a stage, on the same scale in every frame, so that a bar that grows is a count that does.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     sheet.heading(frame.broad_phase ? "what each stage lets through: " + frame.broad_phase->method
@@ -69,19 +76,20 @@ class PipelinePanel : public PanelContent {
                Align::Right, kText, Weight::Bold);
       sheet.line(stage.name, kText);
       const Rect rest = sheet.rest();
-      const double share = static_cast<double>(stage.count) / std::max(1, most_);
+      const double share = digits(stage.count) / std::max(1.0, digits(most_));
       const double width = stage.count == 0 ? 0 : std::max(1.0, rest.width * share);
       pen.fill({rest.x, rest.y, rest.width, pen.px(kBarHeight)}, with_alpha(kDropped, 0.1f));
       pen.fill({rest.x, rest.y, width, pen.px(kBarHeight)}, stage.color);
       sheet.skip(pen.px(kBarHeight + kAfterBar));
     }
+    sheet.line("bars: by the number of digits", kQuietText);
     return {};
   }
 
  private:
   const Frames& frames_;
   float scale_;
-  int most_ = 0;
+  std::int64_t most_ = 0;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ constexpr int kSteps = 12;  // of a quarter of a circle
 // Pixels at 720 lines.
 constexpr double kDotRadius = 5.5;
 constexpr double kDotHalo = 1.8;
+constexpr double kSpeckRadius = 2.4;
 constexpr double kDotBorder = 2.2;
 constexpr double kHaloed = kDotRadius + kDotHalo;
 constexpr double kApartBorder = 1.2;
@@ -105,6 +106,8 @@ float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& 
     case MarkKind::Square:
       draw_square(at, pen.px(kSquare), color, pen.drawing());
       return pen.px(kSquare + kDotHalo);
+    case MarkKind::Speck:
+      return rings(0, {{0, kSpeckRadius + 0.5 * kDotHalo, kWhite}, {0, kSpeckRadius, color}});
     case MarkKind::Node:
       return rings(0, {{0, kNodeRadius + 0.5 * kDotHalo, kWhite}, {0, kNodeRadius, color}});
   }

@@ -91,6 +91,8 @@ struct SequenceScales {
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
                           const Camera& camera, const Layout& layout, const View& view);
 
+inline constexpr std::size_t kCrowd = 60;  // shapes
+
 /// All that the layers look at in one frame.
 struct Scene {
   const View& view;
@@ -102,6 +104,8 @@ struct Scene {
   std::vector<PlacedShape> shapes = place_shapes(meshes, frame);
 
   bool shows(Layer layer) const { return view.shows(layer); }
+  /// So many shapes that lengths, names and signs of each would cover all of them.
+  bool crowded() const { return header.shapes.size() > kCrowd; }
   /// Null where there is none of that name.
   const PlacedShape* find(std::string_view name) const;
   /// Ends of an edge of the shape of that name; nothing where there is no such edge.

@@ -76,6 +76,7 @@ enum class MarkKind {
   HeldOrigin,      // within what the picture is about
   Square,          // a contact point that has no age
   Node,            // where lines meet
+  Speck,           // a point among hundreds
 };
 
 /// Something of a fixed size on the screen.

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "draw/panels/panel.h"
+
+/// What sweep and prune keeps in order: the ends of all boxes on each axis, and where two of them
+/// changed places since the frame before.
+namespace contactscope::draw {
+namespace {
+
+constexpr float kLeastBox = 3, kMostBox = 16;  // pixels at 720 lines: a box on an axis
+constexpr float kNamed = 14;                   // rows at least so high bear names
+constexpr double kBoxNames = 74;               // pixels at 720 lines
+constexpr double kAfterAxis = 8;
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+constexpr Color kSpark = kContact;
+
+std::string number_of(int number, const char* one, const char* many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+class EndpointsPanel : public PanelContent {
+ public:
+  EndpointsPanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {
+    for (const trace::Frame& frame : frames) {
+      if (!frame.broad_phase) continue;
+      boxes_ = std::max(boxes_, frame.broad_phase->bounds.size());
+      for (const trace::Bounds& bounds : frame.broad_phase->bounds) {
+        world_.extend(bounds.box.lower);
+        world_.extend(bounds.box.upper);
+      }
+    }
+  }
+
+  PanelNeed need(const PanelMoment&) const override {
+    const auto height = [&](float row) {
+      return Sheet::heading_height(scale_) +
+             3 * (Sheet::line_height(scale_) +
+                  scale_ * (row * static_cast<float>(boxes_) + static_cast<float>(kAfterAxis)));
+    };
+    return {height(kLeastBox), height(kMostBox), height(kMostBox), 0};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("ends in order on three axes");
+    const auto& phase = frames_[moment.frame].broad_phase;
+    if (!phase || phase->bounds.empty()) {
+      sheet.paragraph("does not apply: no broad phase chooses the pairs", kQuietText);
+      return {};
+    }
+    const double axes_height =
+        3 * (sheet.line_height() + static_cast<double>(sheet.pen().px(kAfterAxis)));
+    const double row =
+        std::min<double>(sheet.pen().px(kMostBox),
+                         (sheet.rest().height - axes_height) / (3 * static_cast<double>(boxes_)));
+    for (int axis = 0; axis < 3; ++axis) draw_axis(*phase, axis, row, sheet);
+    return {};
+  }
+
+ private:
+  /// A bar a box, in the order of their lower ends.
+  void draw_axis(const trace::BroadPhase& phase, int axis, double row, Sheet& sheet) const {
+    int swaps = 0, count = 0;
+    for (const trace::EndSwap& swap : phase.end_swaps) {
+      swaps += swap.axis == kAxes[axis];
+      count += swap.axis == kAxes[axis] && swap.counts;
+    }
+    sheet.line(std::string("along ") + kAxes[axis] + ": " +
+                   (swaps == 0 ? "nothing passes"
+                               : number_of(swaps, "swap", "swaps") + ", " +
+                                     number_of(count, "pair", "pairs") + " begun or ended"),
+               kText);
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const bool named = row >= static_cast<double>(pen.px(kNamed));
+    const double left = rest.x + (named ? static_cast<double>(pen.px(kBoxNames)) : 0);
+    const double extent = world_.sizes()[axis];
+    const auto across = [&](double place) {
+      return left +
+             (rest.right() - left) * (extent > 0 ? (place - world_.min()[axis]) / extent : 0);
+    };
+    std::vector<trace::Bounds> boxes = phase.bounds;
+    std::ranges::stable_sort(boxes, {}, [&](const trace::Bounds& b) { return b.box.lower[axis]; });
+    std::map<std::string, double> height_of;
+    double y = rest.y;
+    for (const trace::Bounds& bounds : boxes) {
+      const double bar = std::max(1.0, 0.5 * row), from = across(bounds.box.lower[axis]);
+      pen.fill(
+          {from, y + 0.5 * (row - bar), std::max(1.0, across(bounds.box.upper[axis]) - from), bar},
+          with_alpha(kShapeEdge, 0.45f));
+      if (named)
+        pen.text(
+            fitted(bounds.name, sheet.text_height(), FontWeight::Regular, pen.px(kBoxNames - 6)),
+            {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
+            kQuietText);
+      height_of[bounds.name] = y + 0.5 * row;
+      y += row;
+    }
+    for (const trace::EndSwap& swap : phase.end_swaps) {
+      if (swap.axis != kAxes[axis]) continue;
+      const auto lower = height_of.find(swap.lower), upper = height_of.find(swap.upper);
+      if (lower == height_of.end() || upper == height_of.end()) continue;
+      const double x = across(swap.place);
+      const Color color = swap.counts ? kSpark : kDropped;
+      pen.line(pixel(x, lower->second), pixel(x, upper->second), swap.counts ? 2.5 : 1.5, color);
+      spark(pen, x, 0.5 * (lower->second + upper->second), swap.counts ? 7 : 5, color);
+    }
+    sheet.skip_to(y + static_cast<double>(pen.px(kAfterAxis)));
+  }
+
+  /// A star of eight rays.
+  static void spark(const Pen& pen, double x, double y, double radius, const Color& color) {
+    for (const bool halo : {true, false}) {
+      for (int ray = 0; ray < 4; ++ray) {
+        const double angle = ray * 0.785398163397448, r = static_cast<double>(pen.px(radius));
+        const double dx = r * std::cos(angle), dy = r * std::sin(angle);
+        pen.line(pixel(x - dx, y - dy), pixel(x + dx, y + dy), halo ? 3.5 : 1.5,
+                 halo ? with_alpha(kWhite, 0.9f) : color);
+      }
+    }
+  }
+
+  const Frames& frames_;
+  float scale_;
+  std::size_t boxes_ = 0;
+  Eigen::AlignedBox3d world_;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_endpoints_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<EndpointsPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

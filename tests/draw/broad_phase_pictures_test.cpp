@@ -1,0 +1,148 @@
+// What pictures show of a broad phase, from facts by hand.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "crate_on_slab.h"
+#include "draw/panels/panel.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+
+using ::testing::Contains;
+using ::testing::IsSupersetOf;
+
+class BroadPhasePicture : public ::testing::Test {
+ protected:
+  BroadPhasePicture() {
+    trace::BroadPhase& phase = scene.frames[0].broad_phase.emplace();
+    phase.method = "sweep_and_prune";
+    phase.pairs = 1;
+    phase.comparisons = 1234;
+    phase.bounds = {{"slab", {{-1, -0.4, -1}, {1, 0, 1}}},
+                    {"crate", {{-0.5, -0.002, -0.5}, {0.5, 0.998, 0.5}}}};
+  }
+
+  trace::BroadPhase& phase() { return *scene.frames[0].broad_phase; }
+
+  Sketch sketch(Layer layer) {
+    scene.view.layers = {layer};
+    const Staging staging = scene.staged();
+    return sketch_frame(staging, scene.frames[0]);
+  }
+
+  std::vector<std::string> panel(Panel which) {
+    scene.view.panels = {which};
+    const Staging staging = scene.staged();
+    const std::vector<FilledPanel> panels = make_panels(staging, scene.frames);
+    Drawing drawing;
+    Sheet sheet({900, 80, 332, 500}, staging.layout.scale, drawing);
+    EXPECT_EQ(panels.at(0).content->lay_out({}, sheet), "");
+    return crate_sample::texts(drawing);
+  }
+
+  static std::vector<std::string> legend_of(const Sketch& sketch) {
+    std::vector<std::string> words;
+    for (const LegendEntry& entry : sketch.legend.sorted()) words.push_back(entry.text);
+    return words;
+  }
+
+  CrateOnSlab scene;
+};
+
+TEST_F(BroadPhasePicture, ACellIsATileOnItsFloorTheDarkerTheMoreTestsItCost) {
+  phase().cells = {{{{0, 1, 2}, {3, 4, 5}}, 0, 2, 10},
+                   {{{0, 1, 2}, {3, 4, 5}}, 0, 2, 100},
+                   {{{0, 1, 2}, {3, 4, 5}}, 0, 2, 100000},
+                   {{{-9, -9, -9}, {9, 9, 9}}, 0, 0, 50}};
+  const Sketch drawn = sketch(Layer::Cells);
+  ASSERT_EQ(drawn.surfaces.size(), 3u) << "a node without boxes of its own is an outline";
+  EXPECT_EQ(drawn.lines.size(), 16u);
+  float last = 0;
+  for (const Surface& tile : drawn.surfaces) {
+    for (const Vec3d& corner : tile.polygon) EXPECT_EQ(corner.y(), 1);
+    EXPECT_GT(tile.color.a, last);
+    last = tile.color.a;
+  }
+  EXPECT_NEAR(drawn.surfaces[1].color.a / drawn.surfaces[0].color.a, std::log(101) / std::log(11),
+              1e-5);
+  EXPECT_LT(last, 0.7f) << "shapes show through";
+  const Vec3d normal = (drawn.surfaces[0].polygon[1] - drawn.surfaces[0].polygon[0])
+                           .cross(drawn.surfaces[0].polygon[2] - drawn.surfaces[0].polygon[1]);
+  EXPECT_GT(normal.y(), 0) << "seen from above";
+}
+
+TEST_F(BroadPhasePicture, WhatIsTooLargeForCellsIsExplained) {
+  phase().cells = {{{{0, 1, 2}, {3, 4, 5}}, 0, 2, 10}};
+  EXPECT_THAT(legend_of(sketch(Layer::Cells)),
+              testing::Not(Contains("too large for cells: tested with all")));
+  phase().bounds[0].large = true;
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_EQ(drawn.surfaces.size(), 2u);
+  EXPECT_THAT(legend_of(drawn), Contains("too large for cells: tested with all"));
+}
+
+TEST_F(BroadPhasePicture, WithoutCellsNothingIsDrawnAndNothingExplained) {
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_TRUE(drawn.surfaces.empty());
+  EXPECT_TRUE(legend_of(drawn).empty());
+}
+
+TEST_F(BroadPhasePicture, TheEndpointsPanelTellsSwapsAxisByAxis) {
+  phase().end_swaps = {{"x", 0.5, "crate", "slab", true, false},
+                       {"x", -0.5, "slab", "crate", true, false},
+                       {"y", 0, "crate", "slab", true, true}};
+  EXPECT_THAT(panel(Panel::Endpoints), IsSupersetOf({"along x: 2 swaps, 0 pairs begun or ended",
+                                                     "along y: 1 swap, 1 pair begun or ended",
+                                                     "along z: nothing passes", "crate", "slab"}));
+}
+
+TEST_F(BroadPhasePicture, WithoutABroadPhaseTheEndpointsPanelSaysSo) {
+  scene.frames[0].broad_phase.reset();
+  EXPECT_THAT(panel(Panel::Endpoints),
+              Contains(testing::HasSubstr("does not apply: no broad phase")));
+}
+
+TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
+  EXPECT_THAT(panel(Panel::Pipeline),
+              IsSupersetOf({"pairs of 2 shapes", "1", "1234", "pairs in contact", "contact points",
+                            "2", "bars: by the number of digits"}));
+}
+
+TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
+  const auto names = [&] {
+    const Sketch drawn = sketch(Layer::Bounds);
+    std::vector<std::string> all;
+    for (const Label& label : drawn.labels) all.push_back(label.text);
+    return all;
+  };
+  EXPECT_THAT(names(), testing::UnorderedElementsAre("slab", "crate"));
+  for (int i = 0; i < 11; ++i) phase().bounds.push_back(phase().bounds[0]);
+  EXPECT_THAT(names(), testing::IsEmpty()) << "many do not";
+}
+
+TEST_F(BroadPhasePicture, AmongManyShapesAPointIsASpeckWithoutALength) {
+  const Sketch few = sketch(Layer::Contacts);
+  const auto specks = [](const Sketch& drawn) {
+    return std::ranges::count(drawn.marks, MarkKind::Speck, &Mark::kind);
+  };
+  EXPECT_EQ(specks(few), 0);
+  EXPECT_FALSE(few.lines.empty()) << "whiskers";
+  while (scene.header.shapes.size() <= kCrowd) {
+    const std::string name = "more" + std::to_string(scene.header.shapes.size());
+    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.1, 0.1, 0.1}));
+    scene.frames[0].poses.emplace_back(name, Pose<double>{});
+  }
+  const Sketch many = sketch(Layer::Contacts);
+  EXPECT_EQ(specks(many), 2);
+  EXPECT_EQ(many.marks.size(), 2u);
+  EXPECT_TRUE(many.lines.empty());
+  EXPECT_TRUE(many.labels.empty());
+}
+
+}  // namespace
+}  // namespace contactscope::draw
