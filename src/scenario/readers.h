@@ -177,9 +177,10 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
 /// may choose, before it does.
 std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
                                            const PipelineSettings& settings, const Value& where);
-/// Takes out the pairs that make no contacts, planes and meshes with each other: where nothing was
-/// looked for, "separated" would be a lie. Warns once of each two kinds of them.
-void leave_out_uncollided(Scenario& scenario);
+/// Takes out the pairs that cannot be asked what they are, as planes and meshes make no contacts with
+/// each other: where nothing was looked for, "separated" would be a lie. Warns once of each two kinds
+/// of them, and says what to ask instead.
+void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape that `value` names.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
 

@@ -33,6 +33,7 @@ CollideOptions options_of(const PipelineSettings& settings) {
 /// Whether a pair goes by what it kept in the frame before.
 bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
+  if (!settings.makes_contacts()) return false;
   const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
   const ReducerInfo* const reducer = find_reducer(settings.reducer);
   return settings.manifold == ManifoldKind::Incremental ||
@@ -97,9 +98,11 @@ class Runner::In final : public Runner::InScalar {
         mapped(scenario.shapes,
                [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
     // Of two entries that name the same shapes the solver goes by the first.
+    own_bounds_.resize(shapes_->size());
     std::set<std::pair<int, int>> seen;
     for (const ScenarioPair& pair : scenario.pairs)
-      pairs_.push_back(active(pair, seen.emplace(std::minmax(pair.a, pair.b)).second));
+      pairs_.push_back(active(pair, pair.pipeline.makes_contacts() &&
+                                        seen.emplace(std::minmax(pair.a, pair.b)).second));
     for (std::size_t i = 0; dynamic_ && i < shapes_->size(); ++i)
       bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
   }
@@ -165,13 +168,14 @@ class Runner::In final : public Runner::InScalar {
       record.a = scenario_.shape(pair.a).name;
       record.b = scenario_.shape(pair.b).name;
       record.label = pair.label;
+      if (!pair.pipeline.makes_contacts()) {
+        ask_pair(pair, poses, recorded, record);
+        move_boxes(pair, record);
+        continue;
+      }
       contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
-        for (const int index : {pair.a, pair.b}) {
-          const ScenarioShape& shape = scenario_.shape(index);
-          if (record.tree && record.tree->shape == shape.name && shape.is_moved())
-            move_boxes(*record.tree, shape.collider_origin);
-        }
+        move_boxes(pair, record);
         record_stability(pair, *result, record);
       } else {
         record.kind = pair_kind(at(*shapes_, pair.a), at(*shapes_, pair.b));
@@ -180,6 +184,29 @@ class Runner::In final : public Runner::InScalar {
     }
     if (dynamic_) solve(contacts, recorded ? result : nullptr);
     ++next_;
+  }
+
+  /// From the frame in which a mesh is collided to that of its file, where the two differ.
+  void move_boxes(const ScenarioPair& pair, trace::Pair& record) const {
+    for (const int index : {pair.a, pair.b}) {
+      const ScenarioShape& shape = scenario_.shape(index);
+      if (record.tree && record.tree->shape == shape.name && shape.is_moved())
+        contactscope::move_boxes(*record.tree, shape.collider_origin);
+    }
+  }
+
+  /// A pair that makes no contacts; what it is asked depends on nothing but the poses.
+  void ask_pair(const ScenarioPair& pair, const std::vector<Pose<S>>& poses, bool recorded,
+                trace::Pair& record) {
+    const auto placed = [&](int i) -> AskedShape<S> {
+      return {at(*shapes_, i), at(poses, i), at(own_bounds_, i)};
+    };
+    const AskedShape<S> a = placed(pair.a), b = placed(pair.b);
+    const Answer<S> answer =
+        ask(a, b, pair.pipeline.question, pair.b < pair.a, recorded ? &record : nullptr, stages_);
+    if (recorded) return;
+    record.kind = pair_kind(a.shape, b.shape);
+    record_answer(answer, record);
   }
 
   ActivePair<S> active(const ScenarioPair& pair, bool first) const {
@@ -204,7 +231,8 @@ class Runner::In final : public Runner::InScalar {
       if (before != pairs_.end() && before->shapes() == pair)
         chosen.push_back(std::move(*before));
       else
-        chosen.push_back(active({pair.a, pair.b, "", scenario_.pipeline}, true));
+        chosen.push_back(
+            active({pair.a, pair.b, "", scenario_.pipeline}, scenario_.pipeline.makes_contacts()));
     }
     pairs_ = std::move(chosen);
   }
@@ -315,6 +343,7 @@ class Runner::In final : public Runner::InScalar {
   std::vector<Body<S>> bodies_;  // one a shape; of dynamic scenarios alone
   std::vector<ActivePair<S>> pairs_;
   PairChooser chooser_;
+  std::vector<OwnBounds<S>> own_bounds_;  // one a shape, for pairs that ask them
 };
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages) {

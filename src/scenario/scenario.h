@@ -11,6 +11,7 @@
 #include "core/view.h"
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
+#include "manifold/ask.h"
 #include "manifold/collide_options.h"
 #include "reduce/reducer.h"
 
@@ -81,6 +82,10 @@ struct PipelineSettings {
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;
+  Question question;  // by default the manifold; its penetration method is `penetration`
+
+  /// The solver and reducers get the pair's contacts.
+  bool makes_contacts() const { return question.kind == QueryKind::Manifold; }
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
@@ -102,6 +107,9 @@ struct Expectation {
   int b = 0;
   std::string label;
   std::optional<std::string> state;  // "touching", "separated"
+  std::optional<bool> overlap;       // of a pair that is asked something
+  std::optional<bool> touching;      // of one that is asked for "touching"
+  std::optional<int> intersections;  // of two meshes: pairs of triangles that share a point
   std::optional<int> points;
   std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge", "closest_points"
   std::optional<std::string> type;  // "point-face", ...
