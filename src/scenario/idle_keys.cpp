@@ -121,6 +121,11 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
     for (const Value& entry : pairs->array_of_tables())
       tell_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
   }
+  const std::vector<Value> shapes = file.require("shapes", "").members();
+  for (int i = 0; i < count_of(shapes); ++i)
+    if (!scenario.shape(i).deforms())
+      tell(at(shapes, i), "tree",
+           "the mesh keeps its form; give it motion = { deform = .. }, or remove it", sentences);
   if (std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
     if (const auto solver = file.find("solver"))
       tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
@@ -133,7 +138,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
          "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
          sentences);
   }
-  for (const Value& shape : file.require("shapes", "").members())
+  for (const Value& shape : shapes)
     for (const char* key : {"friction", "restitution"})
       tell(shape, key, "no shape is dynamic, and only the solver goes by it; remove it", sentences);
 }

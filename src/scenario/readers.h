@@ -117,7 +117,7 @@ Vec3d read_velocity(const Value& table, const char* key, const char* unit);
 /// kLargestLength.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
-// shapes.cpp, mesh_shape.cpp
+// shapes.cpp, mesh_shape.cpp, deform_keys.cpp
 
 /// What a shape is read in.
 struct Surroundings {
@@ -131,6 +131,10 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
 /// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
 /// out of it, triangles without an area, is warned of.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
+/// The key deform of a [shapes.NAME.motion] table. `shape` has its name, type and geometry already;
+/// files are relative to `folder`.
+Deformation read_deformation(const Value& value, const ScenarioShape& shape,
+                             const std::filesystem::path& folder);
 /// [[x, y, z], ..], metres.
 std::vector<Vec3d> read_points(const Value& value);
 /// Refuses points that are farther than kLargestLength from zero, and shapes that are smaller than

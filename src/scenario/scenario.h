@@ -14,6 +14,7 @@
 #include "manifold/ask.h"
 #include "manifold/collide_options.h"
 #include "reduce/reducer.h"
+#include "scenario/deform.h"
 
 /// What a scenario file holds, read and checked; scenarios/README.md is the reference of the format.
 namespace contactscope {
@@ -32,6 +33,7 @@ struct Motion {
   std::vector<Keyframe> keyframes;
   Vec3d velocity = Vec3d::Zero();
   Vec3d angular_velocity = Vec3d::Zero();
+  std::shared_ptr<const Deformation> deformation{};  // null: it keeps its form
 };
 
 /// Of a shape that the solver moves. Its mass is spread evenly through its volume.
@@ -57,9 +59,11 @@ struct ScenarioShape {
   /// Traces tell shapes and poses as the file has them.
   std::shared_ptr<const Shape<double>> collider{};
   Vec3d collider_origin = Vec3d::Zero();
+  TreeUpdate tree = TreeUpdate::Auto;  // of a mesh that deforms
 
   /// The solver moves it.
   bool dynamic() const { return body.has_value(); }
+  bool deforms() const { return motion.deformation != nullptr; }
   bool is_moved() const { return !collider_origin.isZero(0); }
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }

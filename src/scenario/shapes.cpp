@@ -134,7 +134,7 @@ const std::vector<Type>& types() {
       {"cone", {"radius", "half_height", "segments", "merge_coplanar"}, read_round<make_cone>},
       {"sphere", {"radius"}, read_sphere},
       {"capsule", {"radius", "points", "half_height"}, read_capsule},
-      {"mesh", {"vertices", "triangles", "file", "grid"}, read_mesh},
+      {"mesh", {"vertices", "triangles", "file", "grid", "tree"}, read_mesh},
       {"plane", {"normal", "offset"}, read_plane},
   };
   return all;
@@ -179,10 +179,28 @@ ScenarioShape read_shape(const Value& value, const Surroundings& surroundings, d
       shape.body = read_body(*motion, shape);
     else
       shape.motion = read_motion(*motion, shape.pose, end_time);
+    if (const auto deform = motion->find("deform"))
+      shape.motion.deformation = std::make_shared<const Deformation>(
+          read_deformation(*deform, shape, surroundings.folder));
   }
+  table.read("tree", shape.tree, word_of<TreeUpdate>({"refit", "rebuild", "auto"}, "tree update"));
   table.read("friction", shape.friction, read_friction);
   table.read("restitution", shape.restitution, read_share);
   return shape;
+}
+
+/// The solver takes the surface of a scripted shape to move as its pose does.
+void refuse_deforming_beside_bodies(const Value& value, const std::vector<ScenarioShape>& shapes) {
+  const auto body = std::ranges::find_if(shapes, &ScenarioShape::dynamic);
+  const auto deforming = std::ranges::find_if(shapes, &ScenarioShape::deforms);
+  if (body == shapes.end() || deforming == shapes.end()) return;
+  value.find(deforming->name)
+      ->find("motion")
+      ->find("deform")
+      ->fail("'" + body->name +
+             "' is dynamic, and the solver does not know how fast the surface of a "
+             "mesh that deforms moves; leave out 'deform', or move '" +
+             body->name + "' by keyframes");
 }
 
 }  // namespace
@@ -226,6 +244,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
     return read_shape(member, surroundings, end_time);
   });
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
+  refuse_deforming_beside_bodies(value, shapes);
   return shapes;
 }
 
