@@ -110,6 +110,14 @@ void Changes::compare(const Wording& field, const std::array<Vec3d, 2>& expected
   end.words = "second point of the " + field.words;
   compare(end, expected[1], actual[1]);
 }
+void Changes::compare(const Wording& field, const std::array<double, 2>& expected,
+                      std::array<double, 2>& actual) {
+  Wording end = field;
+  end.words = "lower end of the " + field.words;
+  compare(end, expected[0], actual[0]);
+  end.words = "upper end of the " + field.words;
+  compare(end, expected[1], actual[1]);
+}
 
 template <class Face>
 requires std::same_as<typename Face::value_type, int>

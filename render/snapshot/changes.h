@@ -59,6 +59,9 @@ class Changes {
   /// The ends of a line.
   void compare(const Wording& field, const std::array<Vec3d, 2>& expected,
                std::array<Vec3d, 2>& actual);
+  /// An interval.
+  void compare(const Wording& field, const std::array<double, 2>& expected,
+               std::array<double, 2>& actual);
   /// An index, a name or a list of indices: "3 -> 4".
   template <class T>
   requires requires(const T& value) { spell_change(value, value); }

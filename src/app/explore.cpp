@@ -144,6 +144,12 @@ ExitCode run_explore(const Options& options) {
         scenario.path, 0, 0,
         "explore follows pairs from frame to frame, and a broad phase chooses those of "
         "this scenario anew in each; list the pairs to explore as [[pairs]]");
+  if (const auto deforming = std::ranges::find_if(scenario.shapes, &ScenarioShape::deforms);
+      deforming != scenario.shapes.end())
+    throw InputError(scenario.path, 0, 0,
+                     "explore measures how far contacts move beside the bodies, and '" +
+                         deforming->name +
+                         "' has no such measure, because it deforms; leave out its 'deform'");
   const std::vector<int> frames = options.selected(scenario.frames);
 
   ExploreOptions explore_options;

@@ -127,6 +127,13 @@ void check_frame(const trace::Header& header, const trace::Frame& frame, int bef
         "'poses' has no '" + shape.name +
             "'; each frame gives the 'position' and 'quat_wxyz' of each shape");
   }
+  for (const trace::Deformed& now : frame.deformed) {
+    const std::size_t count = named(header, "deformed", now.name).vertices.size();
+    require(now.vertices.size() == count,
+            "deformed." + now.name + " has " + std::to_string(now.vertices.size()) +
+                " 'vertices', and the header's shape " + std::to_string(count) +
+                "; give each of them its place in this frame");
+  }
   for (std::size_t i = 0; i < frame.pairs.size(); ++i)
     check_pair(header, "pairs[" + std::to_string(i) + "]", frame.pairs[i]);
 }

@@ -86,6 +86,9 @@ struct AabbTree {
   /// at the build.
   void refit(std::span<const Vec3<S>> vertices, std::span<const std::array<int, 3>> corners);
 
+  /// Makes the boxes of all nodes anew from `boxes`.
+  void fit_nodes();
+
  private:
   template <class Holds>
   bool any_of_leaf(const Node& node, const Aabb<S>& box, Holds&& holds) const {

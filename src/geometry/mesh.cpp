@@ -226,12 +226,17 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh) {
 }
 
 template <class S>
-void refit(Mesh<S>& mesh) {
+void update_surface(Mesh<S>& mesh) {
   for (int i = 0; i < mesh.triangle_count(); ++i) {
     const Vec3d normal = normal_of(mesh, i);
     if (!normal.isZero(0)) at(mesh.normals, i) = normal.template cast<S>();
   }
   classify_edges(mesh);
+}
+
+template <class S>
+void refit(Mesh<S>& mesh) {
+  update_surface(mesh);
   mesh.tree.refit(mesh.vertices, mesh.triangles);
 }
 
@@ -251,6 +256,8 @@ template double bend_angle(const Mesh<float>&, int, int);
 template double bend_angle(const Mesh<double>&, int, int);
 template Mesh<float> mesh_cast(const Mesh<double>&);
 template Mesh<double> mesh_cast(const Mesh<double>&);
+template void update_surface(Mesh<float>&);
+template void update_surface(Mesh<double>&);
 template void refit(Mesh<float>&);
 template void refit(Mesh<double>&);
 template bool update_tree(Mesh<float>&, TreeUpdate, double&);

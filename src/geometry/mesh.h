@@ -91,6 +91,10 @@ Mesh<T> mesh_cast(const Mesh<double>& mesh);
 template <class S>
 void refit(Mesh<S>& mesh);
 
+/// The same but for the tree.
+template <class S>
+void update_surface(Mesh<S>& mesh);
+
 /// What becomes of a tree whose mesh was deformed.
 enum class TreeUpdate : std::uint8_t {
   Refit,    // the same tree, with boxes made anew

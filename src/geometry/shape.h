@@ -43,6 +43,11 @@ ShapeKind kind_of(const Shape<S>& shape) {
   return static_cast<ShapeKind>(shape.index());
 }
 
+/// Spheres, capsules and hulls: what has a support function.
+constexpr bool is_convex(ShapeKind kind) {
+  return kind <= ShapeKind::Hull;
+}
+
 /// "sphere", "capsule", "hull", "plane", "mesh"; a pair is called "sphere-hull".
 constexpr const char* to_string(ShapeKind kind) {
   constexpr const char* kNames[] = {"sphere", "capsule", "hull", "plane", "mesh"};

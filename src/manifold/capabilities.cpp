@@ -23,6 +23,7 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, false, false, false}, kYesOrNo},
     {{true, true, false, false, false}, kYesOrNo},
     {{true, true, false, false, false}, kYesOrNo},
+    {{true, true, true, true, false}, kOnePointApart},
     {{true, true, true, false, false},
      "GJK ends where the shapes overlap, and finds one pair of points where they do not; ask "
      "\"sat\" or \"epa\" for the depth, \"contacts\" for a manifold"},
@@ -30,6 +31,9 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, false, true, false}, kOnePointApart},
     {{true, true, false, true, false}, kOnePointApart},
     {{true, true, false, true, false}, kOnePointApart},
+    {{true, false, false, false, false},
+     "two meshes are surfaces, without an inside that a depth could be measured in; ask for the "
+     "overlap of their triangles, query = \"overlap\""},
     {{true, true, false, true, true},
      "contacts end where the shapes are apart by more than the margin; ask \"gjk\" for a distance"},
 };
@@ -41,10 +45,6 @@ constexpr const char* kNoDistance =
 constexpr const char* kNoTouch =
     "of two shapes without a radius GJK says that they meet, touching or not; ask \"sat\" or "
     "\"contacts\"";
-
-bool is_convex(ShapeKind kind) {
-  return kind <= ShapeKind::Hull;
-}
 
 bool is_bound(QueryMethod method) {
   return method <= QueryMethod::BoundingSphere;
@@ -64,20 +64,28 @@ const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
       return "two planes have no end: they overlap or are parallel";
     if (one == ShapeKind::Plane)
       return "a plane and a mesh both stand for the ground; use a hull for what lies on it";
-    return "two meshes are surfaces, without an inside that a depth could be measured in; ask for "
-           "the "
-           "overlap of their triangles";
+    return kRows[static_cast<int>(QueryMethod::Triangles)].otherwise;
+  }
+  if (method == QueryMethod::Triangles) {
+    return one == ShapeKind::Mesh ? nullptr
+                                  : "it compares the triangles of two meshes; ask \"contacts\"";
+  }
+  if (method == QueryMethod::Support) {
+    return is_convex(one) && other == ShapeKind::Plane
+               ? nullptr
+               : "it is of a convex shape and a plane, whose normal is the one axis that counts; "
+                 "ask \"gjk\" or \"contacts\"";
   }
   if (!is_convex(other)) {
     return other == ShapeKind::Plane
-               ? "a plane has no end, and so no farthest point along a direction; ask \"contacts\""
+               ? "a plane has no end, and so no farthest point along a direction; ask \"support\""
                : "a mesh is not convex; ask \"contacts\", which works on its triangles";
   }
   if (method == QueryMethod::Gjk) return nullptr;
-  return one == ShapeKind::Hull
+  return other == ShapeKind::Hull
              ? nullptr
-             : "the core of a sphere or a capsule has no volume, and its depth is "
-               "the radius less a distance; ask \"contacts\"";
+             : "the cores of spheres and capsules have no volume, and the depth is their radii "
+               "less a distance; ask \"gjk\"";
 }
 
 }  // namespace
@@ -88,6 +96,9 @@ std::optional<std::string> refusal(QueryMethod method, QueryKind query, ShapeKin
   if (const char* reason = unknown_shapes(method, one, other)) return reason;
   if (method == QueryMethod::Gjk && query == QueryKind::Touching && one == ShapeKind::Hull)
     return kNoTouch;
+  // Without a hull it is the radii less the distance, wherever the cores are.
+  if (method == QueryMethod::Gjk && query == QueryKind::Penetration && other != ShapeKind::Hull)
+    return std::nullopt;
   const MethodRow& row = kRows[static_cast<int>(method)];
   if (row.answers[static_cast<int>(query)]) return std::nullopt;
   const bool searches_depth = method >= QueryMethod::Sat && method <= QueryMethod::Sampling;
@@ -96,7 +107,7 @@ std::optional<std::string> refusal(QueryMethod method, QueryKind query, ShapeKin
 
 std::vector<QueryMethod> methods_for(QueryKind query, ShapeKind one, ShapeKind other) {
   std::vector<QueryMethod> methods;
-  for (int m = static_cast<int>(QueryMethod::Gjk); m < kQueryMethods; ++m) {
+  for (int m = static_cast<int>(QueryMethod::Support); m < kQueryMethods; ++m) {
     const auto method = static_cast<QueryMethod>(m);
     if (!refusal(method, query, one, other)) methods.push_back(method);
   }
@@ -105,12 +116,13 @@ std::vector<QueryMethod> methods_for(QueryKind query, ShapeKind one, ShapeKind o
 
 std::optional<std::string> refusal(QueryKind query, ShapeKind one, ShapeKind other) {
   if (!methods_for(query, one, other).empty()) return std::nullopt;
-  // Contacts know every pair that anything here knows.
+  if (one == ShapeKind::Mesh && other == ShapeKind::Mesh)
+    return refusal(QueryMethod::Triangles, query, one, other);
+  // Contacts know every other pair that anything here knows.
   return refusal(QueryMethod::Contacts, QueryKind::Manifold, one, other)
-      .value_or(query == QueryKind::Distance && !(is_convex(one) && is_convex(other))
-                    ? "the distance from a plane or a mesh is not known beyond the margin of its "
-                      "contacts; ask for \"manifold\" and read its separations"
-                    : "nothing here answers that");
+      .value_or(
+          "the distance from a mesh is not known beyond the margin of its contacts; ask for "
+          "\"manifold\" and read its separations");
 }
 
 }  // namespace contactscope

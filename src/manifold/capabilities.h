@@ -32,19 +32,22 @@ enum class QueryMethod {
   Aabb,            // overlaps() of the bounding boxes: of the bounds, not of the shapes
   Obb,             // the same of the oriented ones
   BoundingSphere,  // the same of the spheres
+  Support,         // the farthest point of a convex shape against a plane's normal
   Gjk,             // gjk() of the cores, less their radii
   Sat,             // penetration() by the separating axis test
   Epa,             // by the expanding polytope
   Mpr,             // by Minkowski portal refinement
   Sampling,        // by directions at random
+  Triangles,       // mesh_overlap() and mesh_containment()
   Contacts,        // collide(): the table of shape against shape
 };
-inline constexpr int kQueryMethods = 9;
+inline constexpr int kQueryMethods = 11;
 
-/// "aabb", "obb", "sphere", "gjk", "sat", "epa", "mpr", "sampling", "contacts".
+/// "aabb", "obb", "sphere", "support", "gjk", "sat", "epa", "mpr", "sampling", "triangles",
+/// "contacts".
 constexpr const char* to_string(QueryMethod method) {
-  constexpr const char* kNames[] = {"aabb", "obb", "sphere",   "gjk",     "sat",
-                                    "epa",  "mpr", "sampling", "contacts"};
+  constexpr const char* kNames[] = {"aabb", "obb", "sphere",   "support",   "gjk",     "sat",
+                                    "epa",  "mpr", "sampling", "triangles", "contacts"};
   return kNames[static_cast<int>(method)];
 }
 

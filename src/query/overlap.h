@@ -34,6 +34,12 @@ enum class ObbAxes {
   Guarded,  // the fifteen, compared so that rounding loses nothing
 };
 
+/// "faces", "fifteen", "guarded".
+constexpr const char* to_string(ObbAxes axes) {
+  constexpr const char* kNames[] = {"faces", "fifteen", "guarded"};
+  return kNames[static_cast<int>(axes)];
+}
+
 /// How two oriented boxes are tested.
 template <class S>
 struct ObbTest {
@@ -41,6 +47,8 @@ struct ObbTest {
   /// Of Fifteen: cross products no longer than this, the sine of the angle between two edges, are
   /// skipped; 0 skips none that has a direction.
   S skip_up_to = 0;
+
+  friend bool operator==(const ObbTest&, const ObbTest&) = default;
 };
 
 /// Where an axis of an overlap test comes from.

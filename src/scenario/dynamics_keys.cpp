@@ -95,10 +95,14 @@ bool is_dynamic(const Value& motion) {
 }
 
 ScenarioBody read_body(const Value& motion, const ScenarioShape& shape) {
-  const Value& table =
-      motion.table({"dynamic", "mass", "density", "velocity", "angular_velocity", "keyframes"});
+  const Value& table = motion.table(
+      {"dynamic", "mass", "density", "velocity", "angular_velocity", "keyframes", "deform"});
   if (const auto keyframes = table.find("keyframes"))
     keyframes->fail("'keyframes' and 'dynamic' both move the shape; leave one of them out");
+  if (const auto deform = table.find("deform"))
+    deform->fail(
+        "a body of the solver keeps its form: its mass would have to move with it; leave out "
+        "'deform' or 'dynamic'");
   ScenarioBody body;
   body.mass = read_mass(table, shape);
   body.velocity = read_velocity(table, "velocity", "m/s");

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "manifold/dispatch.h"
+#include "manifold/ask.h"
 #include "scenario/readers.h"
 #include "scenario/run.h"
 
@@ -11,6 +11,7 @@ namespace contactscope::scenario_file {
 namespace {
 
 constexpr int kMostPoints = 4096;  // more than any manifold holds; catches a slip of the pen
+constexpr int kMostIntersections = 1 << 30;
 
 /// Refuses an expectation of a pair that does not run; `at` is the key that names its shape a.
 void require_pair(const Expectation& expectation, const Scenario& scenario, const Value& at) {
@@ -39,16 +40,49 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
             "; swap them here, the normal points from a to b");
   const Shape<double>& shape_a = *scenario.shape(expectation.a).geometry;
   const Shape<double>& shape_b = *scenario.shape(expectation.b).geometry;
-  if (!can_collide(kind_of(shape_a), kind_of(shape_b)))
-    at.fail("nothing can be expected of " + both + ": " + pair_kind(shape_a, shape_b) +
-            " pairs are not collided; remove this entry");
+  const Question& question = scenario.pipeline.question;
+  if (refusal(question, kind_of(shape_a), kind_of(shape_b)))
+    at.fail("nothing can be expected of " + both + ": " + pair_kind(shape_a, shape_b) + " pairs " +
+            (question.kind == QueryKind::Manifold
+                 ? std::string("are not collided")
+                 : std::string("cannot be asked for \"") + to_string(question.kind) + "\"") +
+            "; remove this entry");
   if (scenario.broad_phase.empty())
     at.fail("the pair " + both + " is not run; list it in [[pairs]]");
 }
 
+/// What the pair of an expectation is asked; require_pair has found it.
+const Question& question_of(const Expectation& expectation, const Scenario& scenario) {
+  for (const ScenarioPair& pair : scenario.pairs)
+    if (pair.a == expectation.a && pair.b == expectation.b && pair.label == expectation.label)
+      return pair.pipeline.question;
+  return scenario.pipeline.question;
+}
+
+/// Refuses keys of contacts where the pair has none, and of answers where it is not asked.
+void require_answers(const Value& table, const Question& question) {
+  const auto refuse = [&](const Keys& keys, const std::string& why) {
+    for (const std::string_view key : keys)
+      if (const auto value = table.find(key)) value->fail("'" + std::string(key) + "' " + why);
+  };
+  const std::string asked = std::string("\"") + to_string(question.kind) + "\"";
+  if (question.kind == QueryKind::Manifold) {
+    refuse({"overlap", "touching", "intersections"},
+           "is answered where a pair is asked for it; set query = \"overlap\" there, or expect a "
+           "state");
+    return;
+  }
+  refuse({"points", "axis", "type", "load"}, "is of contacts, and the pair is asked for " + asked +
+                                                 "; expect overlap, separation or normal");
+  if (question.kind != QueryKind::Touching)
+    refuse({"touching"}, "is the answer to query = \"touching\", and the pair is asked for " +
+                             asked + "; expect overlap");
+}
+
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
-  const Value& table = value.table({"frames", "a", "b", "label", "state", "points", "axis", "type",
-                                    "normal", "separation", "load", "tolerance"});
+  const Value& table =
+      value.table({"frames", "a", "b", "label", "state", "points", "axis", "type", "normal",
+                   "separation", "load", "tolerance", "overlap", "touching", "intersections"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -68,6 +102,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   if (expectation.a == expectation.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
   table.read("label", expectation.label, &Value::non_empty_string);
   require_pair(expectation, scenario, a);
+  require_answers(table, question_of(expectation, scenario));
 
   if (const auto state = table.find("state"))
     expectation.state = state->one_of({"touching", "separated"}, "state");
@@ -99,10 +134,17 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   }
   table.read("tolerance", expectation.tolerance,
              [](const Value& tolerance) { return tolerance.not_negative("metres"); });
-  if (!expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
+  if (const auto overlap = table.find("overlap")) expectation.overlap = overlap->boolean();
+  if (const auto touching = table.find("touching")) expectation.touching = touching->boolean();
+  if (const auto count = table.find("intersections"))
+    expectation.intersections = count->integer(0, kMostIntersections);
+  if (!expectation.overlap && !expectation.touching && !expectation.intersections &&
+      !expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
       !expectation.normal && !expectation.separation && !expectation.load)
     value.fail(
-        "this entry expects nothing; add state, points, axis, type, normal, separation or load");
+        "this entry expects nothing; add state, points, axis, type, normal, separation, load, "
+        "overlap, touching or "
+        "intersections");
   return expectation;
 }
 
@@ -164,6 +206,7 @@ std::vector<Direction> directions_of(const trace::Pair& pair) {
   const auto add_chosen = [&](const char* name, const auto& axis) {
     if (axis && pair.sat->chosen == name) directions.emplace_back(name, axis->normal);
   };
+  if (pair.query && pair.query->normal) directions.emplace_back("", *pair.query->normal);
   if (!pair.sat) return directions;
   add_chosen("face_a", pair.sat->face_a);
   add_chosen("face_b", pair.sat->face_b);
@@ -186,6 +229,18 @@ std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, d
   if (expected.state && pair.state != *expected.state)
     list.push_back({"expected " + *expected.state,
                     pair.state + " with separation " + spell_got(pair.separation, 0) + " m"});
+  const auto wants = [&](const char* what, const std::optional<bool>& wanted,
+                         const std::optional<bool>& got) {
+    if (!wanted || got == wanted) return;
+    const std::string not_so = std::string("no ") + what;
+    list.push_back({"expected " + (*wanted ? what : not_so), *wanted ? not_so : what});
+  };
+  wants("overlap", expected.overlap, pair.overlap.value_or(false));
+  wants("touching", expected.touching,
+        pair.query && pair.query->touching ? *pair.query->touching : false);
+  if (expected.intersections && count_of(pair.intersections) != *expected.intersections)
+    list.push_back({"expected " + std::to_string(*expected.intersections) + " intersections",
+                    std::to_string(count_of(pair.intersections))});
   if (expected.points) {
     int count = 0;
     for (const trace::Manifold& manifold : pair.manifolds) count += count_of(manifold.points);

@@ -17,15 +17,53 @@ void tell(const Value& table, const char* key, const std::string& why, Sentences
         " has no effect: " + why);
 }
 
+/// Why a key of the question changes nothing of a pair; empty: it does.
+std::string idle_question(std::string_view key, const Question& question) {
+  const std::string asked =
+      std::string("the pair is asked for \"") + to_string(question.kind) + "\"";
+  if (question.kind == QueryKind::Manifold)
+    return asked + "; set query = \"overlap\", or remove it";
+  const bool is_overlap = question.kind == QueryKind::Overlap;
+  if (key == "comparison")
+    return is_overlap ? "" : asked + ", and only \"overlap\" is compared; remove it";
+  if (key == "tolerance")
+    return is_overlap || question.kind == QueryKind::Touching
+               ? ""
+               : asked + ", which is told in metres; remove it";
+  if (question.bounds != QueryMethod::Obb)
+    return "only oriented boxes are tested along axes; set bounds = \"obb\", or remove it";
+  if (key == "skip_up_to" && question.test.axes != ObbAxes::Fifteen)
+    return "only the fifteen axes are skipped by a threshold; set axes = \"fifteen\", or remove it";
+  return "";
+}
+
+constexpr const char* kContactKeys[] = {
+    "manifold",    "reducer",           "max_points", "margin",
+    "cache",       "preference",        "degenerate", "internal_edges",
+    "core_margin", "breaking_distance", "confirm"};
+constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
+
 /// Why `key` changes nothing of a pair; empty: it does.
 std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Scenario& scenario) {
   const bool incremental = pair.pipeline.manifold == ManifoldKind::Incremental;
   const bool hull_a = scenario.shape(pair.a).hull() != nullptr;
   const bool hull_b = scenario.shape(pair.b).hull() != nullptr;
+  const Question& question = pair.pipeline.question;
+  if (std::ranges::find(kQuestionKeys, key) != std::end(kQuestionKeys))
+    return idle_question(key, question);
+  if (question.kind != QueryKind::Manifold) {
+    if (key == "penetration" && question.kind == QueryKind::Penetration && (hull_a || hull_b))
+      return "";
+    return std::string("the pair is asked for \"") + to_string(question.kind) +
+           "\", and makes no contacts; remove it";
+  }
   if (key == "penetration")
     return incremental || (hull_a && hull_b)
                ? ""
                : "it is of two hulls (boxes, hulls, cylinders, cones), or of incremental manifolds";
+  const bool of_incremental =
+      key == "core_margin" || key == "breaking_distance" || key == "confirm";
+  if (!of_incremental) return "";
   if (!incremental) return "the manifold is one-shot; set manifold = \"incremental\", or remove it";
   if (key == "core_margin" && !hull_a && !hull_b)
     return "only cores of hulls lie within a margin; remove it";
@@ -35,12 +73,15 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
 /// Keys of `table` that change none of `pairs`.
 void tell_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
                     const Scenario& scenario, Sentences& sentences) {
-  for (const char* key : {"penetration", "core_margin", "breaking_distance", "confirm"}) {
+  const auto tell_where_idle = [&](const char* key) {
     const auto reason = [&](const ScenarioPair& pair) { return idle_reason(key, pair, scenario); };
     const auto idle = [&](const ScenarioPair& pair) { return !reason(pair).empty(); };
     if (!pairs.empty() && std::ranges::all_of(pairs, idle))
       tell(table, key, reason(pairs[0]), sentences);
-  }
+  };
+  tell_where_idle("penetration");
+  std::ranges::for_each(kContactKeys, tell_where_idle);
+  std::ranges::for_each(kQuestionKeys, tell_where_idle);
 }
 
 /// The pair that an entry of [[pairs]] has become; none where the entry was left out.
@@ -80,6 +121,11 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
     for (const Value& entry : pairs->array_of_tables())
       tell_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
   }
+  const std::vector<Value> shapes = file.require("shapes", "").members();
+  for (int i = 0; i < count_of(shapes); ++i)
+    if (!scenario.shape(i).deforms())
+      tell(at(shapes, i), "tree",
+           "the mesh keeps its form; give it motion = { deform = .. }, or remove it", sentences);
   if (std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
     if (const auto solver = file.find("solver"))
       tell_solver_keys(*solver, scenario.solver.position_correction, sentences);
@@ -92,7 +138,7 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
          "no shape is dynamic; give one motion = { dynamic = true, mass = 1.0 }, or remove it",
          sentences);
   }
-  for (const Value& shape : file.require("shapes", "").members())
+  for (const Value& shape : shapes)
     for (const char* key : {"friction", "restitution"})
       tell(shape, key, "no shape is dynamic, and only the solver goes by it; remove it", sentences);
 }

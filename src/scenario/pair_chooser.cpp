@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/at.h"
-#include "manifold/dispatch.h"
 
 namespace contactscope {
 
@@ -13,6 +12,7 @@ PairChooser::PairChooser(const Scenario& scenario)
 
 double PairChooser::reach() const {
   const PipelineSettings& settings = scenario_.pipeline;
+  if (!settings.makes_contacts()) return settings.question.tolerance;
   const double margin = std::max(settings.margin, scenario_.solver.speculative_margin.value_or(0));
   return settings.manifold == ManifoldKind::Incremental
              ? margin + settings.incremental.breaking_distance
@@ -36,7 +36,7 @@ std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
   std::erase_if(chosen, [&](const BoxPair& pair) {
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
     return (any_dynamic && !a.dynamic() && !b.dynamic()) ||
-           !can_collide(kind_of(*a.geometry), kind_of(*b.geometry));
+           refusal(scenario_.pipeline.question, kind_of(*a.geometry), kind_of(*b.geometry));
   });
   if (record == nullptr) return chosen;
 

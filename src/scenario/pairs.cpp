@@ -29,22 +29,67 @@ double read_least_length(const Value& value) {
 
 /// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
 Keys with_settings(Keys keys) {
-  keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                           "preference", "degenerate", "internal_edges", "core_margin",
-                           "breaking_distance", "confirm", "penetration"});
+  keys.insert(keys.end(),
+              {"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference",
+               "degenerate", "internal_edges", "core_margin", "breaking_distance", "confirm",
+               "penetration", "query", "bounds", "comparison", "tolerance", "axes", "skip_up_to"});
   return keys;
 }
 
 /// Refuses a pair whose points cannot be kept; `where` is what made it incremental.
 void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
                        const Value& where) {
-  if (pair.pipeline.manifold != ManifoldKind::Incremental) return;
+  if (pair.pipeline.manifold != ManifoldKind::Incremental || !pair.pipeline.makes_contacts())
+    return;
   for (const int index : {pair.a, pair.b}) {
     const ScenarioShape& shape = at(shapes, index);
     if (kind_of(*shape.geometry) == ShapeKind::Mesh)
       where.fail("incremental manifolds are made of spheres, capsules, hulls and planes, and '" +
                  shape.name + "' is a mesh; give its pairs manifold = \"one-shot\" in [[pairs]]");
   }
+}
+
+/// What the pair is asked; what contradicts itself is an error of the key that makes it so.
+void read_question(const Value& table, Question& question) {
+  table.read(
+      "query", question.kind,
+      word_of<QueryKind>({"overlap", "touching", "distance", "penetration", "manifold"}, "query"));
+  table.read("bounds", question.bounds, word_of<QueryMethod>({"aabb", "obb", "sphere"}, "bounds"));
+  table.read("comparison", question.inclusive, [](const Value& value) {
+    return value.one_of({"inclusive", "exclusive"}, "comparison") == "inclusive";
+  });
+  table.read("tolerance", question.tolerance,
+             [](const Value& value) { return within_reach(value, value.not_negative("metres")); });
+  table.read("axes", question.test.axes,
+             word_of<ObbAxes>({"faces", "fifteen", "guarded"}, "choice of axes"));
+  table.read("skip_up_to", question.test.skip_up_to, read_share);
+  if (!question.inclusive && question.tolerance > 0) {
+    const auto key = table.find("tolerance") ? table.find("tolerance") : table.find("comparison");
+    key->fail(
+        "an exclusive comparison counts no gap at all, and a tolerance counts gaps; remove "
+        "'tolerance', or set comparison = \"inclusive\"");
+  }
+  if (question.bounds && (question.kind == QueryKind::Manifold)) {
+    const auto key = table.find("bounds") ? table.find("bounds") : table.find("query");
+    key->fail(
+        "bounds have no contacts; set query = \"overlap\", \"touching\" or \"distance\", or "
+        "remove 'bounds'");
+  }
+}
+
+/// Refuses a pair that cannot be asked what an entry of [[pairs]] asks it. A pair without contacts is
+/// left out with a warning, see leave_out_unanswered.
+void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
+                    const Value& entry) {
+  const Question& question = pair.pipeline.question;
+  if (question.kind == QueryKind::Manifold) return;
+  const auto kind = [&](int i) { return kind_of(*at(shapes, i).geometry); };
+  const auto reason = refusal(question, kind(pair.a), kind(pair.b));
+  if (!reason) return;
+  const auto key = entry.find("query");
+  (key ? *key : entry)
+      .fail("'" + at(shapes, pair.a).name + "' and '" + at(shapes, pair.b).name +
+            "' cannot be asked for \"" + to_string(question.kind) + "\": " + *reason);
 }
 
 /// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
@@ -66,6 +111,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
              word_of<Preference>({"relative", "none"}, "preference"));
   table.read("penetration", settings.penetration,
              word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
+  settings.question.penetration = settings.penetration;
+  read_question(table, settings.question);
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));
@@ -132,6 +179,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
       scalar->fail("one scalar serves the whole file; set 'scalar' in [pipeline]");
     pair.pipeline = read_settings(table, settings);
     check_incremental(pair, shapes, item);
+    check_question(pair, shapes, item);
     if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
       item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
     pairs.push_back(std::move(pair));
@@ -184,16 +232,25 @@ std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& sha
   return pairs;
 }
 
-void leave_out_uncollided(Scenario& scenario) {
+void leave_out_unanswered(Scenario& scenario) {
   std::set<std::string> told;
   std::erase_if(scenario.pairs, [&](const ScenarioPair& pair) {
     const ScenarioShape& a = scenario.shape(pair.a);
     const ScenarioShape& b = scenario.shape(pair.b);
-    if (can_collide(kind_of(*a.geometry), kind_of(*b.geometry))) return false;
+    const ShapeKind kind_a = kind_of(*a.geometry), kind_b = kind_of(*b.geometry);
+    const Question& question = pair.pipeline.question;
+    const auto reason = refusal(question, kind_a, kind_b);
+    if (!reason) return false;
     const std::string kind = pair_kind(*a.geometry, *b.geometry);
-    if (told.insert(kind).second)
-      scenario.warnings.push_back("'" + a.name + "' and '" + b.name + "' make no contacts: " +
-                                  kind + " pairs are not collided, and left out");
+    if (!told.insert(kind).second) return true;
+    const std::string both = "'" + a.name + "' and '" + b.name + "' ";
+    scenario.warnings.push_back(
+        both +
+        (question.kind == QueryKind::Manifold
+             ? "make no contacts: " + kind + " pairs are not collided, and left out"
+             : "are left out: " + kind + " pairs cannot be asked for \"" +
+                   to_string(question.kind) + "\"") +
+        "; " + *reason);
     return true;
   });
 }

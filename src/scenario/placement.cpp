@@ -134,8 +134,8 @@ Vec3d read_velocity(const Value& table, const char* key, const char* unit) {
 }
 
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time) {
-  const Value& table =
-      value.table({"keyframes", "velocity", "angular_velocity", "dynamic", "mass", "density"});
+  const Value& table = value.table(
+      {"keyframes", "velocity", "angular_velocity", "deform", "dynamic", "mass", "density"});
   Motion motion;
   const auto keyframes = table.find("keyframes");
   if (keyframes) motion.keyframes = read_keyframes(*keyframes, start);

@@ -117,7 +117,7 @@ Vec3d read_velocity(const Value& table, const char* key, const char* unit);
 /// kLargestLength.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
-// shapes.cpp, mesh_shape.cpp
+// shapes.cpp, mesh_shape.cpp, deform_keys.cpp
 
 /// What a shape is read in.
 struct Surroundings {
@@ -135,6 +135,10 @@ std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& sc
 /// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
 /// out of it, triangles without an area, is warned of.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
+/// The key deform of a [shapes.NAME.motion] table. `shape` has its name, type and geometry already;
+/// files are relative to `folder`.
+Deformation read_deformation(const Value& value, const ScenarioShape& shape,
+                             const std::filesystem::path& folder);
 /// [[x, y, z], ..], metres.
 std::vector<Vec3d> read_points(const Value& value);
 /// Refuses points that are farther than kLargestLength from zero, and shapes that are smaller than
@@ -181,9 +185,10 @@ std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
 /// may choose, before it does.
 std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
                                            const PipelineSettings& settings, const Value& where);
-/// Takes out the pairs that make no contacts, planes and meshes with each other: where nothing was
-/// looked for, "separated" would be a lie. Warns once of each two kinds of them.
-void leave_out_uncollided(Scenario& scenario);
+/// Takes out the pairs that cannot be asked what they are, as planes and meshes make no contacts with
+/// each other: where nothing was looked for, "separated" would be a lie. Warns once of each two kinds
+/// of them, and says what to ask instead.
+void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape that `value` names.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
 

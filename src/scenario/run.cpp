@@ -12,6 +12,7 @@
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
 #include "manifold/incremental.h"
+#include "scenario/deforming_mesh.h"
 #include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
@@ -33,6 +34,7 @@ CollideOptions options_of(const PipelineSettings& settings) {
 /// Whether a pair goes by what it kept in the frame before.
 bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
+  if (!settings.makes_contacts()) return false;
   const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
   const ReducerInfo* const reducer = find_reducer(settings.reducer);
   return settings.manifold == ManifoldKind::Incremental ||
@@ -97,10 +99,14 @@ class Runner::In final : public Runner::InScalar {
     shapes_ = std::make_shared<const std::vector<Shape<S>>>(
         mapped(scenario.shapes,
                [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
+    for (int i = 0; i < count_of(scenario.shapes); ++i)
+      if (scenario.shape(i).deforms()) deforming_.emplace_back(i, scenario.shape(i));
     // Of two entries that name the same shapes the solver goes by the first.
+    own_bounds_.resize(shapes_->size());
     std::set<std::pair<int, int>> seen;
     for (const ScenarioPair& pair : scenario.pairs)
-      pairs_.push_back(active(pair, seen.emplace(std::minmax(pair.a, pair.b)).second));
+      pairs_.push_back(active(pair, pair.pipeline.makes_contacts() &&
+                                        seen.emplace(std::minmax(pair.a, pair.b)).second));
     for (std::size_t i = 0; dynamic_ && i < shapes_->size(); ++i)
       bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
   }
@@ -117,11 +123,15 @@ class Runner::In final : public Runner::InScalar {
                          .shapes = {}};
     for (std::size_t i = 0; i < shapes_->size(); ++i)
       header.shapes.push_back(traced_shape(scenario_.shapes[i], (*shapes_)[i]));
+    // As at the start, though this may have gone on.
+    for (const DeformingMesh<S>& now : deforming_)
+      tell_vertices(DeformingMesh<S>(now.index(), scenario_.shape(now.index())).facts(),
+                    at(header.shapes, now.index()));
     return header;
   }
 
   trace::Frame run(int frame, bool recorded) override {
-    const bool keeps = dynamic_ || chooser_.chooses() ||
+    const bool keeps = dynamic_ || chooser_.chooses() || trees_remember() ||
                        std::ranges::any_of(pairs_, [&](const ActivePair<S>& active) {
                          return remembers(scenario_, active.pair);
                        });
@@ -142,6 +152,11 @@ class Runner::In final : public Runner::InScalar {
   /// depend on.
   void step(bool recorded, trace::Frame* result) {
     const double time = next_ * scenario_.dt;
+    for (DeformingMesh<S>& mesh : deforming_) {
+      mesh.move_to(time);
+      at(own_bounds_, mesh.index()) = {};
+      if (result) result->deformed.push_back(mesh.facts());
+    }
     std::vector<Pose<S>> poses;
     for (std::size_t i = 0; i < scenario_.shapes.size(); ++i) {
       const ScenarioShape& shape = scenario_.shapes[i];
@@ -166,21 +181,58 @@ class Runner::In final : public Runner::InScalar {
       record.a = scenario_.shape(pair.a).name;
       record.b = scenario_.shape(pair.b).name;
       record.label = pair.label;
+      if (!pair.pipeline.makes_contacts()) {
+        ask_pair(pair, poses, recorded, record);
+        move_boxes(pair, record);
+        continue;
+      }
       contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
-        for (const int index : {pair.a, pair.b}) {
-          const ScenarioShape& shape = scenario_.shape(index);
-          if (record.tree && record.tree->shape == shape.name && shape.is_moved())
-            move_boxes(*record.tree, shape.collider_origin);
-        }
+        move_boxes(pair, record);
         record_stability(pair, *result, record);
       } else {
-        record.kind = pair_kind(at(*shapes_, pair.a), at(*shapes_, pair.b));
+        record.kind = pair_kind(shape(pair.a), shape(pair.b));
         record_manifolds<S>(contacts[i], record);
       }
     }
     if (dynamic_) solve(contacts, recorded ? result : nullptr);
     ++next_;
+  }
+
+  /// From the frame in which a mesh is collided to that of its file, where the two differ.
+  void move_boxes(const ScenarioPair& pair, trace::Pair& record) const {
+    for (const int index : {pair.a, pair.b}) {
+      const ScenarioShape& shape = scenario_.shape(index);
+      if (record.tree && record.tree->shape == shape.name && shape.is_moved())
+        contactscope::move_boxes(*record.tree, shape.collider_origin);
+    }
+  }
+
+  /// A pair that makes no contacts; what it is asked depends on nothing but the poses.
+  void ask_pair(const ScenarioPair& pair, const std::vector<Pose<S>>& poses, bool recorded,
+                trace::Pair& record) {
+    const auto placed = [&](int i) -> AskedShape<S> {
+      return {shape(i), at(poses, i), at(own_bounds_, i)};
+    };
+    const AskedShape<S> a = placed(pair.a), b = placed(pair.b);
+    const Answer<S> answer =
+        ask(a, b, pair.pipeline.question, pair.b < pair.a, recorded ? &record : nullptr, stages_);
+    if (recorded) return;
+    record.kind = pair_kind(a.shape, b.shape);
+    record_answer(answer, record);
+  }
+
+  /// Whether some mesh's tree is built anew when it has become expensive.
+  bool trees_remember() const {
+    return std::ranges::any_of(scenario_.shapes, [](const ScenarioShape& shape) {
+      return shape.deforms() && shape.tree == TreeUpdate::Auto;
+    });
+  }
+
+  /// As it is in the frame that is run.
+  const Shape<S>& shape(int index) const {
+    const auto deforming = std::ranges::find(deforming_, index, &DeformingMesh<S>::index);
+    return deforming == deforming_.end() ? at(*shapes_, index) : deforming->shape();
   }
 
   ActivePair<S> active(const ScenarioPair& pair, bool first) const {
@@ -197,7 +249,7 @@ class Runner::In final : public Runner::InScalar {
   void choose_pairs(const std::vector<Pose<S>>& poses, trace::Frame* record) {
     std::vector<Aabb<float>> boxes;
     for (int i = 0; i < count_of(poses); ++i)
-      boxes.push_back(world_box(at(*shapes_, i), at(poses, i), 0.5 * chooser_.reach()));
+      boxes.push_back(world_box(shape(i), at(poses, i), 0.5 * chooser_.reach()));
     std::vector<ActivePair<S>> chosen;
     auto before = pairs_.begin();
     for (const BoxPair& pair : chooser_.choose(boxes, record, stages_.cells)) {
@@ -205,7 +257,8 @@ class Runner::In final : public Runner::InScalar {
       if (before != pairs_.end() && before->shapes() == pair)
         chosen.push_back(std::move(*before));
       else
-        chosen.push_back(active({pair.a, pair.b, "", scenario_.pipeline}, true));
+        chosen.push_back(
+            active({pair.a, pair.b, "", scenario_.pipeline}, scenario_.pipeline.makes_contacts()));
     }
     pairs_ = std::move(chosen);
   }
@@ -215,7 +268,7 @@ class Runner::In final : public Runner::InScalar {
   Manifolds<S> collide_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses,
                             trace::Pair* record) {
     const ScenarioPair& pair = memory.pair;
-    const Shape<S>&a = at(*shapes_, pair.a), &b = at(*shapes_, pair.b);
+    const Shape<S>&a = shape(pair.a), &b = shape(pair.b);
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
     CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
@@ -251,7 +304,7 @@ class Runner::In final : public Runner::InScalar {
     const Vec3d up = scenario_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
     const auto center = [&](int i) {
       return at(frame.poses, i)
-          .second.transform(traced_shape(scenario_.shape(i), at(*shapes_, i)).center_of_mass);
+          .second.transform(traced_shape(scenario_.shape(i), shape(i)).center_of_mass);
     };
     const auto rests = [&](int index) {  // false of what cannot fall
       const ShapeKind kind = kind_of(*scenario_.shape(index).geometry);
@@ -313,9 +366,11 @@ class Runner::In final : public Runner::InScalar {
   std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
   // Before the next frame, all that it and the frames after it depend on:
   int next_ = 0;
+  std::vector<DeformingMesh<S>> deforming_;
   std::vector<Body<S>> bodies_;  // one a shape; of dynamic scenarios alone
   std::vector<ActivePair<S>> pairs_;
   PairChooser chooser_;
+  std::vector<OwnBounds<S>> own_bounds_;  // one a shape, for pairs that ask them
 };
 
 Runner::Runner(const Scenario& scenario, const trace::Stages& stages) {

@@ -69,6 +69,12 @@ trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {
   return traced;
 }
 
+/// Makes a shape of the header what a frame tells of it.
+inline void tell_vertices(const trace::Deformed& deformed, trace::Shape& traced) {
+  traced.vertices = deformed.vertices;
+  traced.center_of_mass = box_around(deformed.vertices).center();
+}
+
 /// Velocity of a point of a body, by its arm from the centre.
 template <class S>
 Vec3d velocity_at(const Body<S>& body, const Vec3d& arm) {

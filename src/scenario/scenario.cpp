@@ -200,7 +200,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
                        : one_of_each_kind(scenario.shapes, settings, shapes);
   scenario.scalar = settings.scalar;
   scenario.pipeline = settings;
-  leave_out_uncollided(scenario);
+  leave_out_unanswered(scenario);
   scenario.world = read_world(world, scenario.up);
   scenario.solver = read_solver(file.find("solver"), scenario.shapes);
   warn_of_idle_keys(file, scenario);

@@ -11,8 +11,10 @@
 #include "core/view.h"
 #include "dynamics/solver_settings.h"
 #include "geometry/shape.h"
+#include "manifold/ask.h"
 #include "manifold/collide_options.h"
 #include "reduce/reducer.h"
+#include "scenario/deform.h"
 
 /// What a scenario file holds, read and checked; scenarios/README.md is the reference of the format.
 namespace contactscope {
@@ -31,6 +33,7 @@ struct Motion {
   std::vector<Keyframe> keyframes;
   Vec3d velocity = Vec3d::Zero();
   Vec3d angular_velocity = Vec3d::Zero();
+  std::shared_ptr<const Deformation> deformation{};  // null: it keeps its form
 };
 
 /// Of a shape that the solver moves. Its mass is spread evenly through its volume.
@@ -56,9 +59,11 @@ struct ScenarioShape {
   /// Traces tell shapes and poses as the file has them.
   std::shared_ptr<const Shape<double>> collider{};
   Vec3d collider_origin = Vec3d::Zero();
+  TreeUpdate tree = TreeUpdate::Auto;  // of a mesh that deforms
 
   /// The solver moves it.
   bool dynamic() const { return body.has_value(); }
+  bool deforms() const { return motion.deformation != nullptr; }
   bool is_moved() const { return !collider_origin.isZero(0); }
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
@@ -81,6 +86,10 @@ struct PipelineSettings {
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;
+  Question question;  // by default the manifold; its penetration method is `penetration`
+
+  /// The solver and reducers get the pair's contacts.
+  bool makes_contacts() const { return question.kind == QueryKind::Manifold; }
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
@@ -102,6 +111,9 @@ struct Expectation {
   int b = 0;
   std::string label;
   std::optional<std::string> state;  // "touching", "separated"
+  std::optional<bool> overlap;       // of a pair that is asked something
+  std::optional<bool> touching;      // of one that is asked for "touching"
+  std::optional<int> intersections;  // of two meshes: pairs of triangles that share a point
   std::optional<int> points;
   std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge", "closest_points"
   std::optional<std::string> type;  // "point-face", ...

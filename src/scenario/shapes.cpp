@@ -137,7 +137,7 @@ const std::vector<Type>& types() {
       {"cone", {"radius", "half_height", "segments", "merge_coplanar"}, read_round<make_cone>},
       {"sphere", {"radius"}, read_sphere},
       {"capsule", {"radius", "points", "half_height"}, read_capsule},
-      {"mesh", {"vertices", "triangles", "file", "grid"}, read_mesh},
+      {"mesh", {"vertices", "triangles", "file", "grid", "tree"}, read_mesh},
       {"plane", {"normal", "offset"}, read_plane},
   };
   return all;
@@ -153,7 +153,8 @@ Keys every_key() {
 }
 
 /// What a shape's name, pose and geometry do not say: how it is collided, and how it moves.
-ScenarioShape completed(ScenarioShape shape, const Value& table, double end_time) {
+ScenarioShape completed(ScenarioShape shape, const Value& table, const Surroundings& surroundings,
+                        double end_time) {
   shape.collider = shape.geometry;
   shape.collider_origin = moved_origin(*shape.geometry);
   if (shape.is_moved())
@@ -164,6 +165,9 @@ ScenarioShape completed(ScenarioShape shape, const Value& table, double end_time
       shape.body = read_body(*motion, shape);
     else
       shape.motion = read_motion(*motion, shape.pose, end_time);
+    if (const auto deform = motion->find("deform"))
+      shape.motion.deformation = std::make_shared<const Deformation>(
+          read_deformation(*deform, shape, surroundings.folder));
   }
   return shape;
 }
@@ -190,19 +194,34 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
   shape.type = word;
   shape.pose = read_pose(table, {});
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
+  table.read("tree", shape.tree, word_of<TreeUpdate>({"refit", "rebuild", "auto"}, "tree update"));
   table.read("friction", shape.friction, read_friction);
   table.read("restitution", shape.restitution, read_share);
   const auto scatter = table.find("scatter");
   if (!scatter) {
-    shapes.push_back(completed(std::move(shape), table, end_time));
+    shapes.push_back(completed(std::move(shape), table, surroundings, end_time));
     return;
   }
   for (ScenarioShape& copy : scattered(shape, *scatter, table)) {
     if (count_of(shapes) == kMostShapes)
       scatter->fail("the scene has more than " + std::to_string(kMostShapes) +
                     " shapes; scatter fewer");
-    shapes.push_back(completed(std::move(copy), table, end_time));
+    shapes.push_back(completed(std::move(copy), table, surroundings, end_time));
   }
+}
+
+/// The solver takes the surface of a scripted shape to move as its pose does.
+void refuse_deforming_beside_bodies(const Value& value, const std::vector<ScenarioShape>& shapes) {
+  const auto body = std::ranges::find_if(shapes, &ScenarioShape::dynamic);
+  const auto deforming = std::ranges::find_if(shapes, &ScenarioShape::deforms);
+  if (body == shapes.end() || deforming == shapes.end()) return;
+  value.find(deforming->name)
+      ->find("motion")
+      ->find("deform")
+      ->fail("'" + body->name +
+             "' is dynamic, and the solver does not know how fast the surface of a "
+             "mesh that deforms moves; leave out 'deform', or move '" +
+             body->name + "' by keyframes");
 }
 
 }  // namespace
@@ -250,6 +269,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
       value.fail("two shapes are named '" + shape.name +
                  "', of which one is a copy that 'scatter' makes; give the other another name");
   if (shapes.empty()) value.fail("[shapes] is empty; add a shape as [shapes.NAME]");
+  refuse_deforming_beside_bodies(value, shapes);
   return shapes;
 }
 

@@ -35,6 +35,10 @@ void mirror_value(std::string& text, Mirrored how) {
 void mirror_value(Vec3d& direction, Mirrored how) {
   if (how == Mirrored::Negated) direction = -direction;
 }
+/// An interval along a direction that is negated.
+void mirror_value(std::array<double, 2>& interval, Mirrored how) {
+  if (how == Mirrored::Negated) interval = {-interval[1], -interval[0]};
+}
 /// The corners of a face; they still begin with the same one.
 template <class Corners>
 requires std::same_as<typename Corners::value_type, int>

@@ -8,6 +8,7 @@
 #include "trace/clip.h"
 #include "trace/contact.h"
 #include "trace/minkowski.h"
+#include "trace/query.h"
 #include "trace/sat.h"
 #include "trace/shape.h"
 
@@ -241,27 +242,32 @@ struct Pair {
   std::optional<Minkowski> minkowski{};
   std::optional<Incremental> incremental{};
   std::optional<Stability> stability{};
+  std::optional<bool> overlap{};  // where the pair was asked for something else than its manifold
+  std::optional<Query> query{};   // likewise; such a pair has no manifolds
+  std::vector<Intersection> intersections{};  // of two meshes
 
   static constexpr auto fields() {
-    return std::tuple(field::exact("a", &Pair::a).swaps(&Pair::b).names(),
-                      field::exact("b", &Pair::b).names(),
-                      field::exact("label", &Pair::label).where_set().names(),
-                      field::exact("kind", &Pair::kind).mirror(Mirrored::KindTurned),
-                      field::exact("state", &Pair::state).says(""),
-                      // It mostly repeats what a point says.
-                      field::length("separation", &Pair::separation).told_last(),
-                      field::facts("manifolds", &Pair::manifolds).entries("manifold"),  //
-                      field::fact("sat", &Pair::sat).apart("sat"),                      //
-                      field::fact("clip", &Pair::clip).apart("clip"),
-                      field::fact("reduction", &Pair::reduction).apart("reduction"),
-                      field::fact("gjk", &Pair::gjk).apart("gjk"),     //
-                      field::fact("tree", &Pair::tree).apart("tree"),  //
-                      field::fact("degenerate", &Pair::degenerate).apart("degenerate"),
-                      field::fact("cache", &Pair::cache).apart("cache"),
-                      field::fact("penetration", &Pair::penetration).apart("penetration"),
-                      field::fact("minkowski", &Pair::minkowski).apart("minkowski"),
-                      field::fact("incremental", &Pair::incremental).apart("incremental"),
-                      field::fact("stability", &Pair::stability).apart("stability"));
+    return std::tuple(
+        field::exact("a", &Pair::a).swaps(&Pair::b).names(), field::exact("b", &Pair::b).names(),
+        field::exact("label", &Pair::label).where_set().names(),
+        field::exact("kind", &Pair::kind).mirror(Mirrored::KindTurned),
+        field::exact("state", &Pair::state).says(""),
+        // It mostly repeats what a point says.
+        field::length("separation", &Pair::separation).told_last(),
+        field::facts("manifolds", &Pair::manifolds).entries("manifold"),  //
+        field::fact("sat", &Pair::sat).apart("sat"),                      //
+        field::fact("clip", &Pair::clip).apart("clip"),
+        field::fact("reduction", &Pair::reduction).apart("reduction"),
+        field::fact("gjk", &Pair::gjk).apart("gjk"),     //
+        field::fact("tree", &Pair::tree).apart("tree"),  //
+        field::fact("degenerate", &Pair::degenerate).apart("degenerate"),
+        field::fact("cache", &Pair::cache).apart("cache"),
+        field::fact("penetration", &Pair::penetration).apart("penetration"),
+        field::fact("minkowski", &Pair::minkowski).apart("minkowski"),
+        field::fact("incremental", &Pair::incremental).apart("incremental"),
+        field::fact("stability", &Pair::stability).apart("stability"),
+        field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).apart("query"),
+        field::facts("intersections", &Pair::intersections).where_set().entries("intersection"));
   }
 };
 

@@ -159,8 +159,9 @@ struct Value {
   void read(const Node& node, std::array<T, Count>& list) const {
     const std::vector<Node> parts = node.items();
     if (parts.size() != Count) {
-      node.fail(std::same_as<T, int> ? "must have " + std::to_string(Count) + " indices"
-                                     : "must have two points");
+      node.fail(std::same_as<T, int>      ? "must have " + std::to_string(Count) + " indices"
+                : std::same_as<T, double> ? "must have two numbers"
+                                          : "must have two points");
     }
     for (std::size_t i = 0; i < Count; ++i) read(parts[i], list[i]);
   }

@@ -103,6 +103,28 @@ struct EndSwap {
   friend bool operator==(const EndSwap&, const EndSwap&) = default;
 };
 
+/// A mesh that changes its form: what it is in this frame, under the name of its shape.
+struct Deformed {
+  std::string name;
+  std::vector<Vec3d> vertices;  // the shape's own frame, in the order of the header's
+  std::string tree;  // of boxes: "built" at the start, "refitted" or "rebuilt" in this frame
+  /// How many boxes a small query that meets the root is expected to test, by their surfaces, and
+  /// that of the tree when it was built last.
+  double cost = 0;
+  double cost_when_built = 0;
+
+  static constexpr auto fields() {
+    using D = Deformed;
+    return std::tuple(field::name(&D::name), field::position("vertices", &D::vertices).says(""),
+                      field::exact("tree", &D::tree).optional(),
+                      field::ratio("cost", &D::cost).optional().says("cost of the tree"),
+                      field::ratio("cost_when_built", &D::cost_when_built)
+                          .optional()
+                          .says("cost of the tree when built"));
+  }
+  friend bool operator==(const Deformed&, const Deformed&) = default;
+};
+
 /// How the frame's pairs were chosen from all: those whose boxes overlap.
 struct BroadPhase {
   std::string method;          // "tree", as `contactscope list broad_phases` names it
@@ -170,6 +192,7 @@ struct Frame {
   double time = 0;               // seconds
   std::vector<Placement> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
+  std::vector<Deformed> deformed{};         // shapes that no longer are as in the header
   std::optional<BroadPhase> broad_phase{};  // where one chose the pairs
   std::optional<Solver> solver{};
   std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
@@ -180,6 +203,9 @@ struct Frame {
                       field::exact("time", &Frame::time),
                       field::facts("poses", &Frame::poses).entries("pose"),
                       field::facts("pairs", &Frame::pairs).entries("pair"),
+                      field::facts("deformed", &Frame::deformed)
+                          .where_set()
+                          .entries("deformed mesh", "deformed meshes"),
                       field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
                       field::fact("solver", &Frame::solver).apart("solver"),
                       field::fact("totals", &Frame::totals).apart("totals"));

@@ -66,6 +66,11 @@ std::string shape(const std::string& lines) {
   return "title = \"one\"\n[shapes.s]\n" + lines + "\n";
 }
 
+std::string deforming(const std::string& how) {
+  return shape("type = \"mesh\"\ngrid = { size = 1, cells = 1 }\nmotion = { deform = " + how +
+               " }");
+}
+
 struct Place {
   const char* heading;
   std::string scenario;  // with the key qqqqqq where it does not belong
@@ -94,6 +99,10 @@ TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
        shape("type = \"sphere\"\nradius = 1\nmotion = { dynamic = true, qqqqqq = 1 }")},
       {"### `motion`",
        shape("type = \"sphere\"\nradius = 1\nmotion = { keyframes = [ { qqqqqq = 1 } ] }")},
+      {"### `deform`", deforming("{ qqqqqq = 1 }")},
+      {"### `deform`", deforming("{ wave = { qqqqqq = 1 } }")},
+      {"### `deform`", deforming("{ twist = { qqqqqq = 1 } }")},
+      {"### `deform`", deforming("{ keyframes = [ { qqqqqq = 1 } ] }")},
       {"## `[[pairs]]`", kTwoBoxes + "[[pairs]]\n" + key},
       {"## `[pipeline]`", kTwoBoxes + "[pipeline]\n" + key},
       {"## `[world]`", kTwoBoxes + "[world]\n" + key},
@@ -124,6 +133,7 @@ TEST(FormatReference, NamesEveryValueThatTheParserKnows) {
   const std::vector<Place> places = {
       {"## The file", "up = \"qqqqqq\"\n" + kTwoBoxes},
       {"## `[shapes.NAME]`", shape("type = \"qqqqqq\"")},
+      {"### Mesh", shape("type = \"mesh\"\ngrid = { size = 1, cells = 1 }\ntree = \"qqqqqq\"")},
       {"## `[pipeline]`", setting("[pipeline]", "scalar")},
       {"## `[pipeline]`", setting("[pipeline]", "manifold")},
       {"## `[pipeline]`", setting("[pipeline]", "reducer")},

@@ -337,6 +337,21 @@ TEST(AabbTree, TheHeuristicBeatsHalvingOnASkewedMesh) {
   }
 }
 
+TEST(AabbTree, WhatIsATrillionTimesSmallerThanTheWholeIsCutAsWell) {
+  Random random(8);
+  const auto small = random_soup(random, 2000, 1e-6, 1e-8, Vec3d::Zero());
+  const Mesh<double> alone = mesh_of(small);
+  std::vector<Aabb<double>> boxes = alone.tree.boxes;
+  boxes.push_back({Vec3d(1e6, 0, 0), Vec3d(1e6, 1, 1)});
+  const AabbTree<double> tree = build_aabb_tree(boxes);
+  const auto visits = [](const AabbTree<double>& of) {
+    std::size_t sum = 0;
+    for (const Aabb<double>& box : of.boxes) sum += of.recorded_query(box).visits.size();
+    return sum;
+  };
+  EXPECT_LT(static_cast<double>(visits(tree)), 1.1 * static_cast<double>(visits(alone.tree)));
+}
+
 TEST(AabbTree, TheHeuristicIsNoWorseThanHalvingOnAGrid) {
   const Mesh<double> mesh = make_grid(10, 10, 40, 40, 0.3);
   EXPECT_LT(expected_tests(mesh.tree), 1.02 * expected_tests_of_halves(mesh.tree.boxes, 4));

@@ -4,6 +4,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/primitives.h"
+#include "manifold/ask.h"
 #include "manifold/placed_shapes.h"
 #include "query/overlap.h"
 #include "query/penetration.h"
@@ -95,6 +96,15 @@ Said ask(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
   if (method == QueryMethod::BoundingSphere)
     return ask_bounds(query, placed(*bounding_sphere_of(pair.a), pair.pose_a),
                       placed(*bounding_sphere_of(pair.b), pair.pose_b));
+  if (method == QueryMethod::Support || method == QueryMethod::Triangles) {
+    OwnBounds<double> of_a, of_b;
+    const Answer<double> answer = contactscope::ask<double>(
+        {pair.a, pair.pose_a, of_a}, {pair.b, pair.pose_b, of_b}, {.kind = query});
+    EXPECT_EQ(answer.method, method);
+    if (query == QueryKind::Overlap) return {answer.overlap};
+    if (query == QueryKind::Touching) return {*answer.touching};
+    return {true, query == QueryKind::Distance ? std::max(0.0, *answer.gap) : -*answer.gap};
+  }
   const Core a = core_of(pair.a), b = core_of(pair.b);
   const Pose<double> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
   const GjkResult<double> apart = gjk(a.set, b.set, b_in_a);
@@ -105,7 +115,7 @@ Said ask(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
     const auto index =
         static_cast<std::size_t>(method) - static_cast<std::size_t>(QueryMethod::Sat);
     const auto found = penetration(kMethods[index], a.set, b.set, b_in_a);
-    separation = has_depth(found.status) ? -found.depth : 1;
+    if (has_depth(found.status)) separation = -found.depth - (a.radius + b.radius);
   }
   if (query == QueryKind::Overlap) return {separation <= kTolerance};
   if (query == QueryKind::Touching) return {std::abs(separation) <= kTolerance};
@@ -199,9 +209,16 @@ TEST(Capabilities, APairIsRefusedWhereNoMethodAnswers) {
               testing::ElementsAre(QueryMethod::Contacts));
   EXPECT_EQ(methods_for(QueryKind::Penetration, K::Hull, K::Hull).size(), 5u);
   EXPECT_FALSE(refusal(QueryKind::Overlap, K::Plane, K::Hull));
-  EXPECT_THAT(*refusal(QueryKind::Manifold, K::Mesh, K::Mesh), testing::HasSubstr("triangles"));
+  EXPECT_THAT(methods_for(QueryKind::Distance, K::Plane, K::Capsule),
+              testing::ElementsAre(QueryMethod::Support));
+  EXPECT_THAT(methods_for(QueryKind::Penetration, K::Sphere, K::Capsule),
+              testing::ElementsAre(QueryMethod::Gjk, QueryMethod::Contacts));
+  EXPECT_THAT(methods_for(QueryKind::Overlap, K::Mesh, K::Mesh),
+              testing::ElementsAre(QueryMethod::Triangles));
+  EXPECT_THAT(*refusal(QueryKind::Manifold, K::Mesh, K::Mesh),
+              testing::HasSubstr("query = \"overlap\""));
   EXPECT_THAT(*refusal(QueryKind::Overlap, K::Plane, K::Plane), testing::HasSubstr("parallel"));
-  EXPECT_THAT(*refusal(QueryKind::Distance, K::Hull, K::Plane), testing::HasSubstr("margin"));
+  EXPECT_THAT(*refusal(QueryKind::Distance, K::Hull, K::Mesh), testing::HasSubstr("margin"));
   for (const QueryKind query : kEveryQuery)
     for (int one = 0; one < kShapeKinds; ++one)
       for (int other = 0; other < kShapeKinds; ++other)

@@ -17,6 +17,16 @@ std::vector<Vec3d> corners_of(const std::vector<int>& face, const std::vector<Ve
   return mapped(face, [&](int v) { return at(vertices, v); });
 }
 
+/// Gives a shape the vertices of its frame, and the normals that follow.
+void deform(const std::vector<Vec3d>& vertices, PlacedShape& placed) {
+  trace::Shape shape = placed.traced();
+  shape.vertices = vertices;
+  shape.center_of_mass = box_around(vertices).center();
+  placed.deformed = std::make_shared<const trace::Shape>(std::move(shape));
+  placed.deformed_mesh = std::make_shared<const ShapeMesh>(make_mesh(*placed.deformed));
+  placed.mesh = placed.deformed_mesh.get();
+}
+
 }  // namespace
 
 ShapeMesh make_mesh(const trace::Shape& shape) {
@@ -116,6 +126,11 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
   for (std::size_t i = 0; i < meshes.size(); ++i) placed[i].mesh = &meshes[i];
   for (const auto& [name, pose] : frame.poses) {
     if (const auto place = meshes.find(name)) placed[*place].pose = pose;
+  }
+  for (const trace::Deformed& now : frame.deformed) {
+    const auto place = meshes.find(now.name);
+    if (place && now.vertices.size() == placed[*place].traced().vertices.size())
+      deform(now.vertices, placed[*place]);
   }
   for (const trace::Pair& pair : frame.pairs) {
     for (const std::string* name : {&pair.a, &pair.b}) {

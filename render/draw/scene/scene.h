@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,6 +60,9 @@ struct PlacedShape {
   Pose<double> pose;
   std::vector<Vec3d> vertices;  // world
   bool is_a = true;             // colour: the role in the first pair that names it
+  /// Of a shape that deforms: what `mesh` is made of, in this frame alone.
+  std::shared_ptr<const trace::Shape> deformed{};
+  std::shared_ptr<const ShapeMesh> deformed_mesh{};
 
   const trace::Shape& traced() const { return *mesh->shape; }
   bool is_mesh() const { return traced().type == "mesh"; }

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <array>
+
+#include "manifold/asked_pair.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+trace::Volume told_volume(const Aabb<S>& box) {
+  const Aabb<double> exact = box.template cast<double>();
+  return {.center = exact.center(), .half_extents = 0.5 * exact.extent()};
+}
+
+template <class S>
+trace::Volume told_volume(const Obb<S>& box) {
+  const Obb<double> exact = box.template cast<double>();
+  Mat3<double> axes = exact.axes;
+  if (axes.determinant() < 0) axes.col(0) *= -1;  // the same box
+  return {.center = exact.center,
+          .half_extents = exact.half_extents,
+          .rotation = Quatd(axes).normalized()};
+}
+
+template <class S>
+trace::Volume told_volume(const BoundingSphere<S>& sphere) {
+  return {.center = sphere.center.template cast<double>(),
+          .radius = static_cast<double>(sphere.radius)};
+}
+
+/// Metres; of bounds that are apart.
+template <class S>
+S distance_of(const Aabb<S>& a, const Aabb<S>& b) {
+  const Vec3<S> above = b.lower - a.upper, below = a.lower - b.upper;
+  return above.cwiseMax(below).cwiseMax(S(0)).norm();
+}
+
+template <class S>
+S distance_of(const BoundingSphere<S>& a, const BoundingSphere<S>& b) {
+  return (b.center - a.center).norm() - (a.radius + b.radius);
+}
+
+/// From its middle.
+template <class S>
+std::array<Vec3<S>, 8> corners_of(const Obb<S>& box) {
+  std::array<Vec3<S>, 8> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3<S> signs(i & 1 ? S(1) : S(-1), i & 2 ? S(1) : S(-1), i & 4 ? S(1) : S(-1));
+    at(corners, i) = box.axes * box.half_extents.cwiseProduct(signs);
+  }
+  return corners;
+}
+
+template <class S>
+S distance_of(const Obb<S>& a, const Obb<S>& b) {
+  const std::array<Vec3<S>, 8> of_a = corners_of(a), of_b = corners_of(b);
+  const Pose<S> b_from_a{Quat<S>::Identity(), b.center - a.center};
+  return gjk<S>({of_a.data(), 8, nullptr}, {of_b.data(), 8, nullptr}, b_from_a).distance;
+}
+
+template <class S>
+trace::TestedAxis told_axis(const OverlapAxis<S>& axis) {
+  trace::TestedAxis told;
+  told.kind = to_string(axis.kind);
+  told.a = axis.kind == OverlapAxisKind::FaceB ? -1 : axis.a;
+  told.b = axis.kind == OverlapAxisKind::FaceB   ? axis.b
+           : axis.kind == OverlapAxisKind::Edges ? axis.b
+                                                 : -1;
+  told.direction = axis.direction.template cast<double>();
+  told.length = static_cast<double>(axis.length);
+  // Halfway between the middles, so that a and b can trade places.
+  const S middle =
+      S(0.25) * (axis.interval_a[0] + axis.interval_a[1] + axis.interval_b[0] + axis.interval_b[1]);
+  for (std::size_t end = 0; end < 2; ++end) {
+    told.interval_a[end] = static_cast<double>(axis.interval_a[end] - middle);
+    told.interval_b[end] = static_cast<double>(axis.interval_b[end] - middle);
+  }
+  told.gap = static_cast<double>(axis.gap);
+  told.skipped = axis.skipped;
+  told.separates = axis.separates;
+  return told;
+}
+
+/// The largest gap along an axis that was not skipped, metres.
+template <class S>
+std::optional<S> largest_gap(const OverlapRecord<S>& record) {
+  std::optional<S> largest;
+  for (const OverlapAxis<S>& axis : record.axes)
+    if (!axis.skipped && !axis.direction.isZero(0) && !(largest && *largest >= axis.gap))
+      largest = axis.gap;
+  return largest;
+}
+
+/// `overlap(comparison, record)` is the test of both bounds.
+template <class S, class Bound, class Overlap>
+Answer<S> ask_of(const Bound& a, const Bound& b, const Question& question, trace::Pair* record,
+                 const Overlap& overlap) {
+  using C = Comparison<S>;
+  const S tolerance = static_cast<S>(question.tolerance);
+  Answer<S> answer;
+  answer.method = *question.bounds;
+  OverlapRecord<S> axes;
+  answer.overlap = overlap(question.inclusive ? C::within(tolerance) : C::exclusive(), &axes);
+  answer.gap = largest_gap(axes);
+  if (question.kind == QueryKind::Touching) {
+    const bool deeper =
+        tolerance > 0 ? answer.gap && *answer.gap < -tolerance : overlap(C::exclusive(), nullptr);
+    answer.touching = answer.overlap && !deeper;
+  }
+  if (question.kind == QueryKind::Distance && !answer.overlap) answer.gap = distance_of(a, b);
+  if (record) [[unlikely]] {
+    record->query->bounds_a = told_volume(a);
+    record->query->bounds_b = told_volume(b);
+    record->query->axes = mapped(axes.axes, told_axis<S>);
+  }
+  return answer;
+}
+
+}  // namespace
+
+template <class S>
+Answer<S> ask_bounds(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
+                     trace::Pair* record) {
+  const auto test = [](const auto& of_a, const auto& of_b) {
+    return [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
+      return overlaps(of_a, of_b, comparison, axes);
+    };
+  };
+  if (*question.bounds == QueryMethod::Aabb) {
+    const Aabb<S> of_a = *aabb_of(a.shape, a.pose), of_b = *aabb_of(b.shape, b.pose);
+    return ask_of<S>(of_a, of_b, question, record, test(of_a, of_b));
+  }
+  if (*question.bounds == QueryMethod::BoundingSphere) {
+    const BoundingSphere<S> of_a = placed(*a.bounds.sphere(a.shape), a.pose);
+    const BoundingSphere<S> of_b = placed(*b.bounds.sphere(b.shape), b.pose);
+    return ask_of<S>(of_a, of_b, question, record, test(of_a, of_b));
+  }
+  const Obb<S> of_a = placed(*a.bounds.obb(a.shape), a.pose);
+  const Obb<S> of_b = placed(*b.bounds.obb(b.shape), b.pose);
+  const ObbTest<S> axes_tried{question.test.axes, static_cast<S>(question.test.skip_up_to)};
+  return ask_of<S>(of_a, of_b, question, record,
+                   [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
+                     return overlaps(of_a, of_b, comparison, axes_tried, axes);
+                   });
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                          \
+  template Answer<S> ask_bounds(const AskedShape<S>&, const AskedShape<S>&, const Question&, \
+                                trace::Pair*);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

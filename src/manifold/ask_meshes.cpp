@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "manifold/asked_pair.h"
+#include "query/mesh_overlap.h"
+#include "query/winding.h"
+
+namespace contactscope {
+namespace {
+
+const char* to_word(TriangleOverlapKind kind) {
+  constexpr const char* kWords[] = {"none", "touching", "proper", "coplanar"};
+  return kWords[static_cast<int>(kind)];
+}
+
+/// Touching triangles share no point of their interiors.
+bool counts(TriangleOverlapKind kind, bool inclusive) {
+  return inclusive ? kind != TriangleOverlapKind::None
+                   : kind == TriangleOverlapKind::Proper || kind == TriangleOverlapKind::Coplanar;
+}
+
+template <class S>
+void record_intersections(const MeshOverlap<S>& found, const Pose<S>& pose_a, trace::Pair& record) {
+  const ToWorld<S> to_world(pose_a);
+  for (const MeshIntersection<S>& crossing : found.intersections) {
+    trace::Intersection& told = record.intersections.emplace_back();
+    const TriangleOverlap<S>& overlap = crossing.overlap;
+    told.a = crossing.a;
+    told.b = crossing.b;
+    told.kind = to_word(overlap.kind);
+    told.a_degenerate = overlap.a_degenerate;
+    told.b_degenerate = overlap.b_degenerate;
+    if (overlap.kind == TriangleOverlapKind::Coplanar) continue;
+    const auto placed = [&](const Vec3<S>& point) -> Vec3d {
+      return to_world.point(point).template cast<double>();
+    };
+    told.segment = {placed(overlap.segment[0]), placed(overlap.segment[1])};
+  }
+  record.query->trees = trace::TreeCounts{static_cast<int>(found.counts.node_pairs),
+                                          static_cast<int>(found.counts.leaf_pairs),
+                                          static_cast<int>(found.counts.triangle_pairs)};
+}
+
+template <class S>
+trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
+  switch (containment) {
+    case Containment::AInB:
+      return {"inside", "outside"};
+    case Containment::BInA:
+      return {"outside", "inside"};
+    case Containment::AHasHoles:
+      return {"open", open_edges(b).empty() ? "unknown" : "open"};
+    case Containment::BHasHoles:
+      return {"unknown", "open"};
+    case Containment::Apart:
+      break;
+  }
+  return {"outside", "outside"};
+}
+
+}  // namespace
+
+template <class S>
+Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
+                     const Pose<S>& pose_b, const Question& question, trace::Pair* record) {
+  const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
+  const MeshOverlap<S> found = mesh_overlap(a, b, b_in_a);
+  Answer<S> answer;
+  answer.method = QueryMethod::Triangles;
+  answer.overlap = std::ranges::any_of(found.intersections, [&](const MeshIntersection<S>& one) {
+    return counts(one.overlap.kind, question.inclusive);
+  });
+  if (record) [[unlikely]]
+    record_intersections(found, pose_a, *record);
+  if (found.overlapping()) return answer;
+  const Containment containment = mesh_containment(a, b, b_in_a);
+  answer.overlap = containment == Containment::AInB || containment == Containment::BInA;
+  if (record) [[unlikely]]
+    record->query->containment = told_containment(containment, b);
+  return answer;
+}
+
+#define CONTACTSCOPE_INSTANTIATE(S)                                                             \
+  template Answer<S> ask_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
+                                const Question&, trace::Pair*);
+CONTACTSCOPE_INSTANTIATE(float)
+CONTACTSCOPE_INSTANTIATE(double)
+#undef CONTACTSCOPE_INSTANTIATE
+
+}  // namespace contactscope

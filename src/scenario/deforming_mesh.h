@@ -1,0 +1,61 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "trace/trace.h"
+
+namespace contactscope {
+
+/// A mesh that follows a scenario's motion.deform, rounded to the pipeline's scalar. What its tree is
+/// at a time depends on the times before, where it is chosen whether to build it anew.
+template <class S>
+class DeformingMesh {
+ public:
+  /// At time 0, with a tree built there. `shape` has a deformation, and outlives this.
+  DeformingMesh(int index, const ScenarioShape& shape)
+      : index_(index), scripted_(&shape), shape_(shape_cast<S>(*shape.collider)) {
+    deform(0);
+    update_tree(mesh(), TreeUpdate::Rebuild, cost_when_built_);
+  }
+
+  int index() const { return index_; }  // of the scenario's shapes
+  const Shape<S>& shape() const { return shape_; }
+
+  /// Brings vertices, normals and tree up to date.
+  void move_to(double time) {
+    if (std::exchange(is_new_, false) && time == 0) return;
+    deform(time);
+    tree_ = update_tree(mesh(), scripted_->tree, cost_when_built_) ? "rebuilt" : "refitted";
+  }
+
+  trace::Deformed facts() const {
+    const Mesh<S>& now = std::get<Mesh<S>>(shape_);
+    return {scripted_->name, scripted_->is_moved() ? exact_ : cast_each<Vec3d>(now.vertices), tree_,
+            now.tree.expected_cost(), cost_when_built_};
+  }
+
+ private:
+  Mesh<S>& mesh() { return std::get<Mesh<S>>(shape_); }
+
+  void deform(double time) {
+    const auto& at_rest = std::get<Mesh<double>>(*scripted_->geometry).vertices;
+    std::vector<Vec3d> moved = deformed_vertices(*scripted_->motion.deformation, at_rest, time);
+    const Vec3d& origin = scripted_->collider_origin;
+    mesh().vertices =
+        mapped(moved, [&](const Vec3d& x) -> Vec3<S> { return (x - origin).template cast<S>(); });
+    update_surface(mesh());
+    if (scripted_->is_moved()) exact_ = std::move(moved);
+  }
+
+  int index_;
+  const ScenarioShape* scripted_;
+  Shape<S> shape_;
+  std::vector<Vec3d> exact_;  // of a moved shape: vertices as they were before rounding
+  double cost_when_built_ = 0;
+  const char* tree_ = "built";
+  bool is_new_ = true;  // nobody has moved it yet
+};
+
+}  // namespace contactscope

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pose.h"
+#include "trace/field.h"
+
+/// What a pair was asked instead of its manifold, and how the answer was found.
+namespace contactscope::trace {
+
+/// A bound as it was compared, in the world: a box along its own axes, or a ball.
+struct Volume {
+  Vec3d center = Vec3d::Zero();
+  std::optional<Vec3d> half_extents{};  // metres, of a box, along its own axes
+  std::optional<Quatd> rotation{};      // unit, from the axes of an oriented box to the world
+  std::optional<double> radius{};       // metres, of a ball
+
+  static constexpr auto fields() {
+    return std::tuple(field::position("center", &Volume::center).says("middle"),
+                      field::length("half_extents", &Volume::half_extents),
+                      field::rotation("quat_wxyz", &Volume::rotation).says("rotation"),
+                      field::length("radius", &Volume::radius));
+  }
+  friend bool operator==(const Volume&, const Volume&) = default;
+};
+
+/// Both bounds projected onto one axis. Intervals in metres along the direction, from the point
+/// halfway between the middles of both; the lower end first.
+struct TestedAxis {
+  std::string kind;                 // "face_a", "face_b", "edges", "closest"
+  int a = -1;                       // axis of the box of a, 0 to 2, of "face_a" and "edges"
+  int b = -1;                       // axis of the box of b, of "face_b" and "edges"
+  Vec3d direction = Vec3d::Zero();  // unit, from a to b; zero of a cross product that vanishes
+  double length = 1;  // of the cross product: the sine of the angle between both edges
+  std::array<double, 2> interval_a{};
+  std::array<double, 2> interval_b{};
+  double gap = 0;          // metres between the intervals, negative in overlap
+  bool skipped = false;    // its cross product is too short
+  bool separates = false;  // what the test made of it
+
+  static constexpr auto fields() {
+    using A = TestedAxis;
+    return std::tuple(field::axis("kind", &A::kind),
+                      field::exact("a", &A::a).swaps(&A::b).where_set().says("axis of a"),
+                      field::exact("b", &A::b).where_set().says("axis of b"),
+                      field::direction_to_b("direction", &A::direction).where_set(),
+                      field::ratio("length", &A::length).optional(),
+                      field::length("interval_a", &A::interval_a)
+                          .negated()
+                          .swaps(&A::interval_b)
+                          .says("interval of a"),
+                      field::length("interval_b", &A::interval_b).negated().says("interval of b"),
+                      field::length("gap", &A::gap),
+                      field::exact("skipped", &A::skipped).where_set(),
+                      field::exact("separates", &A::separates).where_set());
+  }
+  friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
+};
+
+/// What the shapes themselves say where their bounds were asked: whether they share a point, and how
+/// far they are apart where that is known.
+struct WithinBounds {
+  bool overlap = false;
+  std::optional<double> gap{};  // metres, as Query has it
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("overlap", &WithinBounds::overlap),
+                      field::length("gap", &WithinBounds::gap));
+  }
+  friend bool operator==(const WithinBounds&, const WithinBounds&) = default;
+};
+
+/// Where each of two meshes is of which no triangles share a point.
+struct Containment {
+  /// "inside" the other, "outside", "open": it has holes, so that nothing is inside it; "unknown":
+  /// nobody looked, because one of them is open.
+  std::string a;
+  std::string b;
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("a", &Containment::a).swaps(&Containment::b).says("a is"),
+                      field::exact("b", &Containment::b).says("b is"));
+  }
+  friend bool operator==(const Containment&, const Containment&) = default;
+};
+
+/// What going through the trees of two meshes together cost.
+struct TreeCounts {
+  int node_pairs = 0;      // boxes of nodes that were compared
+  int leaf_pairs = 0;      // leaves whose boxes overlap
+  int triangle_pairs = 0;  // triangles that were compared
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("node_pairs", &TreeCounts::node_pairs),
+                      field::exact("leaf_pairs", &TreeCounts::leaf_pairs),
+                      field::exact("triangle_pairs", &TreeCounts::triangle_pairs));
+  }
+  friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
+};
+
+/// Two triangles of two meshes that share a point.
+struct Intersection {
+  int a = -1;                                     // triangle of a
+  int b = -1;                                     // triangle of b
+  std::string kind;                               // "proper", "coplanar", "touching"
+  std::optional<std::array<Vec3d, 2>> segment{};  // ends of what they share; not of "coplanar"
+  bool a_degenerate = false;                      // it has no area
+  bool b_degenerate = false;
+
+  static constexpr auto fields() {
+    using I = Intersection;
+    return std::tuple(
+        field::exact("a", &I::a).swaps(&I::b).names(), field::exact("b", &I::b).names(),
+        field::exact("kind", &I::kind), field::position("segment", &I::segment),
+        field::exact("a_degenerate", &I::a_degenerate)
+            .where_set()
+            .swaps(&I::b_degenerate)
+            .says("a without area"),
+        field::exact("b_degenerate", &I::b_degenerate).where_set().says("b without area"));
+  }
+  friend bool operator==(const Intersection&, const Intersection&) = default;
+};
+
+struct Query {
+  std::string asked;       // "overlap", "touching", "distance", "penetration"
+  std::string bounds;      // that were asked: "aabb", "obb", "sphere"; empty: the shapes themselves
+  std::string comparison;  // "inclusive", "exclusive"
+  double tolerance = 0;    // metres
+  std::string test;        // of oriented boxes: "faces", "fifteen", "guarded"
+  double skip_up_to = 0;   // of "fifteen": sine of the angle between two edges
+  std::string method;      // that answered, as the capability map names it
+  std::optional<bool> touching{};  // the answer to "touching"
+  /// Metres between the two, negative: how deep. Of bounds the largest gap of an axis, unless the
+  /// distance was asked. Missing where the method does not say.
+  std::optional<double> gap{};
+  std::optional<Vec3d> normal{};   // unit, from a to b
+  std::optional<Vec3d> point_a{};  // closest, or deepest, points
+  std::optional<Vec3d> point_b{};
+  std::optional<Volume> bounds_a{};
+  std::optional<Volume> bounds_b{};
+  std::vector<TestedAxis> axes{};
+  std::optional<WithinBounds> shapes{};
+  std::optional<Containment> containment{};
+  std::optional<TreeCounts> trees{};
+
+  static constexpr auto fields() {
+    using Q = Query;
+    return std::tuple(
+        field::exact("asked", &Q::asked), field::exact("bounds", &Q::bounds).where_set(),
+        field::exact("comparison", &Q::comparison).optional(),
+        field::exact("tolerance", &Q::tolerance).where_set(),
+        field::exact("test", &Q::test).where_set(),
+        field::exact("skip_up_to", &Q::skip_up_to).where_set(),
+        field::exact("method", &Q::method).optional(),
+        field::exact("touching", &Q::touching).says("touching"), field::length("gap", &Q::gap),
+        field::direction_to_b("normal", &Q::normal),
+        field::position("point_a", &Q::point_a).swaps(&Q::point_b).says("point on a"),
+        field::position("point_b", &Q::point_b).says("point on b"),
+        field::fact("bounds_a", &Q::bounds_a).swaps(&Q::bounds_b).apart("bounds of a"),
+        field::fact("bounds_b", &Q::bounds_b).apart("bounds of b"),
+        field::facts("axes", &Q::axes).where_set().entries("tested axis", "tested axes"),
+        field::fact("shapes", &Q::shapes).apart("shapes within the bounds"),
+        field::fact("containment", &Q::containment).apart("containment"),
+        field::fact("trees", &Q::trees).apart("trees"));
+  }
+};
+
+}  // namespace contactscope::trace
