@@ -22,7 +22,10 @@ Needs needs_of(Panel panel) {
       return {&Stages::stability};
     case Panel::Plots:
     case Panel::Pipeline:
+    case Panel::TreeCost:
       return {};
+    case Panel::NodePairs:
+      return {&Stages::node_pairs};
     case Panel::Minkowski:
       return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
     case Panel::GaussMap:

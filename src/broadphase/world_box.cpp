@@ -49,11 +49,11 @@ struct Reach {
   }
   /// Without end, but along an axis that its normal is parallel to.
   void operator()(const HalfSpace<S>& half_space) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
     const Plane<double> plane = half_space.plane.template cast<double>();
     const Vec3d normal = pose.rotate(plane.normal);
     const double offset = plane.offset + normal.dot(pose.position);
-    box = {Vec3d::Constant(-kInfinity), Vec3d::Constant(kInfinity)};
+    box = {Vec3d::Constant(-kEndless), Vec3d::Constant(kEndless)};
     for (int axis = 0; axis < 3; ++axis) {
       if (normal[axis] == 1) box.upper[axis] = offset;
       if (normal[axis] == -1) box.lower[axis] = -offset;

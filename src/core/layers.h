@@ -20,6 +20,7 @@
   ROW(IncidentFace, "incident_face")           \
   ROW(Tree, "tree")                            \
   ROW(Bounds, "bounds")                        \
+  ROW(Intersections, "intersections")          \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -48,6 +49,8 @@
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
   ROW(Pipeline, "pipeline")                    \
+  ROW(NodePairs, "node_pairs")                 \
+  ROW(TreeCost, "tree_cost")                   \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

@@ -10,10 +10,6 @@
 namespace contactscope {
 namespace {
 
-constexpr bool is_convex(ShapeKind kind) {
-  return kind <= ShapeKind::Hull;
-}
-
 void record_question(const Question& question, trace::Pair& record) {
   trace::Query& told = record.query.emplace();
   told.asked = to_string(question.kind);
@@ -95,7 +91,7 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages) {
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
-    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question, record);
+    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question, record, stages);
   if (kind_of(b) == ShapeKind::Mesh)
     return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&b)) {

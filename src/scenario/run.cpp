@@ -51,6 +51,7 @@ bool shown(const std::vector<View>& views, auto what) {
 trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
   stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
   stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
+  stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
   return stages;
 }
 

@@ -201,8 +201,8 @@ struct Degenerate {
 };
 
 /// Which optional stages to record: what no picture shows need not be written down. The arcs of the
-/// Gauss map and the Minkowski difference are large and say nothing that the shapes do not: they are
-/// only recorded where a view asks for them.
+/// Gauss map, the Minkowski difference and the node pairs of two trees are large and say nothing that
+/// the shapes do not: they are only recorded where a view asks for them.
 struct Stages {
   bool sat = true;
   bool clip = true;
@@ -213,9 +213,10 @@ struct Stages {
   bool penetration = true;
   bool minkowski = false;
   bool stability = true;
+  bool node_pairs = false;
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false};
   }
 };
 

@@ -14,6 +14,8 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Stability, make_stability_panel},
     {Panel::Plots, make_plots_panel},
     {Panel::Pipeline, make_pipeline_panel},
+    {Panel::NodePairs, make_node_pairs_panel},
+    {Panel::TreeCost, make_tree_cost_panel},
 };
 
 }  // namespace
