@@ -22,9 +22,12 @@ Needs needs_of(Panel panel) {
       return {&Stages::stability};
     case Panel::Plots:
     case Panel::Pipeline:
+    case Panel::TreeCost:
       return {};
     case Panel::Endpoints:
       return {&Stages::cells};
+    case Panel::NodePairs:
+      return {&Stages::node_pairs};
     case Panel::Minkowski:
       return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
     case Panel::GaussMap:

@@ -21,6 +21,7 @@
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
+  ROW(Intersections, "intersections")          \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -50,6 +51,8 @@
   ROW(Plots, "plots")                          \
   ROW(Pipeline, "pipeline")                    \
   ROW(Endpoints, "endpoints")                  \
+  ROW(NodePairs, "node_pairs")                 \
+  ROW(TreeCost, "tree_cost")                   \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

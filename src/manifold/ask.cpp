@@ -91,7 +91,7 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages) {
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
-    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question, record);
+    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question, record, stages);
   if (kind_of(b) == ShapeKind::Mesh)
     return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&b)) {

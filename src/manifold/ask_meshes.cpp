@@ -40,6 +40,33 @@ void record_intersections(const MeshOverlap<S>& found, const Pose<S>& pose_a, tr
                                           static_cast<int>(found.counts.triangle_pairs)};
 }
 
+/// Which triangles, counted in the order of the tree, are below each node.
+template <class S>
+std::vector<std::pair<int, int>> triangles_below(const AabbTree<S>& tree) {
+  std::vector<std::pair<int, int>> ranges(tree.nodes.size());  // the first one, and how many
+  // Backwards: whatever is below a node stands behind it.
+  for (int i = count_of(tree.nodes) - 1; i >= 0; --i) {
+    const auto& node = at(tree.nodes, i);
+    at(ranges, i) = node.leaf()
+                        ? std::pair(node.next, node.count)
+                        : std::pair(at(ranges, i + 1).first,
+                                    at(ranges, i + 1).second + at(ranges, tree.right_of(i)).second);
+  }
+  return ranges;
+}
+
+template <class S>
+std::vector<trace::NodePair> told_node_pairs(const AabbTree<S>& a, const AabbTree<S>& b,
+                                             const std::vector<NodePairVisit>& visits) {
+  const auto below_a = triangles_below(a), below_b = triangles_below(b);
+  return mapped(visits, [&](const NodePairVisit& visit) -> trace::NodePair {
+    const auto [before_a, count_a] = at(below_a, visit.a);
+    const auto [before_b, count_b] = at(below_b, visit.b);
+    return {before_a, count_a,        before_b,
+            count_b,  visit.overlaps, at(a.nodes, visit.a).leaf() && at(b.nodes, visit.b).leaf()};
+  });
+}
+
 template <class S>
 trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
   switch (containment) {
@@ -61,9 +88,12 @@ trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
 
 template <class S>
 Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record) {
+                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                     const trace::Stages& stages) {
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
-  const MeshOverlap<S> found = mesh_overlap(a, b, b_in_a);
+  const bool watched = record != nullptr && stages.node_pairs;
+  std::vector<NodePairVisit> visits;
+  const MeshOverlap<S> found = mesh_overlap(a, b, b_in_a, watched ? &visits : nullptr);
   Answer<S> answer;
   answer.method = QueryMethod::Triangles;
   answer.overlap = std::ranges::any_of(found.intersections, [&](const MeshIntersection<S>& one) {
@@ -71,6 +101,8 @@ Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
   });
   if (record) [[unlikely]]
     record_intersections(found, pose_a, *record);
+  if (watched) [[unlikely]]
+    record->query->node_pairs = told_node_pairs(a.tree, b.tree, visits);
   if (found.overlapping()) return answer;
   const Containment containment = mesh_containment(a, b, b_in_a);
   answer.overlap = containment == Containment::AInB || containment == Containment::BInA;
@@ -81,7 +113,7 @@ Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                             \
   template Answer<S> ask_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
-                                const Question&, trace::Pair*);
+                                const Question&, trace::Pair*, const trace::Stages&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

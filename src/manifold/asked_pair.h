@@ -42,10 +42,12 @@ Gap<S> gap_of_cores(const Shape<S>& a, const Shape<S>& b, const Pose<S>& b_in_a,
 template <class S>
 Gap<S> gap_to_plane(const Shape<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a);
 
-/// Two meshes. The record gets their intersections.
+/// Two meshes. The record gets their intersections, and which nodes were compared where the stages
+/// ask for it.
 template <class S>
 Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
-                     const Pose<S>& pose_b, const Question& question, trace::Pair* record);
+                     const Pose<S>& pose_b, const Question& question, trace::Pair* record,
+                     const trace::Stages& stages);
 
 /// Their bounds. The record gets the bounds and the axes.
 template <class S>

@@ -32,11 +32,30 @@ class DeformingMesh {
 
   trace::Deformed facts() const {
     const Mesh<S>& now = std::get<Mesh<S>>(shape_);
-    return {scripted_->name, scripted_->is_moved() ? exact_ : cast_each<Vec3d>(now.vertices), tree_,
-            now.tree.expected_cost(), cost_when_built_};
+    trace::Deformed told{scripted_->name,
+                         scripted_->is_moved() ? exact_ : cast_each<Vec3d>(now.vertices), tree_,
+                         now.tree.expected_cost(), cost_when_built_};
+    tell_boxes(now.tree, 0, 0, told.boxes);
+    return told;
   }
 
  private:
+  // Boxes so many levels below the root, and leaves above them, are told: sixteen at most, which a
+  // picture has room for.
+  static constexpr int kToldLevel = 4;
+
+  void tell_boxes(const AabbTree<S>& tree, int node, int level,
+                  std::vector<trace::Box>& boxes) const {
+    if (level < kToldLevel && !at(tree.nodes, node).leaf()) {
+      tell_boxes(tree, node + 1, level + 1, boxes);
+      tell_boxes(tree, tree.right_of(node), level + 1, boxes);
+      return;
+    }
+    const Aabb<double> box = at(tree.nodes, node).box.template cast<double>();
+    const Vec3d& origin = scripted_->collider_origin;
+    boxes.push_back({box.lower + origin, box.upper + origin});
+  }
+
   Mesh<S>& mesh() { return std::get<Mesh<S>>(shape_); }
 
   void deform(double time) {

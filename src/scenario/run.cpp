@@ -52,6 +52,7 @@ trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) 
   stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
   stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
   stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
+  stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
   return stages;
 }
 

@@ -66,6 +66,10 @@ const std::vector<StudyInfo>& studies() {
       {"broad_phase",
        "pairs of boxes that overlap: time, memory and comparisons by number of boxes",
        &study_broad_phase},
+      {"mesh_mesh", "two meshes: time over size, and trees that are refitted, rebuilt or either",
+       &study_meshes},
+      {"triangle_triangle", "wrong answers of a test of triangles, down to one unit off one plane",
+       &study_triangles},
   };
   return list;
 }

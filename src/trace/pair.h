@@ -201,8 +201,8 @@ struct Degenerate {
 };
 
 /// Which optional stages to record: what no picture shows need not be written down. The arcs of the
-/// Gauss map, the Minkowski difference and the cells of a broad phase are large and say nothing that the
-/// shapes do not: they are only recorded where a view asks for them.
+/// Gauss map, the Minkowski difference, the cells of a broad phase and the node pairs of two trees are
+/// large and say nothing that the shapes do not: they are only recorded where a view asks for them.
 struct Stages {
   bool sat = true;
   bool clip = true;
@@ -214,9 +214,10 @@ struct Stages {
   bool minkowski = false;
   bool stability = true;
   bool cells = false;  // of a broad phase
+  bool node_pairs = false;
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false, false};
   }
 };
 

@@ -101,6 +101,26 @@ struct TreeCounts {
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
 
+/// Two nodes of the trees of two meshes whose boxes were compared: how many of the triangles of each
+/// tree, in the tree's order, stand before the node, and how many are below it.
+struct NodePair {
+  int before_a = 0;
+  int count_a = 0;
+  int before_b = 0;
+  int count_b = 0;
+  bool overlaps = false;  // only then what is below was looked at
+  bool leaves = false;    // both are leaves, whose triangles are compared where their boxes overlap
+
+  static constexpr auto fields() {
+    using N = NodePair;
+    return std::tuple(field::exact("before_a", &N::before_a).swaps(&N::before_b),
+                      field::exact("count_a", &N::count_a).swaps(&N::count_b),
+                      field::exact("before_b", &N::before_b), field::exact("count_b", &N::count_b),
+                      field::exact("overlaps", &N::overlaps), field::exact("leaves", &N::leaves));
+  }
+  friend bool operator==(const NodePair&, const NodePair&) = default;
+};
+
 /// Two triangles of two meshes that share a point.
 struct Intersection {
   int a = -1;                                     // triangle of a
@@ -145,6 +165,7 @@ struct Query {
   std::optional<WithinBounds> shapes{};
   std::optional<Containment> containment{};
   std::optional<TreeCounts> trees{};
+  std::vector<NodePair> node_pairs{};  // in the order in which they were compared
 
   static constexpr auto fields() {
     using Q = Query;
@@ -164,7 +185,8 @@ struct Query {
         field::facts("axes", &Q::axes).where_set().entries("tested axis", "tested axes"),
         field::fact("shapes", &Q::shapes).apart("shapes within the bounds"),
         field::fact("containment", &Q::containment).apart("containment"),
-        field::fact("trees", &Q::trees).apart("trees"));
+        field::fact("trees", &Q::trees).apart("trees"),
+        field::facts("node_pairs", &Q::node_pairs).where_set().entries("node pair", "node pairs"));
   }
 };
 

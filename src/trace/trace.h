@@ -112,6 +112,7 @@ struct Deformed {
   /// that of the tree when it was built last.
   double cost = 0;
   double cost_when_built = 0;
+  std::vector<Box> boxes{};  // of the tree, some levels below its root
 
   static constexpr auto fields() {
     using D = Deformed;
@@ -120,7 +121,8 @@ struct Deformed {
                       field::ratio("cost", &D::cost).optional().says("cost of the tree"),
                       field::ratio("cost_when_built", &D::cost_when_built)
                           .optional()
-                          .says("cost of the tree when built"));
+                          .says("cost of the tree when built"),
+                      field::facts("boxes", &D::boxes).optional().entries("tree box", "boxes"));
   }
   friend bool operator==(const Deformed&, const Deformed&) = default;
 };

@@ -25,6 +25,7 @@ trace::Frame without_records(const trace::Frame& recorded) {
   bare.frame = recorded.frame;
   bare.time = recorded.time;
   bare.poses = recorded.poses;
+  bare.deformed = recorded.deformed;
   for (const trace::Pair& pair : recorded.pairs) {
     trace::Pair& kept = bare.pairs.emplace_back();
     kept.a = pair.a;
@@ -38,6 +39,7 @@ trace::Frame without_records(const trace::Frame& recorded) {
       kept.overlap = pair.overlap;
     }
     kept.manifolds = pair.manifolds;
+    kept.overlap = pair.overlap;
     for (trace::Manifold& manifold : kept.manifolds) {
       for (trace::Point& point : manifold.points) {
         point.impulse.reset();

@@ -38,8 +38,23 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   sketch.explain(kQuerySwatch, "box of " + (pair.tree->shape == pair.a ? pair.b : pair.a));
 }
 
+constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5,
+                                 [](auto& pen) { pen.area(kSidePlane, 0, 1.5); }};
+
+/// What the tree of a mesh that deforms is made of.
+void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
+  for (const trace::Deformed& deformed : scene.frame.deformed) {
+    const PlacedShape* mesh = scene.find(deformed.name);
+    if (mesh == nullptr) continue;
+    for (const trace::Box& box : deformed.boxes)
+      outline(box, mesh->pose, {1.5f, with_alpha(kSidePlane, 0.9f)}, sketch);
+    sketch.explain(kDeformedSwatch, "boxes of the tree, four levels down");
+  }
+}
+
 }  // namespace
 
-const LayerDrawing kTreeLayer{.needs = {&Stages::tree}, .search = draw_tree};
+const LayerDrawing kTreeLayer{
+    .needs = {&Stages::tree}, .beneath = draw_deformed_trees, .search = draw_tree};
 
 }  // namespace contactscope::draw

@@ -15,6 +15,8 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Plots, make_plots_panel},
     {Panel::Pipeline, make_pipeline_panel},
     {Panel::Endpoints, make_endpoints_panel},
+    {Panel::NodePairs, make_node_pairs_panel},
+    {Panel::TreeCost, make_tree_cost_panel},
 };
 
 }  // namespace

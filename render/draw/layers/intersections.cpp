@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "draw/layers/layer.h"
+
+/// Where two meshes meet: the triangles that share a point, and what they share.
+namespace contactscope::draw {
+namespace {
+
+constexpr Swatch kDegenerateSwatch{LegendGroup::Points, 24,
+                                   [](auto& pen) { pen.level_line(0, 23, 4, kAxisText); }};
+constexpr Swatch kMeetingCurveSwatch{LegendGroup::Points, 20,
+                                     [](auto& pen) { pen.level_line(0, 23, 3.5, kContact); }};
+constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
+                                         [](auto& pen) { pen.area(kContact, 0.22f, 1); }};
+constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
+                              [](auto& pen) { pen.dot(0, 4.8, kContact); }};
+constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,
+                                 [](auto& pen) { pen.area(kAxis, 0.45f, 1.5); }};
+
+void draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, const Color& color,
+                    float fill, Sketch& sketch) {
+  if (mesh == nullptr) return;
+  for (const int triangle : triangles) {
+    if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;
+    sketch.face(mesh->polygon(triangle), with_alpha(color, fill),
+                {1.0f, with_alpha(color, 0.6f), false, LineStyle::Hidden::Gone});
+  }
+}
+
+/// An area that has become a line is drawn as one.
+void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
+  if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
+  sketch.outline(mesh->polygon(triangle), {4.0f, with_alpha(kAxisText, 0.8f)});
+  sketch.explain(kDegenerateSwatch, "triangle without an area");
+}
+
+/// What two triangles share; a lone point where it is no end of a line that is drawn anyway.
+void draw_segments(const trace::Pair& pair, Sketch& sketch) {
+  std::vector<Vec3d> ends, points;
+  for (const trace::Intersection& meeting : pair.intersections) {
+    if (!meeting.segment) continue;
+    const auto& [from, to] = *meeting.segment;
+    if (from == to) {
+      points.push_back(from);
+      continue;
+    }
+    sketch.line(from, to, {3.5f, kContact, false, LineStyle::Hidden::Faint});
+    sketch.explain(kMeetingCurveSwatch, "where the surfaces meet");
+    ends.insert(ends.end(), {from, to});
+  }
+  const auto before = [](const Vec3d& p, const Vec3d& q) {
+    return std::ranges::lexicographical_compare(p, q);
+  };
+  std::ranges::sort(ends, before);
+  for (const Vec3d& point : points) {
+    if (std::ranges::binary_search(ends, point, before)) continue;
+    sketch.mark(MarkKind::Dot, point, kContact);
+    sketch.explain(kTouchSwatch, "a point where they touch");
+  }
+}
+
+void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  std::set<int> crossing_a, crossing_b, coplanar_a, coplanar_b;
+  for (const trace::Intersection& meeting : pair.intersections) {
+    if (meeting.kind == "touching") continue;
+    const bool coplanar = meeting.kind == "coplanar";
+    (coplanar ? coplanar_a : crossing_a).insert(meeting.a);
+    (coplanar ? coplanar_b : crossing_b).insert(meeting.b);
+  }
+  draw_triangles(a, crossing_a, kContact, 0.22f, sketch);
+  draw_triangles(b, crossing_b, kContact, 0.22f, sketch);
+  draw_triangles(a, coplanar_a, kAxis, 0.35f, sketch);
+  draw_triangles(b, coplanar_b, kAxis, 0.35f, sketch);
+  if (!crossing_a.empty())
+    sketch.explain(kCrossingTriangleSwatch, "triangle that crosses the other mesh");
+  if (!coplanar_a.empty()) sketch.explain(kCoplanarSwatch, "triangles that overlap in one plane");
+  for (const trace::Intersection& meeting : pair.intersections) {
+    if (meeting.a_degenerate) draw_degenerate(a, meeting.a, sketch);
+    if (meeting.b_degenerate) draw_degenerate(b, meeting.b, sketch);
+  }
+  draw_segments(pair, sketch);
+}
+
+}  // namespace
+
+const LayerDrawing kIntersectionsLayer{.result = draw_intersections};
+
+}  // namespace contactscope::draw

@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// How two trees of boxes were gone through together: Gottschalk, Lin and Manocha 1996, "OBBTree",
+/// section 5.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kMatrixCaption = 22;  // pixels at 720 lines, beside and under the matrix
+constexpr double kLeastMatrix = 150, kGoodMatrix = 300;
+constexpr double kLeastBlock = 1.6;  // of a pair of leaves
+
+const trace::Pair* asked_pair(const trace::Frame& frame) {
+  const auto found = std::ranges::find_if(frame.pairs, [](const trace::Pair& pair) {
+    return pair.query && !pair.query->node_pairs.empty();
+  });
+  return found == frame.pairs.end() ? nullptr : &*found;
+}
+
+/// All pairs of a triangle of a, downwards, with one of b, to the right, both in the order of the
+/// trees. A block that is left out is as large as what it spares.
+class NodePairsPanel : public PanelContent {
+ public:
+  NodePairsPanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {}
+
+  PanelNeed need(const PanelMoment&) const override {
+    const auto high = [&](double matrix) {
+      return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
+             static_cast<float>(matrix + kMatrixCaption) * scale_;
+    };
+    return {high(kLeastMatrix), high(kGoodMatrix), 0, 2};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("node pairs of the two trees");
+    const trace::Pair* pair = asked_pair(frames_[moment.frame]);
+    if (pair == nullptr) {
+      sheet.paragraph("does not apply: no two meshes are asked in this frame", kQuietText);
+      return {};
+    }
+    const std::vector<trace::NodePair>& visits = pair->query->node_pairs;
+    const auto leaves = std::ranges::count_if(
+        visits, [](const trace::NodePair& visit) { return visit.overlaps && visit.leaves; });
+    const double all = static_cast<double>(visits[0].count_a) * visits[0].count_b;
+    sheet.row("compared", spell_number(static_cast<double>(visits.size())) + " node pairs");
+    sheet.row("reach leaves", spell_number(static_cast<double>(leaves)) + " of them, red");
+    sheet.row("spared", spell_number(100 * spared(visits) / all) + " % of the pairs, grey");
+    draw_matrix(visits, sheet);
+    return {};
+  }
+
+ private:
+  /// Pairs of triangles in blocks that were left out.
+  static double spared(const std::vector<trace::NodePair>& visits) {
+    double sum = 0;
+    for (const trace::NodePair& visit : visits)
+      if (!visit.overlaps) sum += static_cast<double>(visit.count_a) * visit.count_b;
+    return sum;
+  }
+
+  static void draw_matrix(const std::vector<trace::NodePair>& visits, const Sheet& sheet) {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double caption = pen.px(kMatrixCaption);
+    const double side = std::min(rest.width - caption, rest.height - caption);
+    if (side <= 0) return;
+    const Rect matrix{rest.x + caption, rest.y, side, side};
+    const double cell_a = side / visits[0].count_a, cell_b = side / visits[0].count_b;
+    const auto block = [&](const trace::NodePair& visit, double least) -> Rect {
+      return {matrix.x + cell_b * visit.before_b, matrix.y + cell_a * visit.before_a,
+              std::max(least, cell_b * visit.count_b), std::max(least, cell_a * visit.count_a)};
+    };
+    for (const trace::NodePair& visit : visits) {
+      if (visit.overlaps) continue;
+      const Rect rect = block(visit, 0);
+      pen.fill(rect, with_alpha(kDropped, 0.28f));
+      if (std::min(rect.width, rect.height) > pen.px(4)) pen.frame(rect, 0.8, kWhite);
+    }
+    for (const trace::NodePair& visit : visits)
+      if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kContact);
+    pen.frame(matrix, 1.2, kShapeEdge);
+    const double below = matrix.bottom() + 0.75 * caption;
+    pen.text("triangles in tree order: A down, B to the right", pixel(matrix.x, below), Align::Left,
+             kQuietText);
+    pen.text("A", pixel(rest.x, matrix.y + sheet.text_height()), Align::Left, kQuietText);
+    pen.text("B", pixel(rest.x, below), Align::Left, kQuietText);
+  }
+
+  const Frames& frames_;
+  float scale_;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_node_pairs_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<NodePairsPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/at.h"
+#include "query/mesh_overlap.h"
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kMeridians[] = {8, 16, 32, 64, 128, 256};  // of a sphere, half as many parallels
+constexpr int kMeshRepetitions = 7;
+constexpr int kDeformingFrames = 50;
+constexpr int kDeformingMeridians = 96;
+constexpr double kMostTwist = 5;  // radians a metre, in the last frame
+constexpr double kMilliseconds = 1e-6;
+
+/// A closed ball of radius 1 about the origin, poles on z, fronts outside.
+Mesh<double> ball(int meridians) {
+  const int parallels = meridians / 2;
+  std::vector<Vec3d> vertices = {{0, 0, 1}};
+  for (int i = 1; i < parallels; ++i) {
+    const double polar = std::numbers::pi * i / parallels;
+    for (int k = 0; k < meridians; ++k) {
+      const double around = 2 * std::numbers::pi * k / meridians;
+      vertices.emplace_back(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+                            std::cos(polar));
+    }
+  }
+  vertices.emplace_back(0, 0, -1);
+  const int last = count_of(vertices) - 1;
+  std::vector<std::array<int, 3>> triangles;
+  for (int k = 0; k < meridians; ++k) {
+    const int next = (k + 1) % meridians;
+    triangles.push_back({0, 1 + k, 1 + next});
+    for (int i = 1; i + 1 < parallels; ++i) {
+      const int row = 1 + (i - 1) * meridians, below = row + meridians;
+      triangles.push_back({row + k, below + k, below + next});
+      triangles.push_back({row + k, below + next, row + next});
+    }
+    const int row = last - meridians;
+    triangles.push_back({last, row + next, row + k});
+  }
+  return build_mesh(std::move(vertices), std::move(triangles));
+}
+
+/// So far and so turned that they cut each other in a ring.
+Pose<float> beside() {
+  const Quatd turn(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
+  return Pose<double>{turn, {1.1, 0.35, 0.2}}.cast<float>();
+}
+
+std::vector<Vec3f> twisted(const std::vector<Vec3f>& vertices, double angle) {
+  return mapped(vertices, [angle](const Vec3f& v) -> Vec3f {
+    const double turn = angle * v.z(), c = std::cos(turn), s = std::sin(turn);
+    return Vec3d(c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()).cast<float>();
+  });
+}
+
+/// What `call` takes.
+template <class Call>
+trace::Nanoseconds timed(int repetitions, const Call& call) {
+  PassTimes times;
+  for (int r = 0; r < repetitions; ++r) times.measure(1, [&](int) { return call(); });
+  return times.summary();
+}
+
+void add_point(trace::StudySeries& series, double parameter, double value,
+               const trace::Nanoseconds& time) {
+  series.points.push_back({parameter, value, value, time, 0, 1});
+}
+
+/// Build, query and refit over the number of triangles of each of two balls.
+void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Study& times) {
+  const int repetitions = options.repetitions.value_or(kMeshRepetitions);
+  const char* const kPanel = "two balls that cross in a ring";
+  const std::size_t first = times.series.size();
+  for (const char* method : {"both trees", "query", "vertices moved, one tree refitted"})
+    times.series.push_back({method, {}, kPanel, "triangles of each ball"});
+  for (const int meridians : kMeridians) {
+    const Mesh<double> made = ball(meridians);
+    const Mesh<float> mesh = mesh_cast<float>(made);
+    const double triangles = mesh.triangle_count();
+    const trace::Nanoseconds build = timed(repetitions, [&] {
+      double nodes = 0;
+      for (int tree = 0; tree < 2; ++tree) {
+        const auto boxes = mapped(made.triangles, [&](const std::array<int, 3>& triangle) {
+          return box_of<double>(made.vertices, triangle);
+        });
+        nodes += static_cast<double>(build_aabb_tree(boxes).nodes.size());
+      }
+      return nodes;
+    });
+    const trace::Nanoseconds query = timed(repetitions, [&] {
+      return static_cast<double>(mesh_overlap(mesh, mesh, beside()).intersections.size());
+    });
+    AabbTree<float> tree = mesh.tree;
+    const trace::Nanoseconds refit = timed(repetitions, [&] {
+      const std::vector<Vec3f> moved = vertices_in(mesh, beside());
+      tree.refit(moved, mesh.triangles);
+      return static_cast<double>(tree.bounds().lower.x());
+    });
+    const trace::Nanoseconds* const all[] = {&build, &query, &refit};
+    for (std::size_t i = 0; i < 3; ++i)
+      add_point(times.series[first + i], triangles, all[i]->min * kMilliseconds, *all[i]);
+    step(std::to_string(mesh.triangle_count()) + " triangles");
+  }
+}
+
+/// One of them is twisted more and more, frame by frame. Every way finds the same pairs of triangles;
+/// a frame in which one does not has failed.
+void study_deformation(const StudyOptions& options, const StudyStep& step, trace::Study& times,
+                       trace::Study& costs) {
+  const int frames = options.frames.value_or(kDeformingFrames);
+  const int repetitions = std::max(1, options.repetitions.value_or(kMeshRepetitions) / 2);
+  const Mesh<float> at_rest = mesh_cast<float>(ball(kDeformingMeridians));
+  struct Way {
+    const char* name;
+    TreeUpdate how;
+  };
+  constexpr Way kWays[] = {
+      {"refit", TreeUpdate::Refit}, {"rebuild", TreeUpdate::Rebuild}, {"auto", TreeUpdate::Auto}};
+  const std::string balls =
+      std::to_string(at_rest.triangle_count()) + " triangles, one ball twisted";
+  std::vector<std::size_t> expected;
+  for (const Way& way : kWays) {
+    trace::StudySeries frame{way.name, {}, balls, "frames, a tenth of a radian a metre each"};
+    trace::StudySeries cost = frame, compared = frame;
+    cost.panel = "boxes that a small query is expected to test";
+    compared.panel = "node pairs compared";
+    cost.parameter = "boxes expected, by frame";
+    compared.parameter = "node pairs compared, by frame";
+    Mesh<float> mesh = at_rest;
+    double cost_when_built = mesh.tree.expected_cost();
+    for (int k = 1; k <= frames; ++k) {
+      mesh.vertices = twisted(at_rest.vertices, kMostTwist * k / frames);
+      const AabbTree<float> before = mesh.tree;
+      const double built_before = cost_when_built;
+      std::size_t pairs = 0;
+      double node_pairs = 0;
+      PassTimes spent;
+      for (int r = 0; r < repetitions; ++r) {
+        mesh.tree = before;
+        cost_when_built = built_before;
+        spent.measure(1, [&](int) {
+          update_tree(mesh, way.how, cost_when_built);
+          const MeshOverlap<float> found = mesh_overlap(mesh, at_rest, beside());
+          pairs = found.intersections.size();
+          node_pairs = static_cast<double>(found.counts.node_pairs);
+          return node_pairs;
+        });
+      }
+      const trace::Nanoseconds time = spent.summary();
+      add_point(frame, k, time.min * kMilliseconds, time);
+      add_point(cost, k, mesh.tree.expected_cost(), time);
+      add_point(compared, k, node_pairs, time);
+      if (&way == &kWays[0])
+        expected.push_back(pairs);
+      else if (pairs != at(expected, k - 1))
+        frame.points.back().failed = 1;
+    }
+    times.series.push_back(std::move(frame));
+    costs.series.push_back(std::move(cost));
+    costs.series.push_back(std::move(compared));
+    step(std::string("twisted, ") + way.name);
+  }
+}
+
+}  // namespace
+
+/// Mesh against mesh, in two results. "time": building both trees, querying and refitting over the
+/// number of triangles; and an update with a query, frame by frame while one mesh is twisted: its
+/// tree refitted, rebuilt, or rebuilt once it is expected to cost 30 % more. "cost": of the same
+/// frames what a query is expected to cost, and how many node pairs were compared.
+std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyProgress& progress) {
+  std::vector<trace::Study> results = results_of(
+      "mesh_mesh", "float", "triangles",
+      "every way of keeping a tree finds the same pairs of triangles",
+      {{"time", "Mesh against mesh: time over size, and over a deformation", "milliseconds, least"},
+       {"cost", "What a tree costs a query as its mesh is twisted", "boxes, and pairs of them"}});
+  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+  const StudyStep step = counted(progress, static_cast<int>(std::size(kMeridians)) + 3);
+  study_sizes(options, step, results[0]);
+  study_deformation(options, step, results[0], results[1]);
+  // Those of one panel stand together.
+  std::ranges::stable_sort(results[1].series, {}, &trace::StudySeries::panel);
+  return results;
+}
+
+}  // namespace contactscope
