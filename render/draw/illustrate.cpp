@@ -13,7 +13,10 @@ using Needs = std::array<bool Stages::*, 3>;
 Needs needs_of(Panel panel) {
   switch (panel) {
     case Panel::Summary:
-      return {&Stages::sat, &Stages::reduction};
+      return {&Stages::sat, &Stages::reduction, &Stages::query};
+    case Panel::AxisIntervals:
+    case Panel::Answers:
+      return {&Stages::query};
     case Panel::ContactPlane:
       return {&Stages::clip, &Stages::reduction};
     case Panel::AxisHistory:

@@ -20,6 +20,9 @@
   ROW(IncidentFace, "incident_face")           \
   ROW(Tree, "tree")                            \
   ROW(Bounds, "bounds")                        \
+  ROW(Volumes, "volumes")                      \
+  ROW(TestedAxes, "tested_axes")               \
+  ROW(Answer, "answer")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -48,6 +51,8 @@
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
   ROW(Pipeline, "pipeline")                    \
+  ROW(AxisIntervals, "axis_intervals")         \
+  ROW(Answers, "answers")                      \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

@@ -213,9 +213,10 @@ struct Stages {
   bool penetration = true;
   bool minkowski = false;
   bool stability = true;
+  bool query = true;  // bounds, axes and triangles that cross; the answer is always told
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false};
   }
 };
 

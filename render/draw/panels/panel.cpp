@@ -14,6 +14,8 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Stability, make_stability_panel},
     {Panel::Plots, make_plots_panel},
     {Panel::Pipeline, make_pipeline_panel},
+    {Panel::AxisIntervals, make_axis_intervals_panel},
+    {Panel::Answers, make_answers_panel},
 };
 
 }  // namespace
