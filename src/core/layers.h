@@ -22,6 +22,9 @@
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
   ROW(Intersections, "intersections")          \
+  ROW(Volumes, "volumes")                      \
+  ROW(TestedAxes, "tested_axes")               \
+  ROW(Answer, "answer")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -53,6 +56,8 @@
   ROW(Endpoints, "endpoints")                  \
   ROW(NodePairs, "node_pairs")                 \
   ROW(TreeCost, "tree_cost")                   \
+  ROW(AxisIntervals, "axis_intervals")         \
+  ROW(Answers, "answers")                      \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

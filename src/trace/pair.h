@@ -213,11 +213,12 @@ struct Stages {
   bool penetration = true;
   bool minkowski = false;
   bool stability = true;
+  bool query = true;   // bounds, axes and triangles that cross; the answer is always told
   bool cells = false;  // of a broad phase
   bool node_pairs = false;
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false, false, false};
   }
 };
 

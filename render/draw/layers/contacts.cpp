@@ -123,6 +123,7 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     if (!pair.manifolds.empty()) draw_specks(pair, sketch);
     return;
   }
+  if (pair.query) return;  // it has no contacts; see the layer answer
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
