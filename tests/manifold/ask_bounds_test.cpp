@@ -49,17 +49,6 @@ PlacedShapes random_boxes(Random& random) {
   return pair;
 }
 
-/// Corners of a told bound, in the world.
-std::vector<Vec3d> corners_of(const trace::Volume& box) {
-  std::vector<Vec3d> corners;
-  for (int bits = 0; bits < 8; ++bits) {
-    const Vec3d signs(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1);
-    corners.push_back(box.center + box.rotation.value_or(Quatd::Identity()) *
-                                       Vec3d(signs.cwiseProduct(*box.half_extents)));
-  }
-  return corners;
-}
-
 TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
   Random random(81);
   int false_positives = 0;

@@ -18,7 +18,7 @@ Scenario parsed(const std::string& text) {
   return parse_scenario(text, "group/idea.toml");
 }
 
-const std::string kMeshes =
+const std::string kFloorAndWall =
     "title = \"Meshes\"\n"
     "[shapes.floor]\ntype = \"mesh\"\ngrid = { size = 2, cells = 2 }\n"
     "[shapes.wall]\ntype = \"mesh\"\ngrid = { size = 1, cells = 1 }\n"
@@ -63,7 +63,7 @@ std::string pair(const std::string& keys) {
   return "[[pairs]]\na = \"crate\"\nb = \"floor\"\n" + keys;
 }
 std::string meshes(const std::string& keys) {
-  return kMeshes + "[[pairs]]\na = \"floor\"\nb = \"wall\"\n" + keys;
+  return kFloorAndWall + "[[pairs]]\na = \"floor\"\nb = \"wall\"\n" + keys;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -106,12 +106,12 @@ INSTANTIATE_TEST_SUITE_P(
     name_of_test);
 
 TEST(QueryKeys, WhatDefaultPairsCannotAnswerIsLeftOutAndTold) {
-  const Scenario contacts = parsed(kMeshes);
+  const Scenario contacts = parsed(kFloorAndWall);
   EXPECT_THAT(contacts.pairs, IsEmpty());
   EXPECT_THAT(contacts.warnings,
               ElementsAre(AllOf(HasSubstr("mesh-mesh pairs are not collided, and left out"),
                                 HasSubstr("query = \"overlap\""))));
-  const Scenario overlap = parsed(kMeshes + "[pipeline]\nquery = \"overlap\"\n");
+  const Scenario overlap = parsed(kFloorAndWall + "[pipeline]\nquery = \"overlap\"\n");
   EXPECT_EQ(overlap.pairs.size(), 1u);
   EXPECT_THAT(overlap.warnings, Not(Contains(HasSubstr("left out"))));
   const Scenario bounds =
@@ -178,7 +178,7 @@ TEST(QueryKeys, ARunAnswersWatchedOrNot) {
 
 TEST(QueryKeys, ABroadPhaseChoosesPairsThatAnswer) {
   const Scenario scenario =
-      parsed(kMeshes +
+      parsed(kFloorAndWall +
              "[world]\nbroad_phase = \"tree\"\n[pipeline]\nquery = \"overlap\"\n"
              "[[expect]]\na = \"floor\"\nb = \"wall\"\noverlap = true\n"
              "intersections = 4\n");

@@ -15,6 +15,7 @@ namespace contactscope::snapshot {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -112,6 +113,22 @@ TEST(CompareTraces, PosesMoveAndTurn) {
               }),
               ElementsAre("hull/face_contact frame 0, crate: moved 25 um along y, turned by 5.7 "
                           "degrees"));
+}
+
+TEST(CompareTraces, VerticesOfADeformedMeshCount) {
+  const auto deform = [](double height) {
+    return [height](trace::Trace& trace) {
+      trace.frames[0].deformed = {{"crate", {{0, 0, 0}, {1, height, 0}}, "refitted", 3, 2, {}}};
+    };
+  };
+  EXPECT_THAT(after(deform(0)), ElementsAre(HasSubstr("frame 0, crate: added")));
+  trace::Trace before = sample_trace(), now = sample_trace();
+  deform(0.5)(before);
+  deform(0.5 + 25e-6)(now);
+  EXPECT_THAT(compare_traces(before, now), ElementsAre(HasSubstr("crate: vertex 1 moved 25 um")));
+  now.frames[0].deformed[0].vertices = before.frames[0].deformed[0].vertices;
+  now.frames[0].deformed[0].tree = "rebuilt";
+  EXPECT_THAT(compare_traces(before, now), ElementsAre(HasSubstr("tree refitted -> rebuilt")));
 }
 
 TEST(CompareTraces, ANegatedQuaternionIsTheSameRotation) {

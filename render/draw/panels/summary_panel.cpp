@@ -43,6 +43,12 @@ std::string counted(const trace::Pair& pair) {
 /// Calls `add` with the name of each row and with what spells its value.
 template <class Add>
 void for_each_row(const trace::Pair& pair, Add&& add) {
+  if (pair.query) {
+    add("asked", [&] { return spell_question(*pair.query); });
+    add("answer", [&] { return spell_answer(pair); });
+    add("by", [&] { return pair.query->method; });
+    return;
+  }
   add("pair", [&] { return pair.kind; });
   if (pair.query) {
     add("asked", [&] { return spell_question(*pair.query); });

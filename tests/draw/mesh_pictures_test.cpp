@@ -1,0 +1,227 @@
+// What is seen of meshes against meshes, and of meshes that deform, from facts by hand.
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "crate_on_slab.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/palette.h"
+#include "draw/staging.h"
+
+namespace contactscope::draw {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+trace::Shape surface(const std::string& name, const std::vector<Vec3d>& vertices) {
+  trace::Shape shape;
+  shape.name = name;
+  shape.type = "mesh";
+  shape.vertices = vertices;
+  shape.faces = {{0, 1, 2}, {0, 2, 3}};
+  return shape;
+}
+
+/// A level square and one that stands across it, of two triangles each.
+struct TwoSurfaces {
+  trace::Header header;
+  std::vector<trace::Frame> frames;
+  View view;
+
+  TwoSurfaces() {
+    header.scenario = "test/surfaces";
+    header.title = "Two surfaces";
+    header.source = "none";
+    header.up = "y";
+    header.shapes = {surface("level", {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}),
+                     surface("wall", {{0, -1, 1}, {0, 1, 1}, {0, 1, -1}, {0, -1, -1}})};
+    add_frame();
+    view.layers = {Layer::Shapes, Layer::Intersections};
+  }
+
+  void add_frame() {
+    trace::Frame& frame = frames.emplace_back();
+    frame.frame = static_cast<int>(frames.size()) - 1;
+    frame.time = 0.1 * frame.frame;
+    frame.poses = {{"level", {}}, {"wall", {}}};
+    trace::Pair& pair = frame.pairs.emplace_back();
+    pair.a = "level";
+    pair.b = "wall";
+    pair.kind = "mesh-mesh";
+    pair.state = "touching";
+    pair.overlap = true;
+    pair.query.emplace().asked = "overlap";
+    header.frames = static_cast<int>(frames.size());
+  }
+  void meet(const char* kind, const Vec3d& from, const Vec3d& to) {
+    frames[0].pairs[0].intersections.push_back({0, 1, kind, {{from, to}}});
+  }
+
+  Staging staged() const { return stage(header, frames, view, 1280, 720); }
+  Sketch sketch() const { return sketch_frame(staged(), frames[0]); }
+};
+
+std::vector<std::string> legend_texts(const Sketch& sketch) {
+  return mapped(sketch.legend.sorted(), &LegendEntry::text);
+}
+
+int surfaces_of(const Sketch& sketch, const Color& color) {
+  return static_cast<int>(std::ranges::count_if(
+      sketch.surfaces, [&](const Surface& one) { return crate_sample::same(one.color, color); }));
+}
+
+int curve_lines(const Sketch& sketch) {
+  return static_cast<int>(std::ranges::count_if(sketch.lines, [](const Line& line) {
+    return crate_sample::same(line.style.color, kContact) && line.style.width > 3;
+  }));
+}
+
+TEST(MeshPictures, CrossingTrianglesOfBothMeshesAreTintedAndTheirSegmentsAreALine) {
+  TwoSurfaces scene;
+  scene.meet("proper", {0, 0, 1}, {0, 0, 0});
+  scene.meet("proper", {0, 0, 0}, {0, 0, -1});
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(surfaces_of(sketch, kContact), 2);  // triangle 0 of one and 1 of the other, once each
+  EXPECT_EQ(curve_lines(sketch), 2);
+  EXPECT_THAT(legend_texts(sketch), AllOf(Contains("where the surfaces meet"),
+                                       Contains("triangle that crosses the other mesh")));
+}
+
+TEST(MeshPictures, ALonePointIsADotAndTheEndOfALineIsNot) {
+  TwoSurfaces scene;
+  scene.meet("touching", {0, 0, 1}, {0, 0, 0});
+  scene.meet("touching", {0, 0, 0}, {0, 0, 0});
+  scene.meet("touching", {0, 0, -0.5}, {0, 0, -0.5});
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(surfaces_of(sketch, kContact), 0);
+  EXPECT_EQ(curve_lines(sketch), 1);
+  ASSERT_EQ(sketch.marks.size(), 1u);
+  EXPECT_EQ(sketch.marks[0].at, Vec3d(0, 0, -0.5));
+}
+
+TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
+  TwoSurfaces scene;
+  scene.frames[0].pairs[0].intersections = {{0, 1, "coplanar", {}},
+                                            {1, 0, "touching", {}, false, true}};
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(surfaces_of(sketch, kAxis), 2);
+  EXPECT_THAT(legend_texts(sketch), AllOf(Contains("triangles that overlap in one plane"),
+                                       Contains("triangle without an area")));
+}
+
+TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {
+  TwoSurfaces scene;
+  scene.frames[0].pairs[0].intersections = {{7, -1, "proper", {}, true, true}};
+  EXPECT_EQ(surfaces_of(scene.sketch(), kContact), 0);
+}
+
+TEST(MeshPictures, AMeshThatDeformsIsDrawnAsItIsInTheFrame) {
+  TwoSurfaces scene;
+  scene.add_frame();
+  // Stood up across the other one: what was its top side looks along -z.
+  const std::vector<Vec3d> raised = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  scene.frames[1].deformed = {{"level", raised, "refitted", 3, 2, {}}};
+  const Staging staging = scene.staged();
+  const auto placed = [&](std::size_t frame) {
+    return place_shapes(staging.meshes, scene.frames[frame]);
+  };
+  EXPECT_EQ(placed(0)[0].vertices, scene.header.shapes[0].vertices);
+  EXPECT_EQ(placed(1)[0].vertices, raised);
+  EXPECT_NEAR((placed(0)[0].normal(0) - Vec3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_NEAR((placed(1)[0].normal(0) - Vec3d::UnitZ()).norm(), 0, 1e-12);
+  EXPECT_EQ(placed(1)[1].vertices, scene.header.shapes[1].vertices);
+  // The picture has its faces there.
+  const auto faces = sketch_frame(staging, scene.frames[1]).surfaces;
+  EXPECT_TRUE(std::ranges::any_of(faces, [](const Surface& one) {
+    return std::ranges::any_of(
+        one.polygon, [](const Vec3d& corner) { return (corner - Vec3d(-1, 1, 0)).norm() < 1e-9; });
+  }));
+}
+
+TEST(MeshPictures, BoxesOfADeformedMeshesTreeStandInItsPose) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Tree};
+  scene.frames[0].poses[0].second.position = {0, 5, 0};
+  scene.frames[0].deformed = {
+      {"level", scene.header.shapes[0].vertices, "refitted", 3, 2, {{{-1, 0, -1}, {1, 0.5, 1}}}}};
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(sketch.lines.size(), 12u);
+  for (const Line& line : sketch.lines) EXPECT_GE(line.from.y(), 5);
+  EXPECT_THAT(legend_texts(sketch), Contains("boxes of the tree, four levels down"));
+}
+
+class MeshPanels : public ::testing::Test {
+ protected:
+  TwoSurfaces scene;
+
+  Drawing laid_out(Panel panel, std::size_t frame = 0) {
+    scene.view.panels = {panel};
+    const Staging staging = scene.staged();
+    Drawing drawing;
+    Sheet sheet({900, 80, 332, 500}, staging.layout.scale, drawing);
+    make_panels(staging, scene.frames).at(0).content->lay_out({frame}, sheet);
+    return drawing;
+  }
+};
+
+TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
+  // Two triangles against two: the roots overlap; of four pairs of leaves one does.
+  scene.frames[0].pairs[0].query->node_pairs = {
+      {0, 2, 0, 2, true, false}, {0, 1, 0, 1, true, true},  {0, 1, 1, 1, false, true},
+      {1, 1, 0, 1, false, true}, {1, 1, 1, 1, false, true},
+  };
+  const Drawing drawing = laid_out(Panel::NodePairs);
+  int red = 0, grey = 0;
+  float right = 0, bottom = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Fill* fill = std::get_if<Fill>(&primitive);
+    if (fill == nullptr) continue;
+    red += crate_sample::same(fill->color, kContact);
+    grey += crate_sample::same(fill->color, kDropped);
+    for (const Point2& corner : fill->polygon) {
+      right = std::max(right, corner.x);
+      bottom = std::max(bottom, corner.y);
+    }
+  }
+  EXPECT_EQ(red, 1);
+  EXPECT_EQ(grey, 3);
+  EXPECT_LE(right, 1232.5);
+  EXPECT_LE(bottom, 580);
+  EXPECT_THAT(crate_sample::texts(drawing),
+              AllOf(Contains("5 node pairs"), Contains("1 of them, red"),
+                    Contains("75 % of the pairs, grey")));
+}
+
+TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {
+  EXPECT_THAT(crate_sample::texts(laid_out(Panel::NodePairs)),
+              Contains(HasSubstr("does not apply")));
+}
+
+TEST_F(MeshPanels, TheCostOfATreeIsToldForEachMeshAndEachPair) {
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) scene.add_frame();
+    trace::Frame& frame = scene.frames.back();
+    frame.deformed = {{"level", scene.header.shapes[0].vertices, "refitted", 30.0 + k, 30, {}},
+                      {"wall", scene.header.shapes[1].vertices, "rebuilt", 20.0, 20, {}}};
+    frame.pairs[0].query->trees = trace::TreeCounts{100 + k, 10, 4};
+  }
+  const std::vector<std::string> all = crate_sample::texts(laid_out(Panel::TreeCost, 2));
+  EXPECT_THAT(all, AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),
+                         Contains("102"), Contains("node pairs compared")));
+}
+
+TEST(MeshPictures, TheMatrixAloneAsksForNodePairs) {
+  View view;
+  view.layers = {};
+  EXPECT_FALSE(stages_shown({view}).node_pairs);
+  view.panels = {Panel::NodePairs};
+  EXPECT_TRUE(stages_shown({view}).node_pairs);
+}
+
+}  // namespace
+}  // namespace contactscope::draw
