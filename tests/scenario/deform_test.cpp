@@ -269,6 +269,50 @@ TEST(Deform, ContactsAreThoseOfTheSurfaceAsItIs) {
   EXPECT_EQ(runner.frame(1).pairs.at(0).state, "separated");
 }
 
+/// A swell that rises under a ball from one frame to the next, from 0.212 m to 0.3 m; the ball's
+/// lowest point is 0.25 m high.
+std::string swell(const std::string& rest) {
+  return R"(title = "A swell"
+[time]
+frames = 2
+dt = 1
+[shapes.grid]
+type = "mesh"
+grid = { size = 2, cells = 8 }
+motion.deform = { wave = { axis = [1, 0, 0], direction = [0, 1, 0], amplitude = 0.3, wavelength = 8, speed = -1 } }
+[shapes.ball]
+type = "sphere"
+radius = 0.25
+position = [0.9, 0.5, 0]
+)" + rest;
+}
+
+TEST(Deform, ABroadPhaseGoesByTheBoxOfTheFrame) {
+  const Scenario scenario =
+      parse_scenario(swell("[world]\nbroad_phase = \"brute_force\"\n"), "a.toml");
+  Runner runner(scenario);
+  const trace::Frame before = runner.frame(0), after = runner.frame(1);
+  EXPECT_THAT(before.pairs, IsEmpty());
+  ASSERT_EQ(after.pairs.size(), 1u);
+  EXPECT_NEAR(before.broad_phase->bounds.at(0).box.upper.y(), 0.3 * std::sqrt(0.5), 1e-4);
+  EXPECT_NEAR(after.broad_phase->bounds.at(0).box.upper.y(), 0.3, 1e-4);
+}
+
+TEST(Deform, BoundsThatAreAskedAreThoseOfTheFrame) {
+  for (const char* bounds : {"aabb", "obb", "sphere"}) {
+    const Scenario scenario = parse_scenario(
+        swell("[[pairs]]\na = \"grid\"\nb = \"ball\"\nquery = \"overlap\"\nbounds = \"" +
+              std::string(bounds) + "\"\n"),
+        "a.toml");
+    Runner runner(scenario);
+    const trace::Pair before = runner.frame(0).pairs.at(0), after = runner.frame(1).pairs.at(0);
+    EXPECT_NE(before.query->bounds_a, after.query->bounds_a) << bounds;
+    if (bounds != std::string("aabb")) continue;
+    EXPECT_EQ(before.overlap, false);
+    EXPECT_EQ(after.overlap, true);
+  }
+}
+
 TEST(Deform, FarFromItsOriginAMeshKeepsItsDigits) {
   const std::string far = R"(title = "far"
 [time]
