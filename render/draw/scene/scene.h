@@ -95,7 +95,7 @@ struct SequenceScales {
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
                           const Camera& camera, const Layout& layout, const View& view);
 
-inline constexpr std::size_t kCrowd = 60;  // shapes
+inline constexpr std::size_t kCrowd = 24;  // shapes
 
 /// All that the layers look at in one frame.
 struct Scene {
