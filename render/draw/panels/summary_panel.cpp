@@ -50,12 +50,6 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
     return;
   }
   add("pair", [&] { return pair.kind; });
-  if (pair.query) {
-    add("asked", [&] { return spell_question(*pair.query); });
-    add("answer", [&] { return spell_answer(pair); });
-    add("by", [&] { return pair.query->method; });
-    return;
-  }
   add("state", [&] { return pair.state; });
   if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
   if (!pair.manifolds.empty()) add("contact", [&] { return types_of(pair); });
