@@ -13,7 +13,11 @@ using Needs = std::array<bool Stages::*, 3>;
 Needs needs_of(Panel panel) {
   switch (panel) {
     case Panel::Summary:
-      return {&Stages::sat, &Stages::reduction};
+      return {&Stages::sat, &Stages::reduction, &Stages::query};
+    case Panel::AxisIntervals:
+    case Panel::Answers:
+    case Panel::TreeCost:
+      return {&Stages::query};
     case Panel::ContactPlane:
       return {&Stages::clip, &Stages::reduction};
     case Panel::AxisHistory:
@@ -22,10 +26,9 @@ Needs needs_of(Panel panel) {
       return {&Stages::stability};
     case Panel::Plots:
     case Panel::Pipeline:
-    case Panel::TreeCost:
       return {};
     case Panel::NodePairs:
-      return {&Stages::node_pairs};
+      return {&Stages::node_pairs, &Stages::query};
     case Panel::Minkowski:
       return {&Stages::minkowski, &Stages::gjk, &Stages::penetration};
     case Panel::GaussMap:

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/at.h"
+#include "draw/scene/answers.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
@@ -70,7 +71,7 @@ Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
 // Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known by
 // their outline alone, and the ground with all that is on it; else the subject is all but floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              ShapeMeshes& meshes) {
+              const View& view, ShapeMeshes& meshes) {
   const Vec3d usual = default_direction(header);
   const double smallest = meshes.smallest_radius();
   const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
@@ -88,6 +89,11 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
             .first->second.add(shape.pose, points);
       if (any_round ? is_round(*shape.mesh) : shape.mesh->radius <= kLargeShape * smallest)
         append(chosen, extent_points(shape));
+    }
+    for (const trace::Pair& pair : frame.pairs) {
+      if (!view.shows(Layer::Volumes) || !pair.query) continue;
+      for (const auto& volume : {pair.query->bounds_a, pair.query->bounds_b})
+        if (volume) append(points, extent_points(*volume));
     }
     shapes.add(std::move(points));
     subject.add(std::move(chosen));
@@ -183,7 +189,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   View view = asked;
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
-  const Extent extent = gather(header, frames, meshes);
+  const Extent extent = gather(header, frames, view, meshes);
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
     return make_layout(width, height, !view.panels.empty(), widths, count_of(insets));
   };

@@ -21,6 +21,9 @@
   ROW(Tree, "tree")                            \
   ROW(Bounds, "bounds")                        \
   ROW(Intersections, "intersections")          \
+  ROW(Volumes, "volumes")                      \
+  ROW(TestedAxes, "tested_axes")               \
+  ROW(Answer, "answer")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
@@ -51,6 +54,8 @@
   ROW(Pipeline, "pipeline")                    \
   ROW(NodePairs, "node_pairs")                 \
   ROW(TreeCost, "tree_cost")                   \
+  ROW(AxisIntervals, "axis_intervals")         \
+  ROW(Answers, "answers")                      \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

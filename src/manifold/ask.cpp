@@ -91,7 +91,8 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages) {
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
-    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question, record, stages);
+    return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
+                      stages.query ? record : nullptr, stages);
   if (kind_of(b) == ShapeKind::Mesh)
     return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&b)) {
@@ -134,9 +135,10 @@ Answer<S> ask_in_order(const AskedShape<S>& a, const AskedShape<S>& b, const Que
                        trace::Pair* record, const trace::Stages& stages) {
   if (!question.bounds)
     return ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages);
-  if (record) [[unlikely]]
-    record->query->shapes = within_bounds(a, b, question);
-  return ask_bounds(a, b, question, record);
+  trace::Pair* const told = stages.query ? record : nullptr;
+  if (told) [[unlikely]]
+    told->query->shapes = within_bounds(a, b, question);
+  return ask_bounds(a, b, question, told);
 }
 
 }  // namespace

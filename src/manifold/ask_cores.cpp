@@ -87,6 +87,8 @@ Gap<S> gap_of_cores(const Shape<S>& a, const Shape<S>& b, const Pose<S>& b_in_a,
       from_cores(-deep.depth, deep.normal, deep.on_a, deep.on_b);
       return found;
     }
+    // GJK has them touch, the other apart by a hair: within rounding of each other either way.
+    found.gap = cores.distance - radii;
   }
   if (cores.status == GjkStatus::Separated) {
     from_cores(cores.distance, cores.normal, cores.on_a, cores.on_b);

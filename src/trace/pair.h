@@ -214,9 +214,10 @@ struct Stages {
   bool minkowski = false;
   bool stability = true;
   bool node_pairs = false;
+  bool query = true;  // bounds, axes and triangles that cross; the answer is always told
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false, false};
   }
 };
 

@@ -112,6 +112,7 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (pair.query) return;  // it has no contacts; see the layer answer
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);

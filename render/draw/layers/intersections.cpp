@@ -86,6 +86,6 @@ void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& ske
 
 }  // namespace
 
-const LayerDrawing kIntersectionsLayer{.result = draw_intersections};
+const LayerDrawing kIntersectionsLayer{.needs = {&Stages::query}, .result = draw_intersections};
 
 }  // namespace contactscope::draw

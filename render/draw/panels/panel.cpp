@@ -16,6 +16,8 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::Pipeline, make_pipeline_panel},
     {Panel::NodePairs, make_node_pairs_panel},
     {Panel::TreeCost, make_tree_cost_panel},
+    {Panel::AxisIntervals, make_axis_intervals_panel},
+    {Panel::Answers, make_answers_panel},
 };
 
 }  // namespace

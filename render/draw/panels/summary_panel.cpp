@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/answers.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -43,6 +44,12 @@ std::string counted(const trace::Pair& pair) {
 template <class Add>
 void for_each_row(const trace::Pair& pair, Add&& add) {
   add("pair", [&] { return pair.kind; });
+  if (pair.query) {
+    add("asked", [&] { return spell_question(*pair.query); });
+    add("answer", [&] { return spell_answer(pair); });
+    add("by", [&] { return pair.query->method; });
+    return;
+  }
   add("state", [&] { return pair.state; });
   if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
   if (!pair.manifolds.empty()) add("contact", [&] { return types_of(pair); });
@@ -63,9 +70,9 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
   }
 }
 
-// A degenerate geometry's name takes a second line.
+// A degenerate geometry's name takes a second line, and so does a question; its answer three.
 std::size_t lines_of(const trace::Pair& pair) {
-  std::size_t lines = pair.degenerate ? 1 : 0;
+  std::size_t lines = (pair.degenerate ? 1 : 0) + (pair.query ? 3 : 0);
   for_each_row(pair, [&](const char*, auto&&) { ++lines; });
   return lines;
 }

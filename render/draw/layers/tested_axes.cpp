@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/answers.h"
+#include "draw/scene/quantity.h"
+
+/// The axes of an overlap test that are worth a look, as arrows from halfway between both bounds: those
+/// that separate, else the one with the largest gap, and cross products so short that rounding gives
+/// them their direction (Gottschalk, Lin and Manocha 1996, "OBBTree"; the survey's "Oriented Bounding
+/// Box").
+namespace contactscope::draw {
+namespace {
+
+constexpr float kArrow = 110;    // pixels
+constexpr double kShort = 0.01;  // sine of the angle between two edges: shorter is noted
+
+constexpr Swatch kSeparatingSwatch{LegendGroup::Axes, 5,
+                                   [](auto& pen) { pen.arrow(3.5, 9, kContact); }};
+constexpr Swatch kTestedSwatch{LegendGroup::Axes, 6, [](auto& pen) { pen.arrow(3, 9, kAxis); }};
+constexpr Swatch kSkippedSwatch{LegendGroup::Axes, 7,
+                                [](auto& pen) { pen.open_arrow(1.5, kDropped); }};
+
+bool is_short(const trace::TestedAxis& axis) {
+  return axis.kind == "edges" && axis.length < kShort && !axis.direction.isZero(0);
+}
+
+/// Those to be drawn, the deciding ones last.
+std::vector<const trace::TestedAxis*> worth_a_look(const trace::Query& query) {
+  std::vector<const trace::TestedAxis*> chosen;
+  const trace::TestedAxis* largest = nullptr;
+  const trace::TestedAxis* separating = nullptr;
+  for (const trace::TestedAxis& axis : query.axes) {
+    if (is_short(axis) && !axis.separates) chosen.push_back(&axis);
+    if (axis.skipped || axis.direction.isZero(0)) continue;
+    if (largest == nullptr || axis.gap > largest->gap) largest = &axis;
+    if (axis.separates && (separating == nullptr || axis.gap > separating->gap)) separating = &axis;
+  }
+  if (separating != nullptr) {
+    chosen.push_back(separating);
+  } else if (largest != nullptr && std::ranges::find(chosen, largest) == chosen.end()) {
+    chosen.push_back(largest);
+  }
+  return chosen;
+}
+
+void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
+  const trace::Query& query = *pair.query;
+  const Vec3d middle = 0.5 * (query.bounds_a->center + query.bounds_b->center);
+  for (const trace::TestedAxis* axis : worth_a_look(query)) {
+    const Color color = axis->separates ? kContact : axis->skipped ? kDropped : kAxis;
+    sketch.arrows.push_back({.from = middle,
+                             .direction = axis->direction,
+                             .pixels = kArrow,
+                             .width = axis->separates ? 3.5f
+                                      : axis->skipped ? 1.5f
+                                                      : 3.0f,
+                             .head = 11,
+                             .color = color,
+                             .open = axis->skipped});
+    std::string text = spell_axis(query, *axis);
+    if (is_short(*axis)) text += ", length " + printed("%.1e", axis->length);
+    const double metres = kArrow * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
+    sketch.label(middle + metres * axis->direction, text,
+                 axis->separates ? kContact
+                 : axis->skipped ? kQuietText
+                                 : kAxisText,
+                 16, 8, axis->direction);
+    sketch.explain(axis->separates ? kSeparatingSwatch
+                   : axis->skipped ? kSkippedSwatch
+                                   : kTestedSwatch,
+                   axis->separates ? "axis that separates"
+                   : axis->skipped ? "cross product, skipped"
+                                   : "axis without a gap");
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kTestedAxesLayer{.needs = {&Stages::query}, .search = draw_tested_axes};
+
+}  // namespace contactscope::draw

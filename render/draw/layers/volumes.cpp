@@ -1,0 +1,70 @@
+#include <cmath>
+#include <numbers>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/answers.h"
+#include "draw/scene/box_outline.h"
+#include "draw/scene/solid.h"
+
+/// The bounds that were asked instead of the shapes: boxes and balls, in the colour of the answer.
+namespace contactscope::draw {
+namespace {
+
+constexpr Swatch kFalsePositiveSwatch{LegendGroup::Trees, 5, [](auto& pen) {
+                                        pen.area(answer_color(AnswerKind::FalsePositive), 0.1f, 3);
+                                      }};
+constexpr Swatch kOverlappingSwatch{
+    LegendGroup::Trees, 6, [](auto& pen) { pen.area(answer_color(AnswerKind::Yes), 0, 2.5); }};
+constexpr Swatch kApartSwatch{
+    LegendGroup::Trees, 7, [](auto& pen) { pen.area(answer_color(AnswerKind::No), 0, 1.5, true); }};
+
+void explain(AnswerKind kind, Sketch& sketch) {
+  switch (kind) {
+    case AnswerKind::No:
+      return sketch.explain(kApartSwatch, "bounds, apart");
+    case AnswerKind::Yes:
+      return sketch.explain(kOverlappingSwatch, "bounds that overlap, as the shapes do");
+    case AnswerKind::FalsePositive:
+      return sketch.explain(kFalsePositiveSwatch, "bounds that overlap though the shapes do not");
+  }
+}
+
+void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyle& style,
+                 Sketch& sketch) {
+  if (volume.half_extents) {
+    const Vec3d& half = *volume.half_extents;
+    outline({-half, half}, {volume.rotation.value_or(Quatd::Identity()), volume.center}, style,
+            sketch);
+    return;
+  }
+  if (!volume.radius) return;
+  // The outline alone would be a disc; the horizon about the vertical makes a ball of it.
+  const RoundBody ball{{volume.center}, *volume.radius};
+  sketch.curves.push_back({ball.outline(scene.camera), style, true});
+  const Vec3d up = up_axis(scene.header), x = any_perpendicular(up), y = up.cross(x);
+  constexpr int kSteps = 96;
+  std::vector<Vec3d> horizon;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSteps;
+    horizon.push_back(volume.center + *volume.radius * (std::cos(angle) * x + std::sin(angle) * y));
+  }
+  LineStyle faint = style;
+  faint.width *= 0.4f;
+  sketch.curves.push_back({horizon, faint, true});
+}
+
+void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
+  const AnswerKind kind = answer_kind(pair);
+  const bool no = kind == AnswerKind::No;
+  const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no};
+  for (const trace::Volume* volume : {&*pair.query->bounds_a, &*pair.query->bounds_b})
+    draw_volume(scene, *volume, style, sketch);
+  explain(kind, sketch);
+}
+
+}  // namespace
+
+const LayerDrawing kVolumesLayer{.needs = {&Stages::query}, .search = draw_volumes};
+
+}  // namespace contactscope::draw

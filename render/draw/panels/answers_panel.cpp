@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/answers.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// What each pair answered, frame by frame, and which share of the answers was wrong: the survey's
+/// "false positives" of bounds.
+namespace contactscope::draw {
+namespace {
+
+constexpr float kBarLines = 0.7f;  // height of a row of cells, in lines of text
+constexpr float kBelowBar = 6;     // pixels at 720 lines
+
+bool has_query(const trace::Pair& pair) {
+  return pair.query.has_value();
+}
+
+struct AnswerHistory {
+  std::string name;
+  bool of_bounds = false;
+  std::vector<std::optional<AnswerKind>> answers;  // one a frame
+};
+
+class AnswersPanel : public PanelContent {
+ public:
+  AnswersPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
+    for (const trace::Pair* pair : distinct_pairs(frames, has_query)) {
+      AnswerHistory& history = histories_.emplace_back();
+      history.name = pair_name(*pair);
+      for (const trace::Pair* moment : pair_history(frames, *pair)) {
+        std::optional<AnswerKind>& answer = history.answers.emplace_back();
+        if (moment == nullptr || !moment->query) continue;
+        answer = answer_kind(*moment);
+        history.of_bounds = history.of_bounds || moment->query->shapes.has_value();
+      }
+    }
+  }
+
+  PanelNeed need(const PanelMoment&) const override {
+    const float heading = Sheet::heading_height(scale_);
+    const float one = row_height(), count = static_cast<float>(histories_.size());
+    const float all = heading + one * std::max(1.0f, count);
+    return {heading + one, all, all, 0};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("answers, frame by frame");
+    if (histories_.empty()) {
+      sheet.paragraph("does not apply: no pair is asked anything in this sequence", kQuietText);
+      return {};
+    }
+    std::size_t shown = 0;
+    for (const AnswerHistory& history : histories_) {
+      const bool fits = row_height() <= static_cast<float>(sheet.rest().height) + 1;
+      if (shown > 0 && !fits) break;
+      sheet.line(history.name + ": " + told(history, moment.frame), kText);
+      draw_cells(history, moment.frame, sheet);
+      sheet.skip((kBarLines * sheet.text_height()) + kBelowBar * scale_);
+      ++shown;
+    }
+    return sheet.more(histories_.size() - shown, "pair", "pairs");
+  }
+
+ private:
+  float row_height() const {
+    return Sheet::line_height(scale_) * (1 + kBarLines) + (kBelowBar + 2) * scale_;
+  }
+
+  /// Up to a frame: "yes 12 of 24 times, 5 false (42 %)".
+  static std::string told(const AnswerHistory& history, std::size_t now) {
+    int asked = 0, yes = 0, wrong = 0;
+    for (std::size_t f = 0; f <= now; ++f) {
+      const auto& answer = history.answers[f];
+      if (!answer) continue;
+      ++asked;
+      yes += *answer != AnswerKind::No;
+      wrong += *answer == AnswerKind::FalsePositive;
+    }
+    std::string text = "yes " + std::to_string(yes) + " of " + std::to_string(asked);
+    if (!history.of_bounds) return text;
+    text += ", " + std::to_string(wrong) + " false";
+    if (yes > 0) text += printed(" (%.0f %%)", 100.0 * wrong / yes);
+    return text;
+  }
+
+  static void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double height = kBarLines * sheet.text_height();
+    const double cell = rest.width / static_cast<double>(history.answers.size());
+    pen.fill({rest.x, rest.y, rest.width, height}, with_alpha(kQuietText, 0.08f));
+    for (std::size_t f = 0; f <= now; ++f) {
+      if (!history.answers[f]) continue;
+      const AnswerKind kind = *history.answers[f];
+      const bool no = kind == AnswerKind::No;
+      // A false one is higher, so that it is told apart in grey as well.
+      const double top = rest.y + (no ? 0.6 : kind == AnswerKind::Yes ? 0.3 : 0) * height;
+      pen.fill({rest.x + cell * static_cast<double>(f), top, cell, rest.y + height - top},
+               with_alpha(answer_color(kind), no ? 0.35f : 1.0f));
+    }
+    const double here = rest.x + cell * static_cast<double>(now);
+    pen.frame({here, rest.y - pen.px(1.5), cell, height + pen.px(3)}, 1.5, kText);
+  }
+
+  float scale_;
+  std::vector<AnswerHistory> histories_;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_answers_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<AnswersPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

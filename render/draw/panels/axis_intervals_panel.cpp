@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/answers.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// The separating axis test of two bounds as it is drawn on blackboards: on each axis the interval of A
+/// above that of B, and the gap between them where there is one.
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kNameColumn = 104, kGapColumn = 70;
+constexpr double kBar = 5;  // an interval
+constexpr float kBelowPair = 8;
+constexpr float kHeadRow = 4;
+
+bool has_axes(const trace::Pair& pair) {
+  return pair.query && !pair.query->axes.empty();
+}
+
+class AxisIntervalsPanel : public PanelContent {
+ public:
+  AxisIntervalsPanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {
+    for (const trace::Frame& frame : frames) {
+      for (const trace::Pair& pair : frame.pairs) {
+        if (!has_axes(pair)) continue;
+        for (const trace::TestedAxis& axis : pair.query->axes)
+          for (const double end :
+               {axis.interval_a[0], axis.interval_a[1], axis.interval_b[0], axis.interval_b[1]})
+            reach_ = std::max(reach_, std::abs(end));
+      }
+    }
+  }
+
+  PanelNeed need(const PanelMoment& moment) const override {
+    float all = 0, first = 0;
+    for (const trace::Pair& pair : frames_[moment.frame].pairs) {
+      if (!has_axes(pair)) continue;
+      all += height_of(pair);
+      if (first == 0) first = all;
+    }
+    const float heading = Sheet::heading_height(scale_) + Sheet::line_height(scale_);
+    return {heading + first, heading + all, heading + all, 0};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("intervals of A and B along each axis");
+    std::size_t left_out = 0;
+    bool any = false;
+    for (const trace::Pair& pair : frames_[moment.frame].pairs) {
+      if (!has_axes(pair)) continue;
+      const bool fits = height_of(pair) <= static_cast<float>(sheet.rest().height) + 1;
+      if (any && (!fits || left_out > 0)) {
+        ++left_out;
+        continue;
+      }
+      any = true;
+      sheet.line(pair_name(pair) + ": " + std::to_string(pair.query->axes.size()) +
+                     (pair.query->axes.size() == 1 ? " axis" : " axes"),
+                 kText);
+      for (const trace::TestedAxis& axis : pair.query->axes) draw_row(*pair.query, axis, sheet);
+      sheet.skip(kBelowPair * scale_);
+    }
+    if (!any) sheet.paragraph("does not apply: no bounds were asked in this frame", kQuietText);
+    return sheet.more(left_out, "pair", "pairs");
+  }
+
+ private:
+  float row_height() const { return Sheet::line_height(scale_); }
+  float height_of(const trace::Pair& pair) const {
+    return row_height() * static_cast<float>(1 + pair.query->axes.size()) +
+           (kBelowPair + kHeadRow) * scale_;
+  }
+
+  void draw_row(const trace::Query& query, const trace::TestedAxis& axis, Sheet& sheet) const {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double middle = rest.y + 0.5 * sheet.text_height();
+    const double left = rest.x + pen.px(kNameColumn), right = rest.right() - pen.px(kGapColumn);
+    const bool vanishes = axis.direction.isZero(0);
+    const bool counts = !axis.skipped && !vanishes;
+    const auto at = [&](double metres) {
+      return 0.5 * (left + right) + 0.5 * (right - left) * metres / std::max(reach_, 1e-300);
+    };
+    const auto bar = [&](const std::array<double, 2>& interval, double top, const Color& color) {
+      const double width = std::max<double>(pen.px(1), at(interval[1]) - at(interval[0]));
+      pen.fill({at(interval[0]), top, width, pen.px(kBar)},
+               with_alpha(color, counts ? 1.0f : 0.25f));
+    };
+    if (!vanishes) {
+      bar(axis.interval_a, middle - pen.px(kBar) - pen.px(0.5), kArcOfA);
+      bar(axis.interval_b, middle + pen.px(0.5), kArcOfB);
+    }
+    if (axis.separates) {
+      double from = at(axis.interval_a[1]), to = at(axis.interval_b[0]);
+      if (from > to) std::swap(from, to);
+      const double width = std::max<double>(pen.px(3), to - from);
+      pen.fill({0.5 * (from + to - width), middle - pen.px(kBar + 2), width, pen.px(2 * kBar + 4)},
+               with_alpha(kContact, 0.8f));
+    }
+    const std::string gap = vanishes       ? "parallel"
+                            : axis.skipped ? "skipped"
+                            : axis.gap > 0 ? "+" + spell_length(axis.gap)
+                                           : spell_length(axis.gap);
+    const float baseline = static_cast<float>(rest.y) + sheet.text_height() * 0.86f;
+    pen.text(gap, {static_cast<float>(rest.right()), baseline}, Align::Right,
+             axis.separates ? kContact
+             : counts       ? kText
+                            : kQuietText,
+             axis.separates ? Weight::Bold : Weight::Regular);
+    sheet.line(spell_axis(query, axis), counts ? kText : kQuietText);
+  }
+
+  const Frames& frames_;
+  float scale_;
+  double reach_ = 0;  // metres: no end of an interval is farther from the middle
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_axis_intervals_panel(const Staging& staging,
+                                                        const Frames& frames) {
+  return std::make_unique<AxisIntervalsPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,119 @@
+#include "draw/scene/answers.h"
+
+#include <algorithm>
+
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+std::string things_of(const trace::Query& query) {
+  if (query.bounds == "aabb") return "the axis-aligned boxes";
+  if (query.bounds == "obb") return "the oriented boxes";
+  if (query.bounds == "sphere") return "the bounding spheres";
+  return "the shapes";
+}
+
+/// "12.0 cm apart", "3.00 mm deep in each other".
+std::string spell_gap(double gap) {
+  return gap > 0 ? spell_length(gap) + " apart" : spell_length(-gap) + " deep in each other";
+}
+
+/// Where two meshes are that do not cross.
+std::string spell_containment(const trace::Pair& pair, const trace::Containment& containment) {
+  if (containment.a == "open" || containment.b == "open") {
+    const std::string open = containment.a == "open" ? pair.a : pair.b;
+    return ": no triangles cross, and " + open + " has holes, so that nothing is inside it";
+  }
+  if (containment.a == "inside") return ": " + pair.a + " is inside " + pair.b;
+  if (containment.b == "inside") return ": " + pair.b + " is inside " + pair.a;
+  return ": no triangles cross, and neither is inside the other";
+}
+
+std::string reason_of(const trace::Pair& pair) {
+  const trace::Query& query = *pair.query;
+  if (answer_kind(pair) == AnswerKind::FalsePositive) {
+    const auto& gap = query.shapes->gap;
+    return ", though the shapes are " + (gap ? spell_length(*gap) + " " : std::string()) +
+           "apart: a false positive";
+  }
+  if (query.containment) return spell_containment(pair, *query.containment);
+  if (!pair.intersections.empty())
+    return ": " + std::to_string(pair.intersections.size()) +
+           (pair.intersections.size() == 1 ? " pair of triangles meets"
+                                           : " pairs of triangles meet");
+  return query.gap ? ", " + spell_gap(*query.gap) : "";
+}
+
+}  // namespace
+
+AnswerKind answer_kind(const trace::Pair& pair) {
+  const trace::Query& query = *pair.query;
+  if (!query.touching.value_or(pair.overlap.value_or(false))) return AnswerKind::No;
+  return query.shapes && !query.shapes->overlap ? AnswerKind::FalsePositive : AnswerKind::Yes;
+}
+
+Color answer_color(AnswerKind kind) {
+  switch (kind) {
+    case AnswerKind::No:
+      return kDropped;
+    case AnswerKind::Yes:
+      return kSidePlane;
+    case AnswerKind::FalsePositive:
+      break;
+  }
+  return kContact;
+}
+
+std::string spell_question(const trace::Query& query) {
+  const std::string things = things_of(query);
+  if (query.asked == "distance") return "how far apart are " + things + "?";
+  if (query.asked == "penetration") return "how deep are " + things + " in each other?";
+  const std::string verb = query.asked == "touching" ? " touch" : " overlap";
+  const std::string compared = query.tolerance > 0 ? ", within " + spell_length(query.tolerance)
+                               : query.asked == "touching"       ? ""
+                               : query.comparison == "exclusive" ? ", touching left out"
+                                                                 : ", touching included";
+  return "do " + things + verb + compared + "?";
+}
+
+std::string spell_answer(const trace::Pair& pair) {
+  const trace::Query& query = *pair.query;
+  const bool overlap = pair.overlap.value_or(false);
+  if (query.asked == "distance" || query.asked == "penetration") {
+    if (!query.gap) return overlap ? "0 m: they overlap" : "not known";
+    if (query.asked == "distance" && *query.gap <= 0) return "0 m: they overlap";
+    return spell_gap(*query.gap);
+  }
+  return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair);
+}
+
+std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis) {
+  if (query.bounds == "aabb") {
+    constexpr const char* kNames[] = {"x", "y", "z"};
+    return kNames[std::clamp(axis.a, 0, 2)];
+  }
+  if (axis.kind == "face_a") return "face " + std::to_string(axis.a) + " of A";
+  if (axis.kind == "face_b") return "face " + std::to_string(axis.b) + " of B";
+  if (axis.kind == "edges")
+    return "edges " + std::to_string(axis.a) + " × " + std::to_string(axis.b);
+  return "middle to middle";
+}
+
+std::vector<Vec3d> extent_points(const trace::Volume& volume) {
+  std::vector<Vec3d> points;
+  if (volume.half_extents) {
+    const Quatd turn = volume.rotation.value_or(Quatd::Identity());
+    for (int bits = 0; bits < 8; ++bits) {
+      const Vec3d signs(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1);
+      points.push_back(volume.center + turn * Vec3d(signs.cwiseProduct(*volume.half_extents)));
+    }
+  }
+  for (int k = 0; volume.radius && k < 3; ++k)
+    for (const double side : {-1.0, 1.0})
+      points.push_back(volume.center + side * *volume.radius * Vec3d::Unit(k));
+  return points;
+}
+
+}  // namespace contactscope::draw

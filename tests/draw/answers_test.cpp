@@ -1,0 +1,179 @@
+// What pictures say of pairs that are asked something else than their manifold, from facts by hand.
+
+#include "draw/scene/answers.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "crate_on_slab.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/palette.h"
+#include "inside.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+using crate_sample::texts;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+trace::TestedAxis axis(const char* kind, int a, int b, const Vec3d& direction, double gap) {
+  trace::TestedAxis result;
+  result.kind = kind;
+  result.a = a;
+  result.b = b;
+  result.direction = direction;
+  result.interval_a = {-1, -0.5 * gap};
+  result.interval_b = {0.5 * gap, 1};
+  result.gap = gap;
+  result.separates = gap > 0;
+  return result;
+}
+
+/// The crate on the slab, whose oriented boxes are asked.
+struct AskedCrate : CrateOnSlab {
+  explicit AskedCrate(bool bounds_overlap, bool shapes_overlap) {
+    trace::Pair& asked = pair();
+    asked.manifolds.clear();
+    asked.state = bounds_overlap ? "touching" : "separated";
+    asked.overlap = bounds_overlap;
+    trace::Query& query = asked.query.emplace();
+    query.asked = "overlap";
+    query.comparison = "inclusive";
+    query.bounds = query.method = "obb";
+    query.gap = bounds_overlap ? -0.002 : 0.12;
+    query.bounds_a = {.center = {0, -0.2, 0}, .half_extents = Vec3d(1, 0.2, 1)};
+    query.bounds_b = {.center = {0, 0.498, 0}, .radius = 0.9};
+    query.axes = {axis("face_a", 1, -1, Vec3d::UnitY(), *query.gap),
+                  axis("edges", 0, 2, Vec3d::UnitX(), -0.5)};
+    query.axes[1].length = 1e-6;
+    query.shapes = {shapes_overlap, 0.12};
+  }
+  trace::Query& query() { return *pair().query; }
+};
+
+TEST(Answers, AreSaidInWords) {
+  AskedCrate asked(true, false);
+  EXPECT_EQ(spell_question(asked.query()), "do the oriented boxes overlap, touching included?");
+  EXPECT_EQ(spell_answer(asked.pair()),
+            "yes, though the shapes are 0.120 m apart: a false positive");
+  EXPECT_EQ(answer_kind(asked.pair()), AnswerKind::FalsePositive);
+  asked.query().shapes->overlap = true;
+  EXPECT_EQ(answer_kind(asked.pair()), AnswerKind::Yes);
+  EXPECT_EQ(spell_answer(asked.pair()), "yes, 2.00 mm deep in each other");
+  asked.query().comparison = "exclusive";
+  EXPECT_EQ(spell_question(asked.query()), "do the oriented boxes overlap, touching left out?");
+  asked.query().tolerance = 0.02;
+  EXPECT_THAT(spell_question(asked.query()), HasSubstr("within 20.0 mm"));
+  asked.query().asked = "distance";
+  EXPECT_EQ(spell_question(asked.query()), "how far apart are the oriented boxes?");
+  EXPECT_EQ(spell_answer(asked.pair()), "0 m: they overlap");
+  asked.query().gap = 0.12;
+  EXPECT_EQ(spell_answer(asked.pair()), "0.120 m apart");
+  EXPECT_EQ(spell_axis(asked.query(), asked.query().axes[1]), "edges 0 × 2");
+}
+
+TEST(Answers, OfMeshesTellWhatWasFound) {
+  AskedCrate asked(true, true);
+  asked.query() = {};
+  asked.query().asked = "overlap";
+  asked.query().containment = {"outside", "inside"};
+  EXPECT_EQ(spell_answer(asked.pair()), "yes: crate is inside slab");
+  asked.pair().overlap = false;
+  asked.query().containment = {"open", "unknown"};
+  EXPECT_THAT(spell_answer(asked.pair()), HasSubstr("slab has holes"));
+  asked.query().containment.reset();
+  asked.pair().overlap = true;
+  asked.pair().intersections.resize(3);
+  EXPECT_EQ(spell_answer(asked.pair()), "yes: 3 pairs of triangles meet");
+}
+
+/// How many lines and curves of the sketch have this colour.
+int lines_in(const Sketch& sketch, const Color& color) {
+  const auto same = [&](const auto& line) {
+    return line.style.color.r == color.r && line.style.color.g == color.g &&
+           line.style.color.b == color.b;
+  };
+  return static_cast<int>(std::ranges::count_if(sketch.lines, same) +
+                          std::ranges::count_if(sketch.curves, same));
+}
+
+TEST(Answers, ColourTheBoundsThatWereAsked) {
+  for (const auto& [bounds, shapes, kind] : {std::tuple{true, true, AnswerKind::Yes},
+                                             {true, false, AnswerKind::FalsePositive},
+                                             {false, false, AnswerKind::No}}) {
+    AskedCrate asked(bounds, shapes);
+    asked.view.layers = {Layer::Volumes};
+    const Staging staging = asked.staged();
+    const Sketch sketch = sketch_frame(staging, asked.frames[0]);
+    EXPECT_EQ(lines_in(sketch, answer_color(kind)), 12 + 2) << "a box, and a ball with its horizon";
+    EXPECT_EQ(legend_of(staging, asked.frames[0]).size(), 1u);
+    // The picture holds the whole of both.
+    for (const auto& volume : {asked.query().bounds_a, asked.query().bounds_b})
+      for (const Vec3d& corner : extent_points(*volume)) EXPECT_TRUE(staging.camera.sees(corner));
+  }
+}
+
+TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
+  AskedCrate asked(false, false);
+  asked.view.layers = {Layer::TestedAxes};
+  Sketch sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  ASSERT_EQ(sketch.arrows.size(), 2u);
+  EXPECT_EQ(sketch.arrows[1].direction, Vec3d::UnitY());
+  EXPECT_EQ(sketch.arrows[1].color.r, kContact.r);
+  EXPECT_EQ(sketch.labels[0].text, "edges 0 × 2, length 1.0e-06");
+  asked.query().axes[1].length = 0.5;  // no noise: of no interest
+  sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  EXPECT_EQ(sketch.arrows.size(), 1u);
+}
+
+TEST(Answers, ShowTheClosestPoints) {
+  AskedCrate asked(false, false);
+  asked.query().point_a = Vec3d(0, 0, 0);
+  asked.query().point_b = Vec3d(0, 0.12, 0);
+  asked.view.layers = {Layer::Answer};
+  const Sketch sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  EXPECT_EQ(sketch.marks.size(), 2u);
+  ASSERT_EQ(sketch.labels.size(), 1u);
+  EXPECT_EQ(sketch.labels[0].text, "0.120 m");
+}
+
+std::vector<std::string> panel_texts(AskedCrate& asked, Panel panel, std::size_t frame = 0) {
+  asked.view.panels = {panel};
+  const Staging staging = asked.staged();
+  const std::vector<FilledPanel> panels = make_panels(staging, asked.frames);
+  EXPECT_EQ(panels.size(), 1u);
+  Drawing drawing;
+  Sheet sheet({900, 80, 332, 500}, staging.layout.scale, drawing);
+  panels.at(0).content->lay_out({.frame = frame}, sheet);
+  return texts(drawing);
+}
+
+TEST(Answers, PanelsTellThemOverTime) {
+  AskedCrate asked(true, false);
+  trace::Frame later = asked.frames[0];
+  later.frame = 1;
+  later.pairs[0].query->shapes->overlap = true;
+  asked.frames.push_back(later);
+  asked.header.frames = 2;
+  EXPECT_THAT(panel_texts(asked, Panel::Answers),
+              Contains("slab, crate: yes 1 of 1, 1 false (100 %)"));
+  EXPECT_THAT(panel_texts(asked, Panel::Answers, 1),
+              Contains("slab, crate: yes 2 of 2, 1 false (50 %)"));
+  const std::vector<std::string> axes = panel_texts(asked, Panel::AxisIntervals);
+  EXPECT_THAT(axes, Contains("face 1 of A"));
+  EXPECT_THAT(axes, Contains("−2.00 mm"));
+  EXPECT_THAT(panel_texts(asked, Panel::Summary), Contains(HasSubstr("do the oriented boxes")));
+}
+
+TEST(Answers, PanelsSayWhereTheyDoNotApply) {
+  AskedCrate asked(true, false);
+  asked.pair().query.reset();
+  EXPECT_THAT(panel_texts(asked, Panel::Answers), Contains(HasSubstr("does not apply")));
+  EXPECT_THAT(panel_texts(asked, Panel::AxisIntervals), Contains(HasSubstr("does not apply")));
+}
+
+}  // namespace
+}  // namespace contactscope::draw

@@ -1,0 +1,206 @@
+#include <gmock/gmock.h>
+
+#include "geometry/primitives.h"
+#include "manifold/ask.h"
+#include "manifold/placed_shapes.h"
+#include "support/brute_force_distance.h"
+#include "support/builders.h"
+#include "support/sphere_mesh.h"
+#include "trace/json.h"
+
+namespace contactscope {
+namespace {
+
+using test::PlacedShapes;
+using test::Random;
+
+constexpr QueryMethod kBounds[] = {QueryMethod::Aabb, QueryMethod::Obb,
+                                   QueryMethod::BoundingSphere};
+
+template <class S>
+struct Asked {
+  Answer<S> answer;
+  trace::Pair record;
+};
+
+template <class S>
+Asked<S> asked(const PlacedShapes& pair, const Question& question, bool b_first = false) {
+  const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
+  const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
+  OwnBounds<S> bounds_a, bounds_b;
+  Asked<S> result;
+  result.record.a = "a";
+  result.record.b = "b";
+  result.answer =
+      ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first, &result.record);
+  const Answer<S> unwatched =
+      ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, b_first);
+  EXPECT_EQ(result.answer.overlap, unwatched.overlap);
+  EXPECT_EQ(result.answer.touching, unwatched.touching);
+  EXPECT_EQ(result.answer.gap, unwatched.gap);
+  EXPECT_EQ(result.answer.method, unwatched.method);
+  return result;
+}
+
+PlacedShapes random_boxes(Random& random) {
+  const double size = random.decade(-4, 4);
+  PlacedShapes pair{test::random_box(random, size, 3), random.pose(size),
+                    test::random_box(random, size, 3), random.pose(2.5 * size)};
+  return pair;
+}
+
+/// Corners of a told bound, in the world.
+std::vector<Vec3d> corners_of(const trace::Volume& box) {
+  std::vector<Vec3d> corners;
+  for (int bits = 0; bits < 8; ++bits) {
+    const Vec3d signs(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1);
+    corners.push_back(box.center + box.rotation.value_or(Quatd::Identity()) *
+                                       Vec3d(signs.cwiseProduct(*box.half_extents)));
+  }
+  return corners;
+}
+
+TEST(AskBounds, EveryBoundHoldsItsShapeAndNoneLosesAnOverlap) {
+  Random random(81);
+  int false_positives = 0;
+  for (int i = 0; i < 500; ++i) {
+    const PlacedShapes pair = random_boxes(random);
+    const double extent = (pair.pose_b.position - pair.pose_a.position).norm() +
+                          std::get<Hull<double>>(pair.a).radius;
+    for (const QueryMethod bounds : kBounds) {
+      const Asked<double> found =
+          asked<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds});
+      const trace::Query& query = *found.record.query;
+      EXPECT_EQ(found.answer.method, bounds);
+      for (const Vec3d& vertex : std::get<Hull<double>>(pair.a).vertices) {
+        const Vec3d off = pair.pose_a.transform(vertex) - query.bounds_a->center;
+        if (query.bounds_a->radius) {
+          EXPECT_LE(off.norm(), *query.bounds_a->radius + 1e-13 * extent);
+          continue;
+        }
+        const Quatd turn = query.bounds_a->rotation.value_or(Quatd::Identity());
+        const Vec3d local = turn.conjugate() * off;
+        EXPECT_LE((local.cwiseAbs() - *query.bounds_a->half_extents).maxCoeff(), 1e-13 * extent);
+      }
+      EXPECT_TRUE(found.answer.overlap || !query.shapes->overlap);
+      false_positives += found.answer.overlap && !query.shapes->overlap;
+      // The answer is that no axis separates.
+      bool separates = false;
+      for (const trace::TestedAxis& axis : query.axes) {
+        separates = separates || axis.separates;
+        const double gap = std::max(axis.interval_b[0] - axis.interval_a[1],
+                                    axis.interval_a[0] - axis.interval_b[1]);
+        EXPECT_NEAR(axis.gap, gap, 1e-12 * extent);
+      }
+      EXPECT_EQ(found.answer.overlap, !separates);
+      EXPECT_EQ(query.axes.size(), bounds == QueryMethod::Aabb  ? 3u
+                                   : bounds == QueryMethod::Obb ? 15u
+                                                                : 1u);
+      // An oriented box of a box is the box.
+      if (bounds == QueryMethod::Obb && std::abs(*found.answer.gap) > 1e-12 * extent) {
+        EXPECT_EQ(found.answer.overlap, query.shapes->overlap);
+      }
+    }
+  }
+  EXPECT_GT(false_positives, 100);
+}
+
+TEST(AskBounds, DistanceIsThatOfTheBounds) {
+  Random random(82);
+  int apart = 0;
+  for (int i = 0; i < 300; ++i) {
+    PlacedShapes pair = random_boxes(random);
+    pair.pose_b.position *= 2;
+    for (const QueryMethod bounds : kBounds) {
+      const Asked<double> found =
+          asked<double>(pair, {.kind = QueryKind::Distance, .bounds = bounds});
+      const trace::Volume& a = *found.record.query->bounds_a;
+      const trace::Volume& b = *found.record.query->bounds_b;
+      const double way = (b.center - a.center).norm();
+      if (a.radius) {
+        EXPECT_NEAR(*found.answer.gap, way - *a.radius - *b.radius, 1e-13 * way);
+        continue;
+      }
+      if (!found.answer.overlap) ++apart;
+      const auto features = [](const trace::Volume& box) {
+        return test::features_of(make_box(*box.half_extents),
+                                 {box.rotation.value_or(Quatd::Identity()), box.center});
+      };
+      const auto distance =
+          static_cast<double>(test::brute_force_distance(features(a), features(b)).distance);
+      EXPECT_NEAR(std::max(0.0, *found.answer.gap), distance, 1e-13 * way);
+    }
+  }
+  EXPECT_GT(apart, 200);
+}
+
+TEST(AskBounds, TouchingBoundsTouch) {
+  const Shape<double> box = make_box(Vec3d(0.5, 0.5, 0.5));
+  const auto pair_at = [&](double x) -> PlacedShapes { return {box, {}, box, test::at(x, 0, 0)}; };
+  for (const QueryMethod bounds : {QueryMethod::Aabb, QueryMethod::Obb}) {
+    Question question{.kind = QueryKind::Touching, .bounds = bounds};
+    EXPECT_EQ(asked<double>(pair_at(1), question).answer.touching, true);
+    EXPECT_EQ(asked<double>(pair_at(1.125), question).answer.touching, false);
+    EXPECT_EQ(asked<double>(pair_at(0.875), question).answer.touching, false);
+    question.tolerance = 0.25;
+    EXPECT_EQ(asked<double>(pair_at(1.125), question).answer.touching, true);
+    EXPECT_EQ(asked<double>(pair_at(0.875), question).answer.touching, true);
+    EXPECT_EQ(asked<double>(pair_at(0.5), question).answer.touching, false);
+    question = {.kind = QueryKind::Overlap, .bounds = bounds};
+    EXPECT_TRUE(asked<double>(pair_at(1), question).answer.overlap);
+    question.inclusive = false;
+    EXPECT_FALSE(asked<double>(pair_at(1), question).answer.overlap);
+    EXPECT_TRUE(asked<double>(pair_at(0.875), question).answer.overlap);
+  }
+}
+
+TEST(AskBounds, TradingTheShapesMirrorsTheRecord) {
+  Random random(83);
+  for (int i = 0; i < 60; ++i) {
+    const PlacedShapes pair = random_boxes(random);
+    const PlacedShapes traded{pair.b, pair.pose_b, pair.a, pair.pose_a};
+    for (const QueryKind kind : {QueryKind::Overlap, QueryKind::Distance}) {
+      for (int b = -1; b < 3; ++b) {
+        Question question{.kind = kind};
+        if (b >= 0) question.bounds = kBounds[b];
+        const trace::Pair one = asked<float>(pair, question).record;
+        trace::Pair other = asked<float>(traded, question, true).record;
+        std::swap(other.a, other.b);  // names go by place, not by shape
+        trace::mirror(other);
+        trace::Frame frame_one, frame_other;
+        frame_one.pairs = {one};
+        frame_other.pairs = {other};
+        EXPECT_EQ(trace::to_json_line(frame_one), trace::to_json_line(frame_other));
+      }
+    }
+  }
+}
+
+TEST(AskBounds, MeshesHaveBoundsAsWell) {
+  const Mesh<double> cube = test::cube_mesh(0.5);
+  const PlacedShapes pair{cube, {}, cube, test::at(0.9, 0.9, 0)};
+  for (const QueryMethod bounds : kBounds) {
+    const Asked<double> found =
+        asked<double>(pair, {.kind = QueryKind::Overlap, .bounds = bounds, .tolerance = 0.25});
+    EXPECT_TRUE(found.answer.overlap);
+    EXPECT_TRUE(found.record.query->shapes->overlap);
+    EXPECT_TRUE(found.record.intersections.empty()) << "only the bounds were asked";
+  }
+}
+
+TEST(AskBounds, WhatTheyCannotSayIsRefused) {
+  using K = ShapeKind;
+  Question question{.kind = QueryKind::Penetration, .bounds = QueryMethod::Aabb};
+  EXPECT_THAT(*refusal(question, K::Hull, K::Hull), testing::HasSubstr("remove 'bounds'"));
+  question.kind = QueryKind::Overlap;
+  EXPECT_THAT(*refusal(question, K::Hull, K::Plane), testing::HasSubstr("no bounds"));
+  EXPECT_FALSE(refusal(question, K::Mesh, K::Hull));
+  EXPECT_THAT(*refusal({.kind = QueryKind::Overlap, .tolerance = 0.1}, K::Mesh, K::Mesh),
+              testing::HasSubstr("exactly"));
+  EXPECT_FALSE(refusal({.kind = QueryKind::Overlap}, K::Mesh, K::Mesh));
+  EXPECT_THAT(*refusal({.kind = QueryKind::Distance}, K::Mesh, K::Mesh),
+              testing::HasSubstr("query = \"overlap\""));
+}
+
+}  // namespace
+}  // namespace contactscope

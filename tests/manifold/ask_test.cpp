@@ -1,0 +1,324 @@
+#include "manifold/ask.h"
+
+#include <gmock/gmock.h>
+
+#include "geometry/primitives.h"
+#include "manifold/placed_shapes.h"
+#include "support/brute_force_distance.h"
+#include "support/brute_force_sat.h"
+#include "support/builders.h"
+#include "support/sphere_mesh.h"
+
+/// Questions are judged by exhaustion in extended precision, or by formula.
+namespace contactscope {
+namespace {
+
+using test::PlacedShapes;
+using test::Random;
+
+constexpr Question kOverlap{.kind = QueryKind::Overlap};
+constexpr Question kExclusive{.kind = QueryKind::Overlap, .inclusive = false};
+constexpr Question kTouching{.kind = QueryKind::Touching};
+constexpr Question kDistance{.kind = QueryKind::Distance};
+constexpr Question kPenetration{.kind = QueryKind::Penetration};
+
+template <class S>
+Answer<S> answer_of(const PlacedShapes& pair, const Question& question,
+                    trace::Pair* record = nullptr) {
+  const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
+  const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
+  OwnBounds<S> bounds_a, bounds_b;
+  return ask<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, false, record);
+}
+
+trace::Pair record_of(const PlacedShapes& pair, const Question& question) {
+  trace::Pair record;
+  record.a = "a";
+  record.b = "b";
+  answer_of<double>(pair, question, &record);
+  return record;
+}
+
+test::Features features_of(const Shape<double>& shape, const Pose<double>& pose) {
+  if (std::holds_alternative<Sphere<double>>(shape))
+    return test::features_of_point(Vec3d::Zero(), pose);
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape))
+    return test::features_of_segment(capsule->points[0], capsule->points[1], pose);
+  return test::features_of(std::get<Hull<double>>(shape), pose);
+}
+
+double radius_of(const Shape<double>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return sphere->radius;
+  const auto* capsule = std::get_if<Capsule<double>>(&shape);
+  return capsule ? capsule->radius : 0;
+}
+
+struct Truth {
+  double gap;     // metres; of cores that overlap only a bound: no more than that
+  bool deep;      // the cores overlap
+  double extent;  // metres: what rounding is relative to
+};
+
+Truth truth_of(const PlacedShapes& pair) {
+  const test::Features a = features_of(pair.a, pair.pose_a), b = features_of(pair.b, pair.pose_b);
+  const double radii = radius_of(pair.a) + radius_of(pair.b);
+  const auto distance = static_cast<double>(test::brute_force_distance(a, b).distance);
+  return {distance - radii, distance == 0, test::extent(a, b) + radii};
+}
+
+Shape<double> random_convex(Random& random, double size) {
+  switch (random.index(4)) {
+    case 0:
+      return test::ball(random.uniform(0.2, 1) * size);
+    case 1: {
+      const double half = random.uniform(0.1, 1) * size;
+      return test::upright_capsule(half, random.uniform(0.1, 0.6) * size);
+    }
+    case 2:
+      return test::random_box(random, size, 5);
+    default:
+      return test::random_hull(random, 4 + random.index(20), size, 4);
+  }
+}
+
+/// Nearly touching as often as apart or deep, the whole moved by a random rigid motion. Sizes from
+/// 1e-4 to 1e4 m.
+PlacedShapes near_pair(Random& random) {
+  const double size = random.decade(-4, 4);
+  PlacedShapes pair{random_convex(random, size), {}, random_convex(random, size), {}};
+  pair.pose_b = {random.rotation(), Vec3d::Zero()};
+  const Vec3d way = random.unit_vector();
+  double low = 0, high = 10 * size;  // where it begins to overlap along the way
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    pair.pose_b.position = middle * way;
+    (truth_of(pair).gap > 0 ? high : low) = middle;
+  }
+  const double off[] = {0, 1e-6, 1e-3, 0.1, 1};
+  const double moved = off[random.index(5)] * (random.chance(0.5) ? size : -size);
+  pair.pose_b.position = std::max(0.0, high + moved) * way;
+  return test::moved(pair, {random.rotation(), random.vector(-3 * size, 3 * size)});
+}
+
+/// 64 epsilon of what ask() says, bounded from above.
+template <class S>
+double rounding_of(const Truth& truth, const PlacedShapes& pair) {
+  const double way = (pair.pose_b.position - pair.pose_a.position).norm();
+  return 64 * static_cast<double>(std::numeric_limits<S>::epsilon()) * (2 * truth.extent + way);
+}
+
+template <class S>
+void judge_random_pairs(int count, std::uint64_t seed) {
+  Random random(seed);
+  int apart = 0, together = 0;
+  for (int i = 0; i < count; ++i) {
+    const PlacedShapes pair = test::rounded<S>(near_pair(random));
+    const Truth truth = truth_of(pair);
+    const double rounding = rounding_of<S>(truth, pair);
+    SCOPED_TRACE("pair " + std::to_string(i) + ", gap " + std::to_string(truth.gap));
+    const Answer<S> inclusive = answer_of<S>(pair, kOverlap);
+    const Answer<S> exclusive = answer_of<S>(pair, kExclusive);
+    const Answer<S> distance = answer_of<S>(pair, kDistance);
+    const Answer<S> penetration = answer_of<S>(pair, kPenetration);
+    if (truth.gap <= 0) {
+      ++together;
+      EXPECT_TRUE(inclusive.overlap);
+    } else if (truth.gap > 2 * rounding) {
+      ++apart;
+      EXPECT_FALSE(inclusive.overlap);
+    }
+    if (truth.gap >= 0 && !truth.deep) {
+      EXPECT_FALSE(exclusive.overlap);
+    }
+    if (truth.gap > rounding) {
+      EXPECT_NEAR(*distance.gap, truth.gap, rounding);
+      EXPECT_NEAR(*penetration.gap, truth.gap, rounding);
+    }
+    const auto* hull_a = std::get_if<Hull<double>>(&pair.a);
+    const auto* hull_b = std::get_if<Hull<double>>(&pair.b);
+    ASSERT_TRUE(penetration.gap.has_value());
+    if (!truth.deep) {
+      EXPECT_NEAR(*penetration.gap, truth.gap, rounding);
+    }
+    if (truth.deep && hull_a && hull_b) {
+      const double best =
+          test::brute_force_sat(*hull_a, pair.pose_a, *hull_b, pair.pose_b).separation;
+      EXPECT_NEAR(*penetration.gap, best, rounding);
+      EXPECT_EQ(penetration.method, QueryMethod::Sat);
+      if (best < -2 * rounding) {
+        EXPECT_TRUE(exclusive.overlap);
+      }
+    } else if (truth.deep) {
+      EXPECT_LE(*penetration.gap, truth.gap + rounding);
+    }
+  }
+  EXPECT_GT(apart, count / 4);
+  EXPECT_GT(together, count / 4);
+}
+
+TEST(Ask, ConvexPairsAreJudgedRightInDouble) {
+  judge_random_pairs<double>(600, 71);
+}
+TEST(Ask, ConvexPairsAreJudgedRightInFloat) {
+  judge_random_pairs<float>(600, 72);
+}
+TEST(Ask, SlowConvexPairs) {
+  judge_random_pairs<double>(6000, 73);
+  judge_random_pairs<float>(6000, 74);
+}
+
+/// Faces, edges and round surfaces that touch exactly, as dyadic numbers.
+std::vector<PlacedShapes> kissing_pairs(double size) {
+  const Shape<double> box = make_box(Vec3d(size, size, size));
+  const Pose<double> here{};
+  const auto above = [&](double y) -> Pose<double> { return test::at(0, y, 0); };
+  return {
+      {box, here, box, above(2 * size)},
+      {box, here, box, test::at(2 * size, 2 * size, size)},
+      {box, here, test::ball(size), above(2 * size)},
+      {test::ball(size), here, test::ball(0.5 * size), above(1.5 * size)},
+      {box, here, test::upright_capsule(size, 0.25 * size), above(2.25 * size)},
+      {test::upright_capsule(size, size), here, test::lying_capsule(size, size), above(3 * size)},
+      {HalfSpace<double>{{Vec3d::UnitY(), size}}, here, box, above(2 * size)}};
+}
+
+template <class S>
+void judge_kisses() {
+  Random random(75);
+  for (const double size : {1.0 / 8192, 0.25, 1.0, 8192.0}) {
+    for (const PlacedShapes& still : kissing_pairs(size)) {
+      for (int turn = 0; turn < 8; ++turn) {
+        const Pose<double> motion{random.rotation(), random.vector(-4 * size, 4 * size)};
+        const PlacedShapes pair = turn == 0 ? still : test::rounded<S>(test::moved(still, motion));
+        SCOPED_TRACE("size " + std::to_string(size) + ", turn " + std::to_string(turn));
+        EXPECT_TRUE(answer_of<S>(pair, kOverlap).overlap);
+        EXPECT_FALSE(answer_of<S>(pair, kExclusive).overlap);
+        EXPECT_TRUE(*answer_of<S>(pair, kTouching).touching);
+        PlacedShapes apart = pair, deep = pair;
+        const Vec3d way = (pair.pose_b.position - pair.pose_a.position).normalized();
+        apart.pose_b.position += 0.125 * size * way;
+        deep.pose_b.position -= 0.125 * size * way;
+        EXPECT_FALSE(answer_of<S>(apart, kOverlap).overlap);
+        EXPECT_FALSE(*answer_of<S>(apart, kTouching).touching);
+        EXPECT_TRUE(answer_of<S>(deep, kExclusive).overlap);
+        EXPECT_FALSE(*answer_of<S>(deep, kTouching).touching);
+        Question wide = kTouching;
+        wide.tolerance = 0.25 * size;
+        EXPECT_TRUE(*answer_of<S>(apart, wide).touching);
+        EXPECT_TRUE(*answer_of<S>(deep, wide).touching);
+        Question within = kOverlap;
+        within.tolerance = 0.25 * size;
+        EXPECT_TRUE(answer_of<S>(apart, within).overlap);
+      }
+    }
+  }
+}
+
+TEST(Ask, ShapesThatTouchTouchAtEveryScale) {
+  judge_kisses<double>();
+  judge_kisses<float>();
+}
+
+TEST(Ask, APlaneIsMeasuredAlongItsNormal) {
+  Random random(76);
+  for (int i = 0; i < 300; ++i) {
+    const double size = random.decade(-4, 4);
+    const Shape<double> shape = random_convex(random, size);
+    const Pose<double> pose{random.rotation(), random.vector(-2 * size, 2 * size)};
+    const Pose<double> ground{random.rotation(), random.vector(-size, size)};
+    const HalfSpace<double> plane{{random.unit_vector(), random.uniform(-size, size)}};
+    const Vec3d normal = ground.rotate(plane.plane.normal);
+    double lowest = 1e300;
+    for (const test::ExtendedPoint& vertex : features_of(shape, pose).vertices)
+      lowest = std::min(lowest, normal.dot(vertex.cast<double>() - ground.position));
+    const double gap = lowest - plane.plane.offset - radius_of(shape);
+    const PlacedShapes pair{plane, ground, shape, pose};
+    const Answer<double> answer = answer_of<double>(pair, kDistance);
+    EXPECT_NEAR(*answer.gap, gap, 1e-14 * 20 * size);
+    EXPECT_EQ(answer.overlap, gap <= 0);
+    EXPECT_EQ(answer.method, QueryMethod::Support);
+    const trace::Query told = *record_of(pair, kPenetration).query;
+    EXPECT_LT((*told.normal - normal).norm(), 1e-12) << "from the plane to the shape";
+    EXPECT_NEAR((*told.point_b - *told.point_a).dot(*told.normal), gap, 1e-13 * 20 * size);
+  }
+}
+
+TEST(Ask, AMeshIsASurface) {
+  const Mesh<double> cube = test::cube_mesh(1);
+  const auto pair = [&](double x) -> PlacedShapes {
+    return {test::ball(0.25), test::at(x, 0.1, 0.2), cube, {}};
+  };
+  EXPECT_FALSE(answer_of<double>(pair(0), kOverlap).overlap) << "wholly inside";
+  EXPECT_TRUE(answer_of<double>(pair(0.9), kOverlap).overlap);
+  EXPECT_FALSE(answer_of<double>(pair(1.5), kOverlap).overlap);
+  EXPECT_TRUE(answer_of<double>(pair(1.25), kOverlap).overlap);
+  EXPECT_FALSE(answer_of<double>(pair(1.25), kExclusive).overlap);
+  EXPECT_TRUE(*answer_of<double>(pair(1.25), kTouching).touching);
+  EXPECT_FALSE(*answer_of<double>(pair(1.1), kTouching).touching);
+  EXPECT_NEAR(*answer_of<double>(pair(1.1), kPenetration).gap, -0.15, 1e-12);
+  const trace::Pair record = record_of(pair(1.1), kOverlap);
+  EXPECT_TRUE(record.manifolds.empty());
+  EXPECT_EQ(record.query->method, "contacts");
+}
+
+PlacedShapes spheres(double radius_b, double x) {
+  return {test::built(test::sphere_mesh(1, 12, 6, 0)),
+          {},
+          test::built(test::sphere_mesh(radius_b, 10, 5, 0)),
+          test::at(x, 0.01, 0.02)};
+}
+
+TEST(Ask, TwoMeshesTellTheTrianglesThatCross) {
+  const trace::Pair record = record_of(spheres(1, 1.2), kOverlap);
+  EXPECT_EQ(record.overlap, true);
+  EXPECT_EQ(record.state, "touching");
+  EXPECT_GT(record.intersections.size(), 10u);
+  EXPECT_FALSE(record.query->containment.has_value());
+  EXPECT_GT(record.query->trees->node_pairs, 0);
+  for (const trace::Intersection& crossing : record.intersections) {
+    EXPECT_EQ(crossing.kind, "proper");
+    ASSERT_TRUE(crossing.segment.has_value());
+    // Within both surfaces: the chord of a triangle is inside of its sphere.
+    for (const Vec3d& end : *crossing.segment) {
+      EXPECT_LE(end.norm(), 1 + 1e-12);
+      EXPECT_LE((end - Vec3d(1.2, 0.01, 0.02)).norm(), 1 + 1e-12);
+      EXPECT_GT(end.norm(), 0.8);
+    }
+  }
+}
+
+TEST(Ask, AMeshInsideAnotherOverlapsIt) {
+  const trace::Pair inside = record_of(spheres(0.4, 0.1), kOverlap);
+  EXPECT_EQ(inside.overlap, true);
+  EXPECT_TRUE(inside.intersections.empty());
+  EXPECT_EQ(inside.query->containment->a, "outside");
+  EXPECT_EQ(inside.query->containment->b, "inside");
+  const trace::Pair apart = record_of(spheres(0.4, 3), kOverlap);
+  EXPECT_EQ(apart.overlap, false);
+  EXPECT_EQ(apart.query->containment->b, "outside");
+
+  PlacedShapes holed = spheres(0.4, 0.1);
+  auto& mesh = std::get<Mesh<double>>(holed.a);
+  auto triangles = mesh.triangles;
+  triangles.pop_back();
+  mesh = build_mesh(mesh.vertices, triangles);
+  const trace::Pair unknown = record_of(holed, kOverlap);
+  EXPECT_EQ(unknown.overlap, false) << "a surface with a hole has no inside";
+  EXPECT_EQ(unknown.query->containment->a, "open");
+  EXPECT_EQ(unknown.query->containment->b, "unknown");
+}
+
+TEST(Ask, ExclusiveMeshesMeetWithTheirInteriors) {
+  const Mesh<double> cube = test::cube_mesh(0.5);
+  const auto at = [&](double x, double y, const Question& question) {
+    return answer_of<double>({cube, {}, cube, test::at(x, y, 0)}, question).overlap;
+  };
+  EXPECT_TRUE(at(1, 0.25, kOverlap)) << "faces share an area";
+  EXPECT_TRUE(at(1, 0.25, kExclusive));
+  EXPECT_TRUE(at(1, 1, kOverlap)) << "an edge of each";
+  EXPECT_FALSE(at(1, 1, kExclusive));
+  EXPECT_FALSE(at(1.001, 1, kOverlap));
+}
+
+}  // namespace
+}  // namespace contactscope
