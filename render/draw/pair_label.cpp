@@ -68,6 +68,11 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   if (pair.label.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
   const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
   if (std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end) return;
+  // Where the same two shapes are asked several things, no place in the picture is any one's.
+  const auto is_asked_beside = [&](const trace::Pair& other) {
+    return &other != &pair && other.a == pair.a && other.b == pair.b && (pair.query || other.query);
+  };
+  if (std::ranges::any_of(scene.frame.pairs, is_asked_beside)) return;
   const PlacedShape* body = labelled_body(scene, pair);
   if (body == nullptr) return;
   const Camera& camera = scene.camera;

@@ -33,7 +33,9 @@ trace::Frame without_records(const trace::Frame& recorded) {
     kept.label = pair.label;
     kept.kind = pair.kind;
     kept.state = pair.state;
-    kept.separation = pair.state == "separated" ? 0 : pair.separation;  // how far, a record says
+    // How far contacts are apart, a record says; what a pair is asked is answered without one, too.
+    kept.separation = pair.state == "separated" && !pair.query ? 0 : pair.separation;
+    kept.overlap = pair.overlap;
     kept.manifolds = pair.manifolds;
     kept.overlap = pair.overlap;
     for (trace::Manifold& manifold : kept.manifolds) {

@@ -63,6 +63,9 @@ TEST(Answers, AreSaidInWords) {
   asked.query().shapes->overlap = true;
   EXPECT_EQ(answer_kind(asked.pair()), AnswerKind::Yes);
   EXPECT_EQ(spell_answer(asked.pair()), "yes, 2.00 mm deep in each other");
+  asked.pair().overlap = false;
+  EXPECT_EQ(spell_answer(asked.pair()), "no, though the shapes overlap: a miss");
+  asked.pair().overlap = true;
   asked.query().comparison = "exclusive";
   EXPECT_EQ(spell_question(asked.query()), "do the oriented boxes overlap, touching left out?");
   asked.query().tolerance = 0.02;
@@ -103,7 +106,8 @@ int lines_in(const Sketch& sketch, const Color& color) {
 TEST(Answers, ColourTheBoundsThatWereAsked) {
   for (const auto& [bounds, shapes, kind] : {std::tuple{true, true, AnswerKind::Yes},
                                              {true, false, AnswerKind::FalsePositive},
-                                             {false, false, AnswerKind::No}}) {
+                                             {false, false, AnswerKind::No},
+                                             {false, true, AnswerKind::Missed}}) {
     AskedCrate asked(bounds, shapes);
     asked.view.layers = {Layer::Volumes};
     const Staging staging = asked.staged();
@@ -120,13 +124,17 @@ TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
   AskedCrate asked(false, false);
   asked.view.layers = {Layer::TestedAxes};
   Sketch sketch = sketch_frame(asked.staged(), asked.frames[0]);
-  ASSERT_EQ(sketch.arrows.size(), 2u);
-  EXPECT_EQ(sketch.arrows[1].direction, Vec3d::UnitY());
-  EXPECT_EQ(sketch.arrows[1].color.r, kContact.r);
-  EXPECT_EQ(sketch.labels[0].text, "edges 0 × 2, length 1.0e-06");
-  asked.query().axes[1].length = 0.5;  // no noise: of no interest
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY());
+  EXPECT_EQ(sketch.arrows[0].color.r, kContact.r);
+  EXPECT_EQ(sketch.labels[0].text, "face 1 of A");
+  asked.query().axes[0].separates = false;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
-  EXPECT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitX()) << "noise is of more interest";
+  EXPECT_EQ(sketch.labels[0].text, "edges 0 × 2, length 1.0e-06");
+  asked.query().axes[1].length = 0.5;
+  sketch = sketch_frame(asked.staged(), asked.frames[0]);
+  EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY()) << "else the largest gap";
 }
 
 TEST(Answers, ShowTheClosestPoints) {

@@ -2,8 +2,7 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/quantity.h"
 
-/// The answer to what a pair was asked: the closest or deepest points and what lies between them, and
-/// of the crossing of two bounds the axis that decided.
+/// The answer to what a pair was asked: the closest or deepest points and what lies between them.
 namespace contactscope::draw {
 namespace {
 
@@ -12,6 +11,11 @@ constexpr Swatch kPointsSwatch{LegendGroup::Axes, 4, [](auto& pen) { pen.dot(0, 
 void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->gap || !pair.query->point_a || !pair.query->point_b) return;
   const trace::Query& query = *pair.query;
+  // Another question that has the same points for an answer has drawn them already.
+  for (const trace::Pair* other = scene.frame.pairs.data(); other != &pair; ++other)
+    if (other->a == pair.a && other->b == pair.b && other->query && other->query->gap &&
+        other->query->point_a == query.point_a && other->query->point_b == query.point_b)
+      return;
   const bool apart = *query.gap > 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
   for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);

@@ -5,14 +5,14 @@
 #include "draw/scene/answers.h"
 #include "draw/scene/quantity.h"
 
-/// The axes of an overlap test that are worth a look, as arrows from halfway between both bounds: those
-/// that separate, else the one with the largest gap, and cross products so short that rounding gives
-/// them their direction (Gottschalk, Lin and Manocha 1996, "OBBTree"; the survey's "Oriented Bounding
+/// The axis of an overlap test that is worth a look, as an arrow from halfway between both bounds: the
+/// one that separates, or a cross product so short that rounding gives it its direction, or the one
+/// with the largest gap (Gottschalk, Lin and Manocha 1996, "OBBTree"; the survey's "Oriented Bounding
 /// Box").
 namespace contactscope::draw {
 namespace {
 
-constexpr float kArrow = 110;    // pixels
+constexpr float kArrow = 90;     // pixels
 constexpr double kShort = 0.01;  // sine of the angle between two edges: shorter is noted
 
 constexpr Swatch kSeparatingSwatch{LegendGroup::Axes, 5,
@@ -25,30 +25,26 @@ bool is_short(const trace::TestedAxis& axis) {
   return axis.kind == "edges" && axis.length < kShort && !axis.direction.isZero(0);
 }
 
-/// Those to be drawn, the deciding ones last.
-std::vector<const trace::TestedAxis*> worth_a_look(const trace::Query& query) {
-  std::vector<const trace::TestedAxis*> chosen;
-  const trace::TestedAxis* largest = nullptr;
-  const trace::TestedAxis* separating = nullptr;
-  for (const trace::TestedAxis& axis : query.axes) {
-    if (is_short(axis) && !axis.separates) chosen.push_back(&axis);
-    if (axis.skipped || axis.direction.isZero(0)) continue;
-    if (largest == nullptr || axis.gap > largest->gap) largest = &axis;
-    if (axis.separates && (separating == nullptr || axis.gap > separating->gap)) separating = &axis;
-  }
-  if (separating != nullptr) {
-    chosen.push_back(separating);
-  } else if (largest != nullptr && std::ranges::find(chosen, largest) == chosen.end()) {
-    chosen.push_back(largest);
-  }
-  return chosen;
+/// The axis that separates; else of the short cross products the one that came nearest to it; else of
+/// all that were not skipped. Null where there is none.
+const trace::TestedAxis* worth_a_look(const trace::Query& query) {
+  const auto largest = [&](auto&& counts) {
+    const trace::TestedAxis* found = nullptr;
+    for (const trace::TestedAxis& axis : query.axes)
+      if (!axis.direction.isZero(0) && counts(axis) && (found == nullptr || axis.gap > found->gap))
+        found = &axis;
+    return found;
+  };
+  const trace::TestedAxis* axis = largest([](const auto& one) { return one.separates; });
+  if (axis == nullptr) axis = largest(is_short);
+  return axis ? axis : largest([](const auto& one) { return !one.skipped; });
 }
 
 void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
   const trace::Query& query = *pair.query;
   const Vec3d middle = 0.5 * (query.bounds_a->center + query.bounds_b->center);
-  for (const trace::TestedAxis* axis : worth_a_look(query)) {
+  if (const trace::TestedAxis* axis = worth_a_look(query)) {
     const Color color = axis->separates ? kContact : axis->skipped ? kDropped : kAxis;
     sketch.arrows.push_back({.from = middle,
                              .direction = axis->direction,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,10 @@ constexpr Swatch kOverlappingSwatch{
 constexpr Swatch kApartSwatch{
     LegendGroup::Trees, 7, [](auto& pen) { pen.area(answer_color(AnswerKind::No), 0, 1.5, true); }};
 
+constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
+                                 pen.area(answer_color(AnswerKind::Missed), 0, 2.5, true);
+                               }};
+
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
     case AnswerKind::No:
@@ -26,6 +31,8 @@ void explain(AnswerKind kind, Sketch& sketch) {
       return sketch.explain(kOverlappingSwatch, "bounds that overlap, as the shapes do");
     case AnswerKind::FalsePositive:
       return sketch.explain(kFalsePositiveSwatch, "bounds that overlap though the shapes do not");
+    case AnswerKind::Missed:
+      return sketch.explain(kMissedSwatch, "bounds said to be apart though the shapes overlap");
   }
 }
 
@@ -53,14 +60,32 @@ void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyl
   sketch.curves.push_back({horizon, faint, true});
 }
 
+/// What the bounds are called, where several pairs of the same shapes are asked of theirs.
+void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const auto beside = [&](const trace::Pair& other) {
+    return &other != &pair && other.a == pair.a && other.b == pair.b && other.query &&
+           !other.query->bounds.empty();
+  };
+  if (pair.label.empty() || std::ranges::none_of(scene.frame.pairs, beside)) return;
+  const trace::Volume& volume = *pair.query->bounds_a;
+  // Up and to the left, where axis-aligned boxes have a corner, oriented ones a side, balls neither.
+  const Vec3d way = scene.camera.up() - scene.camera.right();
+  Vec3d at = volume.center;
+  for (const Vec3d& corner : extent_points(volume))
+    if (volume.half_extents && way.dot(corner) > way.dot(at)) at = corner;
+  if (volume.radius) at += *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
+  sketch.label(at, pair.label, kText, 16, 8, Vec3d(at - volume.center));
+}
+
 void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->bounds_a || !pair.query->bounds_b) return;
   const AnswerKind kind = answer_kind(pair);
   const bool no = kind == AnswerKind::No;
-  const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no};
+  const LineStyle style{no ? 1.5f : 2.5f, answer_color(kind), no || kind == AnswerKind::Missed};
   for (const trace::Volume* volume : {&*pair.query->bounds_a, &*pair.query->bounds_b})
     draw_volume(scene, *volume, style, sketch);
   explain(kind, sketch);
+  name_volume(scene, pair, sketch);
 }
 
 }  // namespace

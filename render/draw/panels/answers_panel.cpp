@@ -11,8 +11,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kBarLines = 0.7f;  // height of a row of cells, in lines of text
-constexpr float kBelowBar = 6;     // pixels at 720 lines
+constexpr float kBarLines = 0.55f;  // height of a row of cells, in lines of text
+constexpr float kBelowBar = 3;      // pixels at 720 lines
 
 bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();
@@ -20,6 +20,7 @@ bool has_query(const trace::Pair& pair) {
 
 struct AnswerHistory {
   std::string name;
+  std::vector<const trace::Pair*> moments;  // one a frame; null where it has no such pair
   bool of_bounds = false;
   std::vector<std::optional<AnswerKind>> answers;  // one a frame
 };
@@ -30,7 +31,8 @@ class AnswersPanel : public PanelContent {
     for (const trace::Pair* pair : distinct_pairs(frames, has_query)) {
       AnswerHistory& history = histories_.emplace_back();
       history.name = pair_name(*pair);
-      for (const trace::Pair* moment : pair_history(frames, *pair)) {
+      history.moments = pair_history(frames, *pair);
+      for (const trace::Pair* moment : history.moments) {
         std::optional<AnswerKind>& answer = history.answers.emplace_back();
         if (moment == nullptr || !moment->query) continue;
         answer = answer_kind(*moment);
@@ -69,20 +71,23 @@ class AnswersPanel : public PanelContent {
     return Sheet::line_height(scale_) * (1 + kBarLines) + (kBelowBar + 2) * scale_;
   }
 
-  /// Up to a frame: "yes 12 of 24 times, 5 false (42 %)".
+  /// Of shapes the answer of a frame; of bounds those up to it: "yes 12 of 24, 5 false (42 %)".
   static std::string told(const AnswerHistory& history, std::size_t now) {
-    int asked = 0, yes = 0, wrong = 0;
+    if (!history.of_bounds)
+      return history.answers[now] ? spell_answer(*history.moments[now]) : "not asked";
+    int asked = 0, yes = 0, wrong = 0, missed = 0;
     for (std::size_t f = 0; f <= now; ++f) {
       const auto& answer = history.answers[f];
       if (!answer) continue;
       ++asked;
-      yes += *answer != AnswerKind::No;
+      yes += *answer == AnswerKind::Yes || *answer == AnswerKind::FalsePositive;
+      missed += *answer == AnswerKind::Missed;
       wrong += *answer == AnswerKind::FalsePositive;
     }
     std::string text = "yes " + std::to_string(yes) + " of " + std::to_string(asked);
-    if (!history.of_bounds) return text;
     text += ", " + std::to_string(wrong) + " false";
-    if (yes > 0) text += printed(" (%.0f %%)", 100.0 * wrong / yes);
+    if (missed > 0) return text + ", " + std::to_string(missed) + " missed";
+    if (wrong > 0) text += printed(" (%.0f %%)", 100.0 * wrong / yes);
     return text;
   }
 
@@ -96,8 +101,8 @@ class AnswersPanel : public PanelContent {
       if (!history.answers[f]) continue;
       const AnswerKind kind = *history.answers[f];
       const bool no = kind == AnswerKind::No;
-      // A false one is higher, so that it is told apart in grey as well.
-      const double top = rest.y + (no ? 0.6 : kind == AnswerKind::Yes ? 0.3 : 0) * height;
+      // A wrong one is higher, so that it is told apart in grey as well.
+      const double top = rest.y + (no ? 0.6 : kind == AnswerKind::Yes ? 0.3 : 0.0) * height;
       pen.fill({rest.x + cell * static_cast<double>(f), top, cell, rest.y + height - top},
                with_alpha(answer_color(kind), no ? 0.35f : 1.0f));
     }

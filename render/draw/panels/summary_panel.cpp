@@ -43,13 +43,13 @@ std::string counted(const trace::Pair& pair) {
 /// Calls `add` with the name of each row and with what spells its value.
 template <class Add>
 void for_each_row(const trace::Pair& pair, Add&& add) {
-  add("pair", [&] { return pair.kind; });
   if (pair.query) {
     add("asked", [&] { return spell_question(*pair.query); });
     add("answer", [&] { return spell_answer(pair); });
     add("by", [&] { return pair.query->method; });
     return;
   }
+  add("pair", [&] { return pair.kind; });
   add("state", [&] { return pair.state; });
   if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
   if (!pair.manifolds.empty()) add("contact", [&] { return types_of(pair); });

@@ -38,6 +38,7 @@ std::string reason_of(const trace::Pair& pair) {
     return ", though the shapes are " + (gap ? spell_length(*gap) + " " : std::string()) +
            "apart: a false positive";
   }
+  if (answer_kind(pair) == AnswerKind::Missed) return ", though the shapes overlap: a miss";
   if (query.containment) return spell_containment(pair, *query.containment);
   if (!pair.intersections.empty())
     return ": " + std::to_string(pair.intersections.size()) +
@@ -50,7 +51,9 @@ std::string reason_of(const trace::Pair& pair) {
 
 AnswerKind answer_kind(const trace::Pair& pair) {
   const trace::Query& query = *pair.query;
-  if (!query.touching.value_or(pair.overlap.value_or(false))) return AnswerKind::No;
+  const bool overlap = pair.overlap.value_or(false);
+  if (!overlap && query.shapes && query.shapes->overlap) return AnswerKind::Missed;
+  if (!query.touching.value_or(overlap)) return AnswerKind::No;
   return query.shapes && !query.shapes->overlap ? AnswerKind::FalsePositive : AnswerKind::Yes;
 }
 
@@ -60,6 +63,8 @@ Color answer_color(AnswerKind kind) {
       return kDropped;
     case AnswerKind::Yes:
       return kSidePlane;
+    case AnswerKind::Missed:
+      return kText;
     case AnswerKind::FalsePositive:
       break;
   }

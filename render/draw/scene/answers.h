@@ -13,6 +13,7 @@ enum class AnswerKind {
   No,
   Yes,
   FalsePositive,  // the bounds overlap, and the shapes in them do not
+  Missed,         // the shapes overlap, and the test of their bounds says no
 };
 
 /// Of a pair with a query: whether it, or its bounds, overlap, or touch where that was asked.
