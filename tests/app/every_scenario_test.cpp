@@ -37,7 +37,6 @@ trace::Frame without_records(const trace::Frame& recorded) {
     kept.separation = pair.state == "separated" && !pair.query ? 0 : pair.separation;
     kept.overlap = pair.overlap;
     kept.manifolds = pair.manifolds;
-    kept.overlap = pair.overlap;
     for (trace::Manifold& manifold : kept.manifolds) {
       for (trace::Point& point : manifold.points) {
         point.impulse.reset();

@@ -89,7 +89,7 @@ TEST(MeshPictures, CrossingTrianglesOfBothMeshesAreTintedAndTheirSegmentsAreALin
   EXPECT_EQ(surfaces_of(sketch, kContact), 2);  // triangle 0 of one and 1 of the other, once each
   EXPECT_EQ(curve_lines(sketch), 2);
   EXPECT_THAT(legend_texts(sketch), AllOf(Contains("where the surfaces meet"),
-                                       Contains("triangle that crosses the other mesh")));
+                                          Contains("triangle that crosses the other mesh")));
 }
 
 TEST(MeshPictures, ALonePointIsADotAndTheEndOfALineIsNot) {
@@ -111,7 +111,7 @@ TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
   const Sketch sketch = scene.sketch();
   EXPECT_EQ(surfaces_of(sketch, kAxis), 2);
   EXPECT_THAT(legend_texts(sketch), AllOf(Contains("triangles that overlap in one plane"),
-                                       Contains("triangle without an area")));
+                                          Contains("triangle without an area")));
 }
 
 TEST(MeshPictures, ATriangleThatIsNotThereIsLeftOut) {
