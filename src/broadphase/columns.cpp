@@ -203,7 +203,8 @@ class Columns : public Clonable<Columns> {
     for (int i = 0; i < count; ++i) {
       const Entry& entry = entries[i];
       const auto load = [](const float* from) { return lanes::load_pack<Lanes>(from); };
-      for (int j = i + 1; j < count; j += kLanes) {
+      int j = i + 1;
+      for (; j < count; j += kLanes) {
         const auto before_it_ends = load(begins + j) <= entry.upper[0];
         const auto hits = before_it_ends & (load(lower_y + j) <= entry.upper[1]) &
                           (load(upper_y + j) >= entry.lower[1]) &
@@ -216,10 +217,13 @@ class Columns : public Clonable<Columns> {
             report(entry.handle, handles[other]);
           }
         }
-        // Those that begin before it ends come first.
-        compared += std::countr_one(lanes::bits<float>(before_it_ends));
-        if (!(before_it_ends[kLanes - 1])) break;
+        if (!(before_it_ends[kLanes - 1])) {
+          // Of these, those that begin before it ends come first.
+          compared += j - i - 1 + std::countr_one(lanes::bits<float>(before_it_ends));
+          break;
+        }
       }
+      if (j >= count) compared += count - i - 1;
     }
     counts_.comparisons += compared;
     if (record_ != nullptr) tell(region, count, compared);
