@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "core/at.h"
 
@@ -75,6 +76,17 @@ void BroadPhase::remove(int handle) {
   removing(handle);
   at(boxes_, handle) = {};
   free_.push_back(handle);
+}
+
+void BroadPhase::compare_with_all(std::vector<int> large, BroadPhaseRecord* record) {
+  std::ranges::sort(large);
+  for (const int i : large) {
+    for (int j = 0; j < handles(); ++j) {
+      if (!has(j) || j == i) continue;
+      if (j > i || !std::ranges::binary_search(large, j)) compare(i, j);
+    }
+  }
+  if (record != nullptr) record->large = std::move(large);
 }
 
 bool BroadPhase::has(int handle) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "broadphase/box_pair.h"
@@ -110,6 +111,10 @@ class BroadPhase {
     if (overlaps(box(i), box(j))) report(i, j);
   }
 
+  /// Compares boxes that no structure holds with every other box; of two such the first one reports.
+  /// They are told in `record`.
+  void compare_with_all(std::vector<int> large, BroadPhaseRecord* record);
+
   mutable BroadPhaseCounts counts_;
 
  private:
@@ -129,6 +134,19 @@ std::size_t bytes_of(const std::vector<T>& list) {
 /// Whatever divides space keeps them in a list and compares them with every other box.
 inline constexpr float kLargestCoordinate = 1e15f;
 bool is_bounded(const Aabb<float>& box);
+
+/// Calls tell(node, depth, open) for the nodes of a tree, a parent before its children: open(child)
+/// puts off each child that is to be told. `root`: -1 of a tree without nodes.
+template <class Tell>
+void from_root_down(int root, const Tell& tell) {
+  std::vector<std::pair<int, int>> left;  // node, depth
+  if (root >= 0) left.emplace_back(root, 0);
+  while (!left.empty()) {
+    const auto [node, depth] = left.back();
+    left.pop_back();
+    tell(node, depth, [&left, below = depth + 1](int child) { left.emplace_back(child, below); });
+  }
+}
 
 /// The smallest box in float around one in double.
 Aabb<float> outward_box(const Aabb<double>& box);

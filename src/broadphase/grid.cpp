@@ -40,18 +40,11 @@ class Grid : public Clonable<Grid> {
           compare_in_cell(at(sorted_, i), at(sorted_, j));
       }
     }
-    for (std::size_t k = 0; k < large_.size(); ++k) {
-      for (int other = 0; other < handles(); ++other) {
-        if (!has(other) || other == large_[k]) continue;
-        const bool is_large = std::ranges::binary_search(large_, other);
-        if (!is_large || other > large_[k]) compare(large_[k], other);
-      }
-    }
+    compare_with_all(large_, record);
   }
 
   /// Cells by bucket, and in a bucket as they come.
   void tell(BroadPhaseRecord& record) const {
-    record.large = large_;
     for (std::size_t bucket = 0; bucket + 1 < first_.size(); ++bucket) {
       const auto begin = record.cells.size();
       std::vector<Cell> cells;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
@@ -92,15 +91,9 @@ class Octree : public Clonable<Octree> {
 
   void find_pairs(BroadPhaseRecord* record) override {
     std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's boxes
+    compare_with_all(endless_, record);
     for (int i = 0; i < handles(); ++i) {
-      if (!has(i)) continue;
-      if (at(homes_, i) < 0) {
-        for (int j = 0; j < handles(); ++j) {
-          // Of two that both are without end, the first one reports.
-          if (has(j) && j != i && (at(homes_, j) >= 0 || j > i)) compare(i, j);
-        }
-        continue;
-      }
+      if (!has(i) || at(homes_, i) < 0) continue;
       visit(box(i), [&](int j) {
         if (j <= i) return;
         compare(i, j);
@@ -110,20 +103,13 @@ class Octree : public Clonable<Octree> {
     if (record != nullptr) tell(tests, *record);
   }
 
-  /// Nodes from the root down, and what is without end.
   void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
-    record.large = endless_;
-    std::ranges::sort(record.large);
-    std::vector<std::pair<int, int>> open;  // node, depth
-    if (root_ >= 0) open.emplace_back(root_, 0);
-    while (!open.empty()) {
-      const auto [index, depth] = open.back();
-      open.pop_back();
+    from_root_down(root_, [&](int index, int depth, const auto& open) {
       const Node& node = at(nodes_, index);
       record.cells.push_back({node.reach, depth, count_of(node.here), at(tests, index)});
       for (const int child : node.children)
-        if (child >= 0 && at(nodes_, child).below > 0) open.emplace_back(child, depth + 1);
-    }
+        if (child >= 0 && at(nodes_, child).below > 0) open(child);
+    });
   }
 
   void find(const Aabb<float>& box, std::vector<int>& found) const override {

@@ -180,16 +180,8 @@ class Tree : public Clonable<Tree> {
 
   void find_pairs(BroadPhaseRecord* record) override {
     std::vector<int> tests(record != nullptr ? nodes_.size() : 0);  // of each node's box
-    for (const int i : endless_) {
-      for (int j = 0; j < handles(); ++j) {
-        // Of two that both are without end, the first one reports.
-        if (has(j) && j != i && (at(leaves_, j) >= 0 || j > i)) compare(i, j);
-      }
-    }
-    if (root_ < 0) {
-      if (record != nullptr) tell(tests, *record);
-      return;
-    }
+    compare_with_all(endless_, record);
+    if (root_ < 0) return;
     // Two nodes of which each pair of leaves below is to be compared; of the same one, its own.
     open_.assign(1, {root_, root_});
     while (!open_.empty()) {
@@ -220,20 +212,13 @@ class Tree : public Clonable<Tree> {
     if (record != nullptr) tell(tests, *record);
   }
 
-  /// Nodes from the root down, and what is without end.
   void tell(const std::vector<int>& tests, BroadPhaseRecord& record) const {
-    record.large = endless_;
-    std::ranges::sort(record.large);
-    std::vector<std::pair<int, int>> open;  // node, depth
-    if (root_ >= 0) open.emplace_back(root_, 0);
-    while (!open.empty()) {
-      const auto [index, depth] = open.back();
-      open.pop_back();
+    from_root_down(root_, [&](int index, int depth, const auto& open) {
       const Node& node = at(nodes_, index);
       record.cells.push_back({node.box, depth, node.is_leaf() ? 1 : 0, at(tests, index)});
-      if (node.is_leaf()) continue;
-      for (const int child : node.children) open.emplace_back(child, depth + 1);
-    }
+      if (node.is_leaf()) return;
+      for (const int child : node.children) open(child);
+    });
   }
 
   void find(const Aabb<float>& box, std::vector<int>& found) const override {

@@ -32,7 +32,7 @@ inline Lengths lengths_of(const Shape<float>& shape) {
 /// some four thousand times the other. Never of planes, which have no corners, nor of meshes, which
 /// are too large to be copied.
 inline bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
-  if (kind_of(a) > ShapeKind::Hull || kind_of(b) > ShapeKind::Hull) return false;
+  if (!is_convex(kind_of(a)) || !is_convex(kind_of(b))) return false;
   const Lengths of_a = lengths_of(a);
   const Lengths of_b = lengths_of(b);
   const float rounding = tie_tolerance(std::max(of_a.reach, of_b.reach));

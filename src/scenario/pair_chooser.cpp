@@ -8,7 +8,14 @@
 namespace contactscope {
 
 PairChooser::PairChooser(const Scenario& scenario)
-    : scenario_(scenario), phase_(make_broad_phase(scenario.broad_phase)) {}
+    : scenario_(scenario),
+      phase_(make_broad_phase(scenario.broad_phase)),
+      any_dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)) {
+  for (int a = 0; a < kShapeKinds; ++a)
+    for (int b = 0; b < kShapeKinds; ++b)
+      at(at(answered_, a), b) = !refusal(scenario.pipeline.question, static_cast<ShapeKind>(a),
+                                         static_cast<ShapeKind>(b));
+}
 
 double PairChooser::reach() const {
   const PipelineSettings& settings = scenario_.pipeline;
@@ -32,11 +39,11 @@ std::vector<BoxPair> PairChooser::choose(const std::vector<Aabb<float>>& boxes,
   }
   BroadPhaseRecord structure;
   std::vector<BoxPair> chosen = phase_->pairs(record && cells ? &structure : nullptr);
-  const bool any_dynamic = std::ranges::any_of(scenario_.shapes, &ScenarioShape::dynamic);
   std::erase_if(chosen, [&](const BoxPair& pair) {
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
-    return (any_dynamic && !a.dynamic() && !b.dynamic()) ||
-           refusal(scenario_.pipeline.question, kind_of(*a.geometry), kind_of(*b.geometry));
+    return (any_dynamic_ && !a.dynamic() && !b.dynamic()) ||
+           !at(at(answered_, static_cast<int>(kind_of(*a.geometry))),
+               static_cast<int>(kind_of(*b.geometry)));
   });
   if (record == nullptr) return chosen;
 

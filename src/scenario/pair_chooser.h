@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -16,7 +17,10 @@ class PairChooser {
   /// Chooses nothing where the scenario names no broad phase. Holds on to the scenario.
   explicit PairChooser(const Scenario& scenario);
   PairChooser(const PairChooser& other)
-      : scenario_(other.scenario_), phase_(other.phase_ ? other.phase_->clone() : nullptr) {}
+      : scenario_(other.scenario_),
+        phase_(other.phase_ ? other.phase_->clone() : nullptr),
+        any_dynamic_(other.any_dynamic_),
+        answered_(other.answered_) {}
   PairChooser& operator=(const PairChooser&) = delete;
 
   bool chooses() const { return phase_ != nullptr; }
@@ -38,6 +42,10 @@ class PairChooser {
 
   const Scenario& scenario_;
   std::unique_ptr<BroadPhase> phase_;
+  bool any_dynamic_;
+  /// Whether two kinds of shapes can be asked what the scenario asks; a reason why not takes longer to
+  /// find than a pair to choose.
+  std::array<std::array<bool, kShapeKinds>, kShapeKinds> answered_{};
 };
 
 }  // namespace contactscope

@@ -102,8 +102,8 @@ class Runner::In final : public Runner::InScalar {
                [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
     for (int i = 0; i < count_of(scenario.shapes); ++i)
       if (scenario.shape(i).deforms()) deforming_.emplace_back(i, scenario.shape(i));
-    // Of two entries that name the same shapes the solver goes by the first.
     own_bounds_.resize(shapes_->size());
+    // Of two entries that name the same shapes the solver goes by the first.
     std::set<std::pair<int, int>> seen;
     for (const ScenarioPair& pair : scenario.pairs)
       pairs_.push_back(active(pair, pair.pipeline.makes_contacts() &&
