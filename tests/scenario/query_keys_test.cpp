@@ -102,7 +102,15 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"TouchingIsNotAsked",
                two_boxes("[pipeline]\nquery = \"distance\"\n[[expect]]\na = \"crate\"\n"
                          "b = \"floor\"\ntouching = true\n"),
-               "13:12", "query = \"touching\""}),
+               "13:12", "query = \"touching\""},
+        Broken{"BoxesHaveNoTriangles",
+               two_boxes("[pipeline]\nquery = \"overlap\"\n[[expect]]\na = \"crate\"\n"
+                         "b = \"floor\"\nintersections = 0\n"),
+               "13:17", "'crate' is none; expect overlap"},
+        Broken{"BoundsHaveNoTriangles",
+               meshes("query = \"overlap\"\nbounds = \"aabb\"\n[[expect]]\na = \"floor\"\n"
+                      "b = \"wall\"\nintersections = 0\n"),
+               "17:17", "remove 'bounds'"}),
     name_of_test);
 
 TEST(QueryKeys, WhatDefaultPairsCannotAnswerIsLeftOutAndTold) {
