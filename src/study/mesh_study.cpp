@@ -175,14 +175,13 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
 /// frames what a query is expected to cost, and how many node pairs were compared.
 std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
-      "mesh_mesh", "float", "triangles",
-      "every way of keeping a tree finds the same pairs of triangles",
-      {{"time", "Mesh against mesh: time over size, and over a deformation", "milliseconds, least"},
+      "mesh_mesh", "float", "triangles", "the pairs of triangles that the refitted tree finds",
+      {{"time", "Mesh against mesh: time over a deformation, and over size", "milliseconds, least"},
        {"cost", "What a tree costs a query as its mesh is twisted", "boxes, and pairs of them"}});
   for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
   const StudyStep step = counted(progress, static_cast<int>(std::size(kMeridians)) + 3);
-  study_sizes(options, step, results[0]);
   study_deformation(options, step, results[0], results[1]);
+  study_sizes(options, step, results[0]);
   // Those of one panel stand together.
   std::ranges::stable_sort(results[1].series, {}, &trace::StudySeries::panel);
   return results;

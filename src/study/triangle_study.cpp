@@ -242,7 +242,7 @@ std::vector<trace::Study> study_triangles(const StudyOptions& options,
   const StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
   std::vector<trace::Study> results = results_of(
       "triangle_triangle", "float", "units in the last place",
-      "edges against triangles in whole numbers, " + std::to_string(grid.cases) +
+      "every edge against the other triangle in whole numbers, " + std::to_string(grid.cases) +
           " pairs a point, seed " + std::to_string(options.seed),
       {{"wrong", "Triangles near one plane: how often a test is wrong, and what never is",
         "share of wrong answers", "", 0.5 / grid.cases}});

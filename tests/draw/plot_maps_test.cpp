@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {640, 360}};
 
@@ -138,6 +139,48 @@ TEST(PlotCurves, NamesEveryPanelAndCountsItsFailures) {
   EXPECT_EQ(std::ranges::count(all, "64 of 840"), 6);
   EXPECT_THAT(all, Contains("float, unrounded"));
   EXPECT_THAT(all, Contains(HasSubstr("all axes in extended precision")));
+}
+
+TEST(PlotCurves, WithoutFailuresNoneAreExplainedAndTheCurvesHaveTheirRoom) {
+  trace::Study study = curves();
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("failures, of all cases"));
+  const auto highest = [&] {
+    float top = 1e9f;
+    for (const Disc& disc : all_of<Disc>(plot_curves(study, 1280, 720)))
+      if (disc.center.y > 110) top = std::min(top, disc.center.y);  // below the legend
+    return top;
+  };
+  const float with_failures = highest();
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) point.failed = 0;
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Not(Contains("failures, of all cases")));
+  EXPECT_LT(highest(), with_failures - 40);
+}
+
+TEST(PlotCurves, FramesAreEquallyFarApart) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "frames";
+  for (int frame = 1; frame <= 50; ++frame)
+    line.points.push_back({static_cast<double>(frame), 1.0 + frame, 1.0 + frame, {}, 0, 1});
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  std::vector<float> places;
+  for (const Disc& disc : all_of<Disc>(drawing))
+    if (disc.center.y > 110) places.push_back(disc.center.x);  // below the legend
+  ASSERT_EQ(places.size(), 50u);
+  for (std::size_t i = 1; i < 50; ++i)
+    EXPECT_NEAR(places[i] - places[i - 1], (places[49] - places[0]) / 49, 0.01);
+  EXPECT_THAT(words(drawing), testing::IsSupersetOf({"10", "20", "40"}));
+  expect_legible(drawing);
+}
+
+TEST(PlotCurves, WhatHasOneValueAPointIsNotCalledTheLargest) {
+  trace::Study study = curves();
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Largest error / size"));
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) point.error_worst = point.error;
+  study.error = "milliseconds, median";
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Milliseconds, median"));
 }
 
 TEST(PlotCurves, OneHeightIsOneErrorInEveryPanelOfARow) {

@@ -37,6 +37,16 @@ std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float ro
   });
 }
 
+/// Round numbers on an axis that is not logarithmic, every label with so much room.
+std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float room) {
+  const double pixel = (axis.high - axis.low) / std::max(1.0f, std::abs(axis.to - axis.from));
+  const double step = std::max(1.0, 2 * round_down(room * pixel));
+  std::vector<std::pair<float, std::string>> list;
+  for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
+    list.emplace_back(axis.at(value), spell_number(value));
+  return list;
+}
+
 /// "CPU · compiler · build · date", and if asked for the scalar.
 std::string spell_context(const trace::StudyContext& context, bool with_scalar) {
   std::string line;
@@ -76,7 +86,9 @@ Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size
 
 void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen) {
   const auto top = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
-  for (const auto& [at, label] : decades_of(axis, pen.px(44))) {
+  const float room = pen.px(44);
+  for (const auto& [at, label] :
+       axis.is_logarithmic ? decades_of(axis, room) : counts_of(axis, room)) {
     if (grid) pen.line({at, top}, {at, bottom}, 1, kChartGrid);
     pen.line({at, bottom}, {at, bottom + pen.px(label.empty() ? 3 : 5)}, 1.2, kChartBorder);
     if (!label.empty()) pen.text(label, {at, bottom + pen.px(18)}, Align::Center, kQuietText);
