@@ -29,10 +29,12 @@ double read_least_length(const Value& value) {
 
 /// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
 Keys with_settings(Keys keys) {
+  // Of contacts, then of what a pair is asked.
+  keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
+                           "preference", "degenerate", "internal_edges", "core_margin",
+                           "breaking_distance", "confirm", "penetration"});
   keys.insert(keys.end(),
-              {"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference",
-               "degenerate", "internal_edges", "core_margin", "breaking_distance", "confirm",
-               "penetration", "query", "bounds", "comparison", "tolerance", "axes", "skip_up_to"});
+              {"query", "bounds", "comparison", "tolerance", "axes", "skip_up_to", "traversal"});
   return keys;
 }
 
@@ -113,6 +115,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
              word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
+  table.read("traversal", settings.traversal,
+             word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));
