@@ -40,7 +40,8 @@ std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float ro
 /// Round numbers on an axis that is not logarithmic, every label with so much room.
 std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float room) {
   const double pixel = (axis.high - axis.low) / std::max(1.0f, std::abs(axis.to - axis.from));
-  const double step = std::max(1.0, 2 * round_down(room * pixel));
+  double step = 1;
+  for (int i = 0; step < room * pixel; ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10, 20
   std::vector<std::pair<float, std::string>> list;
   for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
     list.emplace_back(axis.at(value), spell_number(value));
