@@ -174,6 +174,21 @@ TEST(PlotCurves, FramesAreEquallyFarApart) {
   expect_legible(drawing);
 }
 
+TEST(PlotCurves, AnAxisOfOneDecadeHasTwoLabelsAndMore) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "within a decade";
+  for (const double error : {0.3, 0.7, 1.8})
+    line.points.push_back({100 * error, error, error, {}, 0, 1});
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)),
+              testing::IsSupersetOf({"0.5", "1", "50", "100"}));
+  for (trace::StudyPoint& point : line.points) point.parameter *= 1000;
+  study.series.push_back({"another", line.points, "", "of the second panel"});
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  EXPECT_THAT(words(drawing), testing::IsSupersetOf({"5 × 10⁴", "10⁵"}));
+  expect_legible(drawing);
+}
+
 TEST(PlotCurves, WhatHasOneValueAPointIsNotCalledTheLargest) {
   trace::Study study = curves();
   EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Largest error / size"));

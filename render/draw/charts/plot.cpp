@@ -22,9 +22,21 @@ constexpr double kSubtitle = 15;
 constexpr double kLegend = 24;
 constexpr double kCaption = 20;
 
-/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room.
+/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room. Where
+/// there are fewer than three of them, 2 and 5 times each as well.
 std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float room) {
-  const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  if (ticks.size() < 3) {
+    ticks = axis.ticks();
+    std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
+    return mapped(ticks, [](const Axis::Tick& tick) {
+      const double decade = std::pow(10.0, std::floor(std::log10(tick.value) + 1e-9));
+      const std::string factor = tick.decade ? "" : printed("%.0f × ", tick.value / decade);
+      const bool is_plain = tick.value > 0.9e-3 && tick.value < 1e4;
+      return std::pair(tick.at, is_plain ? spell_tick_error(tick.value, "")
+                                         : factor + spell_tick_error(decade, ""));
+    });
+  }
   int every = 1;
   if (ticks.size() > 1) {
     const float decade = std::abs(ticks[1].at - ticks[0].at);
