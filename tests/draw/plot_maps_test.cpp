@@ -78,6 +78,20 @@ trace::Study named_map() {
   return study;
 }
 
+trace::Study answers() {
+  trace::Study study = study_of(trace::StudyForm::Answers);
+  study.row = "units along y";
+  for (const char* panel : {"float", "double", "exact"}) {
+    for (int j = -6; j < 6; ++j) {
+      trace::StudySeries& row = study.series.emplace_back(
+          trace::StudySeries{panel, {}, panel, "units along x", double(j)});
+      for (int i = -6; i < 6; ++i)
+        row.points.push_back({double(i), i == j ? 1.0 : i > j ? 0.0 : 2.0, {}, {}, 0, 1});
+    }
+  }
+  return study;
+}
+
 template <class T>
 std::vector<T> all_of(const Drawing& drawing) {
   std::vector<T> list;
@@ -225,6 +239,27 @@ TEST(PlotMap, ACellForEachPointAndACrossForEachFailure) {
   // Where all failed a hatching stands for the colour.
   EXPECT_EQ(count().first, fills - 1);
   EXPECT_GT(count().second, strokes + 10);
+}
+
+TEST(PlotAnswers, TextStaysOnTheCanvasAndApart) {
+  for (const auto& [width, height] : kSizes) expect_legible(plot_answers(answers(), width, height));
+}
+
+TEST(PlotAnswers, EachAnswerHasAColourAndWhatIsWrongASquare) {
+  trace::Study study = answers();
+  const Drawing right = plot_answers(study, 1280, 720);
+  EXPECT_EQ(std::ranges::count(words(right), "0 of 144 wrong"), 3);
+  // A row of a panel has at most three stretches of one colour; the legend has four boxes.
+  EXPECT_EQ(all_of<Fill>(right).size(), 3u * (3 * 12 - 2) + 4);
+  study.series[7].points[2].failed = 1;
+  study.series[7].points[9].failed = 1;
+  const Drawing wrong = plot_answers(study, 1280, 720);
+  EXPECT_EQ(std::ranges::count(words(wrong), "0 of 144 wrong"), 2);
+  EXPECT_EQ(std::ranges::count(words(wrong), "2 of 144 wrong"), 1);
+  EXPECT_EQ(all_of<Fill>(wrong).size(), all_of<Fill>(right).size() + 2);
+  // An answer that changes changes a colour: where it stands alone, a stretch becomes three.
+  study.series[7].points[9].error = 2;
+  EXPECT_EQ(all_of<Fill>(plot_answers(study, 1280, 720)).size(), all_of<Fill>(wrong).size() + 2);
 }
 
 TEST(PlotMap, WorseIsDarker) {

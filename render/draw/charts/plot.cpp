@@ -194,6 +194,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
 Drawing plot(const trace::Study& study, int width, int height) {
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
+  if (study.form == trace::StudyForm::Answers) return plot_answers(study, width, height);
 
   const bool in_panels = trace::has_panels(study);
   std::vector<std::pair<ErrorKind, std::string>> parts;  // of which error, and in which panel

@@ -13,7 +13,7 @@
 
 namespace contactscope::draw {
 
-/// A study in its form; those of curves and maps are below.
+/// A study in its form; those of curves, maps and answers are below.
 ///
 /// Work precision: error against run time, both axes logarithmic, a line a method, a panel for the
 /// mean error and one for the worst where the study has it, one above the other on a page that is
@@ -40,6 +40,11 @@ Drawing plot_curves(const trace::Study& study, int width, int height);
 /// logarithmic, or a line each for rows that are names), in the colour of the decade of its largest
 /// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white.
 Drawing plot_map(const trace::Study& study, int width, int height);
+
+/// Panels of a study of form Answers, side by side: a cell for every parameter (to the right) and row
+/// (up), whole numbers from one to the next, in the colour of what was answered there, and a black
+/// square in it where that is wrong. Over each panel stands how many are.
+Drawing plot_answers(const trace::Study& study, int width, int height);
 
 /// Labels as many decades of a logarithmic axis as fit under the lower edge of the area, or round numbers
 /// of another one, and draws their grid lines if asked to.
