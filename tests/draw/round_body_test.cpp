@@ -122,7 +122,7 @@ TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
   }
 }
 
-TEST(RoundBody, HidesWhatAViewRayMeetsItBefore) {
+TEST(RoundBody, SlowHidesWhatAViewRayMeetsItBefore) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1.6, 1.6);
   int hidden_count = 0, seen_count = 0;
