@@ -15,7 +15,7 @@ constexpr double kBetweenPanels = 12;  // pixels at 720 lines
 void apply_style(ImGuiStyle& style, float scale) {
   ImGui::StyleColorsLight(&style);
   style.Colors[ImGuiCol_WindowBg] = {draw::kWhite.r, draw::kWhite.g, draw::kWhite.b, 1};
-  style.WindowPadding = {12, 10};
+  style.WindowPadding = {draw::kPanelPadding, 10};
   style.WindowRounding = 0;
   style.ScaleAllSizes(scale);  // floors, so that contents begin on whole pixels
   style.WindowBorderSize = 0;

@@ -6,6 +6,7 @@
 #include "core/at.h"
 
 namespace contactscope {
+
 void PairSorter::sort(std::vector<BoxPair>& pairs, int handles) {
   if (count_of(pairs) < handles / 4) {
     std::ranges::sort(pairs);

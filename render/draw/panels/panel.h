@@ -14,6 +14,9 @@
 /// others say.
 namespace contactscope::draw {
 
+/// Between a panel and its sheet, on either side; pixels at 720 lines.
+inline constexpr float kPanelPadding = 12;
+
 /// Rows of text on a panel, from the top down, in the embedded fonts. What is too wide is cut with
 /// an ellipsis, or goes on in another line.
 class Sheet {

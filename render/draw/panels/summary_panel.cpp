@@ -70,11 +70,9 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
   }
 }
 
-constexpr float kSheetMargin = 12;  // pixels at 720 lines, of a panel on either side of its sheet
-
 // A degenerate geometry's name takes a second line. A question and its answer are sentences.
 std::size_t lines_of(const trace::Pair& pair, const Layout& layout) {
-  const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kSheetMargin);
+  const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kPanelPadding);
   std::size_t lines = pair.degenerate ? 1 : 0;
   for_each_row(pair, [&](const char*, auto&& spell) {
     lines += pair.query ? Sheet::row_lines(spell(), width, layout.scale) : 1;
