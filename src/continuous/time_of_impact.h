@@ -1,0 +1,87 @@
+#pragma once
+
+#include <vector>
+
+#include "continuous/motion.h"
+#include "query/support_set.h"
+
+namespace contactscope {
+
+enum class ImpactStatus {
+  Separated,        // at no time of the step nearer than the tolerance
+  Hit,              // at `time` within the tolerance, and never before
+  Overlapping,      // at time 0 already, or so near that rounding cannot tell
+  OutOfIterations,  // kMaxImpactSteps; up to `time` they are apart for certain, what comes is not known
+};
+
+/// "separated", "hit", "overlapping", "out_of_iterations".
+constexpr const char* to_string(ImpactStatus status) {
+  constexpr const char* kNames[] = {"separated", "hit", "overlapping", "out_of_iterations"};
+  return kNames[static_cast<int>(status)];
+}
+
+/// A convex shape that moves: its core, and how far its surface is from the core.
+template <class S>
+struct MovingShape {
+  SupportSet<S> core;
+  Motion<S> motion;
+  S radius = 0;  // metres, of a sphere or a capsule
+};
+
+template <class S>
+struct ImpactResult {
+  ImpactStatus status = ImpactStatus::OutOfIterations;
+  S time = 0;  // fraction of the step; 1 when Separated
+  S distance =
+      0;  // between the surfaces at `time`, metres; of Separated the last that was measured
+  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, world, at `time`; of a Hit
+  Vec3<S> on_a =
+      Vec3<S>::Zero();  // closest points of the surfaces at `time`, in the world; of a Hit
+  Vec3<S> on_b = Vec3<S>::Zero();
+  int steps = 0;   // distances measured
+  int bounds = 0;  // projections on an axis
+};
+
+/// One step of the search, for somebody who watches.
+template <class S>
+struct ImpactStep {
+  S time;        // of the distance
+  S distance;    // between the surfaces, metres
+  Vec3<S> axis;  // unit, from A to B, world: along it the shapes are apart
+  /// Of the last projection on the axis: from `time` on, where the separation along the axis was
+  /// measured again, and what it was.
+  S bracket_end;
+  S bracket_separation;
+  S safe;  // until then they cannot meet
+};
+
+template <class S>
+struct ImpactRun {
+  ImpactResult<S> result;
+  std::vector<ImpactStep<S>> steps;
+};
+
+/// A tenth of this are enough for all but a shape that glides past at about the tolerance.
+inline constexpr int kMaxImpactSteps = 128;
+
+/// The first time in a step at which two convex shapes are within `tolerance` metres of each other
+/// (> 0; at less than 32 roundings of the pair's extent it counts as that many). Shapes that are
+/// nearer than that at the start hit when they have come to three quarters of where they were.
+///
+/// Never late: at every time before `time` the shapes are apart, rotations of any size included. How
+/// early it is depends on the tolerance alone: the surfaces are nearer than it at `time`. Motions are
+/// subtracted before anything else is computed, so that nothing is lost far from the origin but what
+/// the coordinates have lost already.
+///
+/// `run`: null when nobody watches.
+template <class S>
+ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b, S tolerance,
+                               ImpactRun<S>* run = nullptr);
+
+/// How far any point of either shape moves beside the other one in the step, at most, metres: a
+/// tolerance is best a fraction of it. 1e-4 of it puts `time` within about 1e-4 of the step of the
+/// true time, where the shapes meet head on.
+template <class S>
+S largest_motion(const MovingShape<S>& a, const MovingShape<S>& b);
+
+}  // namespace contactscope
