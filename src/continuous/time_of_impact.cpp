@@ -22,14 +22,17 @@ class Turning {
     angle_ = turn_.norm();
     if (angle_ > S(0)) axis_ = turn_ / angle_;
     const Vec3<S> local_axis = start_.conjugate() * axis_;
-    S from_axis = 0, from_pivot = 0;
-    for (int i = 0; i < core_.count; ++i) {
-      const Vec3<S> arm = core_.points[i] - pivot_;
-      from_pivot = std::max(from_pivot, arm.squaredNorm());
-      if (angle_ > S(0)) from_axis = std::max(from_axis, arm.cross(local_axis).squaredNorm());
+    const auto reach_over = [&](const Vec3<S>& point, S radius) {
+      const Vec3<S> arm = point - pivot_;
+      reach_ = std::max(reach_, arm.norm() + radius);
+      if (angle_ > S(0)) from_axis_ = std::max(from_axis_, arm.cross(local_axis).norm() + radius);
+    };
+    // A ball about a hull's vertices is quickly found, and costs few steps more than they would.
+    if (core_.hull != nullptr) {
+      reach_over(core_.hull->centroid, core_.hull->radius);
+    } else {
+      for (int i = 0; i < core_.count; ++i) reach_over(core_.points[i], 0);
     }
-    reach_ = std::sqrt(from_pivot);
-    from_axis_ = std::sqrt(from_axis);
   }
 
   const SupportSet<S>& core() const { return core_; }
@@ -141,17 +144,13 @@ S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
 }  // namespace
 
 template <class S>
-S largest_motion(const MovingShape<S>& a, const MovingShape<S>& b) {
-  return Approach<S>(a, b).largest_motion();
-}
-
-template <class S>
-ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b, S tolerance,
-                               ImpactRun<S>* run) {
+ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
+                               const ImpactTolerance<S>& allowed, ImpactRun<S>* run) {
   const Approach<S> approach(a, b);
   const S radii = a.radius + b.radius;
   const S rounding = tie_tolerance(approach.scale() + radii);
-  tolerance = std::max(tolerance, S(8) * rounding);
+  const S tolerance =
+      std::max({allowed.gap, allowed.of_motion * approach.largest_motion(), S(8) * rounding});
   ImpactResult<S> result;
   const auto ended = [&](ImpactStatus status) {
     result.status = status;
@@ -224,8 +223,6 @@ ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
   return ended(ImpactStatus::OutOfIterations);
 }
 
-template decltype(largest_motion<float>) largest_motion<float>;
-template decltype(largest_motion<double>) largest_motion<double>;
 template decltype(time_of_impact<float>) time_of_impact<float>;
 template decltype(time_of_impact<double>) time_of_impact<double>;
 

@@ -64,9 +64,18 @@ struct ImpactRun {
 /// A tenth of this are enough for all but a shape that glides past at about the tolerance.
 inline constexpr int kMaxImpactSteps = 128;
 
-/// The first time in a step at which two convex shapes are within `tolerance` metres of each other
-/// (> 0; at less than 32 roundings of the pair's extent it counts as that many). Shapes that are
-/// nearer than that at the start hit when they have come to three quarters of where they were.
+/// How near is a hit: the larger one of both, and no less than 32 roundings of the pair's extent.
+template <class S>
+struct ImpactTolerance {
+  S gap = 0;  // metres
+  /// Of the way that any point of one shape goes beside the other in the step, at most: what meets
+  /// head on is told so much of the step too early at most.
+  S of_motion = S(1e-5);
+};
+
+/// The first time in a step at which two convex shapes are within the tolerance of each other. Shapes
+/// that are nearer than that at the start hit when they have come to three quarters of where they
+/// were.
 ///
 /// Never late: at every time before `time` the shapes are apart, rotations of any size included. How
 /// early it is depends on the tolerance alone: the surfaces are nearer than it at `time`. Motions are
@@ -75,13 +84,7 @@ inline constexpr int kMaxImpactSteps = 128;
 ///
 /// `run`: null when nobody watches.
 template <class S>
-ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b, S tolerance,
-                               ImpactRun<S>* run = nullptr);
-
-/// How far any point of either shape moves beside the other one in the step, at most, metres: a
-/// tolerance is best a fraction of it. 1e-4 of it puts `time` within about 1e-4 of the step of the
-/// true time, where the shapes meet head on.
-template <class S>
-S largest_motion(const MovingShape<S>& a, const MovingShape<S>& b);
+ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
+                               const ImpactTolerance<S>& allowed = {}, ImpactRun<S>* run = nullptr);
 
 }  // namespace contactscope

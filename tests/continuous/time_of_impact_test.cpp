@@ -153,6 +153,22 @@ MovingPair<double> random_moving_pair(Random& random, double size, double most_t
   return pair;
 }
 
+/// 32 roundings of what both shapes reach and go, with room for how that is bounded.
+template <class S>
+double least_tolerance(const MovingPair<double>& pair) {
+  const auto reach = [](const Core<double>& core) {
+    double most = 0;
+    for (const Vec3d& point : core.hull ? core.hull->vertices : core.points)
+      most = std::max(most, point.norm());
+    return most;
+  };
+  const double extent = (pair.motion_b.start.position - pair.motion_a.start.position).norm() +
+                        most_motion(pair) +
+                        3 * (reach(pair.core_a) + reach(pair.core_b) + pair.motion_a.pivot.norm() +
+                             pair.motion_b.pivot.norm() + pair.radius_a + pair.radius_b);
+  return 64 * static_cast<double>(std::numeric_limits<S>::epsilon()) * extent;
+}
+
 /// What a run of many pairs came to.
 struct Tally {
   int hits = 0, misses = 0, invented = 0, late = 0, not_near = 0, early = 0, undecided = 0;
@@ -165,21 +181,23 @@ void judge(const MovingPair<double>& exact, double tolerance_of_motion, Tally& t
   // As it was rounded: the oracle judges the very numbers that the function was given.
   const MovingPair<double> given = pair.template cast<double>();
   const double speed = most_motion(given);
-  const auto tolerance = static_cast<S>(tolerance_of_motion * speed);
-  if (true_distance(given, 0) <= static_cast<double>(tolerance)) return;
-  const ImpactResult<S> found = time_of_impact(pair.a(), pair.b(), tolerance);
+  // The function knows what moves farthest by a ball about each hull, which is up to twice as far.
+  const double tolerance = std::max(2 * tolerance_of_motion * speed, least_tolerance<S>(given));
+  if (true_distance(given, 0) <= tolerance) return;
+  const ImpactResult<S> found =
+      time_of_impact(pair.a(), pair.b(), {.of_motion = static_cast<S>(tolerance_of_motion)});
   tally.steps += found.steps;
   tally.bounds += found.bounds;
   tally.most_steps = std::max(tally.most_steps, found.steps);
   const auto time = static_cast<double>(found.time);
-  const double slack = 1e-3 * static_cast<double>(tolerance);
+  const double slack = 1e-3 * tolerance;
   const std::optional<double> touches = first_time_within(given, slack, speed);
   switch (found.status) {
     case ImpactStatus::Hit: {
       ++tally.hits;
       tally.late += touches && *touches < time;
       const double distance = true_distance(given, time);
-      tally.not_near += distance > 1.01 * static_cast<double>(tolerance);
+      tally.not_near += distance > 1.01 * tolerance;
       tally.invented += !touches;
       tally.early += touches && *touches - time > 2e-4;
       break;
@@ -261,8 +279,7 @@ TYPED_TEST(TimeOfImpact, ABallMeetsAWallWhenItHasGoneTheGap) {
     ball.motion.displacement = Vec3<S>(static_cast<S>(speed), 0, 0);
     const MovingShape<S> plate{support_set(wall), {}, 0};
     const double gap = 1 - 0.1 - 0.005;
-    const S tolerance = S(1e-4) * largest_motion(ball, plate);
-    const ImpactResult<S> found = time_of_impact(ball, plate, tolerance);
+    const ImpactResult<S> found = time_of_impact(ball, plate);
     if (gap > speed) {
       EXPECT_EQ(found.status, ImpactStatus::Separated);
       EXPECT_EQ(found.time, S(1));
@@ -288,7 +305,7 @@ TYPED_TEST(TimeOfImpact, ARodThatTurnsPastHitsOnItsWay) {
   rod.motion.turn = Vec3<S>(0, 0, static_cast<S>(std::numbers::pi));
   MovingShape<S> ball{support_set(centre), {}, S(0.05)};
   ball.motion.start.position = Vec3<S>(0, S(0.9), 0);
-  const ImpactResult<S> found = time_of_impact(rod, ball, S(1e-4));
+  const ImpactResult<S> found = time_of_impact(rod, ball);
   ASSERT_EQ(found.status, ImpactStatus::Hit);
   // The rod's axis is .07 from the ball's centre, at .9 from the pivot.
   const double angle = std::numbers::pi / 2 - std::asin(0.07 / 0.9);
@@ -296,7 +313,7 @@ TYPED_TEST(TimeOfImpact, ARodThatTurnsPastHitsOnItsWay) {
   EXPECT_LE(static_cast<double>(found.time), angle / std::numbers::pi);
 
   ball.motion.start.position.y() = S(1.08);
-  EXPECT_EQ(time_of_impact(rod, ball, S(1e-4)).status, ImpactStatus::Separated);
+  EXPECT_EQ(time_of_impact(rod, ball).status, ImpactStatus::Separated);
 }
 
 TYPED_TEST(TimeOfImpact, OverlapAtTheStartIsToldApartFromAHitAtZero) {
@@ -305,20 +322,20 @@ TYPED_TEST(TimeOfImpact, OverlapAtTheStartIsToldApartFromAHitAtZero) {
   MovingShape<S> one{support_set(centre), {}, S(0.5)};
   MovingShape<S> two = one;
   two.motion.start.position.x() = S(0.99);
-  EXPECT_EQ(time_of_impact(one, two, S(1e-3)).status, ImpactStatus::Overlapping);
+  EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Overlapping);
 
   // Within the tolerance at the start and coming nearer: a hit, at once or soon.
   two.motion.start.position.x() = S(1.0005);
   two.motion.displacement.x() = S(-0.5);
-  const ImpactResult<S> hit = time_of_impact(one, two, S(1e-3));
+  const ImpactResult<S> hit = time_of_impact(one, two, {.gap = S(1e-3)});
   EXPECT_EQ(hit.status, ImpactStatus::Hit);
   EXPECT_LE(hit.time, S(1e-3));
 
   // Within the tolerance, but going away, or sliding along: no hit.
   two.motion.displacement.x() = S(0.5);
-  EXPECT_EQ(time_of_impact(one, two, S(1e-3)).status, ImpactStatus::Separated);
+  EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Separated);
   two.motion.displacement = Vec3<S>(0, 0, 0);
-  EXPECT_EQ(time_of_impact(one, two, S(1e-3)).status, ImpactStatus::Separated);
+  EXPECT_EQ(time_of_impact(one, two, {.gap = S(1e-3)}).status, ImpactStatus::Separated);
 }
 
 TEST(TimeOfImpactRun, EveryStepIsSafe) {
@@ -327,8 +344,7 @@ TEST(TimeOfImpactRun, EveryStepIsSafe) {
   for (int i = 0; i < 20; ++i) {
     const MovingPair<double> pair = random_moving_pair(random, 1, 3, 8);
     ImpactRun<double> run;
-    const ImpactResult<double> found =
-        time_of_impact(pair.a(), pair.b(), 1e-4 * most_motion(pair), &run);
+    const ImpactResult<double> found = time_of_impact<double>(pair.a(), pair.b(), {}, &run);
     EXPECT_EQ(run.result.time, found.time);
     double reached = 0;
     for (const ImpactStep<double>& step : run.steps) {
