@@ -1,4 +1,4 @@
-#include "continuous/time_of_impact.h"
+#include "continuous/impact.h"
 
 #include <gmock/gmock.h>
 
@@ -176,16 +176,21 @@ struct Tally {
 };
 
 template <class S>
-void judge(const MovingPair<double>& exact, double tolerance_of_motion, Tally& tally) {
+using Find = ImpactResult<S> (*)(const MovingShape<S>&, const MovingShape<S>&,
+                                 const ImpactTolerance<S>&, ImpactRun<S>*);
+
+template <class S>
+void judge(Find<S> find, const MovingPair<double>& exact, Tally& tally) {
+  constexpr double kOfMotion = 1e-5;
   const MovingPair<S> pair = exact.template cast<S>();
   // As it was rounded: the oracle judges the very numbers that the function was given.
   const MovingPair<double> given = pair.template cast<double>();
   const double speed = most_motion(given);
   // The function knows what moves farthest by a ball about each hull, which is up to twice as far.
-  const double tolerance = std::max(2 * tolerance_of_motion * speed, least_tolerance<S>(given));
+  const double tolerance = std::max(2 * kOfMotion * speed, least_tolerance<S>(given));
   if (true_distance(given, 0) <= tolerance) return;
   const ImpactResult<S> found =
-      time_of_impact(pair.a(), pair.b(), {.of_motion = static_cast<S>(tolerance_of_motion)});
+      find(pair.a(), pair.b(), {.of_motion = static_cast<S>(kOfMotion)}, nullptr);
   tally.steps += found.steps;
   tally.bounds += found.bounds;
   tally.most_steps = std::max(tally.most_steps, found.steps);
@@ -232,40 +237,50 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(TimeOfImpact, Scalars);
 
 TYPED_TEST(TimeOfImpact, SlowTranslationIsAsExhaustionSays) {
-  Random random(1);
-  Tally tally;
-  constexpr int kPairs = 300;
-  for (int i = 0; i < kPairs; ++i) {
-    const double size = random.decade(-3, 3);
-    judge<TypeParam>(random_moving_pair(random, size, 0, 10), 1e-5, tally);
+  for (const Find<TypeParam> find :
+       {&time_of_impact<TypeParam>, &conservative_advancement<TypeParam>}) {
+    Random random(1);
+    Tally tally;
+    constexpr int kPairs = 300;
+    for (int i = 0; i < kPairs; ++i) {
+      const double size = random.decade(-3, 3);
+      judge<TypeParam>(find, random_moving_pair(random, size, 0, 10), tally);
+    }
+    expect_right(tally, kPairs);
   }
-  expect_right(tally, kPairs);
 }
 
 TYPED_TEST(TimeOfImpact, SlowRotationIsAsExhaustionSays) {
-  Random random(2);
-  Tally tally;
-  constexpr int kPairs = 300;
-  for (int i = 0; i < kPairs; ++i) {
-    const double size = random.decade(-3, 3);
-    const double turn = random.decade(-1, 1);
-    judge<TypeParam>(random_moving_pair(random, size, turn, 10), 1e-5, tally);
+  for (const Find<TypeParam> find :
+       {&time_of_impact<TypeParam>, &conservative_advancement<TypeParam>}) {
+    Random random(2);
+    Tally tally;
+    constexpr int kPairs = 300;
+    for (int i = 0; i < kPairs; ++i) {
+      const double size = random.decade(-3, 3);
+      const double turn = random.decade(-1, 1);
+      judge<TypeParam>(find, random_moving_pair(random, size, turn, 10), tally);
+    }
+    expect_right(tally, kPairs);
   }
-  expect_right(tally, kPairs);
 }
 
 TYPED_TEST(TimeOfImpact, SlowNothingIsLostFarFromTheOrigin) {
   using S = TypeParam;
-  Random random(3);
-  Tally tally;
-  constexpr int kPairs = 100;
-  for (int i = 0; i < kPairs; ++i) {
-    MovingPair<double> pair = random_moving_pair(random, 0.5, 2, 10);
-    const Vec3d away = 1000 * random.unit_vector();
-    for (Motion<double>* motion : {&pair.motion_a, &pair.motion_b}) motion->start.position += away;
-    judge<S>(pair, 1e-5, tally);
+  for (const Find<TypeParam> find :
+       {&time_of_impact<TypeParam>, &conservative_advancement<TypeParam>}) {
+    Random random(3);
+    Tally tally;
+    constexpr int kPairs = 100;
+    for (int i = 0; i < kPairs; ++i) {
+      MovingPair<double> pair = random_moving_pair(random, 0.5, 2, 10);
+      const Vec3d away = 1000 * random.unit_vector();
+      for (Motion<double>* motion : {&pair.motion_a, &pair.motion_b})
+        motion->start.position += away;
+      judge<S>(find, pair, tally);
+    }
+    expect_right(tally, kPairs);
   }
-  expect_right(tally, kPairs);
 }
 
 /// A ball and a wall: the time is the gap over the speed.

@@ -48,8 +48,9 @@ struct ImpactStep {
   S time;        // of the distance
   S distance;    // between the surfaces, metres
   Vec3<S> axis;  // unit, from A to B, world: along it the shapes are apart
-  /// Of the last projection on the axis: from `time` on, where the separation along the axis was
-  /// measured again, and what it was.
+  /// Of the last projection on the axis: when the separation along it was measured again, and what it
+  /// was. By conservative advancement, which measures no second time, the fastest that they can come
+  /// nearer: where the distance would be used up, and 0.
   S bracket_end;
   S bracket_separation;
   S safe;  // until then they cannot meet
@@ -61,8 +62,9 @@ struct ImpactRun {
   std::vector<ImpactStep<S>> steps;
 };
 
-/// A tenth of this are enough for all but a shape that glides past at about the tolerance.
-inline constexpr int kMaxImpactSteps = 128;
+/// A tenth of this are enough for all but shapes that glide past each other at about the tolerance, or
+/// that spin many times while conservative advancement looks on.
+inline constexpr int kMaxImpactSteps = 256;
 
 /// How near is a hit: the larger one of both, and no less than 32 roundings of the pair's extent.
 template <class S>
@@ -82,9 +84,18 @@ struct ImpactTolerance {
 /// subtracted before anything else is computed, so that nothing is lost far from the origin but what
 /// the coordinates have lost already.
 ///
-/// `run`: null when nobody watches.
+/// By the roots of the separation along the axis that GJK names, which is bounded from both ends of
+/// what is left of the step. `run`: null when nobody watches.
 template <class S>
 ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
                                const ImpactTolerance<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+
+/// The same by the distance over the fastest that any two points can come nearer along the axis
+/// (Mirtich 1996, "Impulse-based Dynamic Simulation", section 2.3). It never looks ahead, so that a
+/// spin costs it many more steps.
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingShape<S>& a, const MovingShape<S>& b,
+                                         const ImpactTolerance<S>& allowed = {},
+                                         ImpactRun<S>* run = nullptr);
 
 }  // namespace contactscope
