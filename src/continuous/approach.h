@@ -14,12 +14,10 @@ template <class S>
 class Turning {
  public:
   explicit Turning(const MovingShape<S>& shape)
-      : core_(shape.core),
-        pivot_(shape.motion.pivot),
-        turn_(shape.motion.turn),
-        start_(shape.motion.start.rotation) {
-    angle_ = turn_.norm();
-    if (angle_ > S(0)) axis_ = turn_ / angle_;
+      : core_(shape.core), pivot_(shape.motion.pivot), start_(shape.motion.start.rotation) {
+    const Vec3<S>& turn = shape.motion.turn;
+    angle_ = turn.norm();
+    if (angle_ > S(0)) axis_ = turn / angle_;
     const Vec3<S> local_axis = start_.conjugate() * axis_;
     const auto reach_over = [&](const Vec3<S>& point, S radius) {
       const Vec3<S> arm = point - pivot_;
@@ -44,19 +42,13 @@ class Turning {
   }
   /// No point's acceleration along `direction`, a unit vector, is larger; metres a step squared. It
   /// points to the axis, so nothing of it is along the axis.
-  S acceleration(const Vec3<S>& direction) const {
-    if (angle_ == S(0)) return 0;
-    return angle_ * speed() * direction.cross(axis_).norm();
-  }
+  S acceleration(const Vec3<S>& direction) const { return angle_ * speed(direction); }
+  /// Along any.
+  S acceleration() const { return angle_ * speed(); }
 
   /// At a time: from the shape's frame.
   Quat<S> rotation(S time) const {
-    if (angle_ == S(0)) return start_;
-    const S half = S(0.5) * time * angle_;
-    Quat<S> by;
-    by.w() = std::cos(half);
-    by.vec() = std::sin(half) * axis_;
-    return by * start_;
+    return angle_ == S(0) ? start_ : turned(start_, axis_, time * angle_);
   }
   /// How far it reaches along a direction at a time.
   S extent(const Vec3<S>& direction, S time) const {
@@ -68,21 +60,37 @@ class Turning {
 
  private:
   SupportSet<S> core_;
-  Vec3<S> pivot_, turn_;
+  Vec3<S> pivot_;
   Quat<S> start_;
   S angle_ = 0;
   Vec3<S> axis_ = Vec3<S>::UnitX();
   S reach_ = 0, from_axis_ = 0;
 };
 
-/// Both shapes as seen from a frame that goes with A's pivot and does not turn.
+/// From A's to B's at time 0. The positions are subtracted first: far from the origin they have digits
+/// in common.
+template <class S>
+Vec3<S> between_pivots(const Motion<S>& a, const Motion<S>& b) {
+  const Vec3<S> origins = b.start.position - a.start.position;
+  return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
+}
+
+/// The closest points of both cores at a time, in a frame that goes with A's pivot and does not turn.
+template <class S>
+struct Closest {
+  S distance = 0;                   // metres; 0 where they touch or overlap
+  Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
+  Vec3<S> on_a, on_b;               // of meaning if they are apart
+};
+
+/// Two convex shapes as seen from a frame that goes with A's pivot and does not turn.
 template <class S>
 class Approach {
  public:
   Approach(const MovingShape<S>& a, const MovingShape<S>& b)
       : a_(a),
         b_(b),
-        from_a_to_b_(between(a.motion, b.motion)),
+        from_a_to_b_(between_pivots(a.motion, b.motion)),
         displacement_(b.motion.displacement - a.motion.displacement) {}
 
   S scale() const {
@@ -103,29 +111,27 @@ class Approach {
   S closing_speed(const Vec3<S>& axis) const {
     return a_.speed(axis) + b_.speed(axis) - axis.dot(displacement_);
   }
-  Quat<S> rotation_of_a(S time) const { return a_.rotation(time); }
-  Vec3<S> pivot_of_a() const { return a_.pivot(); }
 
-  GjkResult<S> distance(S time, const Quat<S>& rotation_of_a, const GjkSimplex<S>* warm) const {
-    const Quat<S> rotation_of_b = b_.rotation(time);
+  /// Goes on from the simplex of the call before.
+  Closest<S> measure(S time) {
+    const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
     const Quat<S> to_a = rotation_of_a.conjugate();
+    const Vec3<S> b_origin = from_a_to_b_ + time * displacement_ - rotation_of_b * b_.pivot();
     Pose<S> b_in_a;
     b_in_a.rotation = to_a * rotation_of_b;
-    const Vec3<S> b_origin = from_a_to_b_ + time * displacement_ - rotation_of_b * b_.pivot();
     b_in_a.position = to_a * b_origin + a_.pivot();
-    return gjk(a_.core(), b_.core(), b_in_a, warm);
+    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr);
+    is_measured_ = true;
+    return {gjk_.status == GjkStatus::Separated ? gjk_.distance : S(0), rotation_of_a * gjk_.normal,
+            rotation_of_a * (gjk_.on_a - a_.pivot()), rotation_of_a * (gjk_.on_b - a_.pivot())};
   }
 
  private:
-  /// The positions are subtracted first: far from the origin they have digits in common.
-  static Vec3<S> between(const Motion<S>& a, const Motion<S>& b) {
-    const Vec3<S> origins = b.start.position - a.start.position;
-    return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
-  }
-
   Turning<S> a_, b_;
   Vec3<S> from_a_to_b_;  // pivots at time 0
   Vec3<S> displacement_;
+  GjkResult<S> gjk_;  // of the last measurement
+  bool is_measured_ = false;
 };
 
 }  // namespace contactscope

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "continuous/motion.h"
+#include "core/plane.h"
 #include "query/support_set.h"
 
 namespace contactscope {
@@ -28,10 +29,17 @@ struct MovingShape {
   S radius = 0;  // metres, of a sphere or a capsule
 };
 
+/// Everything below a plane, which moves.
+template <class S>
+struct MovingPlane {
+  Plane<S> plane;  // of the shape's frame
+  Motion<S> motion;
+};
+
 template <class S>
 struct ImpactResult {
   ImpactStatus status = ImpactStatus::OutOfIterations;
-  S time = 0;  // fraction of the step; 1 when Separated
+  S time = 0;  // fraction of the step; ImpactLimits::until when Separated
   S distance =
       0;  // between the surfaces at `time`, metres; of Separated the last that was measured
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, world, at `time`; of a Hit
@@ -67,12 +75,14 @@ struct ImpactRun {
 inline constexpr int kMaxImpactSteps = 256;
 
 /// How near is a hit: the larger one of both, and no less than 32 roundings of the pair's extent.
+/// And until when one looks.
 template <class S>
-struct ImpactTolerance {
+struct ImpactLimits {
   S gap = 0;  // metres
   /// Of the way that any point of one shape goes beside the other in the step, at most: what meets
   /// head on is told so much of the step too early at most.
   S of_motion = S(1e-5);
+  S until = 1;  // fraction of the step, > 0
 };
 
 /// The first time in a step at which two convex shapes are within the tolerance of each other. Shapes
@@ -88,14 +98,21 @@ struct ImpactTolerance {
 /// what is left of the step. `run`: null when nobody watches.
 template <class S>
 ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
-                               const ImpactTolerance<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+                               const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+template <class S>
+ImpactResult<S> time_of_impact(const MovingPlane<S>& a, const MovingShape<S>& b,
+                               const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
 
 /// The same by the distance over the fastest that any two points can come nearer along the axis
 /// (Mirtich 1996, "Impulse-based Dynamic Simulation", section 2.3). It never looks ahead, so that a
 /// spin costs it many more steps.
 template <class S>
 ImpactResult<S> conservative_advancement(const MovingShape<S>& a, const MovingShape<S>& b,
-                                         const ImpactTolerance<S>& allowed = {},
+                                         const ImpactLimits<S>& allowed = {},
+                                         ImpactRun<S>* run = nullptr);
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingPlane<S>& a, const MovingShape<S>& b,
+                                         const ImpactLimits<S>& allowed = {},
                                          ImpactRun<S>* run = nullptr);
 
 }  // namespace contactscope

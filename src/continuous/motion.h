@@ -1,8 +1,19 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/pose.h"
 
 namespace contactscope {
+
+/// A rotation, followed by one about a unit vector by an angle in radians.
+template <class S>
+Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
+  Quat<S> by;
+  by.w() = std::cos(S(0.5) * angle);
+  by.vec() = std::sin(S(0.5) * angle) * axis;
+  return by * rotation;
+}
 
 /// How a rigid body moves in a step: a point of it goes straight on at constant speed, and about
 /// that point the body turns at a constant rate. Time is a fraction of the step, from 0 to 1.

@@ -13,17 +13,19 @@ struct Apart {
   S distance = 0;                   // of the cores, and their separation along the axis
   S target = 0;                     // separation down to which they are apart for certain
   S near = 0;                       // > target: at which it is a hit
+  S until = 1;                      // nobody asks what is later
 };
 
 /// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
 /// `result.time` to where they cannot yet be nearer than the target, and measures again, until they
-/// are near or the step is over. `result.time` of 1 after that is the end: they stay apart.
-template <class S, class Advance>
-ImpactResult<S> search_impact(const MovingShape<S>& a, const MovingShape<S>& b,
-                              const ImpactTolerance<S>& allowed, ImpactRun<S>* run,
+/// are near or the step is over. `result.time` of allowed.until after that is the end: they stay
+/// apart. `approach` measures in a
+/// frame that goes with the pivot of `of_a`.
+template <class S, class Approach, class Advance>
+ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Motion<S>& of_a,
+                              const ImpactLimits<S>& allowed, ImpactRun<S>* run,
                               const Advance& advance) {
-  const Approach<S> approach(a, b);
-  const S radii = a.radius + b.radius;
+  const S radii = radius_a + radius_b;
   const S rounding = tie_tolerance(approach.scale() + radii);
   const S tolerance =
       std::max({allowed.gap, allowed.of_motion * approach.largest_motion(), S(8) * rounding});
@@ -35,13 +37,11 @@ ImpactResult<S> search_impact(const MovingShape<S>& a, const MovingShape<S>& b,
     return result;
   };
   Apart<S> apart;
-  GjkResult<S> closest;
+  apart.until = allowed.until;
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
-    const Quat<S> rotation_of_a = approach.rotation_of_a(result.time);
-    closest = approach.distance(result.time, rotation_of_a,
-                                result.steps > 1 ? &closest.simplex : nullptr);
-    apart.distance = closest.status == GjkStatus::Separated ? closest.distance : S(0);
-    apart.axis = rotation_of_a * closest.normal;
+    const Closest<S> closest = approach.measure(result.time);
+    apart.distance = closest.distance;
+    apart.axis = closest.axis;
     result.distance = apart.distance - radii;
     if (result.steps == 1) {
       if (result.distance <= S(8) * rounding) return ended(ImpactStatus::Overlapping);
@@ -50,24 +50,21 @@ ImpactResult<S> search_impact(const MovingShape<S>& a, const MovingShape<S>& b,
       apart.near = radii + S(0.75) * within;
     }
     if (apart.distance <= apart.near) {
-      result.normal = apart.axis;
-      const auto in_world = [&](const Vec3<S>& point) -> Vec3<S> {
-        return a.motion.start.transform(a.motion.pivot) + result.time * a.motion.displacement +
-               rotation_of_a * (point - approach.pivot_of_a());
-      };
-      result.on_a = in_world(closest.on_a) + a.radius * apart.axis;
-      result.on_b = in_world(closest.on_b) - b.radius * apart.axis;
+      const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
+      result.normal = closest.axis;
+      result.on_a = origin + closest.on_a + radius_a * closest.axis;
+      result.on_b = origin + closest.on_b - radius_b * closest.axis;
       return ended(ImpactStatus::Hit);
     }
-    ImpactStep<S> step{result.time, result.distance, apart.axis, 1, 0, 0};
+    ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
     advance(approach, apart, result, step);
     if (run != nullptr) [[unlikely]] {
       step.bracket_separation -= radii;
       step.safe = result.time;
       run->steps.push_back(step);
     }
-    if (result.time >= S(1)) {
-      result.time = 1;
+    if (result.time >= apart.until) {
+      result.time = apart.until;
       return ended(ImpactStatus::Separated);
     }
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuous/approach_to_plane.h"
 #include "continuous/search_impact.h"
 
 namespace contactscope {
@@ -26,18 +27,15 @@ S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
   return std::min(root, S(1));
 }
 
-}  // namespace
-
-template <class S>
-ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
-                               const ImpactTolerance<S>& allowed, ImpactRun<S>* run) {
-  // Along the axis the shapes stay apart for a while: until when, at the least? The bracket from the
-  // safe time to where the separation is below the target shrinks until it is no longer worth it.
-  const auto advance = [](const Approach<S>& approach, const Apart<S>& apart,
-                          ImpactResult<S>& result, ImpactStep<S>& step) {
+/// Along the axis the shapes stay apart for a while: until when, at the least? The bracket from the
+/// safe time to where the separation is below the target shrinks until it is no longer worth it.
+struct RootBrackets {
+  template <class Approach, class S>
+  void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
+                  ImpactStep<S>& step) const {
     constexpr int kMostBrackets = 4;
     const S acceleration = approach.acceleration(apart.axis);
-    S separation = apart.distance, end = 1;
+    S separation = apart.distance, end = apart.until;
     for (int tries = 0; tries < kMostBrackets; ++tries) {
       const S at_end = approach.separation(apart.axis, end);
       ++result.bounds;
@@ -56,11 +54,32 @@ ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
           at_end < apart.target ? (separation - apart.target) / (separation - at_end) : S(0.5);
       end = result.time + left * std::min(line, S(0.9));
     }
-  };
-  return search_impact(a, b, allowed, run, advance);
+  }
+};
+
+}  // namespace
+
+template <class S>
+ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
+                               const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search_impact(Approach<S>(a, b), a.radius, b.radius, a.motion, allowed, run,
+                       RootBrackets());
 }
 
-template decltype(time_of_impact<float>) time_of_impact<float>;
-template decltype(time_of_impact<double>) time_of_impact<double>;
+template <class S>
+ImpactResult<S> time_of_impact(const MovingPlane<S>& a, const MovingShape<S>& b,
+                               const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search_impact(ApproachToPlane<S>(a, b), S(0), b.radius, a.motion, allowed, run,
+                       RootBrackets());
+}
+
+template ImpactResult<float> time_of_impact(const MovingShape<float>&, const MovingShape<float>&,
+                                            const ImpactLimits<float>&, ImpactRun<float>*);
+template ImpactResult<double> time_of_impact(const MovingShape<double>&, const MovingShape<double>&,
+                                             const ImpactLimits<double>&, ImpactRun<double>*);
+template ImpactResult<float> time_of_impact(const MovingPlane<float>&, const MovingShape<float>&,
+                                            const ImpactLimits<float>&, ImpactRun<float>*);
+template ImpactResult<double> time_of_impact(const MovingPlane<double>&, const MovingShape<double>&,
+                                             const ImpactLimits<double>&, ImpactRun<double>*);
 
 }  // namespace contactscope
