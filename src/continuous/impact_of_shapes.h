@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "continuous/impact.h"
+#include "geometry/shape.h"
+
+namespace contactscope {
+
+enum class ImpactMethod { ConservativeAdvancement, TimeOfImpact };
+
+template <class S>
+struct ShapeImpact {
+  ImpactResult<S> result;
+  int triangle = -1;  // of a mesh, that is met first, or overlapped
+  int triangles = 0;  // of a mesh, that were asked
+};
+
+/// Why two kinds of shapes cannot be asked, in either order: planes or meshes of each other. Nothing
+/// where they can.
+std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
+
+/// The first time in a step at which two shapes are within the tolerance: time_of_impact() for any two
+/// kinds but those that impact_refusal() names. A mesh is its triangles, each with two sides; a ball
+/// that does not meet one that turns meets it exactly (sweep_sphere_triangle). A mesh that overlaps at
+/// the start by one triangle is Overlapping, whatever comes later.
+///
+/// `run` records the search against the triangle that is met first, and of a mesh that is not met
+/// nothing.
+template <class S>
+ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Motion<S>& motion_a, const Shape<S>& b,
+                                const Motion<S>& motion_b, ImpactMethod method,
+                                const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+
+}  // namespace contactscope
