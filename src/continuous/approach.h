@@ -70,7 +70,7 @@ class Turning {
 /// From A's to B's at time 0. The positions are subtracted first: far from the origin they have digits
 /// in common.
 template <class S>
-Vec3<S> between_pivots(const Motion<S>& a, const Motion<S>& b) {
+Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
   const Vec3<S> origins = b.start.position - a.start.position;
   return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "continuous/motion.h"
+#include "continuous/sweep.h"
 #include "core/plane.h"
 #include "query/support_set.h"
 
@@ -25,7 +25,7 @@ constexpr const char* to_string(ImpactStatus status) {
 template <class S>
 struct MovingShape {
   SupportSet<S> core;
-  Motion<S> motion;
+  Sweep<S> motion;
   S radius = 0;  // metres, of a sphere or a capsule
 };
 
@@ -33,7 +33,7 @@ struct MovingShape {
 template <class S>
 struct MovingPlane {
   Plane<S> plane;  // of the shape's frame
-  Motion<S> motion;
+  Sweep<S> motion;
 };
 
 template <class S>

@@ -20,7 +20,7 @@ ImpactResult<S> impact_by(ImpactMethod method, const A& a, const MovingShape<S>&
 /// The core of a convex shape, or of a mesh as a plane meets it: by its vertices. A sphere's centre
 /// is `centre`, which must outlive the result.
 template <class S>
-MovingShape<S> moving(const Shape<S>& shape, const Motion<S>& motion, const Vec3<S>& centre) {
+MovingShape<S> moving(const Shape<S>& shape, const Sweep<S>& motion, const Vec3<S>& centre) {
   switch (kind_of(shape)) {
     case ShapeKind::Sphere:
       return {support_set(centre), motion, std::get<Sphere<S>>(shape).radius};
@@ -41,7 +41,7 @@ MovingShape<S> moving(const Shape<S>& shape, const Motion<S>& motion, const Vec3
 /// which it is looked at, a point that is accelerated by no more than k is off the straight line by
 /// no more than k / 8 times the square of the time between.
 template <class S>
-Aabb<S> swept_box(const MovingShape<S>& shape, const Motion<S>& of_mesh) {
+Aabb<S> swept_box(const MovingShape<S>& shape, const Sweep<S>& of_mesh) {
   const Turning<S> turning(shape);
   const bool turns = !of_mesh.turn.isZero(S(0)) || !shape.motion.turn.isZero(S(0));
   const Vec3<S> between = between_pivots(of_mesh, shape.motion);
@@ -57,7 +57,7 @@ Aabb<S> swept_box(const MovingShape<S>& shape, const Motion<S>& of_mesh) {
   Aabb<S> box;
   for (int i = 0; i <= looks; ++i) {
     const S time = static_cast<S>(i) / static_cast<S>(looks);
-    Motion<S> turning_mesh;
+    Sweep<S> turning_mesh;
     turning_mesh.start.rotation = of_mesh.start.rotation;
     turning_mesh.turn = of_mesh.turn;
     const Quat<S> to_mesh = turning_mesh.at(time).rotation.conjugate();
@@ -74,7 +74,7 @@ Aabb<S> swept_box(const MovingShape<S>& shape, const Motion<S>& of_mesh) {
 
 /// A ball against one triangle of a mesh, neither of which turns the other's way: exactly.
 template <class S>
-ImpactResult<S> ball_against(const std::array<Vec3<S>, 3>& corners, const Motion<S>& of_mesh,
+ImpactResult<S> ball_against(const std::array<Vec3<S>, 3>& corners, const Sweep<S>& of_mesh,
                              const MovingShape<S>& ball) {
   // In a frame that goes with the mesh's origin. Its axes are the world's.
   const Vec3<S> start = (ball.motion.start.position - of_mesh.start.position) +
@@ -100,7 +100,7 @@ ImpactResult<S> ball_against(const std::array<Vec3<S>, 3>& corners, const Motion
 }
 
 template <class S>
-ShapeImpact<S> mesh_impact(const Mesh<S>& mesh, const Motion<S>& of_mesh,
+ShapeImpact<S> mesh_impact(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
                            const MovingShape<S>& shape, ImpactMethod method,
                            ImpactLimits<S> allowed, ImpactRun<S>* run) {
   ShapeImpact<S> found;
@@ -157,15 +157,15 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
 }
 
 template <class S>
-ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Motion<S>& motion_a, const Shape<S>& b,
-                                const Motion<S>& motion_b, ImpactMethod method,
+ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, const Shape<S>& b,
+                                const Sweep<S>& motion_b, ImpactMethod method,
                                 const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
   const Vec3<S> centre = Vec3<S>::Zero();
   // A is the plane, or else the mesh, where there is one.
   const bool swapped = kind_of(b) == ShapeKind::Plane ||
                        (kind_of(b) == ShapeKind::Mesh && kind_of(a) != ShapeKind::Plane);
   const Shape<S>& first = swapped ? b : a;
-  const Motion<S>& of_first = swapped ? motion_b : motion_a;
+  const Sweep<S>& of_first = swapped ? motion_b : motion_a;
   const MovingShape<S> second = swapped ? moving(a, motion_a, centre) : moving(b, motion_b, centre);
   ShapeImpact<S> found;
   if (const auto* plane = std::get_if<HalfSpace<S>>(&first)) {

@@ -10,6 +10,12 @@ namespace contactscope {
 
 enum class ImpactMethod { ConservativeAdvancement, TimeOfImpact };
 
+/// "conservative_advancement", "time_of_impact".
+constexpr const char* to_string(ImpactMethod method) {
+  constexpr const char* kNames[] = {"conservative_advancement", "time_of_impact"};
+  return kNames[static_cast<int>(method)];
+}
+
 template <class S>
 struct ShapeImpact {
   ImpactResult<S> result;
@@ -29,8 +35,8 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 /// `run` records the search against the triangle that is met first, and of a mesh that is not met
 /// nothing.
 template <class S>
-ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Motion<S>& motion_a, const Shape<S>& b,
-                                const Motion<S>& motion_b, ImpactMethod method,
+ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, const Shape<S>& b,
+                                const Sweep<S>& motion_b, ImpactMethod method,
                                 const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
 
 }  // namespace contactscope

@@ -22,7 +22,7 @@ struct Apart {
 /// apart. `approach` measures in a
 /// frame that goes with the pivot of `of_a`.
 template <class S, class Approach, class Advance>
-ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Motion<S>& of_a,
+ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
                               const ImpactLimits<S>& allowed, ImpactRun<S>* run,
                               const Advance& advance) {
   const S radii = radius_a + radius_b;

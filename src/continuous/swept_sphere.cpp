@@ -17,9 +17,10 @@ double first_root(double a, double b, double c) {
   return c / (-b + std::sqrt(discriminant));
 }
 
-class Sweep {
+class RoundedPrism {
  public:
-  Sweep(const Vec3d& start, const Vec3d& way, double radius, const std::array<Vec3d, 3>& corners)
+  RoundedPrism(const Vec3d& start, const Vec3d& way, double radius,
+               const std::array<Vec3d, 3>& corners)
       : start_(start), way_(way), radius_(radius), corners_(corners) {}
 
   SweptSphereHit first_hit() {
@@ -143,8 +144,9 @@ SweptSphereHit sweep_sphere_triangle(const Vec3<S>& start, const Vec3<S>& displa
   const auto relative = [&](const Vec3<S>& point) -> Vec3d {
     return point.template cast<double>() - origin;
   };
-  return Sweep(relative(start), displacement.template cast<double>(), static_cast<double>(radius),
-               {Vec3d::Zero(), relative(triangle[1]), relative(triangle[2])})
+  return RoundedPrism(relative(start), displacement.template cast<double>(),
+                      static_cast<double>(radius),
+                      {Vec3d::Zero(), relative(triangle[1]), relative(triangle[2])})
       .first_hit();
 }
 

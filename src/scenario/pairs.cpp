@@ -113,6 +113,16 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
              word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
+  table.read("continuous", settings.continuous, [](const Value& value) {
+    constexpr ImpactMethod kMethods[] = {ImpactMethod::ConservativeAdvancement,
+                                         ImpactMethod::TimeOfImpact};
+    const std::string word = value.one_of(
+        {"discrete", to_string(kMethods[0]), to_string(kMethods[1])}, "way to look between frames");
+    std::optional<ImpactMethod> chosen;
+    for (const ImpactMethod method : kMethods)
+      if (word == to_string(method)) chosen = method;
+    return chosen;
+  });
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "continuous/impact_of_shapes.h"
 #include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"
@@ -86,6 +87,8 @@ struct PipelineSettings {
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;
+  /// When the pair first meets in the step after each frame; none: nobody asks.
+  std::optional<ImpactMethod> continuous{};
   Question question;  // by default the manifold; its penetration method is `penetration`
 
   /// The solver and reducers get the pair's contacts.

@@ -17,7 +17,7 @@ namespace {
 using test::Random;
 
 constexpr std::array<ImpactMethod, 2> kImpactMethods = {ImpactMethod::ConservativeAdvancement,
-                                                  ImpactMethod::TimeOfImpact};
+                                                        ImpactMethod::TimeOfImpact};
 
 /// Triangles strewn about a ball of `size` metres.
 Mesh<double> random_mesh(Random& random, double size) {
@@ -44,8 +44,8 @@ Shape<double> random_convex(Random& random, double size) {
   }
 }
 
-Motion<double> random_motion(Random& random, double size, bool turns) {
-  Motion<double> motion;
+Sweep<double> random_motion(Random& random, double size, bool turns) {
+  Sweep<double> motion;
   motion.start = random.pose(size);
   motion.displacement = size * random.vector(-1, 1);
   motion.pivot = 0.2 * size * random.vector(-1, 1);
@@ -65,21 +65,22 @@ void meshes_are_met_as_their_triangles_are() {
     const double size = random.decade(-2, 2);
     const Mesh<double> mesh = random_mesh(random, size);
     const Shape<double> convex = random_convex(random, size);
-    Motion<double> of_mesh = random_motion(random, size, random.chance(0.5));
-    Motion<double> of_convex = random_motion(random, size, random.chance(0.5));
+    Sweep<double> of_mesh = random_motion(random, size, random.chance(0.5));
+    Sweep<double> of_convex = random_motion(random, size, random.chance(0.5));
     of_convex.start.position += 4 * size * random.unit_vector();
     const Vec3d aim = 1.5 * size * random.vector(-1, 1);
     of_convex.displacement += random.uniform(0.5, 2) * (aim - of_convex.start.position);
 
     const Shape<S> a = shape_cast<S>(Shape<double>(mesh)), b = shape_cast<S>(convex);
-    const Motion<S> motion_a = of_mesh.cast<S>(), motion_b = of_convex.cast<S>();
+    const Sweep<S> motion_a = of_mesh.cast<S>(), motion_b = of_convex.cast<S>();
     for (const ImpactMethod method : kImpactMethods) {
       const ShapeImpact<S> found = impact_of_shapes(a, motion_a, b, motion_b, method);
       double first = 2;
       for (int t = 0; t < mesh.triangle_count(); ++t) {
         const std::array<Vec3d, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1),
                                               mesh.corner(t, 2)};
-        const Shape<S> triangle = shape_cast<S>(Shape<double>(build_hull(corners, {.allow_flat = true})));
+        const Shape<S> triangle =
+            shape_cast<S>(Shape<double>(build_hull(corners, {.allow_flat = true})));
         const ShapeImpact<S> one = impact_of_shapes(triangle, motion_a, b, motion_b, method);
         if (one.result.status == ImpactStatus::Hit)
           first = std::min(first, static_cast<double>(one.result.time));
@@ -119,7 +120,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
   Random random(22);
   const Shape<float> plate = shape_cast<float>(Shape<double>(make_box(Vec3d(0.005, 3, 3))));
   const std::vector<Vec3d> corners = {Vec3d(0, -3, -3), Vec3d(0, 3, -3), Vec3d(0, 3, 3),
-                                        Vec3d(0, -3, 3)};
+                                      Vec3d(0, -3, 3)};
   const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
   const Shape<float> sheet = shape_cast<float>(Shape<double>(build_mesh(corners, triangles)));
   const Shape<float> ball = Sphere<float>{0.05f};
@@ -136,7 +137,7 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
         // It begins at 0.4 to 0.99 of its step before the wall, and passes its middle.
         const double way = speed * kStep;
         const double before = 0.4 + random.uniform(0.1, 0.9) * way;
-        Motion<double> flies, stands;
+        Sweep<double> flies, stands;
         flies.start = random.pose(0);
         flies.start.position = Vec3d(-before, 0, 0) + random.level(0.5, 0.2);
         flies.start.position.x() = -before;
@@ -166,7 +167,7 @@ TEST(ImpactOfShapes, APlaneIsMetByEveryOtherKind) {
   const std::array<Shape<double>, 4> shapes = {
       Sphere<double>{0.5}, Capsule<double>{{Vec3d(0, -0.25, 0), Vec3d(0, 0.25, 0)}, 0.25},
       make_box(Vec3d(0.5, 0.5, 0.5)), build_mesh(corners, triangle)};
-  Motion<double> stands, falls;
+  Sweep<double> stands, falls;
   falls.start.position = Vec3d(3, 1.5, 0);
   falls.displacement = Vec3d(1, -2, 0);
   for (const Shape<double>& shape : shapes) {

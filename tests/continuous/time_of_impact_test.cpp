@@ -41,7 +41,7 @@ struct Core {
 template <class S>
 struct MovingPair {
   Core<S> core_a, core_b;
-  Motion<S> motion_a, motion_b;
+  Sweep<S> motion_a, motion_b;
   S radius_a = 0, radius_b = 0;
 
   template <class T>
@@ -54,7 +54,7 @@ struct MovingPair {
 };
 
 /// The oracle's own way to move: an angle and an axis.
-Pose<double> placed(const Motion<double>& motion, double time) {
+Pose<double> placed(const Sweep<double>& motion, double time) {
   const double angle = motion.turn.norm();
   Quatd by = Quatd::Identity();
   if (angle > 0) by = Quatd(Eigen::AngleAxisd(time * angle, motion.turn / angle));
@@ -82,7 +82,7 @@ double true_distance(const MovingPair<double>& pair, double time) {
 
 /// No point of one moves farther beside the other in the step, metres.
 double most_motion(const MovingPair<double>& pair) {
-  const auto turning = [](const Core<double>& core, const Motion<double>& motion) {
+  const auto turning = [](const Core<double>& core, const Sweep<double>& motion) {
     double most = 0;
     for (const Vec3d& point : core.hull ? core.hull->vertices : core.points) {
       const Vec3d arm = motion.start.rotation.normalized() * (point - motion.pivot);
@@ -144,7 +144,7 @@ MovingPair<double> random_moving_pair(Random& random, double size, double most_t
   const Vec3d common = size * random.vector(-5, 5);
   pair.motion_a.displacement = common;
   pair.motion_b.displacement = common + relative;
-  for (Motion<double>* motion : {&pair.motion_a, &pair.motion_b}) {
+  for (Sweep<double>* motion : {&pair.motion_a, &pair.motion_b}) {
     motion->pivot = size * random.vector(-0.3, 0.3);
     if (most_turn > 0 && random.chance(0.8)) {
       const double angle = most_turn * random.uniform(0, 1);
@@ -276,8 +276,7 @@ TYPED_TEST(TimeOfImpact, SlowNothingIsLostFarFromTheOrigin) {
     for (int i = 0; i < kPairs; ++i) {
       MovingPair<double> pair = random_moving_pair(random, 0.5, 2, 10);
       const Vec3d away = 1000 * random.unit_vector();
-      for (Motion<double>* motion : {&pair.motion_a, &pair.motion_b})
-        motion->start.position += away;
+      for (Sweep<double>* motion : {&pair.motion_a, &pair.motion_b}) motion->start.position += away;
       judge<S>(find, pair, tally);
     }
     expect_right(tally, kPairs);
@@ -356,7 +355,7 @@ TYPED_TEST(TimeOfImpact, OverlapAtTheStartIsToldApartFromAHitAtZero) {
 
 /// B's lowest point over the plane, metres.
 double height(const MovingPlane<double>& plane, const Core<double>& core,
-              const Motion<double>& motion, double time) {
+              const Sweep<double>& motion, double time) {
   const Pose<double> a = placed(plane.motion, time), b = placed(motion, time);
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3d& point : core.hull ? core.hull->vertices : core.points) {

@@ -18,7 +18,7 @@ Quat<S> turned(const Quat<S>& rotation, const Vec3<S>& axis, S angle) {
 /// How a rigid body moves in a step: a point of it goes straight on at constant speed, and about
 /// that point the body turns at a constant rate. Time is a fraction of the step, from 0 to 1.
 template <class S>
-struct Motion {
+struct Sweep {
   Pose<S> start;                           // of the shape's frame in the world's, at time 0
   Vec3<S> pivot = Vec3<S>::Zero();         // that point, in the shape's frame, metres
   Vec3<S> displacement = Vec3<S>::Zero();  // of the pivot in the whole step, world, metres
@@ -27,7 +27,7 @@ struct Motion {
   Pose<S> at(S time) const;
 
   template <class T>
-  Motion<T> cast() const {
+  Sweep<T> cast() const {
     return {start.template cast<T>(), pivot.template cast<T>(), displacement.template cast<T>(),
             turn.template cast<T>()};
   }

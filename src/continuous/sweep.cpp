@@ -1,9 +1,9 @@
-#include "continuous/motion.h"
+#include "continuous/sweep.h"
 
 namespace contactscope {
 
 template <class S>
-Pose<S> Motion<S>::at(S time) const {
+Pose<S> Sweep<S>::at(S time) const {
   const S angle = turn.norm();
   Pose<S> pose = start;
   if (angle > S(0))
@@ -12,7 +12,7 @@ Pose<S> Motion<S>::at(S time) const {
   return pose;
 }
 
-template struct Motion<float>;
-template struct Motion<double>;
+template struct Sweep<float>;
+template struct Sweep<double>;
 
 }  // namespace contactscope
