@@ -29,10 +29,26 @@ double read_least_length(const Value& value) {
 
 /// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
 Keys with_settings(Keys keys) {
-  keys.insert(keys.end(),
-              {"scalar", "manifold", "reducer", "max_points", "margin", "cache", "preference",
-               "degenerate", "internal_edges", "core_margin", "breaking_distance", "confirm",
-               "penetration", "query", "bounds", "comparison", "tolerance", "axes", "skip_up_to"});
+  keys.insert(keys.end(), {"scalar",
+                           "manifold",
+                           "reducer",
+                           "max_points",
+                           "margin",
+                           "cache",
+                           "preference",
+                           "degenerate",
+                           "internal_edges",
+                           "core_margin",
+                           "breaking_distance",
+                           "confirm",
+                           "penetration",
+                           "continuous",
+                           "query",
+                           "bounds",
+                           "comparison",
+                           "tolerance",
+                           "axes",
+                           "skip_up_to"});
   return keys;
 }
 
