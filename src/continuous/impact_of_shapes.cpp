@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "continuous/approach.h"
+#include "continuous/approach_to_plane.h"
 #include "continuous/swept_sphere.h"
 
 namespace contactscope {
@@ -156,26 +156,53 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
          " meet is not known; one of the shapes must be convex, or a mesh against a plane";
 }
 
+namespace {
+
+/// Two shapes in the order in which they are worked on: a plane first, or else a mesh.
 template <class S>
-ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, const Shape<S>& b,
-                                const Sweep<S>& motion_b, ImpactMethod method,
-                                const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
-  const Vec3<S> centre = Vec3<S>::Zero();
-  // A is the plane, or else the mesh, where there is one.
-  const bool swapped = kind_of(b) == ShapeKind::Plane ||
-                       (kind_of(b) == ShapeKind::Mesh && kind_of(a) != ShapeKind::Plane);
-  const Shape<S>& first = swapped ? b : a;
-  const Sweep<S>& of_first = swapped ? motion_b : motion_a;
-  const MovingShape<S> second = swapped ? moving(a, motion_a, centre) : moving(b, motion_b, centre);
-  ShapeImpact<S> found;
-  if (const auto* plane = std::get_if<HalfSpace<S>>(&first)) {
-    found.result = impact_by(method, MovingPlane<S>{plane->plane, of_first}, second, allowed, run);
-  } else if (const auto* mesh = std::get_if<Mesh<S>>(&first)) {
-    found = mesh_impact(*mesh, of_first, second, method, allowed, run);
-  } else {
-    found.result = impact_by(method, moving(first, of_first, centre), second, allowed, run);
+struct Ordered {
+  Ordered(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b, const Sweep<S>& sweep_b)
+      : swapped(kind_of(b) == ShapeKind::Plane ||
+                (kind_of(b) == ShapeKind::Mesh && kind_of(a) != ShapeKind::Plane)),
+        first(swapped ? b : a),
+        of_first(swapped ? sweep_b : sweep_a),
+        second(swapped ? moving(a, sweep_a, centre) : moving(b, sweep_b, centre)) {}
+
+  Vec3<S> centre = Vec3<S>::Zero();  // of a sphere
+  bool swapped;
+  const Shape<S>& first;
+  const Sweep<S>& of_first;
+  MovingShape<S> second;
+};
+
+template <class S, class Approach>
+std::vector<S> measured(Approach&& approach, S radii, int count) {
+  std::vector<S> distances;
+  for (int i = 0; i < count; ++i) {
+    const S time = static_cast<S>(i) / static_cast<S>(count - 1);
+    distances.push_back(std::max(approach.measure(time).distance - radii, S(0)));
   }
-  if (swapped) {
+  return distances;
+}
+
+}  // namespace
+
+template <class S>
+ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                                const Sweep<S>& sweep_b, ImpactMethod method,
+                                const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  const Ordered<S> pair(a, sweep_a, b, sweep_b);
+  ShapeImpact<S> found;
+  if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first)) {
+    found.result =
+        impact_by(method, MovingPlane<S>{plane->plane, pair.of_first}, pair.second, allowed, run);
+  } else if (const auto* mesh = std::get_if<Mesh<S>>(&pair.first)) {
+    found = mesh_impact(*mesh, pair.of_first, pair.second, method, allowed, run);
+  } else {
+    found.result = impact_by(method, moving(pair.first, pair.of_first, pair.centre), pair.second,
+                             allowed, run);
+  }
+  if (pair.swapped) {
     swap_sides(found.result);
     if (run != nullptr) {
       swap_sides(run->result);
@@ -185,7 +212,28 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, con
   return found;
 }
 
+template <class S>
+std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                                 const Sweep<S>& sweep_b, int triangle, int count) {
+  const Ordered<S> pair(a, sweep_a, b, sweep_b);
+  if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first))
+    return measured<S>(ApproachToPlane<S>({plane->plane, pair.of_first}, pair.second),
+                       pair.second.radius, count);
+  std::array<Vec3<S>, 3> corners;
+  MovingShape<S> first;
+  if (const auto* mesh = std::get_if<Mesh<S>>(&pair.first)) {
+    if (triangle < 0) return {};
+    for (int k = 0; k < 3; ++k) at(corners, k) = mesh->corner(triangle, k);
+    first = {{corners.data(), 3, nullptr}, pair.of_first, 0};
+  } else {
+    first = moving(pair.first, pair.of_first, pair.centre);
+  }
+  return measured<S>(Approach<S>(first, pair.second), first.radius + pair.second.radius, count);
+}
+
 template decltype(impact_of_shapes<float>) impact_of_shapes<float>;
 template decltype(impact_of_shapes<double>) impact_of_shapes<double>;
+template decltype(distances_through<float>) distances_through<float>;
+template decltype(distances_through<double>) distances_through<double>;
 
 }  // namespace contactscope

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "continuous/impact.h"
 #include "geometry/shape.h"
@@ -38,5 +39,12 @@ template <class S>
 ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, const Shape<S>& b,
                                 const Sweep<S>& motion_b, ImpactMethod method,
                                 const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+
+/// The distance of the surfaces, metres, at `count` > 1 times of the step, the first at 0 and the last at
+/// 1, evenly apart; 0 where they overlap. Of a mesh that of `triangle`, and nothing for -1. It is what
+/// the search looks at, for pictures.
+template <class S>
+std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                                 const Sweep<S>& sweep_b, int triangle, int count);
 
 }  // namespace contactscope

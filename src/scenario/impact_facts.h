@@ -46,12 +46,16 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
                       .triangle = found.triangle,
                       .travel_a = travel_of(sweep_a),
                       .travel_b = travel_of(sweep_b),
+                      .distances = {},
                       .steps = {}};
   if (found.result.status == ImpactStatus::Hit) {
     facts.normal = found.result.normal.template cast<double>();
     facts.point_a = found.result.on_a.template cast<double>();
     facts.point_b = found.result.on_b.template cast<double>();
   }
+  constexpr int kDistances = 65;
+  for (const S distance : distances_through<S>(a, sweep_a, b, sweep_b, found.triangle, kDistances))
+    facts.distances.push_back(static_cast<double>(distance));
   for (const ImpactStep<S>& step : run.steps)
     facts.steps.push_back({static_cast<double>(step.time), static_cast<double>(step.distance),
                            step.axis.template cast<double>(), static_cast<double>(step.bracket_end),

@@ -54,6 +54,7 @@ struct Impact {
   Vec3d point_b = Vec3d::Zero();
   int triangle = -1;  // of a mesh, that is met first; -1: none
   Travel travel_a, travel_b;
+  std::vector<double> distances;  // of the surfaces through the step, evenly apart, metres
   std::vector<ImpactStep> steps;
 
   static constexpr auto fields() {
@@ -67,6 +68,7 @@ struct Impact {
         field::exact("triangle", &I::triangle).where_set(),
         field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
         field::fact("travel_b", &I::travel_b),
+        field::length("distances", &I::distances).where_set(),
         field::facts("steps", &I::steps).entries("step of the search"));
   }
   friend bool operator==(const Impact&, const Impact&) = default;
