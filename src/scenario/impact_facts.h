@@ -55,7 +55,8 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
   }
   constexpr int kDistances = 65;
   for (const S distance : distances_through<S>(a, sweep_a, b, sweep_b, found.triangle, kDistances))
-    facts.distances.push_back(static_cast<double>(distance));
+    facts.distances.push_back({static_cast<double>(facts.distances.size()) / (kDistances - 1),
+                               static_cast<double>(distance)});
   for (const ImpactStep<S>& step : run.steps)
     facts.steps.push_back({static_cast<double>(step.time), static_cast<double>(step.distance),
                            step.axis.template cast<double>(), static_cast<double>(step.bracket_end),

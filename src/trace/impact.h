@@ -44,6 +44,18 @@ struct ImpactStep {
   friend bool operator==(const ImpactStep&, const ImpactStep&) = default;
 };
 
+/// How far apart the surfaces are at some time, whoever looks.
+struct DistanceAt {
+  double time = 0;      // fraction of the scenario's step
+  double distance = 0;  // metres; 0 where they overlap
+
+  static constexpr auto fields() {
+    return std::tuple(field::ratio("time", &DistanceAt::time),
+                      field::length("distance", &DistanceAt::distance));
+  }
+  friend bool operator==(const DistanceAt&, const DistanceAt&) = default;
+};
+
 struct Impact {
   std::string method;             // "conservative_advancement", "time_of_impact"
   std::string status;             // "separated", "hit", "overlapping", "out_of_iterations"
@@ -54,7 +66,7 @@ struct Impact {
   Vec3d point_b = Vec3d::Zero();
   int triangle = -1;  // of a mesh, that is met first; -1: none
   Travel travel_a, travel_b;
-  std::vector<double> distances;  // of the surfaces through the step, evenly apart, metres
+  std::vector<DistanceAt> distances;  // through the step, evenly apart
   std::vector<ImpactStep> steps;
 
   static constexpr auto fields() {
@@ -68,7 +80,7 @@ struct Impact {
         field::exact("triangle", &I::triangle).where_set(),
         field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
         field::fact("travel_b", &I::travel_b),
-        field::length("distances", &I::distances).where_set(),
+        field::facts("distances", &I::distances).where_set().entries("distance"),
         field::facts("steps", &I::steps).entries("step of the search"));
   }
   friend bool operator==(const Impact&, const Impact&) = default;

@@ -61,7 +61,9 @@ class ApproachPanel : public PanelContent {
                      rest.width - pen.px(kApproachGutter + 6),
                      rest.height - pen.px(kApproachBelow)};
     if (chart.height <= 0) return;
-    const double most = std::max(*std::ranges::max_element(impact.distances), 1e-300);
+    const double most = std::max(
+        std::ranges::max_element(impact.distances, {}, &trace::DistanceAt::distance)->distance,
+        1e-300);
     const auto place = [&](double time, double distance) {
       const double up = std::clamp(distance / most, 0.0, 1.0);
       return pixel(chart.x + time * chart.width, chart.y + (1 - up) * chart.height);
@@ -75,9 +77,8 @@ class ApproachPanel : public PanelContent {
     pen.text("1", pixel(chart.x + chart.width, below), Align::Center, kQuietText);
 
     std::vector<Point2> curve;
-    const double last = static_cast<double>(impact.distances.size() - 1);
-    for (std::size_t i = 0; i < impact.distances.size(); ++i)
-      curve.push_back(place(static_cast<double>(i) / last, impact.distances[i]));
+    for (const trace::DistanceAt& at : impact.distances)
+      curve.push_back(place(at.time, at.distance));
     pen.path(curve, 2, kShapeEdge);
     for (const trace::ImpactStep& step : impact.steps) {
       pen.line(place(step.time, step.distance), place(step.safe, 0), 1.5, kAxis);
@@ -93,7 +94,8 @@ class ApproachPanel : public PanelContent {
     const double place = time * static_cast<double>(impact.distances.size() - 1);
     const auto before = std::min(static_cast<std::size_t>(place), impact.distances.size() - 2);
     const double part = place - static_cast<double>(before);
-    return (1 - part) * impact.distances[before] + part * impact.distances[before + 1];
+    return (1 - part) * impact.distances[before].distance +
+           part * impact.distances[before + 1].distance;
   }
 
   const Frames& frames_;
