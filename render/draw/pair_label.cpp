@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <ranges>
+#include <set>
 
 #include "core/convex_polygon.h"
 #include "draw/scene/solid.h"
@@ -12,20 +12,38 @@ namespace {
 
 constexpr float kPairLabelSize = 20;  // pixels
 constexpr double kPairLabelGap = 9;   // pixels between a silhouette and the label
+constexpr int kMostRows = 4;          // of labels that have one body
+constexpr double kRowHeight = 24;     // pixels
 
-// The body that moves where only one does, also when it has fallen below the other; else the upper.
+/// How many other labels are of a pair that this body is in.
+std::size_t other_labels_of(const std::string& body, const Scene& scene, const trace::Pair& pair) {
+  std::set<std::string_view> labels;
+  for (const trace::Pair& other : scene.frame.pairs)
+    if ((other.a == body || other.b == body) && other.label != pair.label)
+      labels.insert(other.label);
+  labels.erase(std::string_view());
+  return labels.size();
+}
+
+// The body that moves where only one does, also when it has fallen below the other. Else the one that
+// fewer other labels are of, and of two alike the upper.
 const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
   const Vec3d up = up_axis(scene.header);
   const auto rests = [&](const std::string& name) { return scene.body(name) == nullptr; };
   const bool one_moves = scene.frame.solver && rests(pair.a) != rests(pair.b);
-  const PlacedShape* highest = nullptr;
+  const PlacedShape* best = nullptr;
+  std::size_t fewest = 0;
   for (const std::string* name : {&pair.a, &pair.b}) {
     const PlacedShape* shape = one_moves && rests(*name) ? nullptr : scene.find(*name);
     if (shape == nullptr || shape->vertices.empty()) continue;
-    if (highest == nullptr || up.dot(shape->pose.position - highest->pose.position) > 0)
-      highest = shape;
+    const std::size_t others = other_labels_of(*name, scene, pair);
+    const bool is_higher =
+        best == nullptr || up.dot(shape->pose.position - best->pose.position) > 0;
+    if (best != nullptr && (others > fewest || (others == fewest && !is_higher))) continue;
+    best = shape;
+    fewest = others;
   }
-  return highest;
+  return best;
 }
 
 // Corners of the silhouette on the screen, y down.
@@ -58,7 +76,8 @@ bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) 
 }  // namespace
 
 // Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
-// beside the body. Where other shapes are everywhere, above the body, or as high as the view goes.
+// beside the body, or a row or two farther out. Where other shapes or labels are everywhere, above the
+// body, or as high as the view goes.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // What is out of the picture is not named in it.
   const auto is_seen = [&](const std::string& name) {
@@ -105,18 +124,28 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     for (const Vec2d& p : points) reach = std::max(reach, out.dot(p - origin));
     return {origin + reach * out, out};
   };
-  const auto is_free = [&](const Place& place) {
+  const auto text_box = [&](const Place& place) -> Eigen::AlignedBox2d {
     const Vec2d center =
         place.begin + kPairLabelGap * pixel * place.out + place.out.cwiseProduct(half);
-    const Eigen::AlignedBox2d box(center - half, center + half);
-    if ((center - half - low).minCoeff() < 0 || (high - center - half).minCoeff() < 0) return false;
-    return std::ranges::none_of(all, [&](const auto& polygon) { return overlap(polygon, box); });
+    return {center - half, center + half};
+  };
+  const auto is_free = [&](const Place& place) {
+    const Eigen::AlignedBox2d box = text_box(place);
+    if ((box.min() - low).minCoeff() < 0 || (high - box.max()).minCoeff() < 0) return false;
+    const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
+    return std::ranges::none_of(sketch.pair_labels, meets) &&
+           std::ranges::none_of(all, [&](const auto& polygon) { return overlap(polygon, box); });
   };
   const Vec2d up(0, -1), right(1, 0);
-  const std::array places{border(own, up), border(both, up), border(own, -up), border(own, right),
-                          border(own, -right)};
+  std::vector<Place> places;
+  for (int row = 0; row < kMostRows; ++row) {
+    for (const Place& place : {border(own, up), border(both, up), border(own, -up),
+                               border(own, right), border(own, -right)})
+      places.push_back({place.begin + row * kRowHeight * pixel * place.out, place.out});
+  }
   const auto found = std::ranges::find_if(places, is_free);
   const Place& place = found == places.end() ? places.front() : *found;
+  sketch.pair_labels.push_back(text_box(place));
   const Vec2d inside = Vec2d::Constant(pixel);
   const Vec2d begin = place.begin.cwiseMax(low + inside).cwiseMin(high - inside);
   const double metres = 1 / camera.pixels_per_metre(middle);

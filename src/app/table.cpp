@@ -148,7 +148,7 @@ void print_map(const trace::Study& result, std::ostream& out) {
 
 void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
   for (const trace::Study& result : results) {
-    if (result.form == trace::StudyForm::Map) {
+    if (result.form == trace::StudyForm::Map || result.form == trace::StudyForm::Answers) {
       print_map(result, out);
       continue;
     }

@@ -24,8 +24,8 @@ class PairSorter {
   std::size_t memory() const;
 
  private:
-  std::vector<int> first_;  // pair of each handle a, in the order of a
-  std::vector<int> others_;
+  std::vector<int> first_of_a_, first_of_b_;  // where the pairs of a handle begin
+  std::vector<BoxPair> by_b_;
 };
 
 }  // namespace contactscope

@@ -15,10 +15,9 @@ using Lanes = lanes::Widest<float>;
 constexpr int kLanes = lanes::kLanesOf<float, Lanes>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-constexpr int kEnough = 256;  // boxes in a column: halving it would copy more than it saves
-constexpr int kSample = 32;   // boxes that are asked where to halve
-constexpr int kMostAcross =
-    12;  // of the sample: with more boxes across the border, halves share too much
+constexpr int kEnough = 256;     // boxes in a column: halving it would copy more than it saves
+constexpr int kSample = 32;      // boxes that are asked where to halve
+constexpr int kMostAcross = 12;  // of them across the border: with more, halves share too much
 constexpr int kDeepest = 48;
 
 /// All pairs from the start, as fast as the processor goes: boxes are sorted along one axis, and
@@ -174,20 +173,23 @@ class Columns : public Clonable<Columns> {
     return axis != 0;
   }
 
+  /// Two of a column that meet, by their places in it.
+  struct Hit {
+    int first, second;
+  };
+
   void sweep(std::size_t begin, std::size_t end, const Region& region) {
     const int count = static_cast<int>(end - begin);
+    const Entry* const entries = entries_.data() + begin;
     // Side by side, and behind the last one some that begin after every other one ends.
     constexpr int kSides = 5;
     const auto stride = static_cast<std::size_t>(count + kLanes);
     sides_.resize(kSides * stride);
-    column_.resize(stride);
     float* const begins = sides_.data();
     float* const lower_y = begins + stride;
     float* const upper_y = lower_y + stride;
     float* const lower_z = upper_y + stride;
     float* const upper_z = lower_z + stride;
-    int* const handles = column_.data();
-    const Entry* const entries = entries_.data() + begin;
     for (int i = 0; i < count; ++i) {
       const Entry& entry = entries[i];
       begins[i] = entry.lower[0];
@@ -195,36 +197,41 @@ class Columns : public Clonable<Columns> {
       upper_y[i] = entry.upper[1];
       lower_z[i] = entry.lower[2];
       upper_z[i] = entry.upper[2];
-      handles[i] = entry.handle;
     }
     std::fill_n(begins + count, kLanes, std::numeric_limits<float>::quiet_NaN());
 
     std::int64_t compared = 0;
+    std::size_t hits = 0;
+    const auto load = [](const float* from) { return lanes::load_pack<Lanes>(from); };
     for (int i = 0; i < count; ++i) {
+      if (hits_.size() < hits + stride) hits_.resize(2 * (hits + stride));
       const Entry& entry = entries[i];
-      const auto load = [](const float* from) { return lanes::load_pack<Lanes>(from); };
+      // The lowest corner of what both share is the larger one of both lower corners.
+      const float least_y = entry.lower[1] >= region.lower[1] ? -kInfinity : region.lower[1];
+      const float least_z = entry.lower[2] >= region.lower[2] ? -kInfinity : region.lower[2];
       int j = i + 1;
-      for (; j < count; j += kLanes) {
+      std::uint32_t before_bits = 0;
+      do {
         const auto before_it_ends = load(begins + j) <= entry.upper[0];
-        const auto hits = before_it_ends & (load(lower_y + j) <= entry.upper[1]) &
-                          (load(upper_y + j) >= entry.lower[1]) &
-                          (load(lower_z + j) <= entry.upper[2]) &
-                          (load(upper_z + j) >= entry.lower[2]);
-        for (std::uint32_t left = lanes::bits<float>(hits); left != 0; left &= left - 1) {
-          const int other = j + std::countr_zero(left);
-          if (std::max(entry.lower[1], lower_y[other]) >= region.lower[1] &&
-              std::max(entry.lower[2], lower_z[other]) >= region.lower[2]) {
-            report(entry.handle, handles[other]);
-          }
+        const auto from_y = load(lower_y + j), from_z = load(lower_z + j);
+        const auto meets = before_it_ends & (from_y <= entry.upper[1]) & (from_y >= least_y) &
+                           (from_z <= entry.upper[2]) & (from_z >= least_z) &
+                           (load(upper_y + j) >= entry.lower[1]) &
+                           (load(upper_z + j) >= entry.lower[2]);
+        // Each is written and few stay, as nobody could foresee which of them meet.
+        const std::uint32_t meets_bits = lanes::bits<float>(meets);
+        for (int lane = 0; lane < kLanes; ++lane) {
+          hits_[hits] = {i, j + lane};
+          hits += meets_bits >> lane & 1;
         }
-        if (!(before_it_ends[kLanes - 1])) {
-          // Of these, those that begin before it ends come first.
-          compared += j - i - 1 + std::countr_one(lanes::bits<float>(before_it_ends));
-          break;
-        }
-      }
-      if (j >= count) compared += count - i - 1;
+        before_bits = lanes::bits<float>(before_it_ends);
+        j += kLanes;
+      } while (before_bits == (1u << kLanes) - 1);
+      // Of these, those that begin before it ends come first.
+      compared += j - kLanes - i - 1 + std::popcount(before_bits);
     }
+    for (std::size_t k = 0; k < hits; ++k)
+      report(entries[hits_[k].first].handle, entries[hits_[k].second].handle);
     counts_.comparisons += compared;
     if (record_ != nullptr) tell(region, count, compared);
   }
@@ -241,7 +248,7 @@ class Columns : public Clonable<Columns> {
 
   std::size_t own_memory() const override {
     return bytes_of(keys_) + bytes_of(sorted_keys_) + bytes_of(entries_) + bytes_of(sides_) +
-           bytes_of(column_);
+           bytes_of(hits_);
   }
 
   std::array<int, 3> axes_{};
@@ -249,7 +256,7 @@ class Columns : public Clonable<Columns> {
   std::vector<Key> keys_, sorted_keys_;
   std::vector<Entry> entries_;  // all, then those of the columns being divided
   std::vector<float> sides_;    // of one column
-  std::vector<int> column_;     // its handles
+  std::vector<Hit> hits_;       // in it, and room for one more box's
 };
 
 }  // namespace

@@ -89,10 +89,10 @@ Answer<S> ask_contacts(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>&
 template <class S>
 Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages) {
+                     const trace::Stages& stages, MeshFront* front) {
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
     return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
-                      stages.query ? record : nullptr, stages);
+                      stages.query ? record : nullptr, stages, front);
   if (kind_of(b) == ShapeKind::Mesh)
     return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&b)) {
@@ -105,7 +105,7 @@ Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
     if (belongs_in_double(a, b)) [[unlikely]] {
       const Answer<double> wide = ask_convex(in_double(a), in_double(pose_a), in_double(b),
                                              in_double(pose_b), question, record, stages);
-      Answer<float> answer{wide.overlap, wide.touching, {}, wide.method};
+      Answer<float> answer{wide.overlap, wide.touching, {}, wide.method, {}};
       if (wide.gap) answer.gap = static_cast<float>(*wide.gap);
       return answer;
     }
@@ -122,7 +122,7 @@ trace::WithinBounds within_bounds(const AskedShape<S>& a, const AskedShape<S>& b
   if (kind_of(a.shape) == ShapeKind::Mesh && kind_of(b.shape) == ShapeKind::Mesh)
     question.tolerance = 0;
   const Answer<S> answer =
-      ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, nullptr, kUsualStages);
+      ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, nullptr, kUsualStages, nullptr);
   trace::WithinBounds told;
   told.overlap = answer.overlap;
   if (answer.gap) told.gap = static_cast<double>(*answer.gap);
@@ -132,9 +132,9 @@ trace::WithinBounds within_bounds(const AskedShape<S>& a, const AskedShape<S>& b
 /// In the order of the table.
 template <class S>
 Answer<S> ask_in_order(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-                       trace::Pair* record, const trace::Stages& stages) {
+                       trace::Pair* record, const trace::Stages& stages, MeshFront* front) {
   if (!question.bounds)
-    return ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages);
+    return ask_shapes<S>(a.shape, a.pose, b.shape, b.pose, question, record, stages, front);
   trace::Pair* const told = stages.query ? record : nullptr;
   if (told) [[unlikely]]
     told->query->shapes = within_bounds(a, b, question);
@@ -160,15 +160,16 @@ std::optional<std::string> refusal(const Question& question, ShapeKind one, Shap
 
 template <class S>
 Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
-              bool b_first, trace::Pair* record, const trace::Stages& stages) {
+              bool b_first, trace::Pair* record, const trace::Stages& stages, MeshFront* front) {
   const ShapeKind kind_a = kind_of(a.shape), kind_b = kind_of(b.shape);
   const bool traded = kind_a == kind_b ? b_first : kind_a > kind_b;
   if (record == nullptr)
-    return ask_in_order(traded ? b : a, traded ? a : b, question, nullptr, stages);
+    return ask_in_order(traded ? b : a, traded ? a : b, question, nullptr, stages, front);
   if (traded) std::swap(record->a, record->b);
   record->kind = pair_kind((traded ? b : a).shape, (traded ? a : b).shape);
   record_question(question, *record);
-  const Answer<S> answer = ask_in_order(traded ? b : a, traded ? a : b, question, record, stages);
+  const Answer<S> answer =
+      ask_in_order(traded ? b : a, traded ? a : b, question, record, stages, front);
   record->query->method = to_string(answer.method);
   record->query->touching = answer.touching;
   if (answer.gap) record->query->gap = static_cast<double>(*answer.gap);
@@ -186,7 +187,7 @@ void record_answer(const Answer<S>& answer, trace::Pair& record) {
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                         \
   template Answer<S> ask(const AskedShape<S>&, const AskedShape<S>&, const Question&, bool, \
-                         trace::Pair*, const trace::Stages&);                               \
+                         trace::Pair*, const trace::Stages&, MeshFront*);                   \
   template void record_answer(const Answer<S>&, trace::Pair&);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)

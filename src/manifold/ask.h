@@ -7,6 +7,7 @@
 #include "geometry/bounds.h"
 #include "manifold/capabilities.h"
 #include "manifold/dispatch.h"
+#include "query/mesh_overlap.h"
 #include "query/overlap.h"
 
 /// What two shapes are asked instead of their manifold: whether they overlap, whether they touch, how
@@ -39,7 +40,8 @@ struct Answer {
   /// distance was asked. Empty where the method does not say: GJK does not know how deep two hulls
   /// are in each other.
   std::optional<S> gap{};
-  QueryMethod method = QueryMethod::Gjk;  // that answered
+  QueryMethod method = QueryMethod::Gjk;     // that answered
+  std::optional<MeshOverlapCounts> trees{};  // of two meshes that were asked themselves
 };
 
 /// Bounds of one shape in its own frame, made when they are first asked for.
@@ -84,11 +86,12 @@ struct AskedShape {
 ///
 /// `b_first`, `record` and `stages` are those of collide(): the record is in the order of the
 /// arguments, and changes no bit of the answer. Convex shapes that float cannot hold together are
-/// worked on in double.
+/// worked on in double. `front` is of two meshes, see mesh_overlap(): where the last call for this
+/// pair ended; nullptr: their trees are gone through from the roots.
 template <class S>
 Answer<S> ask(const AskedShape<S>& a, const AskedShape<S>& b, const Question& question,
               bool b_first = false, trace::Pair* record = nullptr,
-              const trace::Stages& stages = kUsualStages);
+              const trace::Stages& stages = kUsualStages, MeshFront* front = nullptr);
 
 /// What a pair came to, also of one that nobody watched: its state, the answer, and the gap where it
 /// is known. Without it the record's separation stays.

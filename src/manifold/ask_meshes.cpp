@@ -89,13 +89,14 @@ trace::Containment told_containment(Containment containment, const Mesh<S>& b) {
 template <class S>
 Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages) {
+                     const trace::Stages& stages, MeshFront* front) {
   const Pose<S> b_in_a = relative_pose(pose_a, pose_b);
   const bool watched = record != nullptr && stages.node_pairs;
   std::vector<NodePairVisit> visits;
-  const MeshOverlap<S> found = mesh_overlap(a, b, b_in_a, watched ? &visits : nullptr);
+  const MeshOverlap<S> found = mesh_overlap(a, b, b_in_a, watched ? &visits : nullptr, front);
   Answer<S> answer;
   answer.method = QueryMethod::Triangles;
+  answer.trees = found.counts;
   answer.overlap = std::ranges::any_of(found.intersections, [&](const MeshIntersection<S>& one) {
     return counts(one.overlap.kind, question.inclusive);
   });
@@ -113,7 +114,7 @@ Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
 
 #define CONTACTSCOPE_INSTANTIATE(S)                                                             \
   template Answer<S> ask_meshes(const Mesh<S>&, const Pose<S>&, const Mesh<S>&, const Pose<S>&, \
-                                const Question&, trace::Pair*, const trace::Stages&);
+                                const Question&, trace::Pair*, const trace::Stages&, MeshFront*);
 CONTACTSCOPE_INSTANTIATE(float)
 CONTACTSCOPE_INSTANTIATE(double)
 #undef CONTACTSCOPE_INSTANTIATE

@@ -47,7 +47,7 @@ Gap<S> gap_to_plane(const Shape<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
 template <class S>
 Answer<S> ask_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
-                     const trace::Stages& stages);
+                     const trace::Stages& stages, MeshFront* front);
 
 /// Their bounds. The record gets the bounds and the axes.
 template <class S>

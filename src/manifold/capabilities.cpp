@@ -32,8 +32,8 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, false, true, false}, kOnePointApart},
     {{true, true, false, true, false}, kOnePointApart},
     {{true, false, false, false, false},
-     "two meshes are surfaces, without an inside that a depth could be measured in; ask for the "
-     "overlap of their triangles, query = \"overlap\""},
+     "of two meshes the triangles that share a point are found, and neither a gap nor a depth; ask "
+     "for the overlap of their triangles, query = \"overlap\""},
     {{true, true, false, true, true},
      "contacts end where the shapes are apart by more than the margin; ask \"gjk\" for a distance"},
 };

@@ -44,12 +44,12 @@ class MeshTraversal {
     tree_b_.refit(vertices_b_, b.triangles);
   }
 
-  MeshOverlap<S> run() {
-    if (!a_.tree.nodes.empty() && !tree_b_.nodes.empty()) visit(0, 0);
-    while (!open_.empty()) {
-      const auto [i, j] = open_.back();
-      open_.pop_back();
-      open(i, j);
+  MeshOverlap<S> run(MeshFront* front) {
+    if (!a_.tree.nodes.empty() && !tree_b_.nodes.empty()) {
+      if (front != nullptr)
+        run_from(*front);
+      else
+        run_from_roots();
     }
     std::ranges::sort(result_.intersections, {}, [](const MeshIntersection<S>& intersection) {
       return std::pair(intersection.a, intersection.b);
@@ -58,23 +58,92 @@ class MeshTraversal {
   }
 
  private:
-  void visit(int i, int j) {
+  void run_from_roots() {
+    const auto visit = [this](int i, int j) {
+      if (compare(i, j)) open_.push_back({i, j});
+    };
+    visit(0, 0);
+    while (!open_.empty()) {
+      const auto [i, j] = open_.back();
+      open_.pop_back();
+      if (at(a_.tree.nodes, i).leaf() && at(tree_b_.nodes, j).leaf())
+        compare_leaves(i, j);
+      else
+        for_children(i, j, visit);
+    }
+  }
+
+  void run_from(MeshFront& front) {
+    front.begin(a_.tree, tree_b_);
+    if (front.pairs.size() > 1 && !compare(0, 0)) {
+      front.pairs = {{0, 0}};
+      return;
+    }
+    std::vector<NodeIndices> before;
+    before.swap(front.pairs);
+    front.pairs.reserve(before.size());
+    apart_ = 0;
+    for (std::size_t place = 0; place < before.size(); ++place) {
+      const auto [i, j] = before[place];
+      if (compare(i, j)) {
+        descend(i, j, front);
+      } else {
+        keep_apart(i, j, front);
+        if (front.may_climb(place, before.size())) climb(front);
+      }
+    }
+  }
+
+  /// The front below two nodes whose boxes overlap.
+  void descend(int i, int j, MeshFront& front) {
+    if (at(a_.tree.nodes, i).leaf() && at(tree_b_.nodes, j).leaf()) {
+      compare_leaves(i, j);
+      front.pairs.push_back({i, j});
+      apart_ = 0;
+      return;
+    }
+    for_children(i, j, [&](int child_i, int child_j) {
+      if (compare(child_i, child_j))
+        descend(child_i, child_j, front);
+      else
+        keep_apart(child_i, child_j, front);
+    });
+  }
+
+  void keep_apart(int i, int j, MeshFront& front) {
+    front.pairs.push_back({i, j});
+    ++apart_;
+  }
+
+  /// Puts parents in the place of their children at the end of the front, as long as all of these
+  /// are apart and so are they.
+  void climb(MeshFront& front) {
+    while (const auto parent = front.parent_of_last_child(front.pairs.back())) {
+      const auto [i, j] = parent->nodes;
+      if (apart_ < parent->children ||
+          *(front.pairs.end() - parent->children) != parent->first_child)
+        return;
+      if ((i == 0 && j == 0) || compare(i, j)) return;  // the roots are known to overlap
+      front.pairs.resize(front.pairs.size() - static_cast<std::size_t>(parent->children));
+      apart_ -= parent->children;
+      keep_apart(i, j, front);
+    }
+  }
+
+  bool compare(int i, int j) {
     const bool hit = boxes_overlap(at(a_.tree.nodes, i).box, at(tree_b_.nodes, j).box);
     ++result_.counts.node_pairs;
     if (visits_ != nullptr) visits_->push_back({i, j, hit});
-    if (hit) open_.push_back({i, j});
+    return hit;
   }
 
-  /// Two nodes whose boxes overlap.
-  void open(int i, int j) {
-    const typename Tree::Node& a = at(a_.tree.nodes, i);
-    const typename Tree::Node& b = at(tree_b_.nodes, j);
-    if (a.leaf() && b.leaf()) {
-      compare_leaves(a, b);
-    } else if (a.leaf()) {
+  /// What two nodes, not both of them leaves, are split into, in order.
+  template <class Visit>
+  void for_children(int i, int j, const Visit& visit) const {
+    if (at(a_.tree.nodes, i).leaf()) {
       visit(i, j + 1);
       visit(i, tree_b_.right_of(j));
-    } else if (b.leaf()) {
+    } else if (at(tree_b_.nodes, j).leaf()) {
       visit(i + 1, j);
       visit(a_.tree.right_of(i), j);
     } else {
@@ -86,7 +155,9 @@ class MeshTraversal {
     }
   }
 
-  void compare_leaves(const typename Tree::Node& a, const typename Tree::Node& b) {
+  void compare_leaves(int i, int j) {
+    const typename Tree::Node& a = at(a_.tree.nodes, i);
+    const typename Tree::Node& b = at(tree_b_.nodes, j);
     ++result_.counts.leaf_pairs;
     for (int k = a.next; k < a.next + a.count; ++k) {
       if (!boxes_overlap(at(a_.tree.boxes, k), b.box)) continue;
@@ -110,6 +181,7 @@ class MeshTraversal {
   Tree tree_b_;                      // a's frame
   std::vector<NodePairVisit>* visits_;
   std::vector<std::pair<int, int>> open_;  // nodes that overlap
+  int apart_ = 0;  // so many pairs at the end of the front are apart, one behind the other
   MeshOverlap<S> result_;
 };
 
@@ -127,15 +199,16 @@ std::vector<Vec3<S>> vertices_in(const Mesh<S>& mesh, const Pose<S>& pose) {
 
 template <class S>
 MeshOverlap<S> mesh_overlap(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                            std::vector<NodePairVisit>* visits) {
-  return MeshTraversal<S>(a, b, b_in_a, visits).run();
+                            std::vector<NodePairVisit>* visits, MeshFront* front) {
+  return MeshTraversal<S>(a, b, b_in_a, visits).run(front);
 }
 
 template std::vector<Vec3<float>> vertices_in(const Mesh<float>&, const Pose<float>&);
 template std::vector<Vec3<double>> vertices_in(const Mesh<double>&, const Pose<double>&);
 template MeshOverlap<float> mesh_overlap(const Mesh<float>&, const Mesh<float>&, const Pose<float>&,
-                                         std::vector<NodePairVisit>*);
+                                         std::vector<NodePairVisit>*, MeshFront*);
 template MeshOverlap<double> mesh_overlap(const Mesh<double>&, const Mesh<double>&,
-                                          const Pose<double>&, std::vector<NodePairVisit>*);
+                                          const Pose<double>&, std::vector<NodePairVisit>*,
+                                          MeshFront*);
 
 }  // namespace contactscope

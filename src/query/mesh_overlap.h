@@ -6,6 +6,7 @@
 
 #include "core/pose.h"
 #include "geometry/mesh.h"
+#include "query/mesh_front.h"
 #include "query/triangle_overlap.h"
 
 namespace contactscope {
@@ -55,9 +56,17 @@ struct NodePairVisit {
 /// Source: Gottschalk, Lin and Manocha 1996, "OBBTree", section 5, the simultaneous traversal, with
 /// axis-aligned boxes. Of two inner nodes whose boxes overlap, the children of one are compared with
 /// those of the other; a leaf is compared with the children of an inner node.
+///
+/// With a `front` the traversal begins where that of the last call ended, and leaves there where it
+/// ends (Li and Chen 1998; Ehmann and Lin 2001, section 5): pairs above the front are not compared.
+/// Boxes hold those of their children exactly, so that a pair overlaps if one below it does. Where
+/// all children of a pair are apart the pair is compared, in one call of eight, and takes their
+/// place if its boxes are apart as well; if the roots are, the front is given up for them at once.
+/// The result is the same, bit for bit; counts and visits are what was really compared.
 template <class S>
 MeshOverlap<S> mesh_overlap(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
-                            std::vector<NodePairVisit>* visits = nullptr);
+                            std::vector<NodePairVisit>* visits = nullptr,
+                            MeshFront* front = nullptr);
 
 /// The vertices of a mesh in a parent frame: turned by the matrix of the rotation and shifted, in
 /// double, then rounded to S. With S = double they are off by some roundings of their coordinates.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "query/mesh_query_cost.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 
@@ -23,12 +25,21 @@ class DeformingMesh {
   int index() const { return index_; }  // of the scenario's shapes
   const Shape<S>& shape() const { return shape_; }
 
-  /// Brings vertices, normals and tree up to date.
-  void move_to(double time) {
-    if (std::exchange(is_new_, false) && time == 0) return;
+  /// Brings vertices, normals and tree up to date. An automatic tree is built anew where queries of
+  /// the frame before found it worse; where they could not say, or there were none, its surfaces
+  /// decide. Returns whether it was built anew.
+  bool move_to(double time) {
+    if (std::exchange(is_new_, false) && time == 0) return false;
     deform(time);
-    tree_ = update_tree(mesh(), scripted_->tree, cost_when_built_) ? "rebuilt" : "refitted";
+    const Verdict verdict = std::exchange(verdict_, Verdict::Unknown);
+    const bool rebuilt = update_tree(mesh(), MeshQueryCost::update_after(verdict, scripted_->tree),
+                                     cost_when_built_);
+    tree_ = rebuilt ? "rebuilt" : "refitted";
+    return rebuilt;
   }
+
+  /// What a query of the frame came to. The worst one counts.
+  void was_queried(MeshQueryCost::Verdict verdict) { verdict_ = std::max(verdict_, verdict); }
 
   trace::Deformed facts() const {
     const Mesh<S>& now = std::get<Mesh<S>>(shape_);
@@ -40,6 +51,8 @@ class DeformingMesh {
   }
 
  private:
+  using Verdict = MeshQueryCost::Verdict;
+
   // Boxes so many levels below the root, and leaves above them, are told: sixteen at most, which a
   // picture has room for.
   static constexpr int kToldLevel = 4;
@@ -74,7 +87,8 @@ class DeformingMesh {
   std::vector<Vec3d> exact_;  // of a moved shape: vertices as they were before rounding
   double cost_when_built_ = 0;
   const char* tree_ = "built";
-  bool is_new_ = true;  // nobody has moved it yet
+  Verdict verdict_ = Verdict::Unknown;  // of queries since it moved
+  bool is_new_ = true;                  // nobody has moved it yet
 };
 
 }  // namespace contactscope

@@ -79,6 +79,21 @@ void require_answers(const Value& table, const Question& question) {
                              asked + "; expect overlap");
 }
 
+/// Refuses intersections of a pair that is not asked triangle by triangle.
+void require_triangles(const Value& count, const Expectation& expectation,
+                       const Scenario& scenario) {
+  for (const int index : {expectation.a, expectation.b}) {
+    const ScenarioShape& shape = scenario.shape(index);
+    if (kind_of(*shape.geometry) != ShapeKind::Mesh)
+      count.fail("'intersections' are of the triangles of two meshes, and '" + shape.name +
+                 "' is none; expect overlap");
+  }
+  if (question_of(expectation, scenario).bounds)
+    count.fail(
+        "'intersections' are of triangles, and the pair is asked of its bounds; expect overlap, or "
+        "remove 'bounds'");
+}
+
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
   const Value& table =
       value.table({"frames", "a", "b", "label", "state", "points", "axis", "type", "normal",
@@ -136,8 +151,10 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
              [](const Value& tolerance) { return tolerance.not_negative("metres"); });
   if (const auto overlap = table.find("overlap")) expectation.overlap = overlap->boolean();
   if (const auto touching = table.find("touching")) expectation.touching = touching->boolean();
-  if (const auto count = table.find("intersections"))
+  if (const auto count = table.find("intersections")) {
+    require_triangles(*count, expectation, scenario);
     expectation.intersections = count->integer(0, kMostIntersections);
+  }
   if (!expectation.overlap && !expectation.touching && !expectation.intersections &&
       !expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
       !expectation.normal && !expectation.separation && !expectation.load)

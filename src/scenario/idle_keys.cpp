@@ -49,6 +49,11 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
   const bool hull_a = scenario.shape(pair.a).hull() != nullptr;
   const bool hull_b = scenario.shape(pair.b).hull() != nullptr;
   const Question& question = pair.pipeline.question;
+  if (key == "traversal")
+    return walks_trees(scenario, pair) ? ""
+                                       : "only trees of two meshes that are asked themselves are "
+                                         "gone through together; set "
+                                         "query = \"overlap\" of two meshes, or remove it";
   if (std::ranges::find(kQuestionKeys, key) != std::end(kQuestionKeys))
     return idle_question(key, question);
   if (question.kind != QueryKind::Manifold) {
@@ -80,6 +85,7 @@ void tell_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
       tell(table, key, reason(pairs[0]), sentences);
   };
   tell_where_idle("penetration");
+  tell_where_idle("traversal");
   std::ranges::for_each(kContactKeys, tell_where_idle);
   std::ranges::for_each(kQuestionKeys, tell_where_idle);
 }

@@ -32,10 +32,18 @@ CollideOptions options_of(const PipelineSettings& settings) {
   return options;
 }
 
-/// Whether a pair goes by what it kept in the frame before.
+/// Whether its tree is built anew when it has become expensive.
+bool chooses_tree(const ScenarioShape& shape) {
+  return shape.deforms() && shape.tree == TreeUpdate::Auto;
+}
+
+/// Whether a pair goes by what it kept in the frame before, or tells a mesh what its tree cost.
 bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
-  if (!settings.makes_contacts()) return false;
+  if (!settings.makes_contacts())
+    return walks_trees(scenario, pair) &&
+           (settings.traversal == Traversal::Coherent || chooses_tree(scenario.shape(pair.a)) ||
+            chooses_tree(scenario.shape(pair.b)));
   const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
   const ReducerInfo* const reducer = find_reducer(settings.reducer);
   return settings.manifold == ManifoldKind::Incremental ||
@@ -84,6 +92,8 @@ struct ActivePair {
   PairCache<S> cache;
   PersistentManifold<S> persistent;
   PairImpulses<S> impulses;  // of dynamic scenarios
+  MeshFront front;           // of two meshes that are asked, as the next
+  MeshQueryCost query_cost;
 
   BoxPair shapes() const { return {pair.a, pair.b}; }
 };
@@ -155,7 +165,11 @@ class Runner::In final : public Runner::InScalar {
   void step(bool recorded, trace::Frame* result) {
     const double time = next_ * scenario_.dt;
     for (DeformingMesh<S>& mesh : deforming_) {
-      mesh.move_to(time);
+      if (mesh.move_to(time)) {
+        for (ActivePair<S>& pair : pairs_)
+          if (pair.pair.a == mesh.index() || pair.pair.b == mesh.index())
+            pair.query_cost.begin_anew();
+      }
       at(own_bounds_, mesh.index()) = {};
       if (result) result->deformed.push_back(mesh.facts());
     }
@@ -175,8 +189,12 @@ class Runner::In final : public Runner::InScalar {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ScenarioPair& pair = pairs_[i].pair;
       if (!result) {
-        if (dynamic_ || remembers(scenario_, pair))
+        const bool counts = remembers(scenario_, pair);
+        if (!pair.pipeline.makes_contacts()) {
+          if (counts) answer_pair(pairs_[i], poses, nullptr);
+        } else if (dynamic_ || counts) {
           contacts[i] = collide_pair(pairs_[i], poses, nullptr);
+        }
         continue;
       }
       trace::Pair& record = result->pairs.emplace_back();
@@ -184,7 +202,7 @@ class Runner::In final : public Runner::InScalar {
       record.b = scenario_.shape(pair.b).name;
       record.label = pair.label;
       if (!pair.pipeline.makes_contacts()) {
-        ask_pair(pair, poses, recorded, record);
+        ask_pair(pairs_[i], poses, recorded, record);
         move_boxes(pair, record);
         continue;
       }
@@ -211,26 +229,36 @@ class Runner::In final : public Runner::InScalar {
     }
   }
 
-  /// A pair that makes no contacts; what it is asked depends on nothing but the poses.
-  void ask_pair(const ScenarioPair& pair, const std::vector<Pose<S>>& poses, bool recorded,
+  /// A pair that makes no contacts. The answer depends on nothing but the poses; what it cost, with
+  /// trees, also on the frames before.
+  void ask_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses, bool recorded,
                 trace::Pair& record) {
-    const auto placed = [&](int i) -> AskedShape<S> {
-      return {shape(i), at(poses, i), at(own_bounds_, i)};
-    };
-    const AskedShape<S> a = placed(pair.a), b = placed(pair.b);
-    const Answer<S> answer =
-        ask(a, b, pair.pipeline.question, pair.b < pair.a, recorded ? &record : nullptr, stages_);
+    const Answer<S> answer = answer_pair(memory, poses, recorded ? &record : nullptr);
     if (recorded) return;
-    record.kind = pair_kind(a.shape, b.shape);
+    record.kind = pair_kind(shape(memory.pair.a), shape(memory.pair.b));
     record_answer(answer, record);
   }
 
-  /// Whether some mesh's tree is built anew when it has become expensive.
-  bool trees_remember() const {
-    return std::ranges::any_of(scenario_.shapes, [](const ScenarioShape& shape) {
-      return shape.deforms() && shape.tree == TreeUpdate::Auto;
-    });
+  Answer<S> answer_pair(ActivePair<S>& memory, const std::vector<Pose<S>>& poses,
+                        trace::Pair* record) {
+    const ScenarioPair& pair = memory.pair;
+    const auto placed = [&](int i) -> AskedShape<S> {
+      return {shape(i), at(poses, i), at(own_bounds_, i)};
+    };
+    MeshFront* const front =
+        pair.pipeline.traversal == Traversal::Coherent ? &memory.front : nullptr;
+    const Answer<S> answer = ask(placed(pair.a), placed(pair.b), pair.pipeline.question,
+                                 pair.b < pair.a, record, stages_, front);
+    if (answer.trees) {
+      const MeshQueryCost::Verdict verdict = memory.query_cost.judge(*answer.trees);
+      for (DeformingMesh<S>& mesh : deforming_)
+        if (mesh.index() == pair.a || mesh.index() == pair.b) mesh.was_queried(verdict);
+    }
+    return answer;
   }
+
+  /// Whether some mesh's tree is built anew when it has become expensive.
+  bool trees_remember() const { return std::ranges::any_of(scenario_.shapes, chooses_tree); }
 
   /// As it is in the frame that is run.
   const Shape<S>& shape(int index) const {
@@ -245,7 +273,9 @@ class Runner::In final : public Runner::InScalar {
         .kept = {},
         .cache = {},
         .persistent = {},
-        .impulses = {}};
+        .impulses = {},
+        .front = {},
+        .query_cost = {}};
   }
 
   /// The pairs of this frame. Those that were there in the frame before keep what they have.

@@ -75,6 +75,12 @@ enum class Scalar { Float, Double };
 /// Gregorius 2015, "Incremental vs One-Shot Manifold".
 enum class ManifoldKind { OneShot, Incremental };
 
+/// Where the traversal of the trees of two meshes begins.
+enum class Traversal {
+  FromRoots,
+  Coherent,  // where that of the frame before ended
+};
+
 struct PipelineSettings {
   Scalar scalar = Scalar::Float;
   std::string reducer = kDefaultReducer;
@@ -89,6 +95,7 @@ struct PipelineSettings {
   IncrementalSettings incremental;
   /// When the pair first meets in the step after each frame; none: nobody asks.
   std::optional<ImpactMethod> continuous{};
+  Traversal traversal = Traversal::FromRoots;  // of two meshes that are asked
   Question question;  // by default the manifold; its penetration method is `penetration`
 
   /// The solver and reducers get the pair's contacts.
@@ -158,6 +165,15 @@ struct Scenario {
 
   const ScenarioShape& shape(int index) const { return at(shapes, index); }
 };
+
+/// Whether a pair is two meshes that are asked themselves, so that both trees are gone through.
+inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
+  const auto is_mesh = [&](int i) {
+    return kind_of(*scenario.shape(i).geometry) == ShapeKind::Mesh;
+  };
+  return !pair.pipeline.makes_contacts() && !pair.pipeline.question.bounds && is_mesh(pair.a) &&
+         is_mesh(pair.b);
+}
 
 /// Reads a scenario file. Throws InputError with line, column and remedy. Relative file names in it
 /// are relative to its folder.

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "core/at.h"
-#include "query/mesh_overlap.h"
+#include "query/mesh_query_cost.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -13,7 +15,10 @@ constexpr int kMeridians[] = {8, 16, 32, 64, 128, 256};  // of a sphere, half as
 constexpr int kMeshRepetitions = 7;
 constexpr int kDeformingFrames = 50;
 constexpr int kDeformingMeridians = 96;
-constexpr double kMostTwist = 5;  // radians a metre, in the last frame
+constexpr double kMostTwist = 5;     // radians a metre, in the last frame
+constexpr double kInnerBall = 0.97;  // of a radius of 1 m
+constexpr int kMovingFrames = 40;
+constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // a frame
 constexpr double kMilliseconds = 1e-6;
 
 /// A closed ball of radius 1 about the origin, poles on z, fronts outside.
@@ -133,31 +138,34 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
     compared.parameter = "node pairs compared, by frame";
     Mesh<float> mesh = at_rest;
     double cost_when_built = mesh.tree.expected_cost();
+    MeshQueryCost query_cost;
+    MeshQueryCost::Verdict verdict = MeshQueryCost::Verdict::Unknown;
     for (int k = 1; k <= frames; ++k) {
       mesh.vertices = twisted(at_rest.vertices, kMostTwist * k / frames);
       const AabbTree<float> before = mesh.tree;
       const double built_before = cost_when_built;
-      std::size_t pairs = 0;
-      double node_pairs = 0;
+      bool rebuilt = false;
+      MeshOverlap<float> found;
       PassTimes spent;
       for (int r = 0; r < repetitions; ++r) {
         mesh.tree = before;
         cost_when_built = built_before;
         spent.measure(1, [&](int) {
-          update_tree(mesh, way.how, cost_when_built);
-          const MeshOverlap<float> found = mesh_overlap(mesh, at_rest, beside());
-          pairs = found.intersections.size();
-          node_pairs = static_cast<double>(found.counts.node_pairs);
-          return node_pairs;
+          rebuilt =
+              update_tree(mesh, MeshQueryCost::update_after(verdict, way.how), cost_when_built);
+          found = mesh_overlap(mesh, at_rest, beside());
+          return static_cast<double>(found.counts.node_pairs);
         });
       }
+      if (rebuilt) query_cost.begin_anew();
+      verdict = query_cost.judge(found.counts);
       const trace::Nanoseconds time = spent.summary();
       add_point(frame, k, time.min * kMilliseconds, time);
       add_point(cost, k, mesh.tree.expected_cost(), time);
-      add_point(compared, k, node_pairs, time);
+      add_point(compared, k, static_cast<double>(found.counts.node_pairs), time);
       if (&way == &kWays[0])
-        expected.push_back(pairs);
-      else if (pairs != at(expected, k - 1))
+        expected.push_back(found.intersections.size());
+      else if (found.intersections.size() != at(expected, k - 1))
         frame.points.back().failed = 1;
     }
     times.series.push_back(std::move(frame));
@@ -167,22 +175,85 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
   }
 }
 
+/// A ball that moves to and fro, beside or in another one: its query from the roots in each frame, and
+/// from where that of the frame before ended. A point at which the two differ in a frame has failed.
+void study_motion(const StudyOptions& options, const StudyStep& step, trace::Study& times,
+                  trace::Study& costs) {
+  const int repetitions = options.repetitions.value_or(kMeshRepetitions);
+  const Mesh<double> made = ball(kDeformingMeridians);
+  std::vector<Vec3d> smaller = made.vertices;
+  for (Vec3d& vertex : smaller) vertex *= kInnerBall;
+  const Mesh<float> outer = mesh_cast<float>(made);
+  const Mesh<float> inner = mesh_cast<float>(build_mesh(std::move(smaller), made.triangles));
+  struct Moved {
+    const char* name;
+    const Mesh<float>& mesh;
+    Pose<float> pose;
+  };
+  const Moved both[] = {{"one ball moves beside the other", outer, beside()},
+                        {"one ball moves in the other", inner, Pose<float>{}}};
+  for (const Moved& moved : both) {
+    const std::string by = "micrometres a frame, " + std::string(moved.name);
+    std::array<trace::StudySeries, 2> frame, compared;
+    for (std::size_t coherent = 0; coherent < 2; ++coherent) {
+      const char* const name = coherent == 1 ? "coherent" : "from roots";
+      frame[coherent] = {name, {}, moved.name, by};
+      compared[coherent] = {name, {}, "node pairs compared, " + by, "node pairs compared, " + by};
+    }
+    for (const int way : kMicrometres) {
+      std::array<PassTimes, 2> spent;
+      std::array<std::int64_t, 2> node_pairs{};
+      std::array<std::size_t, 2> found{};
+      for (int r = 0; r < 2 * repetitions; ++r) {  // in turn: a slow moment falls on both alike
+        const std::size_t coherent = static_cast<std::size_t>(r) % 2;
+        MeshFront front;
+        node_pairs[coherent] = 0;
+        found[coherent] = 0;
+        spent[coherent].measure(kMovingFrames, [&](int k) {
+          Pose<float> pose = moved.pose;
+          pose.position.x() += 1e-6F * static_cast<float>(way * std::abs(k - kMovingFrames / 2));
+          const MeshOverlap<float> overlap =
+              mesh_overlap(outer, moved.mesh, pose, nullptr, coherent == 1 ? &front : nullptr);
+          node_pairs[coherent] += overlap.counts.node_pairs;
+          found[coherent] += overlap.intersections.size();
+          return static_cast<double>(overlap.counts.node_pairs);
+        });
+      }
+      for (std::size_t coherent = 0; coherent < 2; ++coherent) {
+        const trace::Nanoseconds time = spent[coherent].summary();
+        add_point(frame[coherent], way, time.min * kMilliseconds, time);
+        add_point(compared[coherent], way,
+                  static_cast<double>(node_pairs[coherent]) / kMovingFrames, time);
+      }
+      if (found[0] != found[1]) frame[1].points.back().failed = 1;
+    }
+    times.series.insert(times.series.end(), frame.begin(), frame.end());
+    costs.series.insert(costs.series.end(), compared.begin(), compared.end());
+    step(moved.name);
+  }
+}
+
 }  // namespace
 
-/// Mesh against mesh, in two results. "time": building both trees, querying and refitting over the
+/// Mesh against mesh, in three results. "time": building both trees, querying and refitting over the
 /// number of triangles; and an update with a query, frame by frame while one mesh is twisted: its
-/// tree refitted, rebuilt, or rebuilt once it is expected to cost 30 % more. "cost": of the same
-/// frames what a query is expected to cost, and how many node pairs were compared.
+/// tree refitted, rebuilt, or rebuilt once a query costs 30 % more. "motion": a query a frame while
+/// one mesh moves, from the roots or coherent. "cost": of these frames what a query is expected to
+/// cost, and how many node pairs were compared.
 std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "mesh_mesh", "float", "triangles",
-      "every way of keeping a tree finds the same pairs of triangles",
-      {{"time", "Mesh against mesh: time over size, and over a deformation", "milliseconds, least"},
-       {"cost", "What a tree costs a query as its mesh is twisted", "boxes, and pairs of them"}});
+      "the pairs of triangles that a refitted tree finds from its roots",
+      {{"time", "Mesh against mesh: time over a deformation, and over size", "milliseconds, least"},
+       {"cost", "What a tree costs a query as its mesh is twisted or moves",
+        "boxes, or pairs of them"},
+       {"motion", "From the roots, or from where the last frame ended: the time of a query",
+        "milliseconds, least"}});
   for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
-  const StudyStep step = counted(progress, static_cast<int>(std::size(kMeridians)) + 3);
-  study_sizes(options, step, results[0]);
+  const StudyStep step = counted(progress, static_cast<int>(std::size(kMeridians)) + 5);
   study_deformation(options, step, results[0], results[1]);
+  study_sizes(options, step, results[0]);
+  study_motion(options, step, results[2], results[1]);
   // Those of one panel stand together.
   std::ranges::stable_sort(results[1].series, {}, &trace::StudySeries::panel);
   return results;

@@ -5,8 +5,10 @@
 
 #include "core/at.h"
 #include "query/triangle_overlap.h"
+#include "study/plain_triangle_test.h"
 #include "study/random_cases.h"
 #include "study/study.h"
+#include "study/triangle_answers.h"
 
 namespace contactscope {
 namespace {
@@ -127,57 +129,6 @@ NearlyCoplanar nearly_coplanar(std::mt19937_64& engine, double distance) {
   }
 }
 
-/// The same test in floating point: volumes of up to `epsilon` times an area, metres, count as none.
-/// With 0 it trusts the signs.
-template <class S>
-class PlainTest {
- public:
-  explicit PlainTest(S epsilon) : epsilon_(epsilon) {}
-
-  bool operator()(const Triangle<S>& a, const Triangle<S>& b) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (meets(a[k], a[(k + 1) % 3], b) || meets(b[k], b[(k + 1) % 3], a)) return true;
-    return false;
-  }
-
- private:
-  int sign(S value, S scale) const {
-    return (value > epsilon_ * scale) - (value < -epsilon_ * scale);
-  }
-  bool meets(const Vec3<S>& p, const Vec3<S>& q, const Triangle<S>& t) const {
-    const Vec3<S> normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    const S length = normal.norm();
-    const int p_side = sign(normal.dot(p - t[0]), length);
-    const int q_side = sign(normal.dot(q - t[0]), length);
-    if (p_side * q_side > 0) return false;
-    if (p_side == 0 && q_side == 0) return meets_in_plane(p, q, t, normal);
-    int least = 1, most = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3<S> across = (q - p).cross(t[k] - p);
-      const int side = sign(across.dot(t[(k + 1) % 3] - p), across.norm());
-      least = std::min(least, side);
-      most = std::max(most, side);
-    }
-    return least >= 0 || most <= 0;
-  }
-  bool meets_in_plane(const Vec3<S>& p, const Vec3<S>& q, const Triangle<S>& t,
-                      const Vec3<S>& normal) const {
-    const auto side = [&](const Vec3<S>& from, const Vec3<S>& to, const Vec3<S>& of) {
-      return sign(normal.dot((to - from).cross(of - from)), normal.norm() * (to - from).norm());
-    };
-    bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3<S>&from = t[k], &to = t[(k + 1) % 3];
-      if (side(p, q, from) * side(p, q, to) <= 0 && side(from, to, p) * side(from, to, q) <= 0)
-        return true;
-      inside = inside && side(from, to, p) >= 0;
-    }
-    return inside;
-  }
-
-  S epsilon_;
-};
-
 /// A pair in metres.
 template <class S>
 struct Metric {
@@ -207,7 +158,7 @@ struct TriangleMethod {
 
 template <class S>
 bool plain(const std::vector<Metric<S>>& pairs, std::size_t i, double epsilon) {
-  return PlainTest<S>(static_cast<S>(epsilon))(pairs[i].a, pairs[i].b);
+  return PlainTriangleTest<S>(static_cast<S>(epsilon)).overlap(pairs[i].a, pairs[i].b);
 }
 
 const TriangleMethod kTriangleMethods[] = {
@@ -236,13 +187,14 @@ constexpr TriangleSize kTriangleSizes[] = {{"of 0.12 mm", -13}, {"of 1 m", 0}, {
 
 /// Pairs of triangles of which one has its corners within so many units in the last place of the
 /// other's plane: the share of wrong answers to whether they share a point, at three sizes. The
-/// reference is computed in whole numbers, of which the corners are made.
+/// reference is computed in whole numbers, of which the corners are made. And a map of one corner's
+/// last bits, see triangle_answers.h.
 std::vector<trace::Study> study_triangles(const StudyOptions& options,
                                           const StudyProgress& progress) {
   const StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
   std::vector<trace::Study> results = results_of(
       "triangle_triangle", "float", "units in the last place",
-      "edges against triangles in whole numbers, " + std::to_string(grid.cases) +
+      "every edge against the other triangle in whole numbers, " + std::to_string(grid.cases) +
           " pairs a point, seed " + std::to_string(options.seed),
       {{"wrong", "Triangles near one plane: how often a test is wrong, and what never is",
         "share of wrong answers", "", 0.5 / grid.cases}});
@@ -283,6 +235,7 @@ std::vector<trace::Study> study_triangles(const StudyOptions& options,
         point.error = point.error_worst = std::max(*point.error, results[0].resolution);
     }
   }
+  results.push_back(triangle_answers());
   return results;
 }
 

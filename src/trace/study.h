@@ -82,11 +82,13 @@ enum class StudyForm {
   WorkPrecision,  // error against run time, a line a method
   Curves,         // error against the parameter, small multiples
   Map,            // a cell for each parameter and row, coloured by the decade of its worst error
+  Answers,        // a cell likewise, coloured by what two shapes were called there, for which the
+                  // error stands: 0 apart, 1 touching, 2 crossing; failed where that is wrong
 };
 
-/// "work_precision", "curves", "map".
+/// "work_precision", "curves", "map", "answers".
 constexpr const char* to_string(StudyForm form) {
-  constexpr const char* kNames[] = {"work_precision", "curves", "map"};
+  constexpr const char* kNames[] = {"work_precision", "curves", "map", "answers"};
   return kNames[static_cast<int>(form)];
 }
 

@@ -2,13 +2,14 @@
 // "concentric" crossing all over. "build" makes both trees; "vertices" moves those of b and "refit"
 // fits its boxes around them, both of which are a part of "query". "deforming" is a frame of
 // crossing spheres of which a is twisted to and fro, by at most one radian: its tree is brought up
-// to date, and then comes the query.
+// to date, and then comes the query. "moving" is a query in each frame, b moved by so many metres; in
+// "beside" the spheres nearly touch, "nested" is a sphere in a sphere 3 cm away.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <string>
 
-#include "query/mesh_overlap.h"
+#include "query/mesh_query_cost.h"
 #include "support/sphere_mesh.h"
 
 namespace {
@@ -56,6 +57,9 @@ int main(int argc, char** argv) {
     benchmark::DoNotOptimize(build_aabb_tree(boxes_of(crossing.b)));
   });
   const Placed one = placed(crossing), other = placed(concentric);
+  // A shell in a shell, 3 cm away all around: much is near, and nothing touches.
+  const Placed nested =
+      placed({crossing.a, test::built(test::sphere_mesh(0.97, 88, 55, 0)), crossing.b_in_a});
   const auto query = [](const Placed& meshes) {
     return [&meshes](benchmark::State& state) {
       const MeshOverlap<float> overlap = mesh_overlap(meshes.a, meshes.b, meshes.b_in_a);
@@ -74,15 +78,44 @@ int main(int argc, char** argv) {
   for (const TreeUpdate how : {TreeUpdate::Refit, TreeUpdate::Rebuild, TreeUpdate::Auto}) {
     constexpr const char* kNames[] = {"deforming/refit", "deforming/rebuild", "deforming/auto"};
     add(kNames[static_cast<int>(how)],
-        [&, how, mesh = one.a, frame = 0, rebuilt = 0,
-         cost = one.a.tree.expected_cost()](benchmark::State& state) mutable {
+        [&, how, mesh = one.a, frame = 0, rebuilt = 0, cost = one.a.tree.expected_cost(),
+         queries = MeshQueryCost(),
+         verdict = MeshQueryCost::Verdict::Unknown](benchmark::State& state) mutable {
           state.PauseTiming();
           twist(one.a, static_cast<float>(std::sin(0.1 * ++frame)), mesh);
           state.ResumeTiming();
-          rebuilt += update_tree(mesh, how, cost) ? 1 : 0;
-          benchmark::DoNotOptimize(mesh_overlap(mesh, one.b, one.b_in_a));
+          if (update_tree(mesh, MeshQueryCost::update_after(verdict, how), cost)) {
+            ++rebuilt;
+            queries.begin_anew();
+          }
+          verdict = queries.judge(mesh_overlap(mesh, one.b, one.b_in_a).counts);
           state.counters["rebuilt"] = static_cast<double>(rebuilt) / frame;
         });
+  }
+  // b moves by so much a frame, to and fro along a line.
+  const auto moving = [&](const std::string& name, const Placed& meshes, const Vec3f& from,
+                          float step) {
+    for (const bool coherent : {false, true}) {
+      add(name + (coherent ? "/coherent" : "/from_roots"),
+          [&meshes, from, step, coherent, front = MeshFront(), frame = 0,
+           nodes = 0.0](benchmark::State& state) mutable {
+            const float way = step * static_cast<float>(std::abs(frame++ % 64 - 32));
+            Pose<float> pose = meshes.b_in_a;
+            pose.position = from + way * Vec3f(0.6F, 0.8F, 0);
+            const MeshOverlap<float> overlap =
+                mesh_overlap(meshes.a, meshes.b, pose, nullptr, coherent ? &front : nullptr);
+            nodes += static_cast<double>(overlap.counts.node_pairs);
+            state.counters["nodes"] = nodes / frame;
+            state.counters["front"] = static_cast<double>(front.pairs.size());
+          });
+    }
+  };
+  for (const float step : {0.0F, 1e-4F, 1e-3F, 1e-2F}) {
+    const std::string by = "moving/" + std::to_string(step) + "/";
+    moving(by + "crossing", one, one.b_in_a.position, step);
+    moving(by + "concentric", other, other.b_in_a.position, step);
+    moving(by + "beside", one, Vec3f::Constant(1.1561F), step);
+    moving(by + "nested", nested, Vec3f::Zero(), step);
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

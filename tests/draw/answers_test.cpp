@@ -17,6 +17,7 @@ namespace {
 using crate_sample::CrateOnSlab;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 trace::TestedAxis axis(const char* kind, int a, int b, const Vec3d& direction, double gap) {
   trace::TestedAxis result;
@@ -74,6 +75,8 @@ TEST(Answers, AreSaidInWords) {
   EXPECT_EQ(spell_answer(asked.pair()), "0 m: they overlap");
   asked.query().gap = 0.12;
   EXPECT_EQ(spell_answer(asked.pair()), "0.120 m apart");
+  asked.query().gap = 0.0;
+  EXPECT_EQ(spell_answer(asked.pair()), "0 m: they touch");
   EXPECT_EQ(spell_axis(asked.query(), asked.query().axes[1]), "edges 0 × 2");
 }
 
@@ -90,6 +93,10 @@ TEST(Answers, OfMeshesTellWhatWasFound) {
   asked.pair().overlap = true;
   asked.pair().intersections.resize(3);
   EXPECT_EQ(spell_answer(asked.pair()), "yes: 3 pairs of triangles meet");
+  asked.pair().overlap = false;
+  EXPECT_EQ(spell_answer(asked.pair()), "no: 3 pairs of triangles touch, none cross");
+  asked.pair().intersections.resize(1);
+  EXPECT_EQ(spell_answer(asked.pair()), "no: 1 pair of triangles touches, none cross");
 }
 
 /// How many lines and curves of the sketch have this colour.
@@ -119,13 +126,25 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
   }
 }
 
+TEST(Answers, WhatBoundsSayIsToldWhateverTheyWereAsked) {
+  for (const auto& [bounds, shapes, words] :
+       {std::tuple{true, true, "bounds say yes, as the shapes do"},
+        {true, false, "bounds say yes, the shapes no"},
+        {false, false, "bounds say no"},
+        {false, true, "bounds say no, the shapes yes"}}) {
+    AskedCrate asked(bounds, shapes);
+    asked.view.layers = {Layer::Volumes};
+    EXPECT_EQ(legend_of(asked.staged(), asked.frames[0])[0].text, words);
+  }
+}
+
 TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
   AskedCrate asked(false, false);
   asked.view.layers = {Layer::TestedAxes};
   Sketch sketch = sketch_frame(asked.staged(), asked.frames[0]);
   ASSERT_EQ(sketch.arrows.size(), 1u);
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY());
-  EXPECT_EQ(sketch.arrows[0].color.r, kContact.r);
+  EXPECT_EQ(sketch.arrows[0].color.r, kAxis.r);
   EXPECT_EQ(sketch.labels[0].text, "face 1 of A");
   asked.query().axes[0].separates = false;
   sketch = sketch_frame(asked.staged(), asked.frames[0]);
@@ -173,6 +192,37 @@ TEST(Answers, PanelsTellThemOverTime) {
   EXPECT_THAT(axes, Contains("face 1 of A"));
   EXPECT_THAT(axes, Contains("−2.00 mm"));
   EXPECT_THAT(panel_texts(asked, Panel::Summary), Contains(HasSubstr("do the oriented boxes")));
+}
+
+TEST(Answers, ThePipelineCountsWhatIsAskedBesideWhatIsCollided) {
+  AskedCrate asked(true, true);
+  trace::Pair apart = asked.pair();
+  apart.overlap = false;
+  asked.frames[0].pairs.push_back(apart);
+  std::vector<std::string> told = panel_texts(asked, Panel::Pipeline);
+  EXPECT_THAT(told, ::testing::IsSupersetOf(
+                        {"pairs asked, no contacts made", "2", "of these overlap or touch", "1"}));
+  EXPECT_THAT(told, Not(Contains("pairs in contact"))) << "nothing is collided";
+  trace::Pair collided = CrateOnSlab().pair();
+  asked.frames[0].pairs.push_back(collided);
+  told = panel_texts(asked, Panel::Pipeline);
+  EXPECT_THAT(told, Contains("of these overlap or touch"));
+  EXPECT_THAT(told, Contains("pairs in contact"));
+  asked.frames[0].pairs = {collided};
+  EXPECT_THAT(panel_texts(asked, Panel::Pipeline), Not(Contains("of these overlap or touch")));
+}
+
+TEST(Answers, ASummaryShowsAllPairsThatItHasRoomFor) {
+  AskedCrate asked(true, true);
+  asked.query().asked = "distance";
+  asked.query().gap = 0.12;
+  for (const char* label : {"second", "third", "fourth"}) {
+    asked.frames[0].pairs.push_back(asked.pair());
+    asked.frames[0].pairs.back().label = label;
+  }
+  const std::vector<std::string> told = panel_texts(asked, Panel::Summary);
+  EXPECT_THAT(told, Contains("fourth: slab, crate"));
+  EXPECT_THAT(told, Not(Contains(HasSubstr("more pair"))));
 }
 
 TEST(Answers, PanelsSayWhereTheyDoNotApply) {

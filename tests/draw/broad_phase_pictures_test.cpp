@@ -109,7 +109,7 @@ TEST_F(BroadPhasePicture, WithoutABroadPhaseTheEndpointsPanelSaysSo) {
 
 TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
   EXPECT_THAT(panel(Panel::Pipeline),
-              IsSupersetOf({"pairs of 2 shapes", "1", "1234", "pairs in contact", "contact points",
+              IsSupersetOf({"pairs of 2 shapes", "1", "1,234", "pairs in contact", "contact points",
                             "2", "bars: by the number of digits"}));
 }
 
@@ -123,6 +123,16 @@ TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {
   EXPECT_THAT(names(), testing::UnorderedElementsAre("slab", "crate"));
   for (int i = 0; i < 11; ++i) phase().bounds.push_back(phase().bounds[0]);
   EXPECT_THAT(names(), testing::IsEmpty()) << "many do not";
+}
+
+TEST_F(BroadPhasePicture, ANameStandsAtACornerThatNoOtherBoxHolds) {
+  phase().bounds = {{"left", {{0, 0, 0}, {2, 1, 2}}}, {"right", {{1, 0, 1}, {3, 1, 3}}}};
+  const Sketch drawn = sketch(Layer::Bounds);
+  ASSERT_EQ(drawn.labels.size(), 2u);
+  for (const Label& label : drawn.labels) {
+    // The upper corner of the left one is in the right one.
+    EXPECT_EQ(label.at, label.text == "right" ? Vec3d(3, 1, 3) : Vec3d(0, 1, 2)) << label.text;
+  }
 }
 
 TEST_F(BroadPhasePicture, AmongManyShapesAPointIsASpeckWithoutALength) {

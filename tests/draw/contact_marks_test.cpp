@@ -204,6 +204,75 @@ TEST(PairLabel, StandsClearOfTheBodyThatItNames) {
   EXPECT_EQ(found, 1);
 }
 
+TEST(PairLabel, OfPairsThatShareABodyEachHasAPlaceOfItsOwn) {
+  CrateOnSlab scene;
+  scene.view.focus = Focus::Shapes;
+  scene.view.layers = {Layer::Shapes};
+  scene.header.shapes.push_back(crate_sample::cuboid("ball", {0.2, 0.2, 0.2}));
+  Pose<double> aside;
+  aside.position = {-0.8, 0.2, 0};
+  scene.frames[0].poses.emplace_back("ball", aside);
+  std::vector<trace::Pair>& pairs = scene.frames[0].pairs;
+  pairs[0].label = "first";
+  pairs.insert(pairs.end(), 3, pairs[0]);
+  pairs[1].label = "second";  // the crate and the ball
+  pairs[1].a = "ball";
+  pairs[2].label = "third";
+  pairs[2].a = "ball";
+  pairs[2].b = "slab";
+  pairs[3].label = "fourth";
+  std::swap(pairs[3].a, pairs[3].b);
+  const Drawing drawing = illustrate(scene.staged(), scene.frames[0]);
+  std::vector<Rect> boxes;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Text* text = std::get_if<Text>(&primitive);
+    if (text == nullptr) continue;
+    for (const char* label : {"first", "second", "third", "fourth"}) {
+      if (text->text != label) continue;
+      const double width = text_width(text->text, text->size, FontWeight::Bold);
+      boxes.push_back({text->at.x, text->at.y - 0.8 * text->size, width, text->size});
+    }
+  }
+  ASSERT_EQ(boxes.size(), 4u);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << " " << j;
+  // No leader, which would strike through the labels nearer to the body.
+  for (const Primitive& primitive : drawing.primitives) {
+    const Stroke* stroke = std::get_if<Stroke>(&primitive);
+    if (stroke == nullptr || !crate_sample::same(stroke->color, kText)) continue;
+    for (const Rect& box : boxes) EXPECT_FALSE(clip_segment(box, stroke->from, stroke->to));
+  }
+}
+
+TEST(Legend, OfManyShapesHasOneEntryARole) {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes};
+  const auto legend = [&] {
+    std::vector<std::string> words;
+    for (const LegendEntry& entry : legend_of(scene.staged(), scene.frames[0]))
+      words.push_back(entry.text);
+    return words;
+  };
+  const auto add = [&](const std::string& name) {
+    Pose<double> aside;
+    aside.position = {2.0 * static_cast<double>(scene.header.shapes.size()), 0, 0};
+    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.1, 0.1, 0.1}));
+    scene.frames[0].poses.emplace_back(name, aside);
+    trace::Pair pair = scene.pair();
+    pair.b = name;
+    scene.frames[0].pairs.push_back(pair);
+  };
+  scene.view.focus = Focus::Shapes;
+  add("box_2");
+  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: crate", "B: box_2"));
+  add("ball");
+  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: crate, box_2, ball"));
+  add("box_4");
+  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: 4 shapes"));
+  scene.header.shapes[1].name = scene.frames[0].poses[1].first = scene.pair().b = "box_1";
+  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: box_1 to box_4"));
+}
+
 TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};

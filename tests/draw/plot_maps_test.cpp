@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {640, 360}};
 
@@ -72,6 +73,20 @@ trace::Study named_map() {
   for (const char* panel : {"float: a", "float: b", "float: c", "double: a", "double: b"}) {
     for (int row = 0; row < 12; ++row) {
       study.series.push_back({"capsule on capsule " + std::to_string(row), points(1), panel, "m"});
+    }
+  }
+  return study;
+}
+
+trace::Study answers() {
+  trace::Study study = study_of(trace::StudyForm::Answers);
+  study.row = "units along y";
+  for (const char* panel : {"float", "double", "exact"}) {
+    for (int j = -6; j < 6; ++j) {
+      trace::StudySeries& row = study.series.emplace_back(
+          trace::StudySeries{panel, {}, panel, "units along x", double(j)});
+      for (int i = -6; i < 6; ++i)
+        row.points.push_back({double(i), i == j ? 1.0 : i > j ? 0.0 : 2.0, {}, {}, 0, 1});
     }
   }
   return study;
@@ -140,6 +155,63 @@ TEST(PlotCurves, NamesEveryPanelAndCountsItsFailures) {
   EXPECT_THAT(all, Contains(HasSubstr("all axes in extended precision")));
 }
 
+TEST(PlotCurves, WithoutFailuresNoneAreExplainedAndTheCurvesHaveTheirRoom) {
+  trace::Study study = curves();
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("failures, of all cases"));
+  const auto highest = [&] {
+    float top = 1e9f;
+    for (const Disc& disc : all_of<Disc>(plot_curves(study, 1280, 720)))
+      if (disc.center.y > 110) top = std::min(top, disc.center.y);  // below the legend
+    return top;
+  };
+  const float with_failures = highest();
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) point.failed = 0;
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Not(Contains("failures, of all cases")));
+  EXPECT_LT(highest(), with_failures - 40);
+}
+
+TEST(PlotCurves, FramesAreEquallyFarApart) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "frames";
+  for (int frame = 1; frame <= 50; ++frame)
+    line.points.push_back({static_cast<double>(frame), 1.0 + frame, 1.0 + frame, {}, 0, 1});
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  std::vector<float> places;
+  for (const Disc& disc : all_of<Disc>(drawing))
+    if (disc.center.y > 110) places.push_back(disc.center.x);  // below the legend
+  ASSERT_EQ(places.size(), 50u);
+  for (std::size_t i = 1; i < 50; ++i)
+    EXPECT_NEAR(places[i] - places[i - 1], (places[49] - places[0]) / 49, 0.01);
+  EXPECT_THAT(words(drawing), testing::IsSupersetOf({"10", "20", "40"}));
+  expect_legible(drawing);
+}
+
+TEST(PlotCurves, AnAxisOfOneDecadeHasTwoLabelsAndMore) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "within a decade";
+  for (const double error : {0.3, 0.7, 1.8})
+    line.points.push_back({100 * error, error, error, {}, 0, 1});
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)),
+              testing::IsSupersetOf({"0.5", "1", "50", "100"}));
+  for (trace::StudyPoint& point : line.points) point.parameter *= 1000;
+  study.series.push_back({"another", line.points, "", "of the second panel"});
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  EXPECT_THAT(words(drawing), testing::IsSupersetOf({"5 × 10⁴", "10⁵"}));
+  expect_legible(drawing);
+}
+
+TEST(PlotCurves, WhatHasOneValueAPointIsNotCalledTheLargest) {
+  trace::Study study = curves();
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Largest error / size"));
+  for (trace::StudySeries& series : study.series)
+    for (trace::StudyPoint& point : series.points) point.error_worst = point.error;
+  study.error = "milliseconds, median";
+  EXPECT_THAT(words(plot_curves(study, 1280, 720)), Contains("Milliseconds, median"));
+}
+
 TEST(PlotCurves, OneHeightIsOneErrorInEveryPanelOfARow) {
   // Dots of the flat line of "double" are level across the three panels of the upper row.
   std::multiset<float> heights;
@@ -167,6 +239,27 @@ TEST(PlotMap, ACellForEachPointAndACrossForEachFailure) {
   // Where all failed a hatching stands for the colour.
   EXPECT_EQ(count().first, fills - 1);
   EXPECT_GT(count().second, strokes + 10);
+}
+
+TEST(PlotAnswers, TextStaysOnTheCanvasAndApart) {
+  for (const auto& [width, height] : kSizes) expect_legible(plot_answers(answers(), width, height));
+}
+
+TEST(PlotAnswers, EachAnswerHasAColourAndWhatIsWrongASquare) {
+  trace::Study study = answers();
+  const Drawing right = plot_answers(study, 1280, 720);
+  EXPECT_EQ(std::ranges::count(words(right), "0 of 144 wrong"), 3);
+  // A row of a panel has at most three stretches of one colour; the legend has four boxes.
+  EXPECT_EQ(all_of<Fill>(right).size(), 3u * (3 * 12 - 2) + 4);
+  study.series[7].points[2].failed = 1;
+  study.series[7].points[9].failed = 1;
+  const Drawing wrong = plot_answers(study, 1280, 720);
+  EXPECT_EQ(std::ranges::count(words(wrong), "0 of 144 wrong"), 2);
+  EXPECT_EQ(std::ranges::count(words(wrong), "2 of 144 wrong"), 1);
+  EXPECT_EQ(all_of<Fill>(wrong).size(), all_of<Fill>(right).size() + 2);
+  // An answer that changes changes a colour: where it stands alone, a stretch becomes three.
+  study.series[7].points[9].error = 2;
+  EXPECT_EQ(all_of<Fill>(plot_answers(study, 1280, 720)).size(), all_of<Fill>(wrong).size() + 2);
 }
 
 TEST(PlotMap, WorseIsDarker) {

@@ -10,6 +10,8 @@ namespace contactscope::peers {
 std::vector<PairFinderInfo> bullet_broad_phases();
 std::vector<PairFinderInfo> fcl_broad_phases();
 std::vector<PairFinderInfo> ode_broad_phases();
+/// None where Embree is not installed.
+std::vector<PairFinderInfo> embree_broad_phases();
 std::vector<PairFinderInfo> broad_phase_peers();
 
 }  // namespace contactscope::peers

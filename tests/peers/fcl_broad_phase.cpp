@@ -58,7 +58,7 @@ std::vector<PairFinderInfo> fcl_broad_phases() {
 
 std::vector<PairFinderInfo> broad_phase_peers() {
   std::vector<PairFinderInfo> all = bullet_broad_phases();
-  for (auto* const list : {&fcl_broad_phases, &ode_broad_phases})
+  for (auto* const list : {&fcl_broad_phases, &ode_broad_phases, &embree_broad_phases})
     for (const PairFinderInfo& info : list()) all.push_back(info);
   return all;
 }

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/at.h"
+#include "query/mesh_query_cost.h"
 #include "support/random_geometry.h"
 #include "support/sphere_mesh.h"
 
@@ -136,6 +139,171 @@ TEST(MeshOverlap, TheRecordTellsEveryNodePairOnce) {
                   : 0;
   }
   EXPECT_EQ(leaves, watched.counts.leaf_pairs);
+}
+
+/// What a call with a front found must be what one without finds, whatever the front was.
+template <class S>
+std::size_t expect_same_with_front(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
+                                   MeshFront& front) {
+  const MeshOverlap<S> from_roots = mesh_overlap(a, b, b_in_a);
+  const MeshOverlap<S> coherent = mesh_overlap(a, b, b_in_a, nullptr, &front);
+  EXPECT_EQ(coherent.counts.leaf_pairs, from_roots.counts.leaf_pairs);
+  EXPECT_EQ(coherent.counts.triangle_pairs, from_roots.counts.triangle_pairs);
+  EXPECT_EQ(coherent.intersections.size(), from_roots.intersections.size());
+  for (std::size_t i = 0;
+       i < std::min(coherent.intersections.size(), from_roots.intersections.size()); ++i) {
+    const MeshIntersection<S>&one = coherent.intersections[i], &other = from_roots.intersections[i];
+    EXPECT_EQ(one.a, other.a);
+    EXPECT_EQ(one.b, other.b);
+    EXPECT_EQ(one.overlap.kind, other.overlap.kind);
+    EXPECT_EQ(one.overlap.segment, other.overlap.segment);
+  }
+  return from_roots.intersections.size();
+}
+
+/// Two meshes of this size that move a little, far, change their form, and get new trees, frame by
+/// frame as chance has it, with one front all the time. Returns how many frames they crossed in.
+template <class S>
+int expect_same_through_changes(double size, int seed, int frames) {
+  Random random(static_cast<unsigned>(seed));
+  const Mesh<double> made_a = built(test::sphere_mesh(size, 16, 11, 0.1));
+  const Mesh<double> made_b = built(test::sphere_mesh(0.7 * size, 13, 9, 0.05));
+  Mesh<S> a = mesh_cast<S>(made_a), b = mesh_cast<S>(made_b);
+  MeshFront front;
+  Pose<double> b_in_a = random.pose(size);
+  int crossing = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    const int change = random.index(16);
+    if (change == 0) {
+      b_in_a = random.pose(random.index(4) > 0 ? size : 100 * size);
+    } else {
+      b_in_a.position += 0.02 * size * random.unit_vector();
+    }
+    if (change >= 12) {
+      const double swell = random.uniform(-0.05, 0.05) * size;
+      for (Vec3<S>& v : b.vertices) v.x() += static_cast<S>(swell * std::sin(5 * v.y() / size));
+      refit(b);
+    }
+    double unused = 0;
+    if (change == 1) update_tree(b, TreeUpdate::Rebuild, unused);
+    if (change == 2) {
+      for (Vec3<S>& v : a.vertices) v.z() += static_cast<S>(0.3) * v.x();
+      update_tree(a, TreeUpdate::Rebuild, unused);
+    }
+    if (expect_same_with_front(a, b, b_in_a.template cast<S>(), front) > 0) ++crossing;
+    if (::testing::Test::HasFailure()) break;
+  }
+  return crossing;
+}
+
+TEST(MeshFront, SlowGivesWhatTheRootsGiveWhateverHappens) {
+  for (int i = 0; i < 9; ++i) {
+    const double size = std::pow(10.0, i - 4);  // 1e-4 to 1e4
+    EXPECT_GT(expect_same_through_changes<float>(size, 53 + i, 300), 60) << size;
+    EXPECT_GT(expect_same_through_changes<double>(size, 153 + i, 300), 60) << size;
+  }
+}
+
+TEST(MeshFront, IsThatOfANewTraversalOnceThingsHaveComeToRest) {
+  const Mesh<float> a = mesh_cast<float>(built(test::sphere_mesh(1, 24, 17, 0.1)));
+  const Mesh<float> b = mesh_cast<float>(built(test::sphere_mesh(1, 21, 15, 0)));
+  const auto beside = [](float way) {
+    return Pose<float>{Quat<float>(0.8F, 0, 0.6F, 0), Vec3f(way, 0.2F, 0.1F)};
+  };
+  MeshFront front;
+  for (int frame = 0; frame <= 40; ++frame)
+    mesh_overlap(a, b, beside(0.04F * static_cast<float>(frame)), nullptr, &front);
+  const std::size_t passed = front.pairs.size();
+  // All have their turn in eight frames, and one of two levels may have it before the other.
+  for (int frame = 0; frame < 200; ++frame) mesh_overlap(a, b, beside(1.6F), nullptr, &front);
+  MeshFront fresh;
+  const MeshOverlap<float> first = mesh_overlap(a, b, beside(1.6F), nullptr, &fresh);
+  EXPECT_GT(passed, fresh.pairs.size());
+  EXPECT_EQ(front.pairs, fresh.pairs);
+  EXPECT_GT(first.counts.leaf_pairs, 0);
+  // At rest it spares most of what is above it.
+  const MeshOverlap<float> rest = mesh_overlap(a, b, beside(1.6F), nullptr, &front);
+  EXPECT_LT(static_cast<double>(rest.counts.node_pairs),
+            0.8 * static_cast<double>(first.counts.node_pairs));
+}
+
+TEST(MeshFront, MeshesThatHavePartedAreComparedOnce) {
+  const Mesh<double> mesh = built(test::sphere_mesh(1, 16, 11, 0.1));
+  MeshFront front;
+  mesh_overlap(mesh, mesh, {Quatd::Identity(), Vec3d(1, 0, 0)}, nullptr, &front);
+  EXPECT_GT(front.pairs.size(), 100u);
+  const Pose<double> far{Quatd::Identity(), Vec3d(10, 0, 0)};
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(mesh_overlap(mesh, mesh, far, nullptr, &front).counts.node_pairs, 1);
+    EXPECT_EQ(front.pairs, (std::vector<NodeIndices>{{0, 0}}));
+  }
+}
+
+TEST(MeshFront, ANewTreeMakesItVoid) {
+  Mesh<double> a = built(test::sphere_mesh(1, 16, 11, 0.1));
+  const Mesh<double> b = built(test::sphere_mesh(1, 13, 9, 0));
+  const Pose<double> b_in_a{Quatd::Identity(), Vec3d(1, 0.5, 0.2)};
+  MeshFront front;
+  mesh_overlap(a, b, b_in_a, nullptr, &front);
+  for (Vec3d& v : a.vertices) v.y() *= 1.5;
+  refit(a);
+  std::vector<NodePairVisit> visits;
+  mesh_overlap(a, b, b_in_a, &visits, &front);
+  const std::size_t kept = visits.size();
+  double unused = 0;
+  update_tree(a, TreeUpdate::Rebuild, unused);
+  visits.clear();
+  const MeshOverlap<double> anew = mesh_overlap(a, b, b_in_a, &visits, &front);
+  EXPECT_EQ(anew.counts.node_pairs, mesh_overlap(a, b, b_in_a).counts.node_pairs);
+  EXPECT_LT(kept, visits.size());
+}
+
+TEST(MeshFront, TheRecordTellsWhatWasComparedAndNothingTwice) {
+  const Mesh<double> a = built(test::sphere_mesh(1, 16, 11, 0.1));
+  const Mesh<double> b = built(test::sphere_mesh(1, 13, 9, 0));
+  MeshFront front;
+  for (int frame = 0; frame < 40; ++frame) {
+    const Pose<double> b_in_a{Quatd::Identity(), Vec3d(1, 0.05 * frame, 0.2)};
+    std::vector<NodePairVisit> visits;
+    const MeshOverlap<double> overlap = mesh_overlap(a, b, b_in_a, &visits, &front);
+    ASSERT_EQ(overlap.counts.node_pairs, static_cast<std::int64_t>(visits.size()));
+    std::set<std::pair<int, int>> seen;
+    std::int64_t leaves = 0;
+    for (const NodePairVisit& visit : visits) {
+      ASSERT_TRUE(seen.emplace(visit.a, visit.b).second) << frame;
+      leaves +=
+          visit.overlaps && at(a.tree.nodes, visit.a).leaf() && at(b.tree.nodes, visit.b).leaf();
+    }
+    EXPECT_EQ(leaves, overlap.counts.leaf_pairs);
+  }
+}
+
+TEST(MeshQueryCost, JudgesTreesAndNotHowNearTheMeshesAre) {
+  using enum MeshQueryCost::Verdict;
+  const auto counts = [](std::int64_t nodes, std::int64_t triangles) {
+    return MeshOverlapCounts{nodes, 0, triangles};
+  };
+  MeshQueryCost cost;
+  EXPECT_EQ(cost.judge(counts(50, 63)), Unknown) << "too few";
+  EXPECT_EQ(cost.judge(counts(1000, 500)), Unknown) << "the first one";
+  EXPECT_EQ(cost.judge(counts(1300, 500)), AsNew);
+  EXPECT_EQ(cost.judge(counts(1301, 500)), Worse);
+  EXPECT_EQ(cost.judge(counts(1299, 700)), AsNew) << "closer, and no dearer";
+  EXPECT_EQ(cost.judge(counts(1400, 700)), Unknown) << "dearer, and closer";
+  EXPECT_EQ(cost.judge(counts(1821, 700)), Worse) << "dearer than that makes them";
+  EXPECT_EQ(cost.judge(counts(1290, 300)), Unknown) << "more for each, but there are fewer";
+  EXPECT_EQ(cost.judge(counts(1310, 300)), Worse);
+  EXPECT_EQ(cost.judge(counts(779, 300)), AsNew);
+  EXPECT_EQ(cost.judge(counts(5000, 1001)), Unknown) << "much closer: another base";
+  EXPECT_EQ(cost.judge(counts(6500, 1001)), AsNew);
+  EXPECT_EQ(cost.judge(counts(900, 499)), Unknown) << "far apart: another base";
+  EXPECT_EQ(cost.judge(counts(1171, 499)), Worse);
+  // A later query that is cheaper is the base from there on.
+  EXPECT_EQ(cost.judge(counts(700, 480)), AsNew);
+  EXPECT_EQ(cost.judge(counts(911, 480)), Worse);
+  cost.begin_anew();
+  EXPECT_EQ(cost.judge(counts(911, 480)), Unknown);
+  EXPECT_EQ(cost.judge(counts(911, 480)), AsNew);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
+#include "broadphase/broad_phase.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"
 
@@ -102,7 +105,15 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"TouchingIsNotAsked",
                two_boxes("[pipeline]\nquery = \"distance\"\n[[expect]]\na = \"crate\"\n"
                          "b = \"floor\"\ntouching = true\n"),
-               "13:12", "query = \"touching\""}),
+               "13:12", "query = \"touching\""},
+        Broken{"BoxesHaveNoTriangles",
+               two_boxes("[pipeline]\nquery = \"overlap\"\n[[expect]]\na = \"crate\"\n"
+                         "b = \"floor\"\nintersections = 0\n"),
+               "13:17", "'crate' is none; expect overlap"},
+        Broken{"BoundsHaveNoTriangles",
+               meshes("query = \"overlap\"\nbounds = \"aabb\"\n[[expect]]\na = \"floor\"\n"
+                      "b = \"wall\"\nintersections = 0\n"),
+               "17:17", "remove 'bounds'"}),
     name_of_test);
 
 TEST(QueryKeys, WhatDefaultPairsCannotAnswerIsLeftOutAndTold) {
@@ -188,6 +199,28 @@ TEST(QueryKeys, ABroadPhaseChoosesPairsThatAnswer) {
   EXPECT_THAT(unmet_expectations(scenario, {frame}),
               ElementsAre(HasSubstr("expected 4 intersections, got " +
                                     std::to_string(frame.pairs[0].intersections.size()))));
+}
+
+TEST(QueryKeys, BoxesAllEqualOrOfEveryLengthThatIsAllowedAreChosenAlikeByAll) {
+  const std::string equal =
+      "[shapes.ball]\ntype = \"sphere\"\nradius = 0.1\n"
+      "scatter = { count = 300, lower = [0, 0, 0], upper = [0, 0, 0], turned = false }\n";
+  const std::string extreme =
+      "[shapes.grain]\ntype = \"sphere\"\nradius = 1e-9\n"
+      "[shapes.world]\ntype = \"sphere\"\nradius = 1e9\n"
+      "[shapes.far]\ntype = \"sphere\"\nradius = 1e-9\nposition = [1e9, 1e9, -1e9]\n";
+  const auto overlapping = [](const std::string& shapes, const std::string& broad_phase) {
+    const Scenario scenario =
+        parsed("title = \"Bad input\"\n" + shapes + kGround +
+               "[pipeline]\nquery = \"overlap\"\n[world]\nbroad_phase = \"" + broad_phase + "\"\n");
+    const trace::Frame frame = Runner(scenario).frame(0);
+    return std::ranges::count(frame.pairs, std::optional(true), &trace::Pair::overlap);
+  };
+  for (const BroadPhaseInfo& info : broad_phases()) {
+    EXPECT_EQ(overlapping(equal, std::string(info.name)), 300 * 299 / 2 + 300) << info.name;
+    // The grain and the world touch the ground, and the grain is in the world.
+    EXPECT_EQ(overlapping(extreme, std::string(info.name)), 3) << info.name;
+  }
 }
 
 TEST(QueryKeys, ASensorIsPassedThrough) {

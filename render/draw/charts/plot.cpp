@@ -22,9 +22,21 @@ constexpr double kSubtitle = 15;
 constexpr double kLegend = 24;
 constexpr double kCaption = 20;
 
-/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room.
+/// The powers of ten on an axis and their places, pixels; labelled as often as labels have room. Where
+/// there are fewer than three of them, 2 and 5 times each as well.
 std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float room) {
-  const std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  std::vector<Axis::Tick> ticks = axis.ticks(1e9f);  // decades alone: none is that long
+  if (ticks.size() < 3) {
+    ticks = axis.ticks();
+    std::erase_if(ticks, [](const Axis::Tick& tick) { return !tick.labelled; });
+    return mapped(ticks, [](const Axis::Tick& tick) {
+      const double decade = std::pow(10.0, std::floor(std::log10(tick.value) + 1e-9));
+      const std::string factor = tick.decade ? "" : printed("%.0f × ", tick.value / decade);
+      const bool is_plain = tick.value > 0.9e-3 && tick.value < 1e4;
+      return std::pair(tick.at, is_plain ? spell_tick_error(tick.value, "")
+                                         : factor + spell_tick_error(decade, ""));
+    });
+  }
   int every = 1;
   if (ticks.size() > 1) {
     const float decade = std::abs(ticks[1].at - ticks[0].at);
@@ -35,6 +47,17 @@ std::vector<std::pair<float, std::string>> decades_of(const Axis& axis, float ro
     const bool labelled = std::lround(std::log10(tick.value)) % every == 0;
     return std::pair(tick.at, labelled ? spell_tick_error(tick.value, "") : "");
   });
+}
+
+/// Round numbers on an axis that is not logarithmic, every label with so much room.
+std::vector<std::pair<float, std::string>> counts_of(const Axis& axis, float room) {
+  const double pixel = (axis.high - axis.low) / std::max(1.0f, std::abs(axis.to - axis.from));
+  double step = 1;
+  for (int i = 0; step < room * pixel; ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10, 20
+  std::vector<std::pair<float, std::string>> list;
+  for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
+    list.emplace_back(axis.at(value), spell_number(value));
+  return list;
 }
 
 /// "CPU · compiler · build · date", and if asked for the scalar.
@@ -76,7 +99,9 @@ Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size
 
 void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen) {
   const auto top = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
-  for (const auto& [at, label] : decades_of(axis, pen.px(44))) {
+  const float room = pen.px(44);
+  for (const auto& [at, label] :
+       axis.is_logarithmic ? decades_of(axis, room) : counts_of(axis, room)) {
     if (grid) pen.line({at, top}, {at, bottom}, 1, kChartGrid);
     pen.line({at, bottom}, {at, bottom + pen.px(label.empty() ? 3 : 5)}, 1.2, kChartBorder);
     if (!label.empty()) pen.text(label, {at, bottom + pen.px(18)}, Align::Center, kQuietText);
@@ -169,6 +194,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
 Drawing plot(const trace::Study& study, int width, int height) {
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
+  if (study.form == trace::StudyForm::Answers) return plot_answers(study, width, height);
 
   const bool in_panels = trace::has_panels(study);
   std::vector<std::pair<ErrorKind, std::string>> parts;  // of which error, and in which panel

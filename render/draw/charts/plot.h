@@ -13,7 +13,7 @@
 
 namespace contactscope::draw {
 
-/// A study in its form; those of curves and maps are below.
+/// A study in its form; those of curves, maps and answers are below.
 ///
 /// Work precision: error against run time, both axes logarithmic, a line a method, a panel for the
 /// mean error and one for the worst where the study has it, one above the other on a page that is
@@ -28,7 +28,8 @@ namespace contactscope::draw {
 Drawing plot(const trace::Study& study, int width, int height);
 
 /// Small multiples of a study of form Curves: in each panel the largest error of every series
-/// against the parameter, both logarithmic. The error axis is the same in all panels. Series of the
+/// against the parameter, both logarithmic; a parameter that counts one by one, as frames do, is not. The
+/// error axis is the same in all panels. Series of the
 /// same name look the same everywhere: solid and filled, or dashed and hollow where the name goes on
 /// after a comma ("float, unrounded" beside "float"). The series that study.signal names is a grey
 /// line: errors above it drown what is measured. Failures are crosses in rows at the top, with how
@@ -40,8 +41,13 @@ Drawing plot_curves(const trace::Study& study, int width, int height);
 /// error, with a cross where cases failed. Darker is worse; a cell of failures alone is white.
 Drawing plot_map(const trace::Study& study, int width, int height);
 
-/// Labels as many decades of a logarithmic axis as fit under the lower edge of the area, and draws
-/// their grid lines if asked to.
+/// Panels of a study of form Answers, side by side: a cell for every parameter (to the right) and row
+/// (up), whole numbers from one to the next, in the colour of what was answered there, and a black
+/// square in it where that is wrong. Over each panel stands how many are.
+Drawing plot_answers(const trace::Study& study, int width, int height);
+
+/// Labels as many decades of a logarithmic axis as fit under the lower edge of the area, or round numbers
+/// of another one, and draws their grid lines if asked to.
 void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen);
 /// The same along its left edge; without labels the grid alone.
 void draw_decades_up(const Axis& axis, const Rect& area, bool grid, bool labels, const Pen& pen);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "draw/charts/plot.h"
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
+constexpr int kFailureRows = 4;
 
 struct CurveStyle {
   Color color;
@@ -35,9 +37,18 @@ CurveStyle style_of(const trace::Study& study, const std::string& method) {
   return {kColors[index % std::size(kColors)], method.find(',') != std::string::npos, false};
 }
 
+/// The parameter goes up by one from point to point.
+bool counts_up(const trace::StudySeries& series) {
+  const std::vector<trace::StudyPoint>& points = series.points;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].parameter != points[i - 1].parameter + 1) return false;
+  return points.size() > 2;
+}
+
 struct Curves : Pen {
   const trace::Study& study;
   PositiveRange errors;  // of all panels
+  bool any_failed;
 
   void legend(Point2 at) const {
     std::set<std::string> told;
@@ -52,21 +63,25 @@ struct Curves : Pen {
       if (!style.signal) marker({at.x + px(15), at.y}, style);
       name(series.method);
     }
+    if (!any_failed) return;
     cross({at.x + px(15), at.y}, 4, 1.8, kText);
     name("failures, of all cases");
   }
 
   void panel(const PlotPanel& panel) const {
     PositiveRange parameters;
+    bool counts = true;
     for (const trace::StudySeries* series : panel.series) {
       for (const trace::StudyPoint& point : series->points) parameters.include(point.parameter);
+      counts = counts && counts_up(*series);
     }
     const Rect& area = panel.area;
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const auto above = static_cast<float>(area.y), bottom = static_cast<float>(area.bottom());
     // Room for the rows of all panels alike, so that one height means one error everywhere.
-    const float top = above + px(4 * kFailureRow + 4);
-    const Axis x = parameters.axis(left, right, px(8), px(8));
+    const float top = above + px((any_failed ? kFailureRows : 0) * kFailureRow + 4);
+    const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
+                          : parameters.axis(left, right, px(8), px(8));
     const Axis y = errors.axis(bottom, top, px(6), px(6));
     draw_decades_along(x, area, true, *this);
     draw_decades_up(y, area, true, panel.begins_row, *this);
@@ -127,11 +142,20 @@ struct Curves : Pen {
 }  // namespace
 
 Drawing plot_curves(const trace::Study& study, int width, int height) {
-  PlotPage page = plot_page(study, "Largest " + study.error, width, height);
+  const auto points = points_of(study);
+  const bool any_failed =
+      std::ranges::any_of(points, [](const trace::StudyPoint& p) { return p.failed > 0; });
+  // What has one value a point, such as a time or a share, has no largest one.
+  const bool has_worst = std::ranges::any_of(points, [](const trace::StudyPoint& p) {
+    return p.error && p.error_worst && *p.error_worst > *p.error;
+  });
+  std::string shown = has_worst ? "Largest " + study.error : study.error;
+  shown[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shown[0])));
+  PlotPage page = plot_page(study, shown, width, height);
   PositiveRange errors;
-  for (const trace::StudyPoint& point : points_of(study)) errors.include(largest_error(point));
+  for (const trace::StudyPoint& point : points) errors.include(largest_error(point));
   if (errors.high == 0) errors = {1e-16, 1};
-  const Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors};
+  const Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, any_failed};
   curves.legend(page.legend);
   for (const PlotPanel& panel : panels_on(page, study, kLeft)) curves.panel(panel);
   return page.drawing;

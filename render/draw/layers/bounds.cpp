@@ -7,12 +7,30 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;  // boxes
+constexpr std::size_t kMostNamed = 12;      // boxes
+constexpr double kRoundingOfBounds = 1e-5;  // of a box's size; those of float are traced
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3,
                                 [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
                               [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
+
+/// The upper corner, or the next one that is in no other box: a name there is clearly this box's.
+Vec3d free_corner(const trace::Bounds& bounds, const std::vector<trace::Bounds>& all) {
+  const trace::Box& box = bounds.box;
+  const double rounding = kRoundingOfBounds * (box.upper - box.lower).norm();
+  for (int bits = 7; bits >= 0; --bits) {
+    const Vec3d corner((bits & 1 ? box.upper : box.lower).x(),
+                       (bits & 2 ? box.upper : box.lower).y(),
+                       (bits & 4 ? box.upper : box.lower).z());
+    const auto holds = [&](const trace::Bounds& other) {
+      return &other != &bounds && (corner - other.box.lower).minCoeff() >= -rounding &&
+             (other.box.upper - corner).minCoeff() >= -rounding;
+    };
+    if (std::ranges::none_of(all, holds)) return corner;
+  }
+  return box.upper;
+}
 
 void draw_bounds(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase) return;
@@ -27,7 +45,11 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     const bool alone = bounds < meeting;
     outline(bounds->box, {}, alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kSidePlane},
             sketch);
-    if (all.size() <= kMostNamed) sketch.label(bounds->box.upper, bounds->name, kText, 14, 4);
+    if (all.size() <= kMostNamed) {
+      const Vec3d corner = free_corner(*bounds, all);
+      sketch.label(corner, bounds->name, kText, 14, 4,
+                   Vec3d(corner - 0.5 * (bounds->box.lower + bounds->box.upper)));
+    }
     sketch.explain(
         alone ? kAloneSwatch : kMeetingSwatch,
         alone ? "box that meets no other" : "box that meets another: the pair is collided");

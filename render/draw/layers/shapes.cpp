@@ -1,10 +1,14 @@
+#include <array>
+#include <string_view>
+
 #include "draw/layers/layer.h"
 #include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNames = 5;  // of one role in the legend
+constexpr std::size_t kMostEntries = 3;  // in the legend, of both roles, with a name each
+constexpr std::size_t kMostNames = 3;    // in one entry
 
 constexpr Swatch kShapeASwatch{LegendGroup::Shapes, 0,
                                [](auto& pen) { pen.box(kShapeA, kShapeEdge, 1.5); }};
@@ -25,16 +29,35 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
   }
 }
 
-// By name; a whole stack as one entry.
+/// Without the number at the end.
+std::string_view stem_of(std::string_view name) {
+  const std::size_t last = name.find_last_not_of("0123456789_- ");
+  return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// "slab, crate"; of a whole stack "crate_1 to crate_6"; else "8 shapes".
+std::string in_one_entry(const std::vector<std::string>& names) {
+  if (names.size() > kMostNames) {
+    return stem_of(names.front()) == stem_of(names.back())
+               ? names.front() + " to " + names.back()
+               : std::to_string(names.size()) + " shapes";
+  }
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+// By name. Where these are many, a role has one entry, and the rest of the legend its room.
 void explain_shapes(const Scene& scene, Legend& legend) {
-  if (scene.frame.broad_phase) return;  // no shape has a role
+  if (scene.frame.broad_phase) return;            // no shape has a role
+  std::array<std::vector<std::string>, 2> names;  // of A, of B
+  for (const PlacedShape& shape : scene.shapes)
+    if (in_view(scene.camera, shape)) names[shape.is_a ? 0 : 1].push_back(shape.traced().name);
+  const bool many = names[0].size() + names[1].size() > kMostEntries;
   for (const bool of_a : {true, false}) {
-    std::vector<std::string> names;
-    for (const PlacedShape& shape : scene.shapes) {
-      if (shape.is_a == of_a && in_view(scene.camera, shape)) names.push_back(shape.traced().name);
-    }
-    if (names.size() > kMostNames) names = {names.front() + " to " + names.back()};
-    for (const std::string& name : names)
+    std::vector<std::string>& own = names[of_a ? 0 : 1];
+    if (many && !own.empty()) own = {in_one_entry(own)};
+    for (const std::string& name : own)
       legend.explain(of_a ? kShapeASwatch : kShapeBSwatch, (of_a ? "A: " : "B: ") + name);
   }
 }

@@ -16,8 +16,9 @@ constexpr float kArrow = 90;     // pixels
 constexpr double kShort = 0.01;  // sine of the angle between two edges: shorter is noted
 
 constexpr Swatch kSeparatingSwatch{LegendGroup::Axes, 5,
-                                   [](auto& pen) { pen.arrow(3.5, 9, kContact); }};
-constexpr Swatch kTestedSwatch{LegendGroup::Axes, 6, [](auto& pen) { pen.arrow(3, 9, kAxis); }};
+                                   [](auto& pen) { pen.arrow(3.5, 9, kAxis); }};
+constexpr Swatch kTestedSwatch{LegendGroup::Axes, 6,
+                               [](auto& pen) { pen.arrow(2, 9, kShapeEdge); }};
 constexpr Swatch kSkippedSwatch{LegendGroup::Axes, 7,
                                 [](auto& pen) { pen.open_arrow(1.5, kDropped); }};
 
@@ -45,23 +46,20 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const trace::Query& query = *pair.query;
   const Vec3d middle = 0.5 * (query.bounds_a->center + query.bounds_b->center);
   if (const trace::TestedAxis* axis = worth_a_look(query)) {
-    const Color color = axis->separates ? kContact : axis->skipped ? kDropped : kAxis;
+    const Color color = axis->separates ? kAxis : axis->skipped ? kDropped : kShapeEdge;
     sketch.arrows.push_back({.from = middle,
                              .direction = axis->direction,
                              .pixels = kArrow,
                              .width = axis->separates ? 3.5f
                                       : axis->skipped ? 1.5f
-                                                      : 3.0f,
+                                                      : 2.0f,
                              .head = 11,
                              .color = color,
                              .open = axis->skipped});
     std::string text = spell_axis(query, *axis);
     if (is_short(*axis)) text += ", length " + printed("%.1e", axis->length);
     const double metres = kArrow * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
-    sketch.label(middle + metres * axis->direction, text,
-                 axis->separates ? kContact
-                 : axis->skipped ? kQuietText
-                                 : kAxisText,
+    sketch.label(middle + metres * axis->direction, text, axis->separates ? kAxisText : kQuietText,
                  16, 8, axis->direction);
     sketch.explain(axis->separates ? kSeparatingSwatch
                    : axis->skipped ? kSkippedSwatch

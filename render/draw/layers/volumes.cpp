@@ -26,13 +26,13 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
     case AnswerKind::No:
-      return sketch.explain(kApartSwatch, "bounds, apart");
+      return sketch.explain(kApartSwatch, "bounds say no");
     case AnswerKind::Yes:
-      return sketch.explain(kOverlappingSwatch, "bounds that overlap, as the shapes do");
+      return sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
     case AnswerKind::FalsePositive:
-      return sketch.explain(kFalsePositiveSwatch, "bounds that overlap though the shapes do not");
+      return sketch.explain(kFalsePositiveSwatch, "bounds say yes, the shapes no");
     case AnswerKind::Missed:
-      return sketch.explain(kMissedSwatch, "bounds said to be apart though the shapes overlap");
+      return sketch.explain(kMissedSwatch, "bounds say no, the shapes yes");
   }
 }
 

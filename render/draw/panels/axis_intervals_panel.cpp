@@ -100,7 +100,7 @@ class AxisIntervalsPanel : public PanelContent {
       if (from > to) std::swap(from, to);
       const double width = std::max<double>(pen.px(3), to - from);
       pen.fill({0.5 * (from + to - width), middle - pen.px(kBar + 2), width, pen.px(2 * kBar + 4)},
-               with_alpha(kContact, 0.8f));
+               with_alpha(kAxis, 0.8f));
     }
     const std::string gap = vanishes       ? "parallel"
                             : axis.skipped ? "skipped"
@@ -108,7 +108,7 @@ class AxisIntervalsPanel : public PanelContent {
                                            : spell_length(axis.gap);
     const float baseline = static_cast<float>(rest.y) + sheet.text_height() * 0.86f;
     pen.text(gap, {static_cast<float>(rest.right()), baseline}, Align::Right,
-             axis.separates ? kContact
+             axis.separates ? kAxisText
              : counts       ? kText
                             : kQuietText,
              axis.separates ? Weight::Bold : Weight::Regular);

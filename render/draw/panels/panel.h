@@ -48,6 +48,8 @@ class Sheet {
   /// Of a panel at this scale, pixels.
   static float line_height(float scale);
   static float heading_height(float scale);
+  /// Lines that the value of a row takes on a sheet so wide, pixels.
+  static std::size_t row_lines(const std::string& value, float width, float scale);
 
  private:
   void write(const std::vector<std::string>& lines, float x, const Color& color);

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/answers.h"
+#include "draw/scene/quantity.h"
 
 /// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline", Gregorius
 /// 2015, "Collision Pipeline".
@@ -18,7 +20,21 @@ struct StageCount {
   Color color;
 };
 
-std::vector<StageCount> stages_of(const trace::Frame& frame) {
+/// What the narrow phase does with the pairs of a sequence.
+struct PairUse {
+  bool asked = false;     // some are asked whether they overlap, or how far apart they are
+  bool collided = false;  // some are asked for their contacts
+};
+
+PairUse use_of(const Frames& frames) {
+  PairUse use;
+  for (const trace::Frame& frame : frames)
+    for (const trace::Pair& pair : frame.pairs) (pair.query ? use.asked : use.collided) = true;
+  if (!use.asked) use.collided = true;  // also where no pair comes so far
+  return use;
+}
+
+std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use) {
   std::vector<StageCount> stages;
   const int shapes = count_of(frame.poses);
   if (frame.broad_phase) {
@@ -30,13 +46,21 @@ std::vector<StageCount> stages_of(const trace::Frame& frame) {
   } else {
     stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kSidePlane});
   }
-  int touching = 0, points = 0;
+  int asked = 0, overlapping = 0, touching = 0, points = 0;
   for (const trace::Pair& pair : frame.pairs) {
+    asked += pair.query.has_value();
+    overlapping += pair.query && pair.query->touching.value_or(pair.overlap.value_or(false));
     touching += !pair.manifolds.empty();
     for (const trace::Manifold& manifold : pair.manifolds) points += count_of(manifold.points);
   }
-  stages.push_back({"pairs in contact", touching, with_alpha(kContact, 0.6f)});
-  stages.push_back({"contact points", points, kContact});
+  if (use.asked) {
+    stages.push_back({"pairs asked, no contacts made", asked, with_alpha(kSidePlane, 0.6f)});
+    stages.push_back({"of these overlap or touch", overlapping, answer_color(AnswerKind::Yes)});
+  }
+  if (use.collided) {
+    stages.push_back({"pairs in contact", touching, with_alpha(kContact, 0.6f)});
+    stages.push_back({"contact points", points, kContact});
+  }
   return stages;
 }
 
@@ -48,13 +72,13 @@ double digits(std::int64_t count) {
 class PipelinePanel : public PanelContent {
  public:
   PipelinePanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {
+      : frames_(frames), use_(use_of(frames)), scale_(staging.layout.scale) {
     for (const trace::Frame& frame : frames)
-      for (const StageCount& stage : stages_of(frame)) most_ = std::max(most_, stage.count);
+      for (const StageCount& stage : stages_of(frame, use_)) most_ = std::max(most_, stage.count);
   }
 
   PanelNeed need(const PanelMoment& moment) const override {
-    const auto rows = static_cast<float>(stages_of(frames_[moment.frame]).size());
+    const auto rows = static_cast<float>(stages_of(frames_[moment.frame], use_).size());
     const float bar = static_cast<float>(kBarHeight + kAfterBar) * scale_;
     const float height = Sheet::heading_height(scale_) + Sheet::line_height(scale_) +
                          rows * (Sheet::line_height(scale_) + bar + kSpacing * scale_);
@@ -66,10 +90,10 @@ class PipelinePanel : public PanelContent {
     const trace::Frame& frame = frames_[moment.frame];
     sheet.heading(frame.broad_phase ? "what each stage lets through: " + frame.broad_phase->method
                                     : "what each stage lets through");
-    for (const StageCount& stage : stages_of(frame)) {
+    for (const StageCount& stage : stages_of(frame, use_)) {
       const Rect row = sheet.rest();
       const Pen& pen = sheet.pen();
-      const std::string number = std::to_string(stage.count);
+      const std::string number = spell_count(stage.count);
       pen.text(number,
                {static_cast<float>(row.right()),
                 static_cast<float>(row.y) + pen.px(1) + sheet.text_height() * 0.86f},
@@ -88,6 +112,7 @@ class PipelinePanel : public PanelContent {
 
  private:
   const Frames& frames_;
+  PairUse use_;
   float scale_;
   std::int64_t most_ = 0;
 };

@@ -21,6 +21,11 @@ float spacing_at(float scale) {
   return std::floor(kLineSpacing * scale);
 }
 
+/// From the left end of a row to its value.
+float value_column(float scale) {
+  return std::floor(scale * static_cast<float>(kValueColumn));
+}
+
 /// Baseline of text whose top is at `top`, so that its letters stand on whole pixels.
 float baseline_below(float top, float size, Weight weight) {
   return std::floor(top) + std::floor(ascent(size, weight) + 1);
@@ -85,7 +90,7 @@ void Sheet::paragraph(const std::string& text, const Color& color) {
 
 void Sheet::row(const std::string& name, const std::string& value) {
   const auto left = static_cast<float>(rect_.x);
-  const float values = left + std::floor(pen_.px(kValueColumn));
+  const float values = left + value_column(pen_.scale());
   const float top = y_;
   write({name}, left, kQuietText);
   y_ = top;
@@ -105,6 +110,10 @@ Rect Sheet::rest() const {
 
 float Sheet::line_height(float scale) {
   return whole_size(kTextSize, scale) + spacing_at(scale);
+}
+
+std::size_t Sheet::row_lines(const std::string& value, float width, float scale) {
+  return wrapped(value, whole_size(kTextSize, scale), width - value_column(scale)).size();
 }
 
 float Sheet::heading_height(float scale) {

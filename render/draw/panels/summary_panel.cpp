@@ -70,10 +70,15 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
   }
 }
 
-// A degenerate geometry's name takes a second line, and so does a question; its answer three.
-std::size_t lines_of(const trace::Pair& pair) {
-  std::size_t lines = (pair.degenerate ? 1 : 0) + (pair.query ? 3 : 0);
-  for_each_row(pair, [&](const char*, auto&&) { ++lines; });
+constexpr float kSheetMargin = 12;  // pixels at 720 lines, of a panel on either side of its sheet
+
+// A degenerate geometry's name takes a second line. A question and its answer are sentences.
+std::size_t lines_of(const trace::Pair& pair, const Layout& layout) {
+  const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kSheetMargin);
+  std::size_t lines = pair.degenerate ? 1 : 0;
+  for_each_row(pair, [&](const char*, auto&& spell) {
+    lines += pair.query ? Sheet::row_lines(spell(), width, layout.scale) : 1;
+  });
   return lines;
 }
 
@@ -84,9 +89,12 @@ class SummaryPanel : public PanelContent {
   // apart; and those of the frame that has most to say.
   SummaryPanel(const Staging& staging, const Frames& frames)
       : frames_(frames), scale_(staging.layout.scale) {
-    std::size_t rows = kUsualRows;
+    std::size_t rows = 1;
     for (const trace::Frame& frame : frames) {
-      for (const trace::Pair& pair : frame.pairs) rows = std::max(rows, lines_of(pair));
+      for (const trace::Pair& pair : frame.pairs) {
+        const std::size_t least = pair.query ? 1 : kUsualRows;
+        rows = std::max({rows, least, lines_of(pair, staging.layout)});
+      }
     }
     pair_height_ = (kAroundRows + static_cast<float>(rows)) * Sheet::line_height(scale_);
   }

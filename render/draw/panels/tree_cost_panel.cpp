@@ -39,16 +39,17 @@ class NamedCurves {
 
 /// Two charts over each other: boxes that a small query tests in the tree of each mesh that deforms,
 /// by the surfaces of its boxes, and node pairs that were really compared by each pair of meshes. A
-/// rebuild is the tooth of a saw.
+/// rebuild is the tooth of a saw. Where no mesh deforms the first is left out.
 class TreeCostPanel : public PanelContent {
  public:
   TreeCostPanel(const Staging& staging, const Frames& frames)
       : frames_(frames), scale_(staging.layout.scale) {}
 
   PanelNeed need(const PanelMoment&) const override {
+    const double charts = deforms() ? 2 : 1;
     const auto high = [&](double chart) {
       return Sheet::heading_height(scale_) +
-             static_cast<float>(2 * (chart + kNames) + kAxisBelow) * scale_;
+             static_cast<float>(charts * (chart + kNames) + kAxisBelow) * scale_;
     };
     return {high(kLeastChart), high(1.3 * kLeastChart), high(kMostChart), 0};
   }
@@ -58,8 +59,9 @@ class TreeCostPanel : public PanelContent {
     sheet.heading("what the trees cost");
     const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
     const Rect rect = sheet.rest();
-    const double height =
-        std::min<double>(pen.px(kMostChart), (rect.height - pen.px(kAxisBelow + 2 * kNames)) / 2);
+    const auto charts = static_cast<double>(charts_.size());
+    const double height = std::min<double>(
+        pen.px(kMostChart), (rect.height - pen.px(kAxisBelow)) / charts - pen.px(kNames));
     double y = rect.y;
     for (const NamedChart& named : charts_) {
       double x = rect.x;
@@ -80,6 +82,8 @@ class TreeCostPanel : public PanelContent {
   }
 
  private:
+  bool deforms() const { return !frames_.front().deformed.empty(); }
+
   struct NamedChart {
     SeriesChart chart;
     std::vector<std::string> names;
@@ -95,7 +99,7 @@ class TreeCostPanel : public PanelContent {
           compared.set(pair.label.empty() ? pair_name(pair) : pair.label, f,
                        pair.query->trees->node_pairs);
     }
-    add("boxes that a query tests, by their surfaces", expected);
+    if (deforms()) add("boxes that a query tests, by their surfaces", expected);
     add("node pairs compared", compared);
   }
 

@@ -17,6 +17,7 @@ std::string things_of(const trace::Query& query) {
 
 /// "12.0 cm apart", "3.00 mm deep in each other".
 std::string spell_gap(double gap) {
+  if (gap == 0) return "they touch";
   return gap > 0 ? spell_length(gap) + " apart" : spell_length(-gap) + " deep in each other";
 }
 
@@ -31,6 +32,16 @@ std::string spell_containment(const trace::Pair& pair, const trace::Containment&
   return ": no triangles cross, and neither is inside the other";
 }
 
+/// What two meshes share that meet; without an overlap they only touch.
+std::string spell_intersections(const trace::Pair& pair) {
+  const std::size_t count = pair.intersections.size();
+  const std::string text =
+      ": " + std::to_string(count) + (count == 1 ? " pair of triangles " : " pairs of triangles ");
+  if (!pair.overlap.value_or(false))
+    return text + (count == 1 ? "touches" : "touch") + ", none cross";
+  return text + (count == 1 ? "meets" : "meet");
+}
+
 std::string reason_of(const trace::Pair& pair) {
   const trace::Query& query = *pair.query;
   if (answer_kind(pair) == AnswerKind::FalsePositive) {
@@ -40,10 +51,7 @@ std::string reason_of(const trace::Pair& pair) {
   }
   if (answer_kind(pair) == AnswerKind::Missed) return ", though the shapes overlap: a miss";
   if (query.containment) return spell_containment(pair, *query.containment);
-  if (!pair.intersections.empty())
-    return ": " + std::to_string(pair.intersections.size()) +
-           (pair.intersections.size() == 1 ? " pair of triangles meets"
-                                           : " pairs of triangles meet");
+  if (!pair.intersections.empty()) return spell_intersections(pair);
   return query.gap ? ", " + spell_gap(*query.gap) : "";
 }
 
@@ -88,7 +96,8 @@ std::string spell_answer(const trace::Pair& pair) {
   const bool overlap = pair.overlap.value_or(false);
   if (query.asked == "distance" || query.asked == "penetration") {
     if (!query.gap) return overlap ? "0 m: they overlap" : "not known";
-    if (query.asked == "distance" && *query.gap <= 0) return "0 m: they overlap";
+    if (*query.gap == 0) return "0 m: they touch";
+    if (query.asked == "distance" && *query.gap < 0) return "0 m: they overlap";
     return spell_gap(*query.gap);
   }
   return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair);

@@ -79,7 +79,16 @@ struct Composer {
 
   std::vector<Span> spans_of(const Vec3d& from, const Vec3d& to, const LineStyle& style) const {
     if (style.hidden == LineStyle::Hidden::Same) return {{0, 1, false}};
-    return hidden_lines.split(from, to);
+    std::vector<Span> spans = hidden_lines.split(from, to);
+    // Where an edge behind a mesh ends in a corner of what hides it, a speck of it would be seen.
+    if (style.hidden == LineStyle::Hidden::Gone && spans.size() > 1) {
+      std::erase_if(spans, [&](const Span& span) {
+        const Vec3d way = to - from;
+        return !span.hidden &&
+               on_screen(from + span.from * way, from + span.to * way) < px(style.width);
+      });
+    }
+    return spans;
   }
 
   // What is hidden is decided for each piece of the curve: a longer chord would lie inside the body

@@ -32,6 +32,13 @@ std::string spell_number(double value) {
   return with_minus_sign(printed("%.*g", 4, value));
 }
 
+std::string spell_count(std::int64_t count) {
+  std::string text = std::to_string(count);
+  const std::size_t first_digit = count < 0 ? 1 : 0;
+  for (std::size_t i = text.size(); i > first_digit + 3;) text.insert(i -= 3, ",");
+  return count < 0 ? with_minus_sign(text) : text;
+}
+
 std::string spell_length(double metres) {
   if (metres == 0) return "0 m";
   const double rounded = rounded_to(3, metres);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -16,6 +17,9 @@ std::string printed(const char* format, Values... values) {
 
 /// A plain number with at most four significant digits and a real minus sign.
 std::string spell_number(double value);
+
+/// A whole number in groups of three digits: "11,175".
+std::string spell_count(std::int64_t count);
 
 /// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
 std::string spell_length(double metres);

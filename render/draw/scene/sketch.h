@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,6 +110,7 @@ struct Sketch {
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;
   std::vector<Label> labels;
+  std::vector<Eigen::AlignedBox2d> pair_labels;  // text on the screen that others keep clear of
   Legend legend;
   Vec3d center = Vec3d::Zero();  // labels stand away from it
 

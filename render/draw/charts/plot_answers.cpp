@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/at.h"
+#include "draw/charts/plot.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kLeftOfAnswers = 36;
+constexpr double kBetweenAnswers = 28;
+constexpr double kOverAnswers = 20;
+constexpr double kUnderAnswers = 44;
+constexpr int kTickStep = 8;  // units
+
+struct NamedAnswer {
+  const char* name;
+  Color color;  // Okabe-Ito
+};
+constexpr std::array<NamedAnswer, 3> kAnswers = {
+    {{"apart", rgb(0x56B4E9)}, {"touching", rgb(0xF0E442)}, {"crossing", rgb(0xD55E00)}}};
+constexpr Color kWrongAnswer = rgb(0x000000);
+
+const NamedAnswer& answer_at(const trace::StudyPoint& point) {
+  return at(kAnswers, std::clamp(static_cast<int>(point.error.value_or(0)), 0, 2));
+}
+
+struct AnswerMaps : Pen {
+  void legend(const Point2& begin) const {
+    float x = begin.x;
+    const auto name = [&](const char* what) {
+      text(what, {x + px(32), begin.y + px(5)}, Align::Left, kText);
+      x += px(32) + width_of(what) + px(18);
+    };
+    for (const NamedAnswer& answer : kAnswers) {
+      const Rect box{x, begin.y - px(8), px(26), px(16)};
+      fill(box, answer.color);
+      frame(box, 1.2, kChartBorder);
+      name(answer.name);
+    }
+    fill(middle_of({x + px(5), begin.y - px(8), px(16), px(16)}), kWrongAnswer);
+    name("wrong");
+  }
+
+  /// A square in the middle of a cell that leaves its colour to be seen.
+  static Rect middle_of(const Rect& cell) {
+    const double side = 0.5 * std::min(cell.width, cell.height);
+    return {cell.x + 0.5 * (cell.width - side), cell.y + 0.5 * (cell.height - side), side, side};
+  }
+
+  /// Rows from below; all have the same parameters.
+  void panel(const PlotPanel& panel, const std::string& row) const {
+    const Rect& area = panel.area;
+    const std::vector<trace::StudyPoint>& first = panel.series.front()->points;
+    const double width = area.width / static_cast<double>(first.size());
+    const double height = area.height / static_cast<double>(panel.series.size());
+    int wrong = 0, of = 0;
+    for (std::size_t j = 0; j < panel.series.size(); ++j) {
+      const std::vector<trace::StudyPoint>& points = panel.series[j]->points;
+      const double top = area.bottom() - static_cast<double>(j + 1) * height;
+      // Neighbours of one colour are one rectangle, so that no seam shows between them.
+      for (std::size_t i = 0, end = 0; i < points.size(); i = end) {
+        const NamedAnswer& answer = answer_at(points[i]);
+        while (end < points.size() && &answer_at(points[end]) == &answer) ++end;
+        fill({area.x + static_cast<double>(i) * width, top, static_cast<double>(end - i) * width,
+              height},
+             answer.color);
+      }
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        ++of;
+        if (points[i].failed == 0) continue;
+        ++wrong;
+        fill(middle_of({area.x + static_cast<double>(i) * width, top, width, height}),
+             kWrongAnswer);
+      }
+      tick_up(*panel.series[j]->row, static_cast<float>(top + 0.5 * height), panel);
+    }
+    for (std::size_t i = 0; i < first.size(); ++i)
+      tick_along(first[i].parameter,
+                 static_cast<float>(area.x + (static_cast<double>(i) + 0.5) * width), area);
+    frame(area, 1.2, kChartBorder);
+    const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
+    const float above = static_cast<float>(area.y) - px(6);
+    text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
+    text(std::to_string(wrong) + " of " + std::to_string(of) + " wrong", {right, above},
+         Align::Right, kText);
+    text("across: " + panel.parameter + ", up: " + row,
+         {left, static_cast<float>(area.bottom()) + px(38)}, Align::Left, kQuietText);
+  }
+
+ private:
+  static bool has_tick(double value) { return std::remainder(value, kTickStep) == 0; }
+
+  void tick_up(double value, float y, const PlotPanel& panel) const {
+    if (!has_tick(value)) return;
+    const auto left = static_cast<float>(panel.area.x);
+    line({left - px(5), y}, {left, y}, 1.2, kChartBorder);
+    if (panel.begins_row)
+      text(spell_number(value), {left - px(8), y + px(5)}, Align::Right, kQuietText);
+  }
+
+  void tick_along(double value, float x, const Rect& area) const {
+    if (!has_tick(value)) return;
+    const auto bottom = static_cast<float>(area.bottom());
+    line({x, bottom}, {x, bottom + px(5)}, 1.2, kChartBorder);
+    text(spell_number(value), {x, bottom + px(18)}, Align::Center, kQuietText);
+  }
+};
+
+}  // namespace
+
+Drawing plot_answers(const trace::Study& study, int width, int height) {
+  PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
+  const AnswerMaps maps{Pen(page.drawing, page.scale, kPlotText)};
+  maps.legend(page.legend);
+  std::vector<PlotPanel> panels = panels_of(study);
+  const double scale = page.scale, count = static_cast<double>(panels.size());
+  const double across =
+      (page.panels.width - scale * (kLeftOfAnswers + (count - 1) * kBetweenAnswers)) / count;
+  const double side = std::min(across, page.panels.height - scale * (kOverAnswers + kUnderAnswers));
+  double x = page.panels.x + scale * kLeftOfAnswers;
+  for (PlotPanel& panel : panels) {
+    panel.area = {x, page.panels.y + scale * kOverAnswers, side, side};
+    panel.begins_row = &panel == &panels.front();
+    maps.panel(panel, study.row);
+    x += side + scale * kBetweenAnswers;
+  }
+  return page.drawing;
+}
+
+}  // namespace contactscope::draw
