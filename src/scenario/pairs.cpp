@@ -117,6 +117,17 @@ void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& 
             "' cannot be asked for \"" + to_string(question.kind) + "\": " + *reason);
 }
 
+/// Refuses an entry of [[pairs]] that asks two shapes when they meet of which nobody can say it. Under
+/// [pipeline] such pairs are not asked.
+void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
+                      const Value& entry) {
+  const auto key = entry.find("continuous");
+  if (!key || !pair.pipeline.continuous) return;
+  const ScenarioShape &a = at(shapes, pair.a), &b = at(shapes, pair.b);
+  if (const auto reason = impact_refusal(a, b))
+    key->fail("'" + a.name + "' and '" + b.name + "' cannot be asked when they meet: " + *reason);
+}
+
 /// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
 /// checked also where they have no effect.
 PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
@@ -220,6 +231,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     pair.pipeline = read_settings(table, settings);
     check_incremental(pair, shapes, item);
     check_question(pair, shapes, item);
+    check_continuous(pair, shapes, item);
     if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
       item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
     pairs.push_back(std::move(pair));

@@ -203,6 +203,7 @@ class Runner::In final : public Runner::InScalar {
       record.label = pair.label;
       if (!pair.pipeline.makes_contacts()) {
         ask_pair(pairs_[i], poses, recorded, record);
+        if (recorded) record_impact(pair, time, record);
         move_boxes(pair, record);
         continue;
       }
@@ -327,7 +328,8 @@ class Runner::In final : public Runner::InScalar {
 
   /// When the pair meets in the step that begins now.
   void record_impact(const ScenarioPair& pair, double time, trace::Pair& record) const {
-    if (!pair.pipeline.continuous || impact_refusal(kind_of(shape(pair.a)), kind_of(shape(pair.b))))
+    if (!pair.pipeline.continuous ||
+        impact_refusal(scenario_.shape(pair.a), scenario_.shape(pair.b)))
       return;
     const auto sweep = [&](int index) -> Sweep<S> {
       const ScenarioShape& scripted = scenario_.shape(index);

@@ -104,6 +104,9 @@ struct PipelineSettings {
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
 
+/// Why nobody can say when two shapes meet between frames; nothing where one can.
+std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b);
+
 /// Two shapes to collide, by index into Scenario::shapes, with the settings for this pair: those of
 /// [pipeline], overridden by the keys of the [[pairs]] entry.
 struct ScenarioPair {
