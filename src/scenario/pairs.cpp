@@ -29,35 +29,12 @@ double read_least_length(const Value& value) {
 
 /// Keys that [pipeline] and a [[pairs]] entry share, and others of their own.
 Keys with_settings(Keys keys) {
-<<<<<<< HEAD
-  keys.insert(keys.end(), {"scalar",
-                           "manifold",
-                           "reducer",
-                           "max_points",
-                           "margin",
-                           "cache",
-                           "preference",
-                           "degenerate",
-                           "internal_edges",
-                           "core_margin",
-                           "breaking_distance",
-                           "confirm",
-                           "penetration",
-                           "continuous",
-                           "query",
-                           "bounds",
-                           "comparison",
-                           "tolerance",
-                           "axes",
-                           "skip_up_to"});
-=======
   // Of contacts, then of what a pair is asked.
   keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
                            "preference", "degenerate", "internal_edges", "core_margin",
-                           "breaking_distance", "confirm", "penetration"});
+                           "breaking_distance", "confirm", "penetration", "continuous"});
   keys.insert(keys.end(),
               {"query", "bounds", "comparison", "tolerance", "axes", "skip_up_to", "traversal"});
->>>>>>> origin/main
   return keys;
 }
 
@@ -149,7 +126,6 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
              word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
-<<<<<<< HEAD
   table.read("continuous", settings.continuous, [](const Value& value) {
     constexpr ImpactMethod kMethods[] = {ImpactMethod::ConservativeAdvancement,
                                          ImpactMethod::TimeOfImpact};
@@ -160,10 +136,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
       if (word == to_string(method)) chosen = method;
     return chosen;
   });
-=======
   table.read("traversal", settings.traversal,
              word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
->>>>>>> origin/main
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));
