@@ -23,6 +23,7 @@ Needs needs_of(Panel panel) {
       return {&Stages::sat};
     case Panel::Stability:
       return {&Stages::stability};
+    case Panel::Approach:
     case Panel::Plots:
     case Panel::Pipeline:
       return {};

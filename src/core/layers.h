@@ -42,6 +42,7 @@
   ROW(Overlap, "overlap")                      \
   ROW(RelativeVelocity, "relative_velocity")   \
   ROW(Ahead, "ahead")                          \
+  ROW(Sweep, "sweep")                          \
   ROW(Velocities, "velocities")                \
   ROW(Masses, "masses")
 
@@ -58,6 +59,7 @@
   ROW(TreeCost, "tree_cost")                   \
   ROW(AxisIntervals, "axis_intervals")         \
   ROW(Answers, "answers")                      \
+  ROW(Approach, "approach")                    \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
 // clang-format on

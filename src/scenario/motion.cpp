@@ -51,4 +51,14 @@ Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<doubl
   return compose(pose, {Quatd::Identity(), Vec3d(-shape.collider_origin)});
 }
 
+std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b) {
+  for (const ScenarioShape* shape : {&a, &b})
+    if (shape->deforms())
+      return "'" + shape->name +
+             "' changes its form between frames; remove 'continuous', or its motion.deform";
+  const auto reason = impact_refusal(kind_of(*a.geometry), kind_of(*b.geometry));
+  if (reason) return *reason + "; remove 'continuous'";
+  return std::nullopt;
+}
+
 }  // namespace contactscope

@@ -32,7 +32,7 @@ Keys with_settings(Keys keys) {
   // Of contacts, then of what a pair is asked.
   keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
                            "preference", "degenerate", "internal_edges", "core_margin",
-                           "breaking_distance", "confirm", "penetration"});
+                           "breaking_distance", "confirm", "penetration", "continuous"});
   keys.insert(keys.end(),
               {"query", "bounds", "comparison", "tolerance", "axes", "skip_up_to", "traversal"});
   return keys;
@@ -94,6 +94,17 @@ void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& 
             "' cannot be asked for \"" + to_string(question.kind) + "\": " + *reason);
 }
 
+/// Refuses an entry of [[pairs]] that asks two shapes when they meet of which nobody can say it. Under
+/// [pipeline] such pairs are not asked.
+void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
+                      const Value& entry) {
+  const auto key = entry.find("continuous");
+  if (!key || !pair.pipeline.continuous) return;
+  const ScenarioShape &a = at(shapes, pair.a), &b = at(shapes, pair.b);
+  if (const auto reason = impact_refusal(a, b))
+    key->fail("'" + a.name + "' and '" + b.name + "' cannot be asked when they meet: " + *reason);
+}
+
 /// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are
 /// checked also where they have no effect.
 PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
@@ -115,6 +126,16 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
              word_of<PenetrationMethod>({"sat", "epa", "mpr", "sampling"}, "penetration method"));
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
+  table.read("continuous", settings.continuous, [](const Value& value) {
+    constexpr ImpactMethod kMethods[] = {ImpactMethod::ConservativeAdvancement,
+                                         ImpactMethod::TimeOfImpact};
+    const std::string word = value.one_of(
+        {"discrete", to_string(kMethods[0]), to_string(kMethods[1])}, "way to look between frames");
+    std::optional<ImpactMethod> chosen;
+    for (const ImpactMethod method : kMethods)
+      if (word == to_string(method)) chosen = method;
+    return chosen;
+  });
   table.read("traversal", settings.traversal,
              word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
@@ -184,6 +205,7 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
     pair.pipeline = read_settings(table, settings);
     check_incremental(pair, shapes, item);
     check_question(pair, shapes, item);
+    check_continuous(pair, shapes, item);
     if (!seen.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.label).second)
       item.fail("these two shapes are paired already; give each such entry a 'label' of its own");
     pairs.push_back(std::move(pair));

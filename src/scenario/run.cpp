@@ -13,6 +13,7 @@
 #include "manifold/dispatch.h"
 #include "manifold/incremental.h"
 #include "scenario/deforming_mesh.h"
+#include "scenario/impact_facts.h"
 #include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
@@ -202,12 +203,14 @@ class Runner::In final : public Runner::InScalar {
       record.label = pair.label;
       if (!pair.pipeline.makes_contacts()) {
         ask_pair(pairs_[i], poses, recorded, record);
+        if (recorded) record_impact(pair, time, record);
         move_boxes(pair, record);
         continue;
       }
       contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
         move_boxes(pair, record);
+        record_impact(pair, time, record);
         record_stability(pair, *result, record);
       } else {
         record.kind = pair_kind(shape(pair.a), shape(pair.b));
@@ -321,6 +324,22 @@ class Runner::In final : public Runner::InScalar {
     for (const Manifold<S>& manifold : manifolds)
       for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
     return manifolds;
+  }
+
+  /// When the pair meets in the step that begins now.
+  void record_impact(const ScenarioPair& pair, double time, trace::Pair& record) const {
+    if (!pair.pipeline.continuous ||
+        impact_refusal(scenario_.shape(pair.a), scenario_.shape(pair.b)))
+      return;
+    const auto sweep = [&](int index) -> Sweep<S> {
+      const ScenarioShape& scripted = scenario_.shape(index);
+      if (scripted.dynamic()) return sweep_of(at(bodies_, index), static_cast<S>(scenario_.dt));
+      return sweep_between<S>(collider_pose_at(scripted, time),
+                              collider_pose_at(scripted, time + scenario_.dt),
+                              -scripted.collider_origin);
+    };
+    record.impact = impact_facts(shape(pair.a), sweep(pair.a), shape(pair.b), sweep(pair.b),
+                                 *pair.pipeline.continuous);
   }
 
   /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "continuous/impact_of_shapes.h"
 #include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"
@@ -92,6 +93,8 @@ struct PipelineSettings {
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;
+  /// When the pair first meets in the step after each frame; none: nobody asks.
+  std::optional<ImpactMethod> continuous{};
   Traversal traversal = Traversal::FromRoots;  // of two meshes that are asked
   Question question;  // by default the manifold; its penetration method is `penetration`
 
@@ -100,6 +103,9 @@ struct PipelineSettings {
 
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
+
+/// Why nobody can say when two shapes meet between frames; nothing where one can.
+std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b);
 
 /// Two shapes to collide, by index into Scenario::shapes, with the settings for this pair: those of
 /// [pipeline], overridden by the keys of the [[pairs]] entry.

@@ -7,6 +7,7 @@
 
 #include "trace/clip.h"
 #include "trace/contact.h"
+#include "trace/impact.h"
 #include "trace/minkowski.h"
 #include "trace/query.h"
 #include "trace/sat.h"
@@ -247,6 +248,7 @@ struct Pair {
   std::optional<bool> overlap{};  // where the pair was asked for something else than its manifold
   std::optional<Query> query{};   // likewise; such a pair has no manifolds
   std::vector<Intersection> intersections{};  // of two meshes
+  std::optional<Impact> impact{};             // where the pair is asked when it meets
 
   static constexpr auto fields() {
     return std::tuple(
@@ -269,7 +271,8 @@ struct Pair {
         field::fact("incremental", &Pair::incremental).apart("incremental"),
         field::fact("stability", &Pair::stability).apart("stability"),
         field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).apart("query"),
-        field::facts("intersections", &Pair::intersections).where_set().entries("intersection"));
+        field::facts("intersections", &Pair::intersections).where_set().entries("intersection"),
+        field::fact("impact", &Pair::impact).apart("impact"));
   }
 };
 

@@ -1,4 +1,5 @@
 #include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 
 /// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by no
@@ -13,23 +14,6 @@ constexpr LineStyle kGhost{2.0f, kDropped, true};
 
 constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
 
-// The silhouette alone.
-void draw_ghost(const Camera& camera, const PlacedShape& shape, Sketch& sketch) {
-  const double radius = shape.traced().radius;
-  if (radius > 0) {
-    const std::vector<Vec3d> outline = RoundBody{shape.vertices, radius}.outline(camera);
-    if (!outline.empty()) sketch.curves.push_back({outline, kGhost, true});
-    return;
-  }
-  const auto front = [&](int face) {
-    return face >= 0 && camera.faces(shape.polygon(face).front(), shape.normal(face));
-  };
-  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
-    if (front(edge.left) != front(edge.right))
-      sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), kGhost);
-  }
-}
-
 void draw_ahead(const Scene& scene, Sketch& sketch) {
   const double step = scene.scales.step;
   if (!scene.frame.solver || step <= 0) return;
@@ -39,15 +23,8 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
     const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
     const PlacedShape* shape = scene.find(body.name);
     if (shape == nullptr || pixels < kLeastWay * scene.scales.pixel) continue;
-    PlacedShape ghost = *shape;
-    const double angle = step * body.angular_velocity.norm();
-    if (angle > 0) {
-      const Quatd turn(Eigen::AngleAxisd(angle, body.angular_velocity.normalized()));
-      ghost.pose.rotation = (turn * ghost.pose.rotation).normalized();
-      for (Vec3d& v : ghost.vertices) v = center + turn * Vec3d(v - center);
-    }
-    for (Vec3d& v : ghost.vertices) v += way;
-    draw_ghost(scene.camera, ghost, sketch);
+    const Vec3d turn = step * body.angular_velocity;
+    draw_ghost(scene.camera, moved(*shape, center, way, turn), kGhost, sketch);
     sketch.line(center, center + way, {1.2f, kDropped, true});
     sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it");
   }

@@ -19,6 +19,7 @@ constexpr std::pair<Panel, MakePanel*> kPanelRows[] = {
     {Panel::TreeCost, make_tree_cost_panel},
     {Panel::AxisIntervals, make_axis_intervals_panel},
     {Panel::Answers, make_answers_panel},
+    {Panel::Approach, make_approach_panel},
 };
 
 }  // namespace

@@ -1,0 +1,59 @@
+#include "draw/layers/layer.h"
+#include "draw/scene/ghost.h"
+
+/// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous Collision".
+/// Onion skins at the times up to which the search knew them apart; where they meet; and where they
+/// are at the end of the step, as somebody who looks at frames alone would have it.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kLeastBetween = 0.03;  // of the step: of skins that are nearer one is drawn
+
+constexpr LineStyle kSkin{1.2f, kDropped};
+constexpr LineStyle kEnd{2.0f, kDropped, true};
+constexpr LineStyle kMeeting{3.0f, kContact};
+
+constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5, [](auto& pen) { pen.area(kDropped, 0, 1.2); }};
+constexpr Swatch kEndSwatch{LegendGroup::Motion, 6, [](auto& pen) { pen.dashes(2, kDropped); }};
+constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
+                                [](auto& pen) { pen.area(kContact, 0, 3); }};
+
+bool moves(const trace::Travel& travel) {
+  return !travel.displacement.isZero(0) || !travel.turn.isZero(0);
+}
+
+void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.impact) return;
+  const trace::Impact& impact = *pair.impact;
+  const auto draw_at = [&](double time, const LineStyle& style) {
+    for (const auto& [name, travel] :
+         {std::pair(pair.a, impact.travel_a), std::pair(pair.b, impact.travel_b)}) {
+      const PlacedShape* shape = scene.find(name);
+      if (shape == nullptr || shape->is_mesh() || shape->traced().half_space || !moves(travel))
+        continue;
+      draw_ghost(scene.camera,
+                 moved(*shape, travel.pivot, time * travel.displacement, time * travel.turn), style,
+                 sketch);
+    }
+  };
+  double last = 0;
+  for (const trace::ImpactStep& step : impact.steps) {
+    if (step.safe - last < kLeastBetween || step.safe >= 1) continue;
+    if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
+    last = step.safe;
+    draw_at(step.safe, kSkin);
+    sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
+  }
+  draw_at(1, kEnd);
+  sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+  if (impact.status != "hit") return;
+  draw_at(impact.time, kMeeting);
+  sketch.explain(kMeetingSwatch, "where they first meet");
+  sketch.mark(MarkKind::Dot, impact.point_a, kContact);
+}
+
+}  // namespace
+
+const LayerDrawing kSweepLayer{.result = draw_sweep};
+
+}  // namespace contactscope::draw

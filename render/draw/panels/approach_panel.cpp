@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "draw/panels/panel.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// When two moving shapes first meet: Catto 2013, "Continuous Collision"; Mirtich 1996, section 2.3.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kLeastApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
+constexpr double kApproachGutter = 46, kApproachBelow = 36, kApproachDot = 3.5;
+
+bool is_asked_when(const trace::Pair& pair) {
+  return pair.impact.has_value();
+}
+
+/// The distance of two shapes through a step. From each point where it was measured a straight line
+/// that lies below it leads to where they cannot meet before: the next point.
+class ApproachPanel : public PanelContent {
+ public:
+  ApproachPanel(const Staging& staging, const Frames& frames)
+      : frames_(frames), scale_(staging.layout.scale) {}
+
+  PanelNeed need(const PanelMoment&) const override {
+    const auto high = [&](double chart) {
+      return Sheet::heading_height(scale_) + 2 * Sheet::line_height(scale_) +
+             static_cast<float>(chart + kApproachBelow) * scale_;
+    };
+    return {high(kLeastApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
+  }
+
+  std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
+    sheet.heading("distance through the step");
+    const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
+    const auto pair = std::ranges::find_if(pairs, is_asked_when);
+    if (pair == pairs.end()) {
+      sheet.paragraph("does not apply: no pair is asked when it meets", kQuietText);
+      return {};
+    }
+    const trace::Impact& impact = *pair->impact;
+    sheet.row(in_words(impact.method), std::to_string(impact.steps.size()) +
+                                           (impact.steps.size() == 1 ? " step" : " steps"));
+    sheet.row(in_words(impact.status),
+              impact.status == "hit" ? "at " + printed("%.4f", impact.time) + " of the step" : "");
+    if (!impact.distances.empty()) draw_chart(impact, sheet);
+    const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
+    return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
+  }
+
+ private:
+  static std::string in_words(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+  }
+
+  static void draw_chart(const trace::Impact& impact, const Sheet& sheet) {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const Rect chart{rest.x + pen.px(kApproachGutter), rest.y + pen.px(4),
+                     rest.width - pen.px(kApproachGutter + 6),
+                     rest.height - pen.px(kApproachBelow)};
+    if (chart.height <= 0) return;
+    const double most = std::max(
+        std::ranges::max_element(impact.distances, {}, &trace::DistanceAt::distance)->distance,
+        1e-300);
+    const auto place = [&](double time, double distance) {
+      const double up = std::clamp(distance / most, 0.0, 1.0);
+      return pixel(chart.x + time * chart.width, chart.y + (1 - up) * chart.height);
+    };
+    pen.line(place(0, 0), place(1, 0), 1, kDropped);
+    const double left = chart.x - pen.px(6), below = chart.y + chart.height + pen.px(20);
+    pen.text(spell_length(most), pixel(left, chart.y + pen.px(10)), Align::Right, kQuietText);
+    pen.text("0", pixel(left, chart.y + chart.height + pen.px(4)), Align::Right, kQuietText);
+    pen.text("0", pixel(chart.x, below), Align::Center, kQuietText);
+    pen.text("time", pixel(chart.x + 0.5 * chart.width, below), Align::Center, kQuietText);
+    pen.text("1", pixel(chart.x + chart.width, below), Align::Center, kQuietText);
+
+    std::vector<Point2> curve;
+    for (const trace::DistanceAt& at : impact.distances)
+      curve.push_back(place(at.time, at.distance));
+    pen.path(curve, 2, kShapeEdge);
+    for (const trace::ImpactStep& step : impact.steps) {
+      pen.line(place(step.time, step.distance), place(step.safe, 0), 1.5, kAxis);
+      pen.line(place(step.safe, 0), place(step.safe, distance_at(impact, step.safe)), 1, kDropped,
+               4);
+    }
+    for (const trace::ImpactStep& step : impact.steps)
+      pen.disc(place(step.time, step.distance), kApproachDot, kAxis);
+    if (impact.status == "hit") pen.disc(place(impact.time, 0), 1.4 * kApproachDot, kContact);
+  }
+
+  static double distance_at(const trace::Impact& impact, double time) {
+    const double place = time * static_cast<double>(impact.distances.size() - 1);
+    const auto before = std::min(static_cast<std::size_t>(place), impact.distances.size() - 2);
+    const double part = place - static_cast<double>(before);
+    return (1 - part) * impact.distances[before].distance +
+           part * impact.distances[before + 1].distance;
+  }
+
+  const Frames& frames_;
+  float scale_;
+};
+
+}  // namespace
+
+std::unique_ptr<PanelContent> make_approach_panel(const Staging& staging, const Frames& frames) {
+  return std::make_unique<ApproachPanel>(staging, frames);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,35 @@
+#include "draw/scene/ghost.h"
+
+namespace contactscope::draw {
+
+PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& way, const Vec3d& turn) {
+  const double angle = turn.norm();
+  Quatd by = Quatd::Identity();
+  if (angle > 0) by = Quatd(Eigen::AngleAxisd(angle, turn / angle));
+  const auto place = [&](const Vec3d& point) -> Vec3d {
+    return pivot + way + by * (point - pivot);
+  };
+  shape.pose.rotation = (by * shape.pose.rotation).normalized();
+  shape.pose.position = place(shape.pose.position);
+  for (Vec3d& vertex : shape.vertices) vertex = place(vertex);
+  return shape;
+}
+
+void draw_ghost(const Camera& camera, const PlacedShape& shape, const LineStyle& style,
+                Sketch& sketch) {
+  const double radius = shape.traced().radius;
+  if (radius > 0) {
+    const std::vector<Vec3d> outline = RoundBody{shape.vertices, radius}.outline(camera);
+    if (!outline.empty()) sketch.curves.push_back({outline, style, true});
+    return;
+  }
+  const auto front = [&](int face) {
+    return face >= 0 && camera.faces(shape.polygon(face).front(), shape.normal(face));
+  };
+  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+    if (front(edge.left) != front(edge.right))
+      sketch.line(shape.vertex(edge.from), shape.vertex(edge.to), style);
+  }
+}
+
+}  // namespace contactscope::draw

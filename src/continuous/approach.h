@@ -1,0 +1,137 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuous/impact.h"
+#include "query/gjk.h"
+#include "query/tolerance.h"
+
+namespace contactscope {
+
+/// A shape as it turns about its pivot, which is the origin here.
+template <class S>
+class Turning {
+ public:
+  explicit Turning(const MovingShape<S>& shape)
+      : core_(shape.core), pivot_(shape.motion.pivot), start_(shape.motion.start.rotation) {
+    const Vec3<S>& turn = shape.motion.turn;
+    angle_ = turn.norm();
+    if (angle_ > S(0)) axis_ = turn / angle_;
+    const Vec3<S> local_axis = start_.conjugate() * axis_;
+    const auto reach_over = [&](const Vec3<S>& point, S radius) {
+      const Vec3<S> arm = point - pivot_;
+      reach_ = std::max(reach_, arm.norm() + radius);
+      if (angle_ > S(0)) from_axis_ = std::max(from_axis_, arm.cross(local_axis).norm() + radius);
+    };
+    // A ball about a hull's vertices is quickly found, and costs few steps more than they would.
+    if (core_.hull != nullptr) {
+      reach_over(core_.hull->centroid, core_.hull->radius);
+    } else {
+      for (int i = 0; i < core_.count; ++i) reach_over(core_.points[i], 0);
+    }
+  }
+
+  const SupportSet<S>& core() const { return core_; }
+  S reach() const { return reach_; }
+  /// Metres a step, of the fastest point.
+  S speed() const { return angle_ * from_axis_; }
+  /// Of it along `direction`, a unit vector.
+  S speed(const Vec3<S>& direction) const {
+    return angle_ == S(0) ? S(0) : speed() * direction.cross(axis_).norm();
+  }
+  /// No point's acceleration along `direction`, a unit vector, is larger; metres a step squared. It
+  /// points to the axis, so nothing of it is along the axis.
+  S acceleration(const Vec3<S>& direction) const { return angle_ * speed(direction); }
+  /// Along any.
+  S acceleration() const { return angle_ * speed(); }
+
+  /// At a time: from the shape's frame.
+  Quat<S> rotation(S time) const {
+    return angle_ == S(0) ? start_ : turned(start_, axis_, time * angle_);
+  }
+  /// How far it reaches along a direction at a time.
+  S extent(const Vec3<S>& direction, S time) const {
+    const Vec3<S> local = rotation(time).conjugate() * direction;
+    const int farthest = support_index(core_, local);
+    return local.dot(core_.points[farthest] - pivot_);
+  }
+  const Vec3<S>& pivot() const { return pivot_; }
+
+ private:
+  SupportSet<S> core_;
+  Vec3<S> pivot_;
+  Quat<S> start_;
+  S angle_ = 0;
+  Vec3<S> axis_ = Vec3<S>::UnitX();
+  S reach_ = 0, from_axis_ = 0;
+};
+
+/// From A's to B's at time 0. The positions are subtracted first: far from the origin they have digits
+/// in common.
+template <class S>
+Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
+  const Vec3<S> origins = b.start.position - a.start.position;
+  return origins + (b.start.rotate(b.pivot) - a.start.rotate(a.pivot));
+}
+
+/// The closest points of both cores at a time, in a frame that goes with A's pivot and does not turn.
+template <class S>
+struct Closest {
+  S distance = 0;                   // metres; 0 where they touch or overlap
+  Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
+  Vec3<S> on_a, on_b;               // of meaning if they are apart
+};
+
+/// Two convex shapes as seen from a frame that goes with A's pivot and does not turn.
+template <class S>
+class Approach {
+ public:
+  Approach(const MovingShape<S>& a, const MovingShape<S>& b)
+      : a_(a),
+        b_(b),
+        from_a_to_b_(between_pivots(a.motion, b.motion)),
+        displacement_(b.motion.displacement - a.motion.displacement) {}
+
+  S scale() const {
+    return a_.reach() + b_.reach() + from_a_to_b_.norm() + displacement_.norm() +
+           a_.pivot().norm() + b_.pivot().norm();
+  }
+  S largest_motion() const { return displacement_.norm() + a_.speed() + b_.speed(); }
+
+  /// Of the cores along a unit vector, B's side less A's; < 0 where they overlap along it.
+  S separation(const Vec3<S>& axis, S time) const {
+    return axis.dot(from_a_to_b_ + time * displacement_) -
+           (b_.extent(-axis, time) + a_.extent(axis, time));
+  }
+  S acceleration(const Vec3<S>& axis) const {
+    return a_.acceleration(axis) + b_.acceleration(axis);
+  }
+  /// The separation along `axis` falls by no more, metres a step.
+  S closing_speed(const Vec3<S>& axis) const {
+    return a_.speed(axis) + b_.speed(axis) - axis.dot(displacement_);
+  }
+
+  /// Goes on from the simplex of the call before.
+  Closest<S> measure(S time) {
+    const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
+    const Quat<S> to_a = rotation_of_a.conjugate();
+    const Vec3<S> b_origin = from_a_to_b_ + time * displacement_ - rotation_of_b * b_.pivot();
+    Pose<S> b_in_a;
+    b_in_a.rotation = to_a * rotation_of_b;
+    b_in_a.position = to_a * b_origin + a_.pivot();
+    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr);
+    is_measured_ = true;
+    return {gjk_.status == GjkStatus::Separated ? gjk_.distance : S(0), rotation_of_a * gjk_.normal,
+            rotation_of_a * (gjk_.on_a - a_.pivot()), rotation_of_a * (gjk_.on_b - a_.pivot())};
+  }
+
+ private:
+  Turning<S> a_, b_;
+  Vec3<S> from_a_to_b_;  // pivots at time 0
+  Vec3<S> displacement_;
+  GjkResult<S> gjk_;  // of the last measurement
+  bool is_measured_ = false;
+};
+
+}  // namespace contactscope

@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "continuous/approach_to_plane.h"
+#include "continuous/search_impact.h"
+
+namespace contactscope {
+namespace {
+
+struct DistanceOverSpeed {
+  template <class Approach, class S>
+  void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
+                  ImpactStep<S>& step) const {
+    const S speed = approach.closing_speed(apart.axis);
+    const S left = apart.until - result.time;
+    ++result.bounds;
+    const S gap = apart.distance - apart.target;
+    result.time = gap >= speed * left ? apart.until : result.time + gap / speed;
+    step.bracket_end =
+        step.distance >= speed * left ? apart.until : step.time + step.distance / speed;
+    step.bracket_separation = apart.distance - speed * (step.bracket_end - step.time);
+  }
+};
+
+}  // namespace
+
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingShape<S>& a, const MovingShape<S>& b,
+                                         const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search_impact(Approach<S>(a, b), a.radius, b.radius, a.motion, allowed, run,
+                       DistanceOverSpeed());
+}
+
+template <class S>
+ImpactResult<S> conservative_advancement(const MovingPlane<S>& a, const MovingShape<S>& b,
+                                         const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  return search_impact(ApproachToPlane<S>(a, b), S(0), b.radius, a.motion, allowed, run,
+                       DistanceOverSpeed());
+}
+
+template ImpactResult<float> conservative_advancement(const MovingShape<float>&,
+                                                      const MovingShape<float>&,
+                                                      const ImpactLimits<float>&,
+                                                      ImpactRun<float>*);
+template ImpactResult<double> conservative_advancement(const MovingShape<double>&,
+                                                       const MovingShape<double>&,
+                                                       const ImpactLimits<double>&,
+                                                       ImpactRun<double>*);
+template ImpactResult<float> conservative_advancement(const MovingPlane<float>&,
+                                                      const MovingShape<float>&,
+                                                      const ImpactLimits<float>&,
+                                                      ImpactRun<float>*);
+template ImpactResult<double> conservative_advancement(const MovingPlane<double>&,
+                                                       const MovingShape<double>&,
+                                                       const ImpactLimits<double>&,
+                                                       ImpactRun<double>*);
+
+}  // namespace contactscope

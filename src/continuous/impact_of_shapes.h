@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuous/impact.h"
+#include "geometry/shape.h"
+
+namespace contactscope {
+
+enum class ImpactMethod { ConservativeAdvancement, TimeOfImpact };
+
+/// "conservative_advancement", "time_of_impact".
+constexpr const char* to_string(ImpactMethod method) {
+  constexpr const char* kNames[] = {"conservative_advancement", "time_of_impact"};
+  return kNames[static_cast<int>(method)];
+}
+
+template <class S>
+struct ShapeImpact {
+  ImpactResult<S> result;
+  int triangle = -1;  // of a mesh, that is met first, or overlapped
+  int triangles = 0;  // of a mesh, that were asked
+};
+
+/// Why two kinds of shapes cannot be asked, in either order: planes or meshes of each other. Nothing
+/// where they can.
+std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
+
+/// The first time in a step at which two shapes are within the tolerance: time_of_impact() for any two
+/// kinds but those that impact_refusal() names. A mesh is its triangles, each with two sides; a ball
+/// that does not meet one that turns meets it exactly (sweep_sphere_triangle). A mesh that overlaps at
+/// the start by one triangle is Overlapping, whatever comes later.
+///
+/// `run` records the search against the triangle that is met first, and of a mesh that is not met
+/// nothing.
+template <class S>
+ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, const Shape<S>& b,
+                                const Sweep<S>& motion_b, ImpactMethod method,
+                                const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
+
+/// The distance of the surfaces, metres, at `count` > 1 times of the step, the first at 0 and the last at
+/// 1, evenly apart; 0 where they overlap. Of a mesh that of `triangle`, and nothing for -1. It is what
+/// the search looks at, for pictures.
+template <class S>
+std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                                 const Sweep<S>& sweep_b, int triangle, int count);
+
+}  // namespace contactscope

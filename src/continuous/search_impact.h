@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+
+#include "continuous/approach.h"
+
+namespace contactscope {
+
+/// Two cores that are apart at some time, and what is asked of the time after it.
+template <class S>
+struct Apart {
+  Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B, world
+  S distance = 0;                   // of the cores, and their separation along the axis
+  S target = 0;                     // separation down to which they are apart for certain
+  S near = 0;                       // > target: at which it is a hit
+  S until = 1;                      // nobody asks what is later
+};
+
+/// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
+/// `result.time` to where they cannot yet be nearer than the target, and measures again, until they
+/// are near or the step is over. `result.time` of allowed.until after that is the end: they stay
+/// apart. `approach` measures in a
+/// frame that goes with the pivot of `of_a`.
+template <class S, class Approach, class Advance>
+ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
+                              const ImpactLimits<S>& allowed, ImpactRun<S>* run,
+                              const Advance& advance) {
+  const S radii = radius_a + radius_b;
+  const S rounding = tie_tolerance(approach.scale() + radii);
+  const S tolerance =
+      std::max({allowed.gap, allowed.of_motion * approach.largest_motion(), S(8) * rounding});
+  ImpactResult<S> result;
+  const auto ended = [&](ImpactStatus status) {
+    result.status = status;
+    if (run != nullptr) [[unlikely]]
+      run->result = result;
+    return result;
+  };
+  Apart<S> apart;
+  apart.until = allowed.until;
+  for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
+    const Closest<S> closest = approach.measure(result.time);
+    apart.distance = closest.distance;
+    apart.axis = closest.axis;
+    result.distance = apart.distance - radii;
+    if (result.steps == 1) {
+      if (result.distance <= S(8) * rounding) return ended(ImpactStatus::Overlapping);
+      const S within = std::min(tolerance, result.distance);
+      apart.target = radii + S(0.5) * within + rounding;
+      apart.near = radii + S(0.75) * within;
+    }
+    if (apart.distance <= apart.near) {
+      const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
+      result.normal = closest.axis;
+      result.on_a = origin + closest.on_a + radius_a * closest.axis;
+      result.on_b = origin + closest.on_b - radius_b * closest.axis;
+      return ended(ImpactStatus::Hit);
+    }
+    ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
+    advance(approach, apart, result, step);
+    if (run != nullptr) [[unlikely]] {
+      step.bracket_separation -= radii;
+      step.safe = result.time;
+      run->steps.push_back(step);
+    }
+    if (result.time >= apart.until) {
+      result.time = apart.until;
+      return ended(ImpactStatus::Separated);
+    }
+  }
+  result.steps = kMaxImpactSteps;
+  return ended(ImpactStatus::OutOfIterations);
+}
+
+}  // namespace contactscope

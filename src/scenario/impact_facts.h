@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+
+#include "continuous/impact_of_shapes.h"
+#include "dynamics/body.h"
+#include "scenario/scenario.h"
+#include "trace/impact.h"
+
+/// What a trace tells of when two shapes meet.
+namespace contactscope {
+
+/// How a scripted shape goes from one pose to another, metres and the shortest way round. The pivot
+/// is where `pivot` is in the shape's frame.
+template <class S>
+Sweep<S> sweep_between(const Pose<double>& from, const Pose<double>& to, const Vec3d& pivot) {
+  Sweep<double> sweep{from, pivot, to.transform(pivot) - from.transform(pivot), Vec3d::Zero()};
+  Quatd by = to.rotation * from.rotation.conjugate();
+  if (by.w() < 0) by.coeffs() = -by.coeffs();
+  const double sine = by.vec().norm();
+  if (sine > 0) sweep.turn = 2 * std::atan2(sine, by.w()) / sine * by.vec();
+  return sweep.cast<S>();
+}
+
+/// How a body goes on for `dt` seconds as it moves now.
+template <class S>
+Sweep<S> sweep_of(const Body<S>& body, S dt) {
+  return {body.pose(), body.local_center, dt * body.velocity, dt * body.angular_velocity};
+}
+
+template <class S>
+trace::Travel travel_of(const Sweep<S>& sweep) {
+  const Sweep<double> exact = sweep.template cast<double>();
+  return {exact.start.transform(exact.pivot), exact.displacement, exact.turn};
+}
+
+template <class S>
+trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                           const Sweep<S>& sweep_b, ImpactMethod method) {
+  ImpactRun<S> run;
+  const ShapeImpact<S> found = impact_of_shapes<S>(a, sweep_a, b, sweep_b, method, {}, &run);
+  trace::Impact facts{.method = to_string(method),
+                      .status = to_string(found.result.status),
+                      .time = static_cast<double>(found.result.time),
+                      .distance = static_cast<double>(found.result.distance),
+                      .triangle = found.triangle,
+                      .travel_a = travel_of(sweep_a),
+                      .travel_b = travel_of(sweep_b),
+                      .distances = {},
+                      .steps = {}};
+  if (found.result.status == ImpactStatus::Hit) {
+    facts.normal = found.result.normal.template cast<double>();
+    facts.point_a = found.result.on_a.template cast<double>();
+    facts.point_b = found.result.on_b.template cast<double>();
+  }
+  constexpr int kDistances = 65;
+  for (const S distance : distances_through<S>(a, sweep_a, b, sweep_b, found.triangle, kDistances))
+    facts.distances.push_back({static_cast<double>(facts.distances.size()) / (kDistances - 1),
+                               static_cast<double>(distance)});
+  for (const ImpactStep<S>& step : run.steps)
+    facts.steps.push_back({static_cast<double>(step.time), static_cast<double>(step.distance),
+                           step.axis.template cast<double>(), static_cast<double>(step.bracket_end),
+                           static_cast<double>(step.bracket_separation),
+                           static_cast<double>(step.safe)});
+  return facts;
+}
+
+}  // namespace contactscope

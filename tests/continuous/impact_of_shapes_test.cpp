@@ -1,0 +1,188 @@
+#include "continuous/impact_of_shapes.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/hull_builder.h"
+#include "geometry/primitives.h"
+#include "support/random_geometry.h"
+
+namespace contactscope {
+namespace {
+
+using test::Random;
+
+constexpr std::array<ImpactMethod, 2> kImpactMethods = {ImpactMethod::ConservativeAdvancement,
+                                                        ImpactMethod::TimeOfImpact};
+
+/// Triangles strewn about a ball of `size` metres.
+Mesh<double> random_mesh(Random& random, double size) {
+  std::vector<Vec3d> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < 60; ++i) {
+    const Vec3d place = size * random.uniform(0.5, 1) * random.unit_vector();
+    for (int k = 0; k < 3; ++k) vertices.emplace_back(place + 0.3 * size * random.vector(-1, 1));
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return build_mesh(vertices, triangles);
+}
+
+Shape<double> random_convex(Random& random, double size) {
+  switch (random.index(3)) {
+    case 0:
+      return Sphere<double>{0.3 * size};
+    case 1: {
+      const Vec3d half = 0.4 * size * random.unit_vector();
+      return Capsule<double>{{-half, half}, 0.1 * size};
+    }
+    default:
+      return test::random_hull(random, 12, size, 3);
+  }
+}
+
+Sweep<double> random_motion(Random& random, double size, bool turns) {
+  Sweep<double> motion;
+  motion.start = random.pose(size);
+  motion.displacement = size * random.vector(-1, 1);
+  motion.pivot = 0.2 * size * random.vector(-1, 1);
+  if (turns) {
+    const double angle = random.uniform(0, 3);
+    motion.turn = angle * random.unit_vector();
+  }
+  return motion;
+}
+
+/// A mesh is met when the first of its triangles is, each asked by itself as a flat hull.
+template <class S>
+void meshes_are_met_as_their_triangles_are() {
+  Random random(21);
+  int hits = 0, apart = 0, few = 0;
+  for (int i = 0; i < 150; ++i) {
+    const double size = random.decade(-2, 2);
+    const Mesh<double> mesh = random_mesh(random, size);
+    const Shape<double> convex = random_convex(random, size);
+    Sweep<double> of_mesh = random_motion(random, size, random.chance(0.5));
+    Sweep<double> of_convex = random_motion(random, size, random.chance(0.5));
+    of_convex.start.position += 4 * size * random.unit_vector();
+    const Vec3d aim = 1.5 * size * random.vector(-1, 1);
+    of_convex.displacement += random.uniform(0.5, 2) * (aim - of_convex.start.position);
+
+    const Shape<S> a = shape_cast<S>(Shape<double>(mesh)), b = shape_cast<S>(convex);
+    const Sweep<S> motion_a = of_mesh.cast<S>(), motion_b = of_convex.cast<S>();
+    for (const ImpactMethod method : kImpactMethods) {
+      const ShapeImpact<S> found = impact_of_shapes(a, motion_a, b, motion_b, method);
+      double first = 2;
+      for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const std::array<Vec3d, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1),
+                                              mesh.corner(t, 2)};
+        const Shape<S> triangle =
+            shape_cast<S>(Shape<double>(build_hull(corners, {.allow_flat = true})));
+        const ShapeImpact<S> one = impact_of_shapes(triangle, motion_a, b, motion_b, method);
+        if (one.result.status == ImpactStatus::Hit)
+          first = std::min(first, static_cast<double>(one.result.time));
+        ASSERT_NE(one.result.status, ImpactStatus::OutOfIterations);
+      }
+      // From the other side it is the same.
+      const ShapeImpact<S> other = impact_of_shapes(b, motion_b, a, motion_a, method);
+      EXPECT_EQ(other.result.time, found.result.time);
+      EXPECT_EQ(other.triangle, found.triangle);
+      EXPECT_EQ(other.result.normal, Vec3<S>(-found.result.normal));
+      if (first > 1) {
+        EXPECT_EQ(found.result.status, ImpactStatus::Separated) << i;
+        ++apart;
+        continue;
+      }
+      ++hits;
+      ASSERT_EQ(found.result.status, ImpactStatus::Hit) << i;
+      // A ball's is exact and the triangle's early by the tolerance.
+      EXPECT_NEAR(static_cast<double>(found.result.time), first, 2e-3) << i;
+      EXPECT_GE(static_cast<double>(found.result.time), first - 1e-5) << i;
+      few += found.triangles < mesh.triangle_count() / 2;
+    }
+  }
+  EXPECT_GT(hits, 60);
+  EXPECT_GT(apart, 30);
+  EXPECT_GT(few, hits / 4);
+}
+
+TEST(ImpactOfShapes, SlowMeshesAreMetAsTheirTrianglesAre) {
+  meshes_are_met_as_their_triangles_are<double>();
+  meshes_are_met_as_their_triangles_are<float>();
+}
+
+/// What flies at a wall of 1 cm or of one triangle's thickness does not get through, at any speed, spin
+/// or place; the wall may come towards it.
+TEST(ImpactOfShapes, SlowNothingTunnels) {
+  Random random(22);
+  const Shape<float> plate = shape_cast<float>(Shape<double>(make_box(Vec3d(0.005, 3, 3))));
+  const std::vector<Vec3d> corners = {Vec3d(0, -3, -3), Vec3d(0, 3, -3), Vec3d(0, 3, 3),
+                                      Vec3d(0, -3, 3)};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Shape<float> sheet = shape_cast<float>(Shape<double>(build_mesh(corners, triangles)));
+  const Shape<float> ball = Sphere<float>{0.05f};
+  const Shape<float> box = shape_cast<float>(Shape<double>(make_box(Vec3d(0.05, 0.04, 0.03))));
+  const Shape<float> rod =
+      Capsule<float>{{Vec3<float>(-0.3f, 0, 0), Vec3<float>(0.3f, 0, 0)}, 0.01f};
+  constexpr double kStep = 1.0 / 60;
+  int through = 0, of = 0;
+  for (const ImpactMethod method : kImpactMethods) {
+    for (const double speed : {5.0, 20.0, 60.0, 200.0, 1000.0}) {
+      for (int i = 0; i < 200; ++i) {
+        const Shape<float>& bullet = i % 3 == 0 ? ball : i % 3 == 1 ? box : rod;
+        const Shape<float>& wall = i % 2 == 0 ? plate : sheet;
+        // It begins at 0.4 to 0.99 of its step before the wall, and passes its middle.
+        const double way = speed * kStep;
+        const double before = 0.4 + random.uniform(0.1, 0.9) * way;
+        Sweep<double> flies, stands;
+        flies.start = random.pose(0);
+        flies.start.position = Vec3d(-before, 0, 0) + random.level(0.5, 0.2);
+        flies.start.position.x() = -before;
+        flies.displacement = Vec3d(way + 1.0, 0, 0);
+        const double spin = random.uniform(0, 3 * std::numbers::pi);
+        flies.turn = spin * random.unit_vector();
+        if (i % 5 == 0) {  // the wall meets it half way
+          stands.displacement = Vec3d(-0.5 * way, 0, 0);
+          flies.displacement.x() -= 0.5 * way;
+        }
+        const ShapeImpact<float> found =
+            impact_of_shapes(bullet, flies.cast<float>(), wall, stands.cast<float>(), method);
+        ++of;
+        through += found.result.status == ImpactStatus::Separated;
+        EXPECT_NE(found.result.status, ImpactStatus::Overlapping);
+      }
+    }
+  }
+  EXPECT_EQ(of, 2000);
+  EXPECT_EQ(through, 0);
+}
+
+TEST(ImpactOfShapes, APlaneIsMetByEveryOtherKind) {
+  const Shape<double> plane = HalfSpace<double>{{Vec3d::UnitY(), 0.0}};
+  const std::vector<Vec3d> corners = {Vec3d(0, -0.5, 0), Vec3d(1, 0.5, 0), Vec3d(0, 0.5, 1)};
+  const std::vector<std::array<int, 3>> triangle = {{0, 1, 2}};
+  const std::array<Shape<double>, 4> shapes = {
+      Sphere<double>{0.5}, Capsule<double>{{Vec3d(0, -0.25, 0), Vec3d(0, 0.25, 0)}, 0.25},
+      make_box(Vec3d(0.5, 0.5, 0.5)), build_mesh(corners, triangle)};
+  Sweep<double> stands, falls;
+  falls.start.position = Vec3d(3, 1.5, 0);
+  falls.displacement = Vec3d(1, -2, 0);
+  for (const Shape<double>& shape : shapes) {
+    const auto found = impact_of_shapes(shape, falls, plane, stands, ImpactMethod::TimeOfImpact);
+    ASSERT_EQ(found.result.status, ImpactStatus::Hit) << to_string(kind_of(shape));
+    EXPECT_NEAR(found.result.time, 0.5, 1e-4);
+    EXPECT_LE(found.result.time, 0.5);
+    EXPECT_NEAR(found.result.normal.y(), -1, 1e-9);  // from the shape to the plane
+    EXPECT_NEAR(found.result.on_b.y(), 0, 1e-9);
+  }
+  EXPECT_TRUE(impact_refusal(ShapeKind::Mesh, ShapeKind::Mesh));
+  EXPECT_TRUE(impact_refusal(ShapeKind::Plane, ShapeKind::Plane));
+  EXPECT_FALSE(impact_refusal(ShapeKind::Plane, ShapeKind::Mesh));
+  EXPECT_FALSE(impact_refusal(ShapeKind::Mesh, ShapeKind::Capsule));
+}
+
+}  // namespace
+}  // namespace contactscope
