@@ -12,12 +12,11 @@ using testing::HasSubstr;
 
 trace::Frame first_frame(const std::string& text) {
   const Scenario scenario = parse_scenario(text, "group/idea.toml");
-  Runner runner(scenario);
-  return runner.run(0, true);
+  return Runner(scenario).frame(0);
 }
 
 /// A crate that falls 2 m in the step, 1 m over the floor.
-std::string falling(const std::string& rest) {
+std::string crate_over_floor(const std::string& rest) {
   return "title = \"Falls\"\n[time]\nframes = 2\ndt = 0.5\n"
          "[shapes.crate]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\nposition = [0, 2, 0]\n"
          "motion = { velocity = [0, -4, 0] }\n"
@@ -26,14 +25,15 @@ std::string falling(const std::string& rest) {
 }
 
 TEST(ContinuousKeys, DiscreteAsksNothing) {
-  EXPECT_FALSE(first_frame(falling("")).pairs.at(0).impact);
-  EXPECT_FALSE(first_frame(falling("[pipeline]\ncontinuous = \"discrete\"\n")).pairs.at(0).impact);
+  EXPECT_FALSE(first_frame(crate_over_floor("")).pairs.at(0).impact);
+  EXPECT_FALSE(
+      first_frame(crate_over_floor("[pipeline]\ncontinuous = \"discrete\"\n")).pairs.at(0).impact);
 }
 
 TEST(ContinuousKeys, TheTraceTellsWhenAPairMeets) {
   for (const std::string method : {"conservative_advancement", "time_of_impact"}) {
     const trace::Frame frame =
-        first_frame(falling("[pipeline]\ncontinuous = \"" + method + "\"\n"));
+        first_frame(crate_over_floor("[pipeline]\ncontinuous = \"" + method + "\"\n"));
     ASSERT_TRUE(frame.pairs.at(0).impact) << method;
     const trace::Impact& impact = *frame.pairs[0].impact;
     EXPECT_EQ(impact.method, method);
@@ -53,7 +53,7 @@ TEST(ContinuousKeys, TheTraceTellsWhenAPairMeets) {
 }
 
 TEST(ContinuousKeys, AnEntryAsksItOfItsPairAlone) {
-  const std::string text = falling(
+  const std::string text = crate_over_floor(
       "[shapes.wall]\ntype = \"plane\"\nnormal = [1, 0, 0]\noffset = -3\n"
       "[[pairs]]\na = \"crate\"\nb = \"wall\"\n"
       "[[pairs]]\na = \"crate\"\nb = \"floor\"\nquery = \"distance\"\n"
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                "12:14", "remove 'continuous'"},
         Broken{"AMeshThatDeforms",
                two_boxes("[shapes.sheet]\ntype = \"mesh\"\ngrid = { size = 2, cells = 2 }\n"
-                         "motion.deform = { twist = { axis = [0, 1, 0], rate = 1 } }\n"
+                         "motion.deform = { twist = { axis = [0, 1, 0], degrees = 90 } }\n"
                          "[[pairs]]\na = \"crate\"\nb = \"sheet\"\n"
                          "continuous = \"time_of_impact\"\n"),
                "15:14", "changes its form"}),
