@@ -98,7 +98,8 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
-  return {staging.view, *staging.header, frame, staging.meshes, staging.camera, staging.scales};
+  return {staging.view, *staging.header, frame, staging.meshes, staging.camera, staging.scales,
+          staging.sequence.get()};
 }
 
 std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {

@@ -202,6 +202,11 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
                                                    reduced(frames), view.choices, width, height);
     return staging;
   }
+  if (view.shows(Layer::Trail)) {
+    auto sequence = std::make_shared<SequencePoses>();
+    for (const trace::Frame& frame : frames) sequence->push_back({frame.frame, frame.poses});
+    staging.sequence = std::move(sequence);
+  }
   const auto fit = [&] {
     staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view);
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);

@@ -21,7 +21,8 @@ struct Staging {
   Camera camera;
   std::shared_ptr<const ContactCells> cells{};  // of a contact plane, which has no camera
   SequenceScales scales{};
-  std::vector<Inset> insets{};  // of the view's panels; `view` names the others
+  std::shared_ptr<const SequencePoses> sequence{};  // where a layer looks back
+  std::vector<Inset> insets{};                      // of the view's panels; `view` names the others
 };
 
 /// Looks through all frames, and draws none. The view's own eye, target and lens are used where it

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
 #include "app/verbs.h"
 #include "broadphase/broad_phase.h"
+#include "continuous/impact_of_shapes.h"
 #include "core/at.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
@@ -21,6 +24,11 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   const auto name_alone = [](std::string_view name) { return Item{std::string(name), ""}; };
   if (what == "reducers") return mapped(reducers(), with_summary);
   if (what == "broad_phases") return mapped(broad_phases(), with_summary);
+  if (what == "continuous") {
+    std::vector<Item> items{{"discrete", "nothing: what passes between two frames is not seen"}};
+    std::ranges::transform(impact_methods(), std::back_inserter(items), with_summary);
+    return items;
+  }
   if (what == "layers") return mapped(kLayerNames, name_alone);
   if (what == "panels") return mapped(kPanelNames, name_alone);
   if (what == "studies") return mapped(studies(), with_summary);
@@ -68,7 +76,7 @@ Verb list_verb() {
           "List what a scenario may name",
           &run_list,
           "[WHAT] --json",
-          {{"WHAT", "scenarios, reducers, broad_phases, layers, panels or studies"}}};
+          {{"WHAT", "scenarios, reducers, broad_phases, continuous, layers, panels or studies"}}};
 }
 
 }  // namespace contactscope::app

@@ -97,8 +97,8 @@ struct Verb {
 const std::vector<Verb>& verbs();
 
 /// What `list` lists.
-inline const std::vector<std::string> kListed = {"scenarios", "reducers", "broad_phases",
-                                                 "layers",    "panels",   "studies"};
+inline const std::vector<std::string> kListed = {
+    "scenarios", "reducers", "broad_phases", "continuous", "layers", "panels", "studies"};
 
 /// The words of its arguments, also those that every verb has.
 std::vector<std::string> arguments_of(const Verb& verb);

@@ -40,9 +40,10 @@ template <class S>
 struct ImpactResult {
   ImpactStatus status = ImpactStatus::OutOfIterations;
   S time = 0;  // fraction of the step; ImpactLimits::until when Separated
-  S distance =
-      0;  // between the surfaces at `time`, metres; of Separated the last that was measured
-  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, world, at `time`; of a Hit
+  /// Between the surfaces at `time`, metres. Where it is no Hit, the last that was measured.
+  S distance = 0;
+  /// Unit, from A to B, world, at `time`, of a Hit; where iterations ran out, as it was seen last.
+  Vec3<S> normal = Vec3<S>::UnitX();
   Vec3<S> on_a =
       Vec3<S>::Zero();  // closest points of the surfaces at `time`, in the world; of a Hit
   Vec3<S> on_b = Vec3<S>::Zero();
@@ -83,6 +84,9 @@ struct ImpactLimits {
   /// head on is told so much of the step too early at most.
   S of_motion = S(1e-5);
   S until = 1;  // fraction of the step, > 0
+  /// Triangles of a mesh that overlap at the start are passed over; what comes later of others is told.
+  /// For somebody who has contacts of those already.
+  bool passes_overlaps = false;
 };
 
 /// The first time in a step at which two convex shapes are within the tolerance of each other. Shapes

@@ -13,8 +13,9 @@ namespace {
 template <class A, class S>
 ImpactResult<S> impact_by(ImpactMethod method, const A& a, const MovingShape<S>& b,
                           const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
-  return method == ImpactMethod::TimeOfImpact ? time_of_impact(a, b, allowed, run)
-                                              : conservative_advancement(a, b, allowed, run);
+  return method == ImpactMethod::ConservativeAdvancement
+             ? conservative_advancement(a, b, allowed, run)
+             : time_of_impact(a, b, allowed, run);
 }
 
 /// The core of a convex shape, or of a mesh as a plane meets it: by its vertices. A sphere's centre
@@ -107,8 +108,10 @@ ShapeImpact<S> mesh_impact(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
   found.result.status = ImpactStatus::Separated;
   found.result.time = allowed.until;
   // A ball turns as it likes where its centre is the pivot.
-  const bool exact = shape.core.count == 1 && shape.radius > S(0) && of_mesh.turn.isZero(S(0)) &&
-                     (shape.motion.turn.isZero(S(0)) || shape.core.points[0] == shape.motion.pivot);
+  const bool exact =
+      shape.core.count == 1 && shape.radius > S(0) && of_mesh.turn.isZero(S(0)) &&
+      (shape.motion.turn.isZero(S(0)) || shape.core.points[0] == shape.motion.pivot) &&
+      allowed.gap == S(0);
   std::array<Vec3<S>, 3> corners;
   const auto corners_of = [&](int triangle) {
     for (int k = 0; k < 3; ++k) at(corners, k) = mesh.corner(triangle, k);
@@ -120,7 +123,9 @@ ShapeImpact<S> mesh_impact(const Mesh<S>& mesh, const Sweep<S>& of_mesh,
         exact ? ball_against(corners, of_mesh, shape)
               : impact_by(method, MovingShape<S>{{corners.data(), 3, nullptr}, of_mesh, 0}, shape,
                           allowed, static_cast<ImpactRun<S>*>(nullptr));
-    if (one.status == ImpactStatus::Separated) return false;
+    if (one.status == ImpactStatus::Separated ||
+        (one.status == ImpactStatus::Overlapping && allowed.passes_overlaps))
+      return false;
     const bool first = one.status == ImpactStatus::Overlapping || found.triangle < 0 ||
                        one.time < found.result.time;
     if (first) {
@@ -150,6 +155,25 @@ void swap_sides(ImpactResult<S>& result) {
 
 }  // namespace
 
+const std::vector<ImpactMethodInfo>& impact_methods() {
+  const auto info = [](ImpactMethod method, const char* summary) {
+    return ImpactMethodInfo{method, to_string(method), summary};
+  };
+  static const std::vector<ImpactMethodInfo> kAll = {
+      info(ImpactMethod::Speculative,
+           "contacts as far apart as the two can come nearer in the step; pushes where nothing "
+           "would "
+           "meet (ghosts)"),
+      info(ImpactMethod::Swept, "a cast of the shapes as they stand; misses what meets by turning"),
+      info(ImpactMethod::ConservativeAdvancement,
+           "safe steps of the distance over the fastest approach (Mirtich 1996)"),
+      info(ImpactMethod::TimeOfImpact,
+           "roots of the separation along the axis of GJK (Catto 2013), bounded so that none is "
+           "late"),
+  };
+  return kAll;
+}
+
 std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
   if (is_convex(a) || is_convex(b) || (a != b)) return std::nullopt;
   return std::string("when two ") + to_string(a) + (a == ShapeKind::Mesh ? "es" : "s") +
@@ -157,6 +181,12 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
 }
 
 namespace {
+
+template <class S>
+Sweep<S> without_turn(Sweep<S> sweep) {
+  sweep.turn.setZero();
+  return sweep;
+}
 
 /// Two shapes in the order in which they are worked on: a plane first, or else a mesh.
 template <class S>
@@ -191,6 +221,9 @@ template <class S>
 ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                                 const Sweep<S>& sweep_b, ImpactMethod method,
                                 const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  if (method == ImpactMethod::Swept && !(sweep_a.turn.isZero(S(0)) && sweep_b.turn.isZero(S(0))))
+    return impact_of_shapes(a, without_turn(sweep_a), b, without_turn(sweep_b), method, allowed,
+                            run);
   const Ordered<S> pair(a, sweep_a, b, sweep_b);
   ShapeImpact<S> found;
   if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first)) {

@@ -9,11 +9,27 @@
 
 namespace contactscope {
 
-enum class ImpactMethod { ConservativeAdvancement, TimeOfImpact };
+/// What is done about shapes that meet between two frames.
+enum class ImpactMethod {
+  Speculative,              // contacts are kept as far apart as the two can come nearer
+  Swept,                    // as if nothing turned: a cast of the shape as it is at the start
+  ConservativeAdvancement,  // distance over the fastest approach
+  TimeOfImpact,             // roots of the separation
+};
 
-/// "conservative_advancement", "time_of_impact".
+struct ImpactMethodInfo {
+  ImpactMethod method;
+  std::string name;
+  std::string summary;  // one line
+};
+
+/// Every method, in the order in which to list them.
+const std::vector<ImpactMethodInfo>& impact_methods();
+
+/// "speculative", "swept", "conservative_advancement", "time_of_impact".
 constexpr const char* to_string(ImpactMethod method) {
-  constexpr const char* kNames[] = {"conservative_advancement", "time_of_impact"};
+  constexpr const char* kNames[] = {"speculative", "swept", "conservative_advancement",
+                                    "time_of_impact"};
   return kNames[static_cast<int>(method)];
 }
 
@@ -30,8 +46,11 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 
 /// The first time in a step at which two shapes are within the tolerance: time_of_impact() for any two
 /// kinds but those that impact_refusal() names. A mesh is its triangles, each with two sides; a ball
-/// that does not meet one that turns meets it exactly (sweep_sphere_triangle). A mesh that overlaps at
-/// the start by one triangle is Overlapping, whatever comes later.
+/// that does not meet one that turns meets it exactly (sweep_sphere_triangle), where no gap is asked
+/// for. A mesh that overlaps at the start by one triangle is Overlapping, whatever comes later.
+///
+/// Swept leaves turns out, and is wrong where something turns; Speculative asks nothing between
+/// frames, and here gets the answer of TimeOfImpact, by which its contacts can be judged.
 ///
 /// `run` records the search against the triangle that is met first, and of a mesh that is not met
 /// nothing.

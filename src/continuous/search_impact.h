@@ -69,6 +69,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
     }
   }
   result.steps = kMaxImpactSteps;
+  result.normal = apart.axis;
   return ended(ImpactStatus::OutOfIterations);
 }
 

@@ -43,6 +43,7 @@
   ROW(RelativeVelocity, "relative_velocity")   \
   ROW(Ahead, "ahead")                          \
   ROW(Sweep, "sweep")                          \
+  ROW(Trail, "trail")                          \
   ROW(Velocities, "velocities")                \
   ROW(Masses, "masses")
 

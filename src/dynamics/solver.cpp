@@ -58,6 +58,39 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
   }
 }
 
+template <class S>
+void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
+                  const SolverSettings& given, S dt) {
+  SolverSettings settings = settled(given, bodies);
+  settings.substeps = 1;
+  std::vector<SolverBody<S>> moving;
+  for (const Body<S>& body : bodies) moving.push_back({body});
+  for (SolverBody<S>& body : moving) body.turn_inertia();
+  const std::span<SolverBody<S>> all(moving);
+  const std::vector<PairImpulses<S>> none(pairs.size());
+  std::vector<ContactConstraint<S>> contacts = prepare_contacts<S>(all, pairs, none, settings);
+  for_each_point(all, contacts, [](const auto& pair, const auto& contact, auto& point) {
+    point.approach = pair.velocity_at(point).dot(contact.normal);
+  });
+  update_separations(all, contacts);
+  for (const bool pushes_out : {true, false}) {
+    if (!pushes_out && settings.position_correction != PositionCorrection::Soft) break;
+    for (int i = 0; i < settings.iterations; ++i)
+      solve_velocities(all, contacts, settings, pushes_out, dt);
+  }
+  for_each_point(all, contacts, [](const auto&, const auto&, auto& point) {
+    point.total_normal += point.normal_impulse;
+  });
+  for (int i = 0; i < settings.iterations; ++i)
+    apply_restitution<S>(all, contacts, Vec3<S>::Zero(), dt);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].velocity = moving[i].body.velocity;
+    bodies[i].angular_velocity = moving[i].body.angular_velocity;
+  }
+}
+
+template decltype(solve_impact<float>) solve_impact<float>;
+template decltype(solve_impact<double>) solve_impact<double>;
 template decltype(solve_step<float>) solve_step<float>;
 template decltype(solve_step<double>) solve_step<double>;
 

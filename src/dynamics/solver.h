@@ -5,7 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "continuous/motion_bounds.h"
+#include "core/at.h"
 #include "dynamics/body.h"
+#include "dynamics/continuous_step.h"
 #include "dynamics/solver_settings.h"
 #include "manifold/dispatch.h"
 
@@ -63,6 +66,12 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& settings, S dt);
 
+/// What the contacts of bodies that meet within a step of `dt` seconds leave of their velocities. Nothing
+/// is moved, nothing falls, and no impulse is kept: the pairs' own step has done that.
+template <class S>
+void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
+                  const SolverSettings& settings, S dt);
+
 /// Two bodies that may touch, and what is kept of them from step to step.
 template <class S>
 struct WorldPair {
@@ -70,6 +79,7 @@ struct WorldPair {
   S friction = S(0.6);
   S restitution = 0;
   PairCache<S> cache{};
+  std::optional<ImpactMethod> continuous{};  // nothing: what passes between frames is not seen
 };
 
 /// Everything that moves. A value: a copy is a snapshot, and goes on as the original would have.
@@ -79,34 +89,66 @@ struct World {
   std::vector<Body<S>> bodies;
   std::vector<WorldPair<S>> pairs;
   std::vector<PairImpulses<S>> impulses;  // of the last step, one a pair
+  std::vector<ImpactCore> cores;          // of pairs that are continuous, made by the first step
 };
 
+/// How much nearer the pair can come in `dt` seconds as both move now and fall, metres.
+template <class S>
+double speculative_reach(const World<S>& world, const std::vector<Shape<S>>& shapes,
+                         const WorldPair<S>& pair, S dt) {
+  const auto sweep = [&](int i) {
+    Sweep<S> going = sweep_of(at(world.bodies, i), dt);
+    if (at(world.bodies, i).dynamic()) going.displacement += dt * dt * world.gravity;
+    return going;
+  };
+  return static_cast<double>(
+      largest_approach(at(shapes, pair.a), sweep(pair.a), at(shapes, pair.b), sweep(pair.b)));
+}
+
 /// Contacts where the bodies are now, one entry a pair; `shapes` has one a body. Points up to the
-/// speculative margin, settled(), are kept.
+/// speculative margin, settled(), are kept; of a speculative pair those that `dt` seconds can close.
 template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
-                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts) {
+                   const SolverSettings& settings, std::vector<Manifolds<S>>& contacts, S dt = 0) {
   contacts.resize(world.pairs.size());
   CollideOptions options;
-  options.margin = static_cast<S>(*settled(settings, world.bodies).speculative_margin);
+  const double margin = *settled(settings, world.bodies).speculative_margin;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     WorldPair<S>& pair = world.pairs[i];
+    options.margin = margin;
+    if (pair.continuous == ImpactMethod::Speculative)
+      options.margin = std::max(margin, speculative_reach(world, shapes, pair, dt));
+    options.margin = static_cast<S>(options.margin);
     collide(at(shapes, pair.a), at(world.bodies, pair.a).pose(), at(shapes, pair.b),
             at(world.bodies, pair.b).pose(), options, contacts[i], &pair.cache);
   }
 }
 
-/// find_contacts, then solve_step: `dt` seconds. The contacts stay to be looked at.
+/// find_contacts, then solve_step, then stop_at_impacts where a pair asks for it: `dt` seconds. The
+/// contacts stay to be looked at. Returns the stops.
 template <class S>
-void step(World<S>& world, const std::vector<Shape<S>>& shapes, const SolverSettings& settings,
-          S dt, std::vector<Manifolds<S>>& contacts) {
-  find_contacts(world, shapes, settings, contacts);
+std::vector<ImpactStop<S>> step(World<S>& world, const std::vector<Shape<S>>& shapes,
+                                const SolverSettings& settings, S dt,
+                                std::vector<Manifolds<S>>& contacts) {
+  find_contacts(world, shapes, settings, contacts, dt);
   std::vector<PairContacts<S>> pairs;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const WorldPair<S>& pair = world.pairs[i];
     pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution});
   }
+  const std::vector<Body<S>> before = world.bodies;
   solve_step<S>(world.bodies, pairs, world.impulses, world.gravity, settings, dt);
+  if (!std::ranges::any_of(world.pairs,
+                           [](const auto& pair) { return pair.continuous.has_value(); }))
+    return {};
+  if (world.cores.empty()) world.cores = impact_cores(world.bodies, shapes, settings);
+  const auto pair_of = [&](int a, int b) -> std::optional<ContinuousPair<S>> {
+    for (const WorldPair<S>& pair : world.pairs)
+      if (pair.continuous && std::minmax(pair.a, pair.b) == std::minmax(a, b))
+        return ContinuousPair<S>{*pair.continuous, pair.friction, pair.restitution};
+    return std::nullopt;
+  };
+  return stop_at_impacts<S>(world.bodies, before, shapes, world.cores, pair_of, settings, dt);
 }
 
 }  // namespace contactscope

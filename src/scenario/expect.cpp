@@ -51,12 +51,48 @@ void require_pair(const Expectation& expectation, const Scenario& scenario, cons
     at.fail("the pair " + both + " is not run; list it in [[pairs]]");
 }
 
-/// What the pair of an expectation is asked; require_pair has found it.
-const Question& question_of(const Expectation& expectation, const Scenario& scenario) {
+/// How the pair of an expectation is run; require_pair has found it.
+const PipelineSettings& settings_of(const Expectation& expectation, const Scenario& scenario) {
   for (const ScenarioPair& pair : scenario.pairs)
     if (pair.a == expectation.a && pair.b == expectation.b && pair.label == expectation.label)
-      return pair.pipeline.question;
-  return scenario.pipeline.question;
+      return pair.pipeline;
+  return scenario.pipeline;
+}
+
+/// What is expected of what happens between frames.
+void read_between_frames(const Value& table, const Scenario& scenario, Expectation& expectation) {
+  const PipelineSettings& settings = settings_of(expectation, scenario);
+  for (const char* key : {"impact", "impact_time", "ghosts", "stops"}) {
+    const auto value = table.find(key);
+    if (!value) continue;
+    const std::string quoted = std::string("'") + key + "'";
+    if (!settings.continuous)
+      value->fail(
+          quoted +
+          " is of what happens between frames, and nobody looks there; set 'continuous' for "
+          "the pair");
+    if (key == std::string_view("ghosts") && settings.continuous != ImpactMethod::Speculative)
+      value->fail(
+          "'ghosts' are speculative contacts; set continuous = \"speculative\", or expect an "
+          "impact");
+    if (key == std::string_view("stops") && !scenario.shape(expectation.a).dynamic() &&
+        !scenario.shape(expectation.b).dynamic())
+      value->fail("'stops' are of the solver, and neither shape is dynamic; expect an impact");
+  }
+  if (const auto impact = table.find("impact"))
+    expectation.impact =
+        impact->one_of({"separated", "hit", "overlapping", "out_of_iterations"}, "impact");
+  table.read("impact_time", expectation.impact_time, [](const Value& time) {
+    const double fraction = time.not_negative("of the step");
+    if (fraction > 1)
+      time.fail("'impact_time' is a fraction of the step; give a number from 0 to 1");
+    return fraction;
+  });
+  if (expectation.impact_time && expectation.impact.value_or("hit") != "hit")
+    table.find("impact_time")->fail("'impact_time' contradicts 'impact'; only a hit has a time");
+  if (const auto ghosts = table.find("ghosts"))
+    expectation.ghosts = ghosts->integer(0, kMostPoints);
+  if (const auto stops = table.find("stops")) expectation.stops = stops->integer(0, kMostPoints);
 }
 
 /// Refuses keys of contacts where the pair has none, and of answers where it is not asked.
@@ -88,7 +124,7 @@ void require_triangles(const Value& count, const Expectation& expectation,
       count.fail("'intersections' are of the triangles of two meshes, and '" + shape.name +
                  "' is none; expect overlap");
   }
-  if (question_of(expectation, scenario).bounds)
+  if (settings_of(expectation, scenario).question.bounds)
     count.fail(
         "'intersections' are of triangles, and the pair is asked of its bounds; expect overlap, or "
         "remove 'bounds'");
@@ -97,7 +133,8 @@ void require_triangles(const Value& count, const Expectation& expectation,
 Expectation read_expectation(const Value& value, const Scenario& scenario) {
   const Value& table =
       value.table({"frames", "a", "b", "label", "state", "points", "axis", "type", "normal",
-                   "separation", "load", "tolerance", "overlap", "touching", "intersections"});
+                   "separation", "load", "tolerance", "overlap", "touching", "intersections",
+                   "impact", "impact_time", "ghosts", "stops"});
   Expectation expectation;
   expectation.line = value.line();
   expectation.last_frame = scenario.frames - 1;
@@ -117,7 +154,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
   if (expectation.a == expectation.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
   table.read("label", expectation.label, &Value::non_empty_string);
   require_pair(expectation, scenario, a);
-  require_answers(table, question_of(expectation, scenario));
+  require_answers(table, settings_of(expectation, scenario).question);
 
   if (const auto state = table.find("state"))
     expectation.state = state->one_of({"touching", "separated"}, "state");
@@ -155,13 +192,15 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     require_triangles(*count, expectation, scenario);
     expectation.intersections = count->integer(0, kMostIntersections);
   }
-  if (!expectation.overlap && !expectation.touching && !expectation.intersections &&
-      !expectation.state && !expectation.points && !expectation.axis && !expectation.type &&
-      !expectation.normal && !expectation.separation && !expectation.load)
+  read_between_frames(table, scenario, expectation);
+  if (!expectation.impact && !expectation.impact_time && !expectation.ghosts &&
+      !expectation.stops && !expectation.overlap && !expectation.touching &&
+      !expectation.intersections && !expectation.state && !expectation.points &&
+      !expectation.axis && !expectation.type && !expectation.normal && !expectation.separation &&
+      !expectation.load)
     value.fail(
         "this entry expects nothing; add state, points, axis, type, normal, separation, load, "
-        "overlap, touching or "
-        "intersections");
+        "overlap, touching, intersections, impact, impact_time, ghosts or stops");
   return expectation;
 }
 
@@ -240,9 +279,39 @@ double load_of(const trace::Pair& pair, double dt) {
   return impulse / dt;
 }
 
-/// What `pair` does not meet.
-std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt) {
+/// What of the step after the frame is not as expected.
+void add_between_frames(const Expectation& expected, const trace::Pair& pair,
+                        const trace::Frame* frame, std::vector<Unmet>& list) {
+  const std::string status = pair.impact ? pair.impact->status : "nobody looked";
+  if (expected.impact && status != *expected.impact)
+    list.push_back({"expected impact " + *expected.impact, status});
+  if (expected.impact_time) {
+    const double time = status == "hit" ? pair.impact->time : -1;
+    if (!(std::abs(time - *expected.impact_time) <= expected.tolerance))
+      list.push_back({"expected an impact at " + spell(*expected.impact_time) + " of the step",
+                      status == "hit" ? spell_got(time, *expected.impact_time) : status});
+  }
+  const int ghosts = pair.impact ? pair.impact->ghosts : 0;
+  if (expected.ghosts && ghosts != *expected.ghosts)
+    list.push_back(
+        {"expected " + std::to_string(*expected.ghosts) + " ghosts", std::to_string(ghosts)});
+  if (!expected.stops) return;
+  const auto is_of_pair = [&](const trace::Stop& stop) {
+    return std::minmax(stop.a, stop.b) == std::minmax(pair.a, pair.b);
+  };
+  const auto stops = frame != nullptr && frame->solver
+                         ? std::ranges::count_if(frame->solver->stops, is_of_pair)
+                         : 0;
+  if (stops != *expected.stops)
+    list.push_back(
+        {"expected " + std::to_string(*expected.stops) + " stops", std::to_string(stops)});
+}
+
+/// What `pair` does not meet. `frame` is that of the pair; null where it did not run.
+std::vector<Unmet> unmet(const Expectation& expected, const trace::Pair& pair, double dt,
+                         const trace::Frame* frame) {
   std::vector<Unmet> list;
+  add_between_frames(expected, pair, frame, list);
   if (expected.state && pair.state != *expected.state)
     list.push_back({"expected " + *expected.state,
                     pair.state + " with separation " + spell_got(pair.separation, 0) + " m"});
@@ -309,10 +378,10 @@ std::vector<Unmet> unmet(const Scenario& scenario, const Expectation& expected,
     trace::Pair apart;
     apart.state = "separated";
     if (expected.separation) return {{"the boxes of the two are apart", ""}};
-    return unmet(expected, apart, scenario.dt);
+    return unmet(expected, apart, scenario.dt, nullptr);
   }
   if (pair == frame.pairs.end()) return {{"the frame has no such pair", ""}};
-  return unmet(expected, *pair, scenario.dt);
+  return unmet(expected, *pair, scenario.dt, &frame);
 }
 
 /// "frame 3", "frames 0 to 2", "3 frames from 0 to 9". `frames` is in rising order.

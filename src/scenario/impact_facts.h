@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "continuous/impact_of_shapes.h"
-#include "dynamics/body.h"
+#include "dynamics/continuous_step.h"
 #include "scenario/scenario.h"
 #include "trace/impact.h"
+#include "trace/trace.h"
 
 /// What a trace tells of when two shapes meet.
 namespace contactscope {
@@ -20,12 +21,6 @@ Sweep<S> sweep_between(const Pose<double>& from, const Pose<double>& to, const V
   const double sine = by.vec().norm();
   if (sine > 0) sweep.turn = 2 * std::atan2(sine, by.w()) / sine * by.vec();
   return sweep.cast<S>();
-}
-
-/// How a body goes on for `dt` seconds as it moves now.
-template <class S>
-Sweep<S> sweep_of(const Body<S>& body, S dt) {
-  return {body.pose(), body.local_center, dt * body.velocity, dt * body.angular_velocity};
 }
 
 template <class S>
@@ -63,6 +58,37 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
                            static_cast<double>(step.bracket_separation),
                            static_cast<double>(step.safe)});
   return facts;
+}
+
+/// Which points of a speculative pair are ghosts: those that the motion closes, where the shapes would
+/// not meet.
+inline void tell_ghosts(trace::Pair& pair) {
+  trace::Impact& impact = *pair.impact;
+  if (impact.status != "separated") return;
+  const auto moved = [](const trace::Travel& travel, const Vec3d& point) -> Vec3d {
+    const double angle = travel.turn.norm();
+    Vec3d arm = point - travel.pivot;
+    if (angle > 0) arm = Eigen::AngleAxisd(angle, travel.turn / angle) * arm;
+    return travel.pivot + travel.displacement + arm;
+  };
+  for (trace::Manifold& manifold : pair.manifolds) {
+    for (trace::Point& point : manifold.points) {
+      const Vec3d apart =
+          moved(impact.travel_b, point.position) - moved(impact.travel_a, point.position);
+      point.ghost = point.separation > 0 && point.separation + apart.dot(manifold.normal) < 0;
+      impact.ghosts += point.ghost ? 1 : 0;
+    }
+  }
+}
+
+template <class S>
+trace::Stop stop_facts(const Scenario& scenario, const ImpactStop<S>& stop) {
+  return {.a = scenario.shape(stop.a).name,
+          .b = scenario.shape(stop.b).name,
+          .time = static_cast<double>(stop.time),
+          .normal = stop.normal.template cast<double>(),
+          .point = stop.point.template cast<double>(),
+          .for_good = stop.for_good};
 }
 
 }  // namespace contactscope

@@ -127,13 +127,12 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   settings.question.penetration = settings.penetration;
   read_question(table, settings.question);
   table.read("continuous", settings.continuous, [](const Value& value) {
-    constexpr ImpactMethod kMethods[] = {ImpactMethod::ConservativeAdvancement,
-                                         ImpactMethod::TimeOfImpact};
-    const std::string word = value.one_of(
-        {"discrete", to_string(kMethods[0]), to_string(kMethods[1])}, "way to look between frames");
+    Keys words{"discrete"};
+    for (const ImpactMethodInfo& info : impact_methods()) words.push_back(info.name);
+    const std::string word = value.one_of(words, "way to look between frames");
     std::optional<ImpactMethod> chosen;
-    for (const ImpactMethod method : kMethods)
-      if (word == to_string(method)) chosen = method;
+    for (const ImpactMethodInfo& info : impact_methods())
+      if (word == info.name) chosen = info.method;
     return chosen;
   });
   table.read("traversal", settings.traversal,

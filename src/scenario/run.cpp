@@ -12,8 +12,8 @@
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
 #include "manifold/incremental.h"
+#include "scenario/between_frames.h"
 #include "scenario/deforming_mesh.h"
-#include "scenario/impact_facts.h"
 #include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
@@ -107,10 +107,11 @@ class Runner::In final : public Runner::InScalar {
       : scenario_(scenario),
         stages_(with_insets(stages, scenario.views)),
         dynamic_(std::ranges::any_of(scenario.shapes, &ScenarioShape::dynamic)),
+        shapes_(std::make_shared<const std::vector<Shape<S>>>(
+            mapped(scenario.shapes,
+                   [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }))),
+        between_(scenario, shapes_),
         chooser_(scenario) {
-    shapes_ = std::make_shared<const std::vector<Shape<S>>>(
-        mapped(scenario.shapes,
-               [](const ScenarioShape& shape) { return shape_cast<S>(*shape.collider); }));
     for (int i = 0; i < count_of(scenario.shapes); ++i)
       if (scenario.shape(i).deforms()) deforming_.emplace_back(i, scenario.shape(i));
     own_bounds_.resize(shapes_->size());
@@ -121,6 +122,7 @@ class Runner::In final : public Runner::InScalar {
                                         seen.emplace(std::minmax(pair.a, pair.b)).second));
     for (std::size_t i = 0; dynamic_ && i < shapes_->size(); ++i)
       bodies_.push_back(body_of(scenario.shapes[i], (*shapes_)[i]));
+    between_.begin(bodies_);
   }
 
   std::unique_ptr<InScalar> copy() const override { return std::make_unique<In>(*this); }
@@ -203,14 +205,14 @@ class Runner::In final : public Runner::InScalar {
       record.label = pair.label;
       if (!pair.pipeline.makes_contacts()) {
         ask_pair(pairs_[i], poses, recorded, record);
-        if (recorded) record_impact(pair, time, record);
+        if (recorded) between_.record(pair, next_, bodies_, record);
         move_boxes(pair, record);
         continue;
       }
       contacts[i] = collide_pair(pairs_[i], poses, recorded ? &record : nullptr);
       if (recorded) {
         move_boxes(pair, record);
-        record_impact(pair, time, record);
+        between_.record(pair, next_, bodies_, record);
         record_stability(pair, *result, record);
       } else {
         record.kind = pair_kind(shape(pair.a), shape(pair.b));
@@ -282,8 +284,11 @@ class Runner::In final : public Runner::InScalar {
   /// The pairs of this frame. Those that were there in the frame before keep what they have.
   void choose_pairs(const std::vector<Pose<S>>& poses, trace::Frame* record) {
     std::vector<Aabb<float>> boxes;
+    const double margin = 0.5 * chooser_.reach();
     for (int i = 0; i < count_of(poses); ++i)
-      boxes.push_back(world_box(shape(i), at(poses, i), 0.5 * chooser_.reach()));
+      boxes.push_back(scenario_.pipeline.continuous && !scenario_.shape(i).deforms()
+                          ? between_.swept_box(i, next_, bodies_, margin)
+                          : world_box(shape(i), at(poses, i), margin));
     std::vector<ActivePair<S>> chosen;
     auto before = pairs_.begin();
     for (const BoxPair& pair : chooser_.choose(boxes, record, stages_.cells)) {
@@ -309,6 +314,7 @@ class Runner::In final : public Runner::InScalar {
     options.reduction.previous = memory.kept;
     if (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic())
       options.margin = std::max(options.margin, scenario_.solver.speculative_margin.value_or(0));
+    options.margin = std::max(options.margin, between_.margin(pair, next_, bodies_));
     options.margin = static_cast<S>(options.margin);  // a length as the pipeline has it
 
     Manifolds<S> manifolds;
@@ -324,22 +330,6 @@ class Runner::In final : public Runner::InScalar {
     for (const Manifold<S>& manifold : manifolds)
       for (const ContactPoint<S>& point : manifold.points) memory.kept.push_back(point.id);
     return manifolds;
-  }
-
-  /// When the pair meets in the step that begins now.
-  void record_impact(const ScenarioPair& pair, double time, trace::Pair& record) const {
-    if (!pair.pipeline.continuous ||
-        impact_refusal(scenario_.shape(pair.a), scenario_.shape(pair.b)))
-      return;
-    const auto sweep = [&](int index) -> Sweep<S> {
-      const ScenarioShape& scripted = scenario_.shape(index);
-      if (scripted.dynamic()) return sweep_of(at(bodies_, index), static_cast<S>(scenario_.dt));
-      return sweep_between<S>(collider_pose_at(scripted, time),
-                              collider_pose_at(scripted, time + scenario_.dt),
-                              -scripted.collider_origin);
-    };
-    record.impact = impact_facts(shape(pair.a), sweep(pair.a), shape(pair.b), sweep(pair.b),
-                                 *pair.pipeline.continuous);
   }
 
   /// Whether a body can rest on the pair's manifolds, where the pair is incremental or a view shows
@@ -385,23 +375,27 @@ class Runner::In final : public Runner::InScalar {
     std::vector<PairImpulses<S>> impulses;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ScenarioPair& pair = pairs_[i].pair;
-      const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
-        return std::pair((scenario_.shape(pair.a).*coefficient).value_or(otherwise),
-                         (scenario_.shape(pair.b).*coefficient).value_or(otherwise));
-      };
-      const auto friction = own(&ScenarioShape::friction, scenario_.world.friction);
-      const auto restitution = own(&ScenarioShape::restitution, scenario_.world.restitution);
+      const auto [friction, restitution] = surfaces_of<S>(scenario_, pair.a, pair.b);
       impulses.push_back(std::move(pairs_[i].impulses));
-      pairs.push_back({pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr,
-                       static_cast<S>(std::sqrt(friction.first * friction.second)),
-                       static_cast<S>(std::max(restitution.first, restitution.second))});
+      pairs.push_back(
+          {pair.a, pair.b, pairs_[i].acts ? &contacts[i] : nullptr, friction, restitution});
     }
     solve_step<S>(bodies_, pairs, impulses, scenario_.world.gravity.cast<S>(), scenario_.solver,
                   static_cast<S>(scenario_.dt));
+    const auto settings_of = [&](int a, int b) -> const PipelineSettings* {
+      if (chooser_.chooses()) return &scenario_.pipeline;
+      const auto found = std::ranges::find_if(pairs_, [&](const ActivePair<S>& active) {
+        return active.acts && std::minmax(active.pair.a, active.pair.b) == std::minmax(a, b);
+      });
+      return found == pairs_.end() ? nullptr : &found->pair.pipeline;
+    };
+    const std::vector<ImpactStop<S>> stops = between_.stop(bodies_, before, settings_of);
     // A script knows where it is; steps would add up their rounding.
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!scenario_.shapes[i].dynamic())
         bodies_[i].place(collider_pose_at(scenario_.shapes[i], next).template cast<S>());
+    for (const ImpactStop<S>& stop : stops)
+      if (result && result->solver) result->solver->stops.push_back(stop_facts(scenario_, stop));
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       pairs_[i].impulses = std::move(impulses[i]);
       if (!result) continue;
@@ -414,6 +408,7 @@ class Runner::In final : public Runner::InScalar {
   trace::Stages stages_;
   bool dynamic_;                                         // some shape is moved by the solver
   std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
+  BetweenFrames<S> between_;
   // Before the next frame, all that it and the frames after it depend on:
   int next_ = 0;
   std::vector<DeformingMesh<S>> deforming_;

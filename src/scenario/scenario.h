@@ -93,7 +93,7 @@ struct PipelineSettings {
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;
-  /// When the pair first meets in the step after each frame; none: nobody asks.
+  /// What is done about what meets in the step after each frame; none, "discrete": nothing.
   std::optional<ImpactMethod> continuous{};
   Traversal traversal = Traversal::FromRoots;  // of two meshes that are asked
   Question question;  // by default the manifold; its penetration method is `penetration`
@@ -131,8 +131,12 @@ struct Expectation {
   std::optional<std::string> axis;  // "face_a", "face_b", "edge_edge", "closest_points"
   std::optional<std::string> type;  // "point-face", ...
   std::optional<Vec3d> normal;
-  std::optional<double> separation;  // metres, deepest point
-  std::optional<double> load;        // newtons, what the solver's normal impulses come to
+  std::optional<double> separation;   // metres, deepest point
+  std::optional<double> load;         // newtons, what the solver's normal impulses come to
+  std::optional<std::string> impact;  // "hit", ...: in the step after the frame
+  std::optional<double> impact_time;  // fraction of that step
+  std::optional<int> ghosts;          // speculative points that hold back what would not meet
+  std::optional<int> stops;           // of the two, by the solver, in that step
   double tolerance = 1e-5;  // metres, and for each component of the normal; share of the load
   int line = 0;             // in the file, for messages
 };

@@ -57,15 +57,20 @@ struct DistanceAt {
 };
 
 struct Impact {
-  std::string method;             // "conservative_advancement", "time_of_impact"
-  std::string status;             // "separated", "hit", "overlapping", "out_of_iterations"
-  double time = 0;                // fraction of the scenario's step
-  double distance = 0;            // of the surfaces then, metres
+  std::string method;   // "speculative", "swept", "conservative_advancement", "time_of_impact"
+  std::string status;   // "separated", "hit", "overlapping", "out_of_iterations"
+  double time = 0;      // fraction of the scenario's step
+  double distance = 0;  // of the surfaces then, metres
   Vec3d normal = Vec3d::Zero();   // unit, from a to b, of a hit
   Vec3d point_a = Vec3d::Zero();  // closest points at that time, world, of a hit
   Vec3d point_b = Vec3d::Zero();
   int triangle = -1;  // of a mesh, that is met first; -1: none
   Travel travel_a, travel_b;
+  /// Metres up to which contacts of a speculative pair are kept: as much nearer as the two can come.
+  double margin = 0;
+  /// Contact points that hold back shapes that would not meet: speculative ones that the motion
+  /// closes, of a pair that is "separated".
+  int ghosts = 0;
   std::vector<DistanceAt> distances;  // through the step, evenly apart
   std::vector<ImpactStep> steps;
 
@@ -79,7 +84,8 @@ struct Impact {
         field::position("point_b", &I::point_b).where_set().says("point of b"),
         field::exact("triangle", &I::triangle).where_set(),
         field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
-        field::fact("travel_b", &I::travel_b),
+        field::fact("travel_b", &I::travel_b), field::length("margin", &I::margin).where_set(),
+        field::exact("ghosts", &I::ghosts).where_set(),
         field::facts("distances", &I::distances).where_set().entries("distance"),
         field::facts("steps", &I::steps).entries("step of the search"));
   }

@@ -35,6 +35,23 @@ struct Body {
   friend bool operator==(const Body&, const Body&) = default;
 };
 
+/// Two bodies that were stopped within the step where they first meet, and went on from there.
+struct Stop {
+  std::string a, b;              // shapes
+  double time = 0;               // fraction of the step
+  Vec3d normal = Vec3d::Zero();  // unit, from a to b
+  Vec3d point = Vec3d::Zero();   // where they meet, world
+  bool for_good = false;         // they stay there until the next frame
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("a", &Stop::a), field::exact("b", &Stop::b),
+                      field::ratio("time", &Stop::time), field::direction("normal", &Stop::normal),
+                      field::position("point", &Stop::point).says("stop"),
+                      field::exact("for_good", &Stop::for_good).where_set());
+  }
+  friend bool operator==(const Stop&, const Stop&) = default;
+};
+
 /// The step of the solver that starts in this frame; impulses stand with the contact points.
 struct Solver {
   std::string position_correction;  // "baumgarte", "projection", "soft"
@@ -44,6 +61,7 @@ struct Solver {
   double slop = 0;                // metres of overlap that are let be, as settled by the bodies
   double speculative_margin = 0;  // metres, likewise
   std::vector<Body> bodies;
+  std::vector<Stop> stops{};  // between this frame and the next, in the order of their times
 
   static constexpr auto fields() {
     return std::tuple(
@@ -53,7 +71,8 @@ struct Solver {
         field::exact("warm_start", &Solver::warm_start).called("off", "on"),
         field::exact("slop", &Solver::slop).optional(),
         field::exact("speculative_margin", &Solver::speculative_margin).optional(),
-        field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"));
+        field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"),
+        field::facts("stops", &Solver::stops).where_set().entries("stop"));
   }
   friend bool operator==(const Solver&, const Solver&) = default;
 };

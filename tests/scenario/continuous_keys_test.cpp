@@ -66,6 +66,7 @@ TEST(ContinuousKeys, AnEntryAsksItOfItsPairAlone) {
 
 /// A dynamic body goes on as it moves; the solver is not there to stop it.
 TEST(ContinuousKeys, ABodyGoesOnAsItMoves) {
+  const std::string weightless = "[world]\ngravity = [0, 0, 0]\n";
   const std::string text =
       "title = \"Falls\"\n[time]\nframes = 2\ndt = 0.5\n[pipeline]\ncontinuous = "
       "\"time_of_impact\"\n"
@@ -73,11 +74,91 @@ TEST(ContinuousKeys, ABodyGoesOnAsItMoves) {
       "motion = { dynamic = true, density = 100, velocity = [0, -4, 0], angular_velocity = [3, 0, "
       "0] }\n"
       "[shapes.ground]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = 0.5\n";
-  const trace::Frame frame = first_frame(text);
+  const trace::Frame frame = first_frame(text + weightless);
   ASSERT_TRUE(frame.pairs.at(0).impact);
   EXPECT_EQ(frame.pairs[0].impact->status, "hit");
   EXPECT_NEAR(frame.pairs[0].impact->time, 0.5, 1e-4);
   EXPECT_NEAR(frame.pairs[0].impact->travel_a.turn.x(), 1.5, 1e-6);
+  // With its weight it comes dt^2 g farther, as the solver's first step has it.
+  EXPECT_NEAR(first_frame(text).pairs.at(0).impact->travel_a.displacement.y(), -2 - 0.25 * 9.81,
+              1e-5);
+}
+
+/// A ball that flies at a thin wall, 1 m a step, and would be beyond it.
+std::string shot(const std::string& method, const std::string& rest = "") {
+  return "title = \"Shot\"\n[time]\nframes = 4\ndt = 0.01\n[world]\ngravity = [0, 0, 0]\n"
+         "[pipeline]\ncontinuous = \"" +
+         method +
+         "\"\n[shapes.ball]\ntype = \"sphere\"\nradius = 0.1\nposition = [-0.6, 0, 0]\n"
+         "motion = { dynamic = true, mass = 1, velocity = [100, 0, 0] }\n"
+         "[shapes.wall]\ntype = \"box\"\nhalf_extents = [0.005, 1, 1]\n" +
+         rest;
+}
+
+/// Where the ball is after two steps, along its way.
+double end_of(const std::string& text) {
+  const Scenario scenario = parse_scenario(text, "g/a.toml");
+  return Runner(scenario).frame(2).poses.at(0).second.position.x();
+}
+
+TEST(ContinuousKeys, TheSolverStopsWhatMeetsBetweenFrames) {
+  EXPECT_NEAR(end_of(shot("discrete")), 1.4, 1e-5);
+  for (const std::string method :
+       {"speculative", "swept", "conservative_advancement", "time_of_impact"})
+    EXPECT_NEAR(end_of(shot(method)), -0.105, 0.01) << method;
+}
+
+TEST(ContinuousKeys, TheTraceTellsStops) {
+  const trace::Frame frame = first_frame(shot("time_of_impact"));
+  ASSERT_TRUE(frame.solver);
+  ASSERT_EQ(frame.solver->stops.size(), 1u);
+  const trace::Stop& stop = frame.solver->stops[0];
+  EXPECT_EQ(stop.a, "ball");
+  EXPECT_EQ(stop.b, "wall");
+  EXPECT_NEAR(stop.time, 0.495, 0.005);
+  EXPECT_NEAR(stop.normal.x(), 1, 1e-6);
+  EXPECT_TRUE(first_frame(shot("speculative")).solver->stops.empty());
+}
+
+/// A broad phase that looks at where the boxes are would not even name the pair.
+TEST(ContinuousKeys, ABroadPhaseCoversTheStep) {
+  std::string text = shot("time_of_impact");
+  text.replace(text.find("gravity"), 0, "broad_phase = \"tree\"\n");
+  EXPECT_NEAR(end_of(text), -0.105, 0.01);
+  EXPECT_EQ(first_frame(text).pairs.size(), 1u);
+}
+
+/// The ball flies past the wall's edge, but the plane through the wall's face is in its way.
+TEST(ContinuousKeys, GhostsAreCounted) {
+  std::string text = shot("speculative");
+  text.replace(text.find("[-0.6, 0, 0]"), 12, "[-0.6, 0.8, 0]");
+  text.replace(text.find("[100, 0, 0]"), 11, "[100, 60, 0]");
+  const trace::Frame frame = first_frame(text);
+  ASSERT_TRUE(frame.pairs.at(0).impact);
+  EXPECT_EQ(frame.pairs[0].impact->status, "separated");
+  EXPECT_EQ(frame.pairs[0].impact->ghosts, 1);
+  EXPECT_NEAR(frame.pairs[0].impact->margin, 0.01 * std::hypot(100, 60), 1e-5);
+  ASSERT_EQ(frame.pairs[0].manifolds.size(), 1u);
+  EXPECT_TRUE(frame.pairs[0].manifolds[0].points.at(0).ghost);
+  const trace::Frame hit = first_frame(shot("speculative"));
+  EXPECT_EQ(hit.pairs.at(0).impact->ghosts, 0);
+}
+
+TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {
+  const auto failures = [](const std::string& method, const std::string& expected) {
+    const Scenario scenario = parse_scenario(
+        shot(method, "[[expect]]\na = \"ball\"\nb = \"wall\"\nframes = [0, 0]\n" + expected),
+        "g/a.toml");
+    return unmet_expectations(scenario, {Runner(scenario).frame(0)});
+  };
+  EXPECT_THAT(failures("time_of_impact",
+                       "impact = \"hit\"\nimpact_time = 0.495\nstops = 1\ntolerance = 1e-4\n"),
+              testing::IsEmpty());
+  EXPECT_THAT(failures("speculative", "ghosts = 0\nimpact = \"hit\"\n"), testing::IsEmpty());
+  EXPECT_THAT(failures("time_of_impact", "impact = \"separated\"\n"), testing::SizeIs(1));
+  EXPECT_THAT(failures("time_of_impact", "impact_time = 0.4\n"), testing::SizeIs(1));
+  EXPECT_THAT(failures("time_of_impact", "stops = 0\n"), testing::SizeIs(1));
+  EXPECT_THAT(failures("speculative", "ghosts = 1\n"), testing::SizeIs(1));
 }
 
 class BrokenContinuous : public testing::TestWithParam<Broken> {};
@@ -93,6 +174,24 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Broken{"Unknown", two_boxes("[pipeline]\ncontinuous = \"ccd\"\n"), "9:14",
                "'time_of_impact'"},
+        Broken{"ImpactOfDiscretePair",
+               two_boxes("[[expect]]\na = \"crate\"\nb = \"floor\"\nimpact = \"hit\"\n"), "11:10",
+               "set 'continuous'"},
+        Broken{
+            "StopsWithoutBodies",
+            two_boxes("[pipeline]\ncontinuous = \"time_of_impact\"\n[[expect]]\na = \"crate\"\nb = "
+                      "\"floor\"\nstops = 1\n"),
+            "13:9", "neither shape is dynamic"},
+        Broken{
+            "GhostsOfOthers",
+            two_boxes("[pipeline]\ncontinuous = \"time_of_impact\"\n[[expect]]\na = \"crate\"\nb = "
+                      "\"floor\"\nghosts = 1\n"),
+            "13:10", "speculative"},
+        Broken{
+            "TimeBeyondTheStep",
+            two_boxes("[pipeline]\ncontinuous = \"time_of_impact\"\n[[expect]]\na = \"crate\"\nb = "
+                      "\"floor\"\nimpact_time = 2\n"),
+            "13:15", "from 0 to 1"},
         Broken{"TwoMeshes",
                "title = \"Meshes\"\n[shapes.floor]\ntype = \"mesh\"\ngrid = { size = 2, cells = 2 "
                "}\n[shapes.wall]\ntype = \"mesh\"\ngrid = { size = 1, cells = 1 }\n"

@@ -1,5 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/pairs.h"
 
 /// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous Collision".
 /// Onion skins at the times up to which the search knew them apart; where they meet; and where they
@@ -18,6 +19,8 @@ constexpr Swatch kEndSwatch{LegendGroup::Motion, 6, [](auto& pen) { pen.dashes(2
 constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
                                 [](auto& pen) { pen.area(kContact, 0, 3); }};
 
+constexpr Swatch kGhostSwatch{LegendGroup::Motion, 8, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
+
 bool moves(const trace::Travel& travel) {
   return !travel.displacement.isZero(0) || !travel.turn.isZero(0);
 }
@@ -25,15 +28,17 @@ bool moves(const trace::Travel& travel) {
 void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.impact) return;
   const trace::Impact& impact = *pair.impact;
+  // A cast moves shapes as they stand; only the next frame shows what they have turned by.
   const auto draw_at = [&](double time, const LineStyle& style) {
+    const double turned = impact.method == "swept" && time < 1 ? 0 : time;
     for (const auto& [name, travel] :
          {std::pair(pair.a, impact.travel_a), std::pair(pair.b, impact.travel_b)}) {
       const PlacedShape* shape = scene.find(name);
       if (shape == nullptr || shape->is_mesh() || shape->traced().half_space || !moves(travel))
         continue;
       draw_ghost(scene.camera,
-                 moved(*shape, travel.pivot, time * travel.displacement, time * travel.turn), style,
-                 sketch);
+                 moved(*shape, travel.pivot, time * travel.displacement, turned * travel.turn),
+                 style, sketch);
     }
   };
   double last = 0;
@@ -46,6 +51,11 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   draw_at(1, kEnd);
   sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+  for (const auto& [manifold, point] : all_points(pair)) {
+    if (!point->ghost) continue;
+    sketch.mark(MarkKind::WideRing, point->position, kAxis);
+    sketch.explain(kGhostSwatch, "ghost: holds back what would go past");
+  }
   if (impact.status != "hit") return;
   draw_at(impact.time, kMeeting);
   sketch.explain(kMeetingSwatch, "where they first meet");

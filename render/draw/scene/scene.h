@@ -97,6 +97,13 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
 
 inline constexpr std::size_t kCrowd = 24;  // shapes
 
+/// Where the shapes are in each frame of a sequence, first to last.
+struct FramePoses {
+  int frame = 0;
+  std::vector<std::pair<std::string, Pose<double>>> poses;
+};
+using SequencePoses = std::vector<FramePoses>;
+
 /// All that the layers look at in one frame.
 struct Scene {
   const View& view;
@@ -105,6 +112,7 @@ struct Scene {
   const ShapeMeshes& meshes;
   const Camera& camera;
   SequenceScales scales{};
+  const SequencePoses* sequence = nullptr;  // where the view shows where shapes have been
   std::vector<PlacedShape> shapes = place_shapes(meshes, frame);
 
   bool shows(Layer layer) const { return view.shows(layer); }

@@ -1,0 +1,85 @@
+#include "continuous/motion_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "broadphase/world_box.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+struct ReachAbout {
+  Vec3<S> pivot;
+
+  S operator()(const Sphere<S>& sphere) const { return pivot.norm() + sphere.radius; }
+  S operator()(const Capsule<S>& capsule) const {
+    return std::max((capsule.points[0] - pivot).norm(), (capsule.points[1] - pivot).norm()) +
+           capsule.radius;
+  }
+  S operator()(const Hull<S>& hull) const {
+    S reach = 0;
+    for (const Vec3<S>& vertex : hull.vertices) reach = std::max(reach, (vertex - pivot).norm());
+    return reach;
+  }
+  S operator()(const Mesh<S>& mesh) const {
+    const Aabb<S> box = mesh.tree.bounds();
+    const Vec3<S> farther =
+        (box.lower - pivot).cwiseAbs().cwiseMax(Vec3<S>((box.upper - pivot).cwiseAbs()));
+    return farther.norm();
+  }
+  S operator()(const HalfSpace<S>&) const { return std::numeric_limits<S>::infinity(); }
+};
+
+/// The farthest that turning takes a point: the chord of its arc.
+template <class S>
+S chord(const Shape<S>& shape, const Sweep<S>& sweep) {
+  if (sweep.turn.isZero(S(0))) return 0;
+  return std::min(sweep.turn.norm(), S(2)) * reach_about_pivot(shape, sweep.pivot);
+}
+
+}  // namespace
+
+template <class S>
+S reach_about_pivot(const Shape<S>& shape, const Vec3<S>& pivot) {
+  return std::visit(ReachAbout<S>{pivot}, shape);
+}
+
+template <class S>
+Aabb<float> swept_world_box(const Shape<S>& shape, const Sweep<S>& sweep, double margin) {
+  // Between two looks a point that turns leaves the straight line between where it was seen by the
+  // height of its arc, the square of the angle over eight radii. Three looks a radian keep that below
+  // a fiftieth of the reach.
+  constexpr double kLooksARadian = 3, kMostLooks = 64;
+  const double angle = static_cast<double>(sweep.turn.norm());
+  const double looks = std::clamp(std::ceil(kLooksARadian * angle), 1.0, kMostLooks);
+  double off = 0;
+  if (angle > 0)
+    off = std::min(angle * angle / (looks * looks) / 8, 2.0) *
+          static_cast<double>(reach_about_pivot(shape, sweep.pivot));
+  Aabb<float> box;
+  if (std::isinf(off)) {
+    constexpr float kNoEnd = std::numeric_limits<float>::infinity();
+    return {Vec3<float>::Constant(-kNoEnd), Vec3<float>::Constant(kNoEnd)};
+  }
+  for (int i = 0; i <= static_cast<int>(looks); ++i)
+    box.include(world_box(shape, sweep.at(static_cast<S>(i / looks)), margin + off));
+  return box;
+}
+
+template <class S>
+S largest_approach(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
+                   const Sweep<S>& sweep_b) {
+  return (sweep_b.displacement - sweep_a.displacement).norm() + chord(a, sweep_a) +
+         chord(b, sweep_b);
+}
+
+template decltype(reach_about_pivot<float>) reach_about_pivot<float>;
+template decltype(reach_about_pivot<double>) reach_about_pivot<double>;
+template decltype(swept_world_box<float>) swept_world_box<float>;
+template decltype(swept_world_box<double>) swept_world_box<double>;
+template decltype(largest_approach<float>) largest_approach<float>;
+template decltype(largest_approach<double>) largest_approach<double>;
+
+}  // namespace contactscope

@@ -1,0 +1,352 @@
+#include "dynamics/continuous_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include "broadphase/broad_phase.h"
+#include "continuous/motion_bounds.h"
+#include "core/at.h"
+#include "dynamics/solver.h"
+#include "geometry/core_hull.h"
+#include "manifold/in_double.h"
+
+namespace contactscope {
+namespace {
+
+/// Box2D allows as many sub-steps of a contact in one step.
+constexpr int kMostStopsOfAPair = 8;
+
+/// How a body goes through what is left of the step.
+template <class S>
+struct Path {
+  S from = 0;  // fraction of the step
+  Sweep<S> rest;
+  bool stays = false;  // until the next step, whatever meets it
+
+  Sweep<S> since(S time) const {
+    const S part = (time - from) / (S(1) - from);
+    Sweep<S> later = rest;
+    later.start = rest.at(part);
+    later.displacement *= S(1) - part;
+    later.turn *= S(1) - part;
+    return later;
+  }
+};
+
+template <class S>
+bool finite(const Body<S>& body) {
+  return body.center.allFinite() && body.rotation.coeffs().allFinite();
+}
+
+/// From one pose of a body to another. Of all turns that lead there the one that its spin is nearest
+/// to, so that what turns by more than half a turn in a step is seen all the way.
+template <class S>
+Sweep<S> sweep_of_step(const Body<S>& before, const Body<S>& after, S dt) {
+  Sweep<S> sweep{before.pose(), before.local_center, after.center - before.center, Vec3<S>::Zero()};
+  const Quat<S> by = after.rotation * before.rotation.conjugate();
+  const Vec3<S> half = by.w() < S(0) ? Vec3<S>(-by.vec()) : Vec3<S>(by.vec());
+  const S sine = half.norm();
+  const Vec3<S> spin = dt * after.angular_velocity;
+  const S angle = S(2) * std::atan2(sine, std::abs(by.w()));
+  const Vec3<S> axis = sine > S(0)         ? Vec3<S>(half / sine)
+                       : spin.isZero(S(0)) ? Vec3<S>::UnitX()
+                                           : Vec3<S>(spin.normalized());
+  constexpr S kWholeTurn = S(6.283185307179586);
+  sweep.turn = (angle + kWholeTurn * std::round((spin.dot(axis) - angle) / kWholeTurn)) * axis;
+  return sweep;
+}
+
+/// Of a time that nothing is met before.
+template <class S>
+S rounded_down(double time) {
+  const S near = static_cast<S>(time);
+  return static_cast<double>(near) > time ? std::nextafter(near, S(0)) : near;
+}
+
+/// The next impact of two bodies, or where the search came to no end: up to there they are apart for
+/// certain.
+template <class S>
+struct Meeting {
+  int a = 0, b = 0;
+  S time = 0;  // fraction of the step
+  Vec3<S> normal = Vec3<S>::UnitX();
+  Vec3<S> point = Vec3<S>::Zero();
+  S lacking = 0;  // metres by which the cores are nearer than they may stay
+
+  auto key() const { return std::tuple(time, a, b); }
+};
+
+template <class S>
+class Stopper {
+ public:
+  Stopper(std::vector<Body<S>>& bodies, const std::vector<Body<S>>& before,
+          const std::vector<Shape<S>>& shapes, const std::vector<ImpactCore>& cores,
+          const ContinuousPairs<S>& pair_of, const SolverSettings& settings, S dt)
+      : bodies_(bodies),
+        shapes_(shapes),
+        cores_(cores),
+        pair_of_(pair_of),
+        settings_(settled(settings, bodies)),
+        dt_(dt) {
+    for (int i = 0; i < count_of(bodies); ++i) {
+      // What the solver lost is nowhere, and meets nothing.
+      const bool lost = !finite(at(bodies, i)) || !finite(at(before, i));
+      paths_.push_back(
+          {.from = 0, .rest = lost ? Sweep<S>{} : sweep_of_step(at(before, i), at(bodies, i), dt)});
+      boxes_.push_back(lost ? Aabb<float>{} : box_of(i));
+    }
+  }
+
+  std::vector<ImpactStop<S>> run() {
+    look_at_all();
+    std::vector<ImpactStop<S>> stops;
+    while (!meetings_.empty()) {
+      const auto first = std::ranges::min_element(meetings_, {}, &Meeting<S>::key);
+      stops.push_back(stop(*first));
+      const int a = stops.back().a, b = stops.back().b;
+      std::erase_if(meetings_, [&](const Meeting<S>& one) {
+        return one.a == a || one.b == a || one.a == b || one.b == b;
+      });
+      for (int other = 0; other < count_of(bodies_); ++other) {
+        if (other != a && other != b) {
+          look(std::min(a, other), std::max(a, other));
+          look(std::min(b, other), std::max(b, other));
+        }
+      }
+      look(a, b);
+    }
+    for (int i = 0; i < count_of(bodies_); ++i)
+      if (at(bodies_, i).dynamic() && at(paths_, i).from > S(0))
+        at(bodies_, i).place(at(paths_, i).rest.at(S(1)));
+    return stops;
+  }
+
+ private:
+  void look_at_all() {
+    const std::unique_ptr<BroadPhase> phase = make_broad_phase("columns");
+    std::vector<int> body_of;
+    for (int i = 0; i < count_of(boxes_); ++i) {
+      if (at(boxes_, i).empty()) continue;
+      phase->add(at(boxes_, i));
+      body_of.push_back(i);
+    }
+    for (const BoxPair& pair : phase->pairs()) look(at(body_of, pair.a), at(body_of, pair.b));
+  }
+
+  Aabb<float> box_of(int i) const {
+    return swept_world_box(at(shapes_, i), at(paths_, i).rest,
+                           settings_.speculative_margin.value_or(0));
+  }
+  bool moves(int i) const {
+    const Sweep<S>& rest = at(paths_, i).rest;
+    return !rest.displacement.isZero(S(0)) || !rest.turn.isZero(S(0));
+  }
+
+  /// Two bodies that are kept from passing through each other, one of them dynamic, within reach.
+  std::optional<ContinuousPair<S>> near_pair(int a, int b) const {
+    if (!at(bodies_, a).dynamic() && !at(bodies_, b).dynamic()) return std::nullopt;
+    if (!overlaps(at(boxes_, a), at(boxes_, b))) return std::nullopt;
+    return pair_of_(a, b);
+  }
+
+  /// Writes down when the two meet next.
+  void look(int a, int b) {
+    if (!moves(a) && !moves(b)) return;
+    if (const auto before = stops_of_.find({a, b});
+        before != stops_of_.end() && before->second >= kMostStopsOfAPair)
+      return;
+    const auto pair = near_pair(a, b);
+    if (!pair || pair->method == ImpactMethod::Speculative) return;
+    if (impact_refusal(kind_of(at(shapes_, a)), kind_of(at(shapes_, b)))) return;
+    const S since = std::max(at(paths_, a).from, at(paths_, b).from);
+    if (!(since < S(1))) return;
+    ImpactLimits<double> limits;
+    limits.gap = 0.5 * (at(cores_, a).depth + at(cores_, b).depth);
+    limits.passes_overlaps = true;
+    const auto sweep = [&](int i) { return at(paths_, i).since(since).template cast<double>(); };
+    const ImpactResult<double> found =
+        impact_of_shapes(at(cores_, a).shape, sweep(a), at(cores_, b).shape, sweep(b), pair->method,
+                         limits)
+            .result;
+    if (found.status != ImpactStatus::Hit && found.status != ImpactStatus::OutOfIterations) return;
+    Meeting<S> meeting{
+        .a = a, .b = b, .time = since + rounded_down<S>(found.time) * (S(1) - since)};
+    meeting.normal = found.normal.template cast<S>();
+    meeting.point = found.on_a.template cast<S>();
+    meeting.lacking = static_cast<S>(lacking_of(found.distance, limits.gap));
+    meetings_.push_back(meeting);
+  }
+
+  ImpactStop<S> stop(const Meeting<S>& meeting) {
+    const int a = meeting.a, b = meeting.b;
+    const S time = std::min(meeting.time, S(1));
+    const int count = ++stops_of_[{a, b}];
+    const bool for_good = count >= kMostStopsOfAPair;
+    for (const int i : {a, b}) {
+      if (!at(bodies_, i).dynamic()) continue;
+      Path<S>& path = at(paths_, i);
+      path.rest = path.from < S(1) ? path.since(time) : path.rest;
+      path.from = time;
+    }
+    move_apart(meeting);
+    push_apart(a, b, time);
+    for (const int i : {a, b}) {
+      Body<S>& body = at(bodies_, i);
+      if (!body.dynamic()) continue;
+      Path<S>& path = at(paths_, i);
+      path.stays = path.stays || for_good;
+      const S left = path.stays ? S(0) : (S(1) - time) * dt_;
+      path.rest.displacement = left * body.velocity;
+      path.rest.turn = left * body.angular_velocity;
+      at(boxes_, i) = box_of(i);
+    }
+    return {a, b, meeting.time, meeting.normal, meeting.point, for_good};
+  }
+
+  /// Cores that turn come nearer with each stop, until rounding says that they overlap and nobody
+  /// looks at them any more. A quarter of the gap is as near as they may stay.
+  static double lacking_of(double distance, double gap) {
+    constexpr double kNearest = 0.25, kMovedTo = 0.5;
+    return distance < kNearest * gap ? kMovedTo * gap - distance : 0;
+  }
+  void move_apart(const Meeting<S>& meeting) {
+    const S masses = at(bodies_, meeting.a).inverse_mass + at(bodies_, meeting.b).inverse_mass;
+    const Vec3<S> way = meeting.lacking / masses * meeting.normal;
+    at(paths_, meeting.a).rest.start.position -= at(bodies_, meeting.a).inverse_mass * way;
+    at(paths_, meeting.b).rest.start.position += at(bodies_, meeting.b).inverse_mass * way;
+  }
+
+  /// The contacts of both bodies where they are at `time`, with all that is near them, change their
+  /// velocities. Nothing else is moved by it.
+  void push_apart(int a, int b, S time) {
+    std::vector<int> who{a, b};
+    for (int other = 0; other < count_of(bodies_); ++other)
+      if (other != a && other != b &&
+          (near_pair(std::min(a, other), std::max(a, other)) ||
+           near_pair(std::min(b, other), std::max(b, other))))
+        who.push_back(other);
+    std::vector<Body<S>> local;
+    for (const int i : who) {
+      Body<S> body = at(bodies_, i);
+      const Path<S>& path = at(paths_, i);
+      body.place(path.from < time ? path.since(time).start : path.rest.start);
+      if (i != a && i != b) {
+        body.inverse_mass = body.mass = S(0);
+        body.inverse_inertia.setZero();
+      }
+      local.push_back(body);
+    }
+    CollideOptions options;
+    options.margin = static_cast<S>(settings_.speculative_margin.value_or(0));
+    std::vector<Manifolds<S>> contacts;
+    std::vector<PairContacts<S>> pairs;
+    contacts.reserve(2 * who.size());
+    for (int i = 0; i < 2; ++i) {
+      for (int j = i + 1; j < count_of(who); ++j) {
+        const int first = std::min(at(who, i), at(who, j)),
+                  second = std::max(at(who, i), at(who, j));
+        if (!at(local, i).dynamic() && !at(local, j).dynamic()) continue;
+        const auto pair = near_pair(first, second);
+        if (!pair) continue;
+        const int one = first == at(who, i) ? i : j, two = first == at(who, i) ? j : i;
+        Manifolds<S>& found = contacts.emplace_back();
+        collide(at(shapes_, first), at(local, one).pose(), at(shapes_, second),
+                at(local, two).pose(), options, found);
+        pairs.push_back({one, two, &found, pair->friction, pair->restitution});
+      }
+    }
+    solve_impact<S>(local, pairs, settings_, dt_);
+    for (int i = 0; i < 2; ++i) {
+      Body<S>& body = at(bodies_, at(who, i));
+      if (!body.dynamic()) continue;
+      body.velocity = at(local, i).velocity;
+      body.angular_velocity = at(local, i).angular_velocity;
+    }
+  }
+
+  std::vector<Body<S>>& bodies_;
+  const std::vector<Shape<S>>& shapes_;
+  const std::vector<ImpactCore>& cores_;
+  const ContinuousPairs<S>& pair_of_;
+  SolverSettings settings_;
+  S dt_;
+  std::vector<Path<S>> paths_;
+  std::vector<Aabb<float>> boxes_;
+  std::vector<Meeting<S>> meetings_;
+  std::map<std::pair<int, int>, int> stops_of_;
+};
+
+/// The shape with its surface moved inward, and by how much that could be.
+ImpactCore core_of(const Shape<double>& shape, double depth) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
+    const double moved = std::min(depth, kLargestCoreShare * sphere->radius);
+    return {Sphere<double>{sphere->radius - moved}, moved};
+  }
+  if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) {
+    const double moved = std::min(depth, kLargestCoreShare * capsule->radius);
+    return {Capsule<double>{capsule->points, capsule->radius - moved}, moved};
+  }
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+    CoreHull core = core_hull(*hull, depth);
+    return {std::move(core.hull), core.margin};
+  }
+  return {shape, 0};
+}
+
+const Shape<double>& widened(const Shape<double>& shape) {
+  return shape;
+}
+
+/// The same numbers.
+Shape<double> widened(const Shape<float>& shape) {
+  if (const auto* plane = std::get_if<HalfSpace<float>>(&shape))
+    return HalfSpace<double>{plane->plane.cast<double>()};
+  const auto* mesh = std::get_if<Mesh<float>>(&shape);
+  if (mesh == nullptr) return in_double(shape);
+  return build_mesh(
+      mapped(mesh->vertices, [](const Vec3<float>& v) -> Vec3d { return v.cast<double>(); }),
+      mesh->triangles);
+}
+
+}  // namespace
+
+template <class S>
+std::vector<ImpactCore> impact_cores(const std::vector<Body<S>>& bodies,
+                                     const std::vector<Shape<S>>& shapes,
+                                     const SolverSettings& settings) {
+  // Bodies rest at about the slop, and are stopped at one and a half of it.
+  constexpr double kSlops = 3, kLeastShare = 0.005;
+  const double slop = settled(settings, bodies).slop.value_or(0);
+  std::vector<ImpactCore> cores;
+  for (int i = 0; i < count_of(bodies); ++i) {
+    const Body<S>& body = at(bodies, i);
+    if (!body.dynamic()) {
+      cores.push_back({widened(at(shapes, i)), 0});
+      continue;
+    }
+    const double thin =
+        shortest_edge(static_cast<double>(body.mass), body.inertia.template cast<double>());
+    cores.push_back(core_of(widened(at(shapes, i)), std::max(kSlops * slop, kLeastShare * thin)));
+  }
+  return cores;
+}
+
+template <class S>
+std::vector<ImpactStop<S>> stop_at_impacts(std::vector<Body<S>>& bodies,
+                                           const std::vector<Body<S>>& before,
+                                           const std::vector<Shape<S>>& shapes,
+                                           const std::vector<ImpactCore>& cores,
+                                           const ContinuousPairs<S>& pair_of,
+                                           const SolverSettings& settings, S dt) {
+  return Stopper<S>(bodies, before, shapes, cores, pair_of, settings, dt).run();
+}
+
+template decltype(impact_cores<float>) impact_cores<float>;
+template decltype(impact_cores<double>) impact_cores<double>;
+template decltype(stop_at_impacts<float>) stop_at_impacts<float>;
+template decltype(stop_at_impacts<double>) stop_at_impacts<double>;
+
+}  // namespace contactscope

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "continuous/motion_bounds.h"
+#include "core/at.h"
+#include "scenario/impact_facts.h"
+#include "scenario/scenario.h"
+
+/// What a run does about shapes that meet between two frames: `continuous` of a scenario.
+namespace contactscope {
+
+/// Friction and restitution of two shapes that touch.
+template <class S>
+std::pair<S, S> surfaces_of(const Scenario& scenario, int a, int b) {
+  const auto own = [&](std::optional<double> ScenarioShape::*coefficient, double otherwise) {
+    return std::pair((scenario.shape(a).*coefficient).value_or(otherwise),
+                     (scenario.shape(b).*coefficient).value_or(otherwise));
+  };
+  const auto friction = own(&ScenarioShape::friction, scenario.world.friction);
+  const auto restitution = own(&ScenarioShape::restitution, scenario.world.restitution);
+  return {static_cast<S>(std::sqrt(friction.first * friction.second)),
+          static_cast<S>(std::max(restitution.first, restitution.second))};
+}
+
+/// `frame` is the one at which the step begins; `bodies` one a shape where any is dynamic, as they are
+/// then. Shapes that deform are asked nothing. Holds on to the scenario.
+template <class S>
+class BetweenFrames {
+ public:
+  using Bodies = std::vector<Body<S>>;
+
+  BetweenFrames(const Scenario& scenario, std::shared_ptr<const std::vector<Shape<S>>> shapes)
+      : scenario_(scenario), shapes_(std::move(shapes)) {}
+
+  /// Before the first frame; makes what stop() needs.
+  void begin(const Bodies& bodies) {
+    const auto looks = [](const PipelineSettings& settings) {
+      return settings.continuous.has_value() && settings.makes_contacts();
+    };
+    if (bodies.empty()) return;
+    if (scenario_.broad_phase.empty()
+            ? std::ranges::any_of(scenario_.pairs, looks, &ScenarioPair::pipeline)
+            : looks(scenario_.pipeline))
+      cores_ = std::make_shared<const std::vector<ImpactCore>>(
+          impact_cores(bodies, *shapes_, scenario_.solver));
+  }
+
+  /// Around all that the shape may reach in the step.
+  Aabb<float> swept_box(int index, int frame, const Bodies& bodies, double margin) const {
+    return swept_world_box(at(*shapes_, index), sweep(index, frame, bodies), margin);
+  }
+
+  /// Metres up to which contacts of a speculative pair are looked for; 0 of others.
+  double margin(const ScenarioPair& pair, int frame, const Bodies& bodies) const {
+    if (pair.pipeline.continuous != ImpactMethod::Speculative || !asks(pair)) return 0;
+    return static_cast<double>(largest_approach(at(*shapes_, pair.a), sweep(pair.a, frame, bodies),
+                                                at(*shapes_, pair.b),
+                                                sweep(pair.b, frame, bodies)));
+  }
+
+  /// When the pair meets, where that is asked.
+  void record(const ScenarioPair& pair, int frame, const Bodies& bodies,
+              trace::Pair& record) const {
+    if (!asks(pair)) return;
+    record.impact =
+        impact_facts(at(*shapes_, pair.a), sweep(pair.a, frame, bodies), at(*shapes_, pair.b),
+                     sweep(pair.b, frame, bodies), *pair.pipeline.continuous);
+    if (pair.pipeline.continuous != ImpactMethod::Speculative) return;
+    record.impact->margin = margin(pair, frame, bodies);
+    tell_ghosts(record);
+  }
+
+  /// Puts bodies back to where they meet on their way from `before`. `settings_of(a, b)`: how the two are
+  /// run, null where they do not make contacts that act.
+  template <class SettingsOf>
+  std::vector<ImpactStop<S>> stop(Bodies& bodies, const Bodies& before,
+                                  const SettingsOf& settings_of) const {
+    if (!cores_) return {};
+    const auto pair_of = [&](int a, int b) -> std::optional<ContinuousPair<S>> {
+      const PipelineSettings* settings = settings_of(a, b);
+      if (settings == nullptr || !settings->continuous ||
+          impact_refusal(scenario_.shape(a), scenario_.shape(b)))
+        return std::nullopt;
+      const auto [friction, restitution] = surfaces_of<S>(scenario_, a, b);
+      return ContinuousPair<S>{*settings->continuous, friction, restitution};
+    };
+    return stop_at_impacts<S>(bodies, before, *shapes_, *cores_, pair_of, scenario_.solver,
+                              static_cast<S>(scenario_.dt));
+  }
+
+ private:
+  bool asks(const ScenarioPair& pair) const {
+    return pair.pipeline.continuous &&
+           !impact_refusal(scenario_.shape(pair.a), scenario_.shape(pair.b));
+  }
+
+  /// How a shape goes through the step: a body as it moves and falls if nothing stops it, all others as
+  /// their script says.
+  Sweep<S> sweep(int index, int frame, const Bodies& bodies) const {
+    const ScenarioShape& shape = scenario_.shape(index);
+    const S dt = static_cast<S>(scenario_.dt);
+    if (!shape.dynamic())
+      return sweep_between<S>(collider_pose_at(shape, frame * scenario_.dt),
+                              collider_pose_at(shape, (frame + 1) * scenario_.dt),
+                              -shape.collider_origin);
+    Sweep<S> going = sweep_of(at(bodies, index), dt);
+    going.displacement += dt * dt * scenario_.world.gravity.cast<S>();
+    return going;
+  }
+
+  const Scenario& scenario_;
+  std::shared_ptr<const std::vector<Shape<S>>> shapes_;  // never changed, and shared by copies
+  std::shared_ptr<const std::vector<ImpactCore>>
+      cores_{};  // likewise; null where nobody is stopped
+};
+
+}  // namespace contactscope
