@@ -43,6 +43,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   };
   double last = 0;
   for (const trace::ImpactStep& step : impact.steps) {
+    if (impact.method == "speculative") break;  // nobody searches; the answer judges ghosts alone
     if (step.safe - last < kLeastBetween || step.safe >= 1) continue;
     if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
     last = step.safe;

@@ -9,7 +9,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
-constexpr double kApproachGutter = 46, kApproachBelow = 36, kApproachDot = 3.5;
+constexpr double kApproachGutter = 52, kApproachBelow = 36, kApproachDot = 3.5;
 
 bool is_asked_when(const trace::Pair& pair) {
   return pair.impact.has_value();
@@ -39,10 +39,12 @@ class ApproachPanel : public PanelContent {
       return {};
     }
     const trace::Impact& impact = *pair->impact;
-    sheet.row(in_words(impact.method), std::to_string(impact.steps.size()) +
-                                           (impact.steps.size() == 1 ? " step" : " steps"));
-    sheet.row(in_words(impact.status),
-              impact.status == "hit" ? "at " + printed("%.4f", impact.time) + " of the step" : "");
+    sheet.row("method", in_words(impact.method) + ", " + std::to_string(impact.steps.size()) +
+                            (impact.steps.size() == 1 ? " step" : " steps"));
+    sheet.row("answer",
+              in_words(impact.status) +
+                  (impact.status == "hit" ? ", at " + printed("%.4f", impact.time) + " of the step"
+                                          : ""));
     if (!impact.distances.empty()) draw_chart(impact, sheet);
     const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
