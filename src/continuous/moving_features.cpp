@@ -37,8 +37,8 @@ double first_fall(double c, double b, double a, double most) {
 template <int kCorners>
 class FeatureSearch {
  public:
-  FeatureSearch(const MovingPolygon<kCorners>& polygon, double gap)
-      : polygon_(polygon), size_(polygon.size()) {
+  FeatureSearch(const MovingPolygon<kCorners>& polygon, double gap, double until)
+      : polygon_(polygon), size_(polygon.size()), until_(until) {
     rounding_ = kProductRounding * size_;
     gap_ = gap;
     apart_ = gap * (1 + 0x1p-50) + rounding_;
@@ -60,7 +60,7 @@ class FeatureSearch {
       impact_.v = nearest.v;
       if (nearest.distance <= near_) return met(nearest.point);
       const double until = safe_until(nearest);
-      if (until >= 1) {
+      if (until >= std::min(until_, 1.0)) {
         impact_.begin = 1;
         return ended(FeatureStatus::Separated);
       }
@@ -161,7 +161,7 @@ class FeatureSearch {
   }
 
   const MovingPolygon<kCorners>& polygon_;
-  double size_, rounding_, gap_;
+  double size_, until_, rounding_, gap_;
   double apart_, near_;          // metres along a unit axis: for certain; and at which it is a hit
   Ring way_, ring_;              // of the corners, in the step; where they are now
   double safe_ = 0;              // apart for so much of the step from now on
@@ -170,9 +170,9 @@ class FeatureSearch {
 };
 
 template <int kCorners>
-FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap) {
+FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap, double until) {
   if (polygon.is_apart_along_coordinates(gap)) return {};
-  return FeatureSearch<kCorners>(polygon, gap).first();
+  return FeatureSearch<kCorners>(polygon, gap, until).first();
 }
 
 /// Corner `i` of a moving polygon. Floats differ by a double.
@@ -188,20 +188,21 @@ void set_corner(MovingPolygon<kCorners>& polygon, int i, const MovingCorner<S>& 
 
 template <class S>
 FeatureImpact impact_of_vertex_face(const MovingCorner<S>& vertex, const MovingFace<S>& face,
-                                    double gap) {
+                                    double gap, double until) {
   MovingPolygon<3> polygon;
   for (int i = 0; i < 3; ++i) set_corner(polygon, i, vertex, at(face, i));
-  return first_impact(polygon, gap);
+  return first_impact(polygon, gap, until);
 }
 
 template <class S>
-FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap) {
+FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap,
+                              double until) {
   MovingPolygon<4> polygon;
   set_corner(polygon, 0, a[0], b[0]);
   set_corner(polygon, 1, a[1], b[0]);
   set_corner(polygon, 2, a[1], b[1]);
   set_corner(polygon, 3, a[0], b[1]);
-  return first_impact(polygon, gap);
+  return first_impact(polygon, gap, until);
 }
 
 template decltype(impact_of_vertex_face<float>) impact_of_vertex_face<float>;

@@ -70,10 +70,13 @@ inline constexpr int kMaxFeatureSteps = 256;
 /// 1992, "Interval Analysis for Computer Graphics"; Wang, Ferguson, Schneider, Jiang, Attene and Panozzo
 /// 2021, "A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision
 /// Detection". They halve boxes of time and place. We deviate: see FeatureSearch.
+///
+/// What is later than `until`, a fraction of the step, nobody asks: it may be told as Separated.
 template <class S>
 FeatureImpact impact_of_vertex_face(const MovingCorner<S>& vertex, const MovingFace<S>& face,
-                                    double gap = 0);
+                                    double gap = 0, double until = 1);
 template <class S>
-FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap = 0);
+FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap = 0,
+                              double until = 1);
 
 }  // namespace contactscope
