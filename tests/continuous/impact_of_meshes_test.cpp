@@ -117,7 +117,8 @@ void are_met_as_their_features_are() {
     } else {
       ++hits;
       EXPECT_EQ(found.impact.status, FeatureStatus::Hit) << i;
-      EXPECT_EQ(found.impact.begin, first) << i;
+      // An edge that runs the other way is rounded another way.
+      EXPECT_NEAR(found.impact.begin, first, 1e-12) << i;
       EXPECT_GE(found.triangle_a, 0);
       EXPECT_GE(found.triangle_b, 0);
       EXPECT_LT(found.counts.triangle_pairs,
