@@ -1,0 +1,93 @@
+#include "continuous/contact_root.h"
+
+namespace contactscope {
+namespace {
+
+/// The equation of contact and its derivatives by time, u and v.
+class ContactEquation {
+ public:
+  template <int kCorners>
+  explicit ContactEquation(const MovingPolygon<kCorners>& polygon) {
+    const auto& [from, to] = polygon;
+    constexpr int kLast = MovingPolygon<kCorners>::kLast;
+    corner_ = from[0];
+    side_u_ = from[1] - from[0];
+    side_v_ = from[kLast] - from[0];
+    corner_way_ = to[0] - from[0];
+    way_u_ = (to[1] - to[0]) - side_u_;
+    way_v_ = (to[kLast] - to[0]) - side_v_;
+    // Each of the terms above is less than four times the size, and off by no more than four roundings
+    // of that. A value or a derivative has nine of them.
+    rounding_ = 0x1p-45 * polygon.size();
+  }
+
+  /// `x` is time, u, v; so are the columns of the derivative.
+  Vec3d value(const Vec3d& x) const {
+    return (corner_ + x[0] * corner_way_) + x[1] * (side_u_ + x[0] * way_u_) +
+           x[2] * (side_v_ + x[0] * way_v_);
+  }
+  Mat3<double> derivative(const Vec3d& x) const {
+    Mat3<double> result;
+    result.col(0) = corner_way_ + x[1] * way_u_ + x[2] * way_v_;
+    result.col(1) = side_u_ + x[0] * way_u_;
+    result.col(2) = side_v_ + x[0] * way_v_;
+    return result;
+  }
+  /// How far the derivative is at most from that in the middle of a box of half widths `r`.
+  Mat3<double> change(const Vec3d& r) const {
+    Mat3<double> result;
+    result.col(0) = r[1] * way_u_.cwiseAbs() + r[2] * way_v_.cwiseAbs();
+    result.col(1) = r[0] * way_u_.cwiseAbs();
+    result.col(2) = r[0] * way_v_.cwiseAbs();
+    return result;
+  }
+  /// No coordinate of a value and no entry of a derivative is farther off.
+  double rounding() const { return rounding_; }
+
+ private:
+  Vec3d corner_, side_u_, side_v_;    // at time 0
+  Vec3d corner_way_, way_u_, way_v_;  // in the step
+  double rounding_;
+};
+
+}  // namespace
+
+template <int kCorners>
+std::optional<ContactRoot> prove_contact(const MovingPolygon<kCorners>& polygon, double time,
+                                         double u, double v) {
+  constexpr int kNewtonSteps = 3;
+  constexpr double kUp = 1 + 0x1p-40;  // more than the roundings of what bounds the map below
+  const ContactEquation equation(polygon);
+  Vec3d x(time, u, v);
+  Mat3<double> inverse;
+  for (int i = 0; i <= kNewtonSteps; ++i) {
+    bool has_inverse = false;
+    double determinant;
+    equation.derivative(x).computeInverseAndDetWithCheck(inverse, determinant, has_inverse, 0);
+    if (!has_inverse || !inverse.allFinite()) return std::nullopt;
+    if (i < kNewtonSteps) x -= inverse * equation.value(x);
+  }
+  const Mat3<double> most_inverse = inverse.cwiseAbs();
+  const Vec3d rounding = Vec3d::Constant(equation.rounding());
+  // How far the map takes the middle, and twice of that for the box.
+  const Vec3d shift = (inverse * equation.value(x)).cwiseAbs() + 2 * (most_inverse * rounding);
+  const Vec3d half = 2 * shift;
+  // The map's own derivative: unity less the inverse times the derivative anywhere in the box.
+  const Mat3<double> middle = equation.derivative(x);
+  const Mat3<double> unity = Mat3<double>::Identity();
+  const Mat3<double> slope =
+      (unity - inverse * middle).cwiseAbs() +
+      most_inverse * (equation.change(half).array() + 2 * equation.rounding()).matrix() +
+      0x1p-50 * (most_inverse * middle.cwiseAbs());
+  const Vec3d reach = kUp * (shift + slope * half);
+  if (!(reach.array() < half.array()).all()) return std::nullopt;
+  const Vec3d least = x - kUp * half, most = x + kUp * half;
+  if (!(least.array() > 0).all() || !(most.array() < 1).all()) return std::nullopt;
+  if (kCorners == 3 && !(most[1] + most[2] < 1 - 0x1p-50)) return std::nullopt;
+  return ContactRoot{most[0], x[1], x[2]};
+}
+
+template std::optional<ContactRoot> prove_contact(const MovingPolygon<3>&, double, double, double);
+template std::optional<ContactRoot> prove_contact(const MovingPolygon<4>&, double, double, double);
+
+}  // namespace contactscope

@@ -1,0 +1,213 @@
+#include "continuous/moving_features.h"
+
+#include "continuous/contact_root.h"
+#include "continuous/moving_polygon.h"
+
+namespace contactscope {
+namespace {
+
+/// How far a product of an axis and a corner can be off, relative to the size: seven roundings of the
+/// product, five of the corner and of the axis, and ten of the time at which it was taken, for an axis
+/// that is twice as long at most.
+constexpr double kProductRounding = 0x1p-47;
+
+/// The first time > 0 at which c + b t + a t^2 falls to 0 from c > 0; `most` where that is later.
+double first_fall(double c, double b, double a, double most) {
+  const double at_most = c + most * (b + most * a);
+  if (at_most > 0 && (a <= 0 || b >= 0 || b + 2 * a * most <= 0)) return most;
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) return most;
+  const double root = std::sqrt(discriminant);
+  // The form in which nothing cancels.
+  const double time = b < 0 ? 2 * c / (root - b) : (a < 0 ? (root + b) / (-2 * a) : most);
+  return std::min(time, most);
+}
+
+/// The first time at which the origin is in the polygon.
+///
+/// Along a fixed axis every corner goes straight on. So the axis that tells the origin from the polygon
+/// at one time is good, exactly, until the first of at most four straight lines meets the gap. Along an
+/// axis that turns at a constant rate the lines are parabolas, and it can follow the edge or the plane
+/// that carries the nearest point. Steps: 1. the nearest point is the axis; 2. until when does it hold,
+/// at rest and turning? 3. from there again. The way to a hit is that of Newton's method on the
+/// distance, from the safe side, and needs no box of places on the features: 4. where the distance is
+/// rounding, the root is proved.
+///
+/// A step is one of conservative advancement (Mirtich 1996), but that the bound on the motion is exact.
+template <int kCorners>
+class FeatureSearch {
+ public:
+  FeatureSearch(const MovingPolygon<kCorners>& polygon, double gap, double until)
+      : polygon_(polygon), size_(polygon.size()), until_(until) {
+    rounding_ = kProductRounding * size_;
+    gap_ = gap;
+    apart_ = gap * (1 + 0x1p-50) + rounding_;
+    near_ = apart_ + 3 * rounding_;
+    for (int i = 0; i < kCorners; ++i) at(way_, i) = at(polygon.end, i) - at(polygon.start, i);
+  }
+
+  FeatureImpact first() {
+    // A polygon of no size is the origin itself.
+    constexpr double kLeast = 1e-45, kMost = 1e45;
+    impact_.begin = 0;
+    if (size_ == 0) return ended(FeatureStatus::Overlapping);
+    if (!(size_ > kLeast && size_ < kMost)) return ended(FeatureStatus::Near);
+    for (impact_.steps = 1; impact_.steps <= kMaxFeatureSteps; ++impact_.steps) {
+      ring_ = polygon_.at_time(impact_.begin);
+      const NearestOfPolygon nearest = nearest_of_polygon(ring_);
+      impact_.distance = nearest.distance;
+      impact_.u = nearest.u;
+      impact_.v = nearest.v;
+      if (nearest.distance <= near_) return met(nearest.point);
+      const double until = safe_until(nearest);
+      if (until >= std::min(until_, 1.0)) {
+        impact_.begin = 1;
+        return ended(FeatureStatus::Separated);
+      }
+      if (!(until > impact_.begin)) break;
+      impact_.begin = until;
+    }
+    return ended(FeatureStatus::Near);
+  }
+
+ private:
+  /// Where half of the digits of the way to the nearest point cancel, another axis may be better.
+  static constexpr double kDoubtful = 1e-7;
+  using Ring = typename MovingPolygon<kCorners>::Ring;
+
+  double safe_until(const NearestOfPolygon& nearest) {
+    safe_ = 0;
+    extend({nearest.point});
+    if (safe_ < 1 - impact_.begin) {
+      if (nearest.is_inside) {
+        extend(in_plane(nearest.point));
+      } else if (nearest.first != nearest.second) {
+        extend(on_edge(nearest.point, nearest.first, nearest.second));
+      }
+    }
+    if (safe_ < 1 - impact_.begin && (safe_ == 0 || nearest.distance < kDoubtful * size_)) {
+      const Vec3d normal = normal_of(ring_);
+      extend(in_plane(normal.dot(ring_[0]) < 0 ? Vec3d(-normal) : normal));
+      for (int i = 0; i < kCorners; ++i) {
+        const int next = (i + 1) % kCorners;
+        double fraction;
+        extend(on_edge(foot_on_edge(at(ring_, i), at(ring_, next), false, fraction), i, next));
+        extend({at(ring_, i)});
+      }
+    }
+    return safe_ >= 1 - impact_.begin ? 1 : impact_.begin + safe_;
+  }
+
+  TurningAxis on_edge(const Vec3d& direction, int from, int to) const {
+    return axis_of_edge(direction, at(ring_, to) - at(ring_, from), at(way_, to) - at(way_, from));
+  }
+  TurningAxis in_plane(const Vec3d& direction) const {
+    constexpr int kLast = kCorners - 1;
+    return axis_of_plane(direction, ring_[1] - ring_[0], ring_[kLast] - ring_[0], way_[1] - way_[0],
+                         way_[kLast] - way_[0]);
+  }
+
+  /// For how long all corners are farther along the axis than the gap: `safe_`, if it is longer.
+  void extend(const TurningAxis& turning) {
+    const double length = turning.direction.norm();
+    if (!(length > 0)) return;
+    const Vec3d axis = turning.direction / length;
+    Vec3d turn = turning.turn / length;
+    turn -= turn.dot(axis) * axis;
+    // Longer by no more than this times the square of the time, and less than twice as long.
+    const double longer = 0.5 * turn.squaredNorm();
+    double until = 1 - impact_.begin;
+    if (longer * until * until > 0.5) until = std::sqrt(0.5 / longer);
+    if (!(until > safe_)) return;
+    for (int i = 0; i < kCorners; ++i) {
+      const Vec3d& corner = at(ring_, i);
+      const Vec3d& way = at(way_, i);
+      const double now = axis.dot(corner) - apart_;
+      if (!(now > 0)) return;
+      until =
+          first_fall(now, axis.dot(way) + turn.dot(corner), turn.dot(way) - gap_ * longer, until);
+      if (until <= safe_) return;
+    }
+    safe_ = until;
+    axis_ = axis;
+  }
+
+  FeatureImpact met(const Vec3d& nearest) {
+    if (impact_.steps == 1) {
+      if (impact_.distance > 0) axis_ = nearest / impact_.distance;
+      const Vec3d normal = normal_of(ring_);
+      if (impact_.distance <= rounding_ && normal.squaredNorm() > 0) axis_ = normal.normalized();
+      return ended(FeatureStatus::Overlapping);
+    }
+    if (gap_ > 0) {
+      impact_.end = impact_.begin;
+      return ended(FeatureStatus::Hit);
+    }
+    const auto root = prove_contact(polygon_, impact_.begin, impact_.u, impact_.v);
+    // A root that Newton's method found elsewhere would be one as well, but not the place.
+    if (!root || root->end < impact_.begin) return ended(FeatureStatus::Near);
+    impact_.end = root->end;
+    impact_.u = root->u;
+    impact_.v = root->v;
+    return ended(FeatureStatus::Hit);
+  }
+
+  FeatureImpact ended(FeatureStatus status) {
+    impact_.status = status;
+    if (status == FeatureStatus::Overlapping) impact_.end = 0;
+    impact_.normal = -axis_;
+    impact_.steps = std::min(impact_.steps, kMaxFeatureSteps);
+    return impact_;
+  }
+
+  const MovingPolygon<kCorners>& polygon_;
+  double size_, until_, rounding_, gap_;
+  double apart_, near_;          // metres along a unit axis: for certain; and at which it is a hit
+  Ring way_, ring_;              // of the corners, in the step; where they are now
+  double safe_ = 0;              // apart for so much of the step from now on
+  Vec3d axis_ = Vec3d::UnitX();  // the last that kept them apart, from the second to the first
+  FeatureImpact impact_;
+};
+
+template <int kCorners>
+FeatureImpact first_impact(const MovingPolygon<kCorners>& polygon, double gap, double until) {
+  if (polygon.is_apart_along_coordinates(gap)) return {};
+  return FeatureSearch<kCorners>(polygon, gap, until).first();
+}
+
+/// Corner `i` of a moving polygon. Floats differ by a double.
+template <class S, int kCorners>
+void set_corner(MovingPolygon<kCorners>& polygon, int i, const MovingCorner<S>& of_first,
+                const MovingCorner<S>& of_second) {
+  at(polygon.start, i) =
+      of_first.start.template cast<double>() - of_second.start.template cast<double>();
+  at(polygon.end, i) = of_first.end.template cast<double>() - of_second.end.template cast<double>();
+}
+
+}  // namespace
+
+template <class S>
+FeatureImpact impact_of_vertex_face(const MovingCorner<S>& vertex, const MovingFace<S>& face,
+                                    double gap, double until) {
+  MovingPolygon<3> polygon;
+  for (int i = 0; i < 3; ++i) set_corner(polygon, i, vertex, at(face, i));
+  return first_impact(polygon, gap, until);
+}
+
+template <class S>
+FeatureImpact impact_of_edges(const MovingEdge<S>& a, const MovingEdge<S>& b, double gap,
+                              double until) {
+  MovingPolygon<4> polygon;
+  set_corner(polygon, 0, a[0], b[0]);
+  set_corner(polygon, 1, a[1], b[0]);
+  set_corner(polygon, 2, a[1], b[1]);
+  set_corner(polygon, 3, a[0], b[1]);
+  return first_impact(polygon, gap, until);
+}
+
+template decltype(impact_of_vertex_face<float>) impact_of_vertex_face<float>;
+template decltype(impact_of_vertex_face<double>) impact_of_vertex_face<double>;
+template decltype(impact_of_edges<float>) impact_of_edges<float>;
+template decltype(impact_of_edges<double>) impact_of_edges<double>;
+
+}  // namespace contactscope

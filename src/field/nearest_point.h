@@ -1,0 +1,87 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.h"
+
+namespace contactscope {
+
+/// The nearest point of a surface to a point.
+struct NearestPoint {
+  Vec3d point = Vec3d::Zero();                               // on the surface, its frame and unit
+  double squared = std::numeric_limits<double>::infinity();  // distance, squared
+  int triangle = -1;
+  bool on_face = false;  // inside the triangle, not on its outline
+};
+
+/// Triangles of a mesh laid out to be asked for their nearest point; same frame and unit.
+///
+/// Inside the prism over a triangle the nearest point is on its plane, with the unit normal of the mesh,
+/// which is exact to a few roundings for slivers too; beside it on one of the edges behind which the
+/// point is. Ericson 2005, "Real-Time Collision Detection", 5.1.5, has the regions, by barycentric
+/// coordinates, which slivers have none of in floating point.
+class NearestTriangles {
+ public:
+  NearestTriangles() = default;
+  explicit NearestTriangles(std::shared_ptr<const Mesh<double>> mesh);
+
+  const Mesh<double>& mesh() const { return *mesh_; }
+
+  /// The nearest of all triangles; of equally near ones any. `seed`, if it is not -1, is tried first:
+  /// a triangle near by makes the search short.
+  NearestPoint nearest(const Vec3d& point, int seed = -1) const;
+
+  /// The nearest of these.
+  NearestPoint nearest_of(std::span<const int> triangles, const Vec3d& point) const {
+    NearestPoint best;
+    for (const int triangle : triangles) improve(triangle, point, best);
+    return best;
+  }
+
+  /// Appends each triangle whose squared distance from `point` is no more than `squared`.
+  void within(const Vec3d& point, double squared, std::vector<int>& found) const;
+
+  /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
+  double height_over(int triangle, const Vec3d& point) const {
+    const Prism& prism = at(prisms_, triangle);
+    return prism.normal.dot(point - prism.corners[0]);
+  }
+  const Vec3d& normal(int triangle) const { return at(prisms_, triangle).normal; }
+  std::size_t bytes() const;
+
+ private:
+  struct Prism {
+    std::array<Vec3d, 3> corners, edges,
+        inward;                        // inward: in the plane, at right angles to the edge
+    std::array<double, 3> edge_scale;  // 1 / |edge|^2
+    Vec3d normal;
+  };
+
+  /// Replaces `best` where the triangle is nearer.
+  void improve(int triangle, const Vec3d& point, NearestPoint& best) const {
+    const Prism& prism = at(prisms_, triangle);
+    const Vec3d from = point - prism.corners[0];
+    const double height = prism.normal.dot(from);
+    if (height * height >= best.squared) return;
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d from_k = point - prism.corners[k];
+      if (prism.inward[k].dot(from_k) >= 0) continue;
+      inside = false;
+      double along = prism.edges[k].dot(from_k) * prism.edge_scale[k];
+      along = along < 0 ? 0 : (along > 1 ? 1 : along);
+      const Vec3d offset = from_k - along * prism.edges[k];
+      const double squared = offset.squaredNorm();
+      if (squared < best.squared) best = {point - offset, squared, triangle, false};
+    }
+    if (inside) best = {point - height * prism.normal, height * height, triangle, true};
+  }
+
+  std::shared_ptr<const Mesh<double>> mesh_;
+  std::vector<Prism> prisms_;
+};
+
+}  // namespace contactscope
