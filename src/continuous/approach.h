@@ -57,6 +57,8 @@ class Turning {
     return local.dot(core_.points[farthest] - pivot_);
   }
   const Vec3<S>& pivot() const { return pivot_; }
+  /// Of a point so far from the pivot, metres a step.
+  Vec3<S> velocity(const Vec3<S>& arm) const { return angle_ * axis_.cross(arm); }
 
  private:
   SupportSet<S> core_;
@@ -78,7 +80,9 @@ Vec3<S> between_pivots(const Sweep<S>& a, const Sweep<S>& b) {
 /// The closest points of both cores at a time, in a frame that goes with A's pivot and does not turn.
 template <class S>
 struct Closest {
+  S time = 0;
   S distance = 0;                   // metres; 0 where they touch or overlap
+  S separation = 0;                 // along the axis, metres; never more than the distance
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
   Vec3<S> on_a, on_b;               // of meaning if they are apart
 };
@@ -99,6 +103,25 @@ class Approach {
   }
   S largest_motion() const { return displacement_.norm() + a_.speed() + b_.speed(); }
 
+  /// The first time at which balls about the pivots that hold the shapes, which are `radii` larger than
+  /// their cores, can be within `near`; 0 where they are at the start, and more than 1 where they never
+  /// are. Metres.
+  S balls_near(S radii, S near) const {
+    const S rounding = tie_tolerance(scale() + radii);
+    const S reach = a_.reach() + b_.reach() + radii + near + S(4) * rounding;
+    const S squared = displacement_.squaredNorm();
+    if (from_a_to_b_.norm() <= reach) return 0;
+    if (!(squared > S(0))) return 2;
+    // The part across the way, taken off twice so that none of its rounding is left.
+    const S nearest = -from_a_to_b_.dot(displacement_) / squared;
+    if (nearest < S(0)) return 2;
+    Vec3<S> across = from_a_to_b_ + nearest * displacement_;
+    across -= across.dot(displacement_) / squared * displacement_;
+    const S inside = reach * reach - across.squaredNorm();
+    if (inside < S(0)) return 2;
+    return std::max(nearest - (std::sqrt(inside) + S(4) * rounding) / std::sqrt(squared), S(0));
+  }
+
   /// Of the cores along a unit vector, B's side less A's; < 0 where they overlap along it.
   S separation(const Vec3<S>& axis, S time) const {
     return axis.dot(from_a_to_b_ + time * displacement_) -
@@ -112,18 +135,33 @@ class Approach {
     return a_.speed(axis) + b_.speed(axis) - axis.dot(displacement_);
   }
 
-  /// Goes on from the simplex of the call before.
-  Closest<S> measure(S time) {
+  /// The nearest points come nearer by so much along their axis now, metres a step.
+  S closing_speed(const Closest<S>& closest) const {
+    const Vec3<S> pivot_of_b = from_a_to_b_ + closest.time * displacement_;
+    const Vec3<S> velocity =
+        displacement_ + b_.velocity(closest.on_b - pivot_of_b) - a_.velocity(closest.on_a);
+    return -closest.axis.dot(velocity);
+  }
+
+  /// Goes on from the simplex of the call before. `enough`: see gjk(); where it is less than 1 the
+  /// distance is no less than it is, and the points are not the closest.
+  Closest<S> measure(S time, S enough = S(1)) {
     const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
     const Quat<S> to_a = rotation_of_a.conjugate();
     const Vec3<S> b_origin = from_a_to_b_ + time * displacement_ - rotation_of_b * b_.pivot();
     Pose<S> b_in_a;
     b_in_a.rotation = to_a * rotation_of_b;
     b_in_a.position = to_a * b_origin + a_.pivot();
-    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr);
+    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr,
+               static_cast<GjkRun<S>*>(nullptr), enough);
     is_measured_ = true;
-    return {gjk_.status == GjkStatus::Separated ? gjk_.distance : S(0), rotation_of_a * gjk_.normal,
-            rotation_of_a * (gjk_.on_a - a_.pivot()), rotation_of_a * (gjk_.on_b - a_.pivot())};
+    const bool is_apart = gjk_.status == GjkStatus::Separated;
+    return {time,
+            is_apart ? gjk_.distance : S(0),
+            is_apart ? gjk_.separation : S(0),
+            rotation_of_a * gjk_.normal,
+            rotation_of_a * (gjk_.on_a - a_.pivot()),
+            rotation_of_a * (gjk_.on_b - a_.pivot())};
   }
 
  private:

@@ -28,6 +28,7 @@ class ApproachToPlane {
   S scale() const { return reach_ + b_.reach() + displacement_.norm() + std::abs(offset_); }
   S largest_motion() const { return displacement_.norm() + b_.speed() + angle_ * reach_; }
 
+  S balls_near(S /*radii*/, S /*near*/) const { return 0; }
   S separation(const Vec3<S>& /*axis*/, S time) const {
     const Vec3<S> normal = normal_at(time);
     return normal.dot(from_a_to_b_ + time * displacement_) + offset_ - b_.extent(-normal, time);
@@ -44,17 +45,26 @@ class ApproachToPlane {
     return largest_motion();
   }
 
-  Closest<S> measure(S time) const {
+  /// Of B's nearest point and the plane beside it.
+  S closing_speed(const Closest<S>& closest) const {
+    const Vec3<S> pivot_of_b = from_a_to_b_ + closest.time * displacement_;
+    const Vec3<S> velocity =
+        displacement_ + b_.velocity(closest.on_b - pivot_of_b) - angle_ * axis_.cross(closest.on_b);
+    return -closest.axis.dot(velocity);
+  }
+
+  Closest<S> measure(S time, S /*enough*/ = S(1)) const {
     const Vec3<S> normal = normal_at(time);
     const Quat<S> rotation = b_.rotation(time);
     const Vec3<S> local = rotation.conjugate() * Vec3<S>(-normal);
     const Vec3<S>& lowest = b_.core().points[support_index(b_.core(), local)];
     Closest<S> closest;
+    closest.time = time;
     closest.axis = normal;
     closest.on_b = from_a_to_b_ + time * displacement_ + rotation * (lowest - b_.pivot());
     const S distance = normal.dot(closest.on_b) + offset_;
     closest.on_a = closest.on_b - distance * normal;
-    closest.distance = std::max(distance, S(0));
+    closest.distance = closest.separation = std::max(distance, S(0));
     return closest;
   }
 

@@ -7,17 +7,19 @@ namespace contactscope {
 namespace {
 
 struct DistanceOverSpeed {
+  static constexpr double kEnough = 1;
+
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {
     const S speed = approach.closing_speed(apart.axis);
     const S left = apart.until - result.time;
     ++result.bounds;
-    const S gap = apart.distance - apart.target;
+    const S gap = apart.separation - apart.target;
     result.time = gap >= speed * left ? apart.until : result.time + gap / speed;
     step.bracket_end =
         step.distance >= speed * left ? apart.until : step.time + step.distance / speed;
-    step.bracket_separation = apart.distance - speed * (step.bracket_end - step.time);
+    step.bracket_separation = apart.separation - speed * (step.bracket_end - step.time);
   }
 };
 

@@ -40,10 +40,17 @@ template <class S>
 struct ImpactResult {
   ImpactStatus status = ImpactStatus::OutOfIterations;
   S time = 0;  // fraction of the step; ImpactLimits::until when Separated
+<<<<<<< HEAD
   /// Between the surfaces at `time`, metres. Where it is no Hit, the last that was measured.
   S distance = 0;
   /// Unit, from A to B, world, at `time`, of a Hit; where iterations ran out, as it was seen last.
   Vec3<S> normal = Vec3<S>::UnitX();
+=======
+  S distance =
+      0;  // between the surfaces at `time`, metres; of Separated the last that was measured,
+          // and 0 where none was
+  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, world, at `time`; of a Hit
+>>>>>>> 635400426f13806c495e1cf10f06d4c81d77e6a7
   Vec3<S> on_a =
       Vec3<S>::Zero();  // closest points of the surfaces at `time`, in the world; of a Hit
   Vec3<S> on_b = Vec3<S>::Zero();
@@ -58,8 +65,8 @@ struct ImpactStep {
   S distance;    // between the surfaces, metres
   Vec3<S> axis;  // unit, from A to B, world: along it the shapes are apart
   /// Of the last projection on the axis: when the separation along it was measured again, and what it
-  /// was. By conservative advancement, which measures no second time, the fastest that they can come
-  /// nearer: where the distance would be used up, and 0.
+  /// was. By conservative advancement, which measures no second time, and of what does not turn, the
+  /// fastest that they can come nearer: where the distance would be used up, and 0; or the end.
   S bracket_end;
   S bracket_separation;
   S safe;  // until then they cannot meet
@@ -98,8 +105,10 @@ struct ImpactLimits {
 /// subtracted before anything else is computed, so that nothing is lost far from the origin but what
 /// the coordinates have lost already.
 ///
-/// By the roots of the separation along the axis that GJK names, which is bounded from both ends of
-/// what is left of the step. `run`: null when nobody watches.
+/// Balls about both say when one has to look at all. Then, by the root of the separation along the axis
+/// that GJK names: exactly where nothing turns, else by a bound between now and where the nearest points
+/// would meet. Far from a hit any axis will do that tells the shapes apart by most of their distance.
+/// `run`: null when nobody watches.
 template <class S>
 ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
                                const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);

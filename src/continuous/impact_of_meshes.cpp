@@ -11,7 +11,7 @@
 namespace contactscope {
 namespace {
 
-constexpr double kNoTime = std::numeric_limits<double>::infinity();
+constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
 
 /// A box at time 0 and one at time 1. What is in both and goes straight on is at every time in the
 /// box between them, whose sides go straight on as well.
@@ -43,7 +43,7 @@ double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b, double gap) {
   for (int i = 0; i < 3; ++i) {
     if (is_apart(b.start.lower[i], a.start.upper[i], b.end.lower[i], a.end.upper[i]) ||
         is_apart(a.start.lower[i], b.start.upper[i], a.end.lower[i], b.end.upper[i]))
-      return kNoTime;
+      return kNoOverlap;
   }
   return begin;
 }
@@ -196,7 +196,7 @@ class MeshSearch {
 
   SweptMesh<S> a_, b_;
   double gap_;
-  double best_ = kNoTime;  // time
+  double best_ = kNoOverlap;  // time
   std::vector<NodePair> stack_;
   MeshImpact found_;
 };

@@ -10,17 +10,18 @@ namespace contactscope {
 template <class S>
 struct Apart {
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B, world
-  S distance = 0;                   // of the cores, and their separation along the axis
-  S target = 0;                     // separation down to which they are apart for certain
-  S near = 0;                       // > target: at which it is a hit
-  S until = 1;                      // nobody asks what is later
+  S separation = 0;                 // of the cores along the axis, metres
+  S speed = 0;   // at which the nearest points come nearer along the axis, a step
+  S target = 0;  // separation down to which they are apart for certain
+  S near = 0;    // > target: at which it is a hit
+  S until = 1;   // nobody asks what is later
 };
 
 /// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
 /// `result.time` to where they cannot yet be nearer than the target, and measures again, until they
 /// are near or the step is over. `result.time` of allowed.until after that is the end: they stay
-/// apart. `approach` measures in a
-/// frame that goes with the pivot of `of_a`.
+/// apart. Far from a hit the distance is measured only until the separation is Advance::kEnough of it.
+/// `approach` measures in a frame that goes with the pivot of `of_a`.
 template <class S, class Approach, class Advance>
 ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
                               const ImpactLimits<S>& allowed, ImpactRun<S>* run,
@@ -38,18 +39,29 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
   };
   Apart<S> apart;
   apart.until = allowed.until;
+  result.time = approach.balls_near(radii, tolerance);
+  const S begin = result.time;
+  if (begin >= apart.until) {
+    result.time = apart.until;
+    return ended(ImpactStatus::Separated);
+  }
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
-    const Closest<S> closest = approach.measure(result.time);
-    apart.distance = closest.distance;
+    Closest<S> closest = approach.measure(result.time, S(Advance::kEnough));
+    if (Advance::kEnough < 1 && closest.separation - radii <= tolerance)
+      closest = approach.measure(result.time);
+    apart.separation = closest.separation;
     apart.axis = closest.axis;
-    result.distance = apart.distance - radii;
+    apart.speed = approach.closing_speed(closest);
+    result.distance = closest.distance - radii;
     if (result.steps == 1) {
-      if (result.distance <= S(8) * rounding) return ended(ImpactStatus::Overlapping);
-      const S within = std::min(tolerance, result.distance);
+      if (begin == S(0) && result.distance <= S(8) * rounding)
+        return ended(ImpactStatus::Overlapping);
+      // What was apart by more than the tolerance before need not come nearer than that.
+      const S within = begin > S(0) ? tolerance : std::min(tolerance, result.distance);
       apart.target = radii + S(0.5) * within + rounding;
       apart.near = radii + S(0.75) * within;
     }
-    if (apart.distance <= apart.near) {
+    if (closest.distance <= apart.near) {
       const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
       result.normal = closest.axis;
       result.on_a = origin + closest.on_a + radius_a * closest.axis;
@@ -57,6 +69,10 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       return ended(ImpactStatus::Hit);
     }
     ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
+    if (run != nullptr && Advance::kEnough < 1) [[unlikely]] {
+      auto another = approach;  // what is measured for the record changes nothing
+      step.distance = another.measure(step.time).distance - radii;
+    }
     advance(approach, apart, result, step);
     if (run != nullptr) [[unlikely]] {
       step.bracket_separation -= radii;

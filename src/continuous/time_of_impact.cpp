@@ -27,33 +27,36 @@ S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
   return std::min(root, S(1));
 }
 
-/// Along the axis the shapes stay apart for a while: until when, at the least? The bracket from the
-/// safe time to where the separation is below the target shrinks until it is no longer worth it.
+/// Along the axis the shapes stay apart for a while: until when, at the least? What does not turn says
+/// so by a division. Else a bracket from the safe time to where the nearest points would meet the
+/// target, at the speed that they have now, is narrow enough for its bound to be near the root.
 struct RootBrackets {
+  /// An axis that tells them apart by so much of the distance is as good as any far from the hit.
+  static constexpr double kEnough = 0.8;
+
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {
-    constexpr int kMostBrackets = 4;
     const S acceleration = approach.acceleration(apart.axis);
-    S separation = apart.distance, end = apart.until;
-    for (int tries = 0; tries < kMostBrackets; ++tries) {
-      const S at_end = approach.separation(apart.axis, end);
-      ++result.bounds;
-      const S width = end - result.time;
-      const S fraction = safe_fraction(separation, at_end, acceleration, width, apart.target);
-      result.time = fraction == S(1) ? end : result.time + fraction * width;
-      step.bracket_end = end;
-      step.bracket_separation = at_end;
-      if (fraction == S(1) || acceleration == S(0)) return;  // all of it is safe; or it was exact
-      separation = approach.separation(apart.axis, result.time);
-      ++result.bounds;
-      if (separation <= apart.near) return;
-      // Where the straight line between both ends meets the target, or half of the way.
-      const S left = end - result.time;
-      const S line =
-          at_end < apart.target ? (separation - apart.target) / (separation - at_end) : S(0.5);
-      end = result.time + left * std::min(line, S(0.9));
+    const S gap = apart.separation - apart.target, left = apart.until - result.time;
+    const S fastest = approach.closing_speed(apart.axis);
+    step.bracket_end = apart.until;
+    step.bracket_separation = apart.separation - fastest * left;
+    if (gap >= fastest * left) {
+      result.time = apart.until;
+      return;
     }
+    const S sure = gap / fastest;
+    S width = sure;
+    if (acceleration > S(0)) {
+      width = apart.speed * left > gap ? std::max(gap / apart.speed, sure) : left;
+      const S at_end = approach.separation(apart.axis, result.time + width);
+      ++result.bounds;
+      step.bracket_end = result.time + width;
+      step.bracket_separation = at_end;
+      width *= safe_fraction(apart.separation, at_end, acceleration, width, apart.target);
+    }
+    result.time += std::max(width, sure);
   }
 };
 

@@ -16,16 +16,6 @@ Vec3d unit_vector(std::mt19937_64& engine) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) {
-  const Quatd turn = uniform_rotation(engine);
-  Vec3d axes;
-  for (int i = 0; i < 3; ++i) axes[i] = size * uniform(engine, 0.5, 1);
-  std::vector<Vec3d> points;
-  for (int i = 0; i < vertices; ++i)
-    points.push_back(turn * Vec3d(axes.cwiseProduct(unit_vector(engine))));
-  return build_hull(points);
-}
-
 }  // namespace
 
 Quatd uniform_rotation(std::mt19937_64& engine) {
@@ -36,6 +26,16 @@ Quatd uniform_rotation(std::mt19937_64& engine) {
   const double b = std::sqrt(share);
   return Quatd(b * std::cos(second), a * std::sin(first), a * std::cos(first),
                b * std::sin(second));
+}
+
+Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size) {
+  const Quatd turn = uniform_rotation(engine);
+  Vec3d axes;
+  for (int i = 0; i < 3; ++i) axes[i] = size * uniform(engine, 0.5, 1);
+  std::vector<Vec3d> points;
+  for (int i = 0; i < vertices; ++i)
+    points.push_back(turn * Vec3d(axes.cwiseProduct(unit_vector(engine))));
+  return build_hull(points);
 }
 
 std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other) {

@@ -13,6 +13,9 @@ namespace contactscope {
 /// Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992.
 Quatd uniform_rotation(std::mt19937_64& engine);
 
+/// A hull of so many points on an ellipsoid with semi-axes of 0.5 to 1 times `size`, turned at random.
+Hull<double> ellipsoid_hull(std::mt19937_64& engine, int vertices, double size);
+
 /// A generator for one case at two values > 0: neighbours share nothing.
 std::mt19937_64 case_engine(std::uint64_t seed, int index, double one, double other);
 
