@@ -40,17 +40,11 @@ template <class S>
 struct ImpactResult {
   ImpactStatus status = ImpactStatus::OutOfIterations;
   S time = 0;  // fraction of the step; ImpactLimits::until when Separated
-<<<<<<< HEAD
-  /// Between the surfaces at `time`, metres. Where it is no Hit, the last that was measured.
+  /// Between the surfaces at `time`, metres. Where it is no Hit, the last that was measured, and 0 where
+  /// none was.
   S distance = 0;
   /// Unit, from A to B, world, at `time`, of a Hit; where iterations ran out, as it was seen last.
   Vec3<S> normal = Vec3<S>::UnitX();
-=======
-  S distance =
-      0;  // between the surfaces at `time`, metres; of Separated the last that was measured,
-          // and 0 where none was
-  Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, world, at `time`; of a Hit
->>>>>>> 635400426f13806c495e1cf10f06d4c81d77e6a7
   Vec3<S> on_a =
       Vec3<S>::Zero();  // closest points of the surfaces at `time`, in the world; of a Hit
   Vec3<S> on_b = Vec3<S>::Zero();
