@@ -44,6 +44,7 @@
   ROW(Ahead, "ahead")                          \
   ROW(Sweep, "sweep")                          \
   ROW(Trail, "trail")                          \
+  ROW(Prism, "prism")                          \
   ROW(Velocities, "velocities")                \
   ROW(Masses, "masses")
 

@@ -9,6 +9,7 @@
 #include "continuous/motion_bounds.h"
 #include "core/at.h"
 #include "scenario/impact_facts.h"
+#include "scenario/mesh_impact_facts.h"
 #include "scenario/scenario.h"
 
 /// What a run does about shapes that meet between two frames: `continuous` of a scenario.
@@ -67,6 +68,11 @@ class BetweenFrames {
   void record(const ScenarioPair& pair, int frame, const Bodies& bodies,
               trace::Pair& record) const {
     if (!asks(pair)) return;
+    const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
+    if (is_mesh(a) && is_mesh(b)) {
+      record.impact = mesh_impact_facts(a, b, frame * scenario_.dt, (frame + 1) * scenario_.dt);
+      return;
+    }
     record.impact =
         impact_facts(at(*shapes_, pair.a), sweep(pair.a, frame, bodies), at(*shapes_, pair.b),
                      sweep(pair.b, frame, bodies), *pair.pipeline.continuous);
@@ -94,9 +100,14 @@ class BetweenFrames {
   }
 
  private:
+  static bool is_mesh(const ScenarioShape& shape) {
+    return kind_of(*shape.geometry) == ShapeKind::Mesh;
+  }
+
   bool asks(const ScenarioPair& pair) const {
-    return pair.pipeline.continuous &&
-           !impact_refusal(scenario_.shape(pair.a), scenario_.shape(pair.b));
+    const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
+    if (!pair.pipeline.continuous || impact_refusal(a, b)) return false;
+    return !(is_mesh(a) && is_mesh(b)) || pair.pipeline.continuous == ImpactMethod::TimeOfImpact;
   }
 
   /// How a shape goes through the step: a body as it moves and falls if nothing stops it, all others as

@@ -52,10 +52,16 @@ Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<doubl
 }
 
 std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b) {
+  const auto is_mesh = [](const ScenarioShape& shape) {
+    return kind_of(*shape.geometry) == ShapeKind::Mesh;
+  };
+  if (is_mesh(a) && is_mesh(b)) return std::nullopt;
   for (const ScenarioShape* shape : {&a, &b})
     if (shape->deforms())
       return "'" + shape->name +
-             "' changes its form between frames; remove 'continuous', or its motion.deform";
+             "' changes its form between frames, which only another mesh can be asked about; "
+             "remove "
+             "'continuous', or its motion.deform";
   const auto reason = impact_refusal(kind_of(*a.geometry), kind_of(*b.geometry));
   if (reason) return *reason + "; remove 'continuous'";
   return std::nullopt;

@@ -64,7 +64,9 @@ struct Impact {
   Vec3d normal = Vec3d::Zero();   // unit, from a to b, of a hit
   Vec3d point_a = Vec3d::Zero();  // closest points at that time, world, of a hit
   Vec3d point_b = Vec3d::Zero();
-  int triangle = -1;  // of a mesh, that is met first; -1: none
+  int triangle = -1;                            // of a mesh, that is met first; -1: none
+  int triangle_a = -1, triangle_b = -1;         // of two meshes, likewise
+  std::vector<Vec3d> corners_a{}, corners_b{};  // of these two at that time, world
   Travel travel_a, travel_b;
   /// Metres up to which contacts of a speculative pair are kept: as much nearer as the two can come.
   double margin = 0;
@@ -83,6 +85,10 @@ struct Impact {
         field::position("point_a", &I::point_a).swaps(&I::point_b).where_set().says("point of a"),
         field::position("point_b", &I::point_b).where_set().says("point of b"),
         field::exact("triangle", &I::triangle).where_set(),
+        field::exact("triangle_a", &I::triangle_a).swaps(&I::triangle_b).where_set(),
+        field::exact("triangle_b", &I::triangle_b).where_set(),
+        field::position("corners_a", &I::corners_a).swaps(&I::corners_b).where_set().says(""),
+        field::position("corners_b", &I::corners_b).where_set().says(""),
         field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
         field::fact("travel_b", &I::travel_b), field::length("margin", &I::margin).where_set(),
         field::exact("ghosts", &I::ghosts).where_set(),

@@ -50,16 +50,26 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     draw_at(step.safe, kSkin);
     sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
   }
-  draw_at(1, kEnd);
-  sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+  const bool moved_any = moves(impact.travel_a) || moves(impact.travel_b);
+  if (moved_any) {
+    draw_at(1, kEnd);
+    sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
+  }
   for (const auto& [manifold, point] : all_points(pair)) {
     if (!point->ghost) continue;
     sketch.mark(MarkKind::WideRing, point->position, kAxis);
     sketch.explain(kGhostSwatch, "ghost: holds back what would go past");
   }
+  for (const std::vector<Vec3d>* corners : {&impact.corners_a, &impact.corners_b}) {
+    for (std::size_t i = 0; i < corners->size(); ++i)
+      sketch.line((*corners)[i], (*corners)[(i + 1) % corners->size()], kMeeting);
+    if (!corners->empty()) sketch.explain(kMeetingSwatch, "the triangles where they first meet");
+  }
   if (impact.status != "hit") return;
-  draw_at(impact.time, kMeeting);
-  sketch.explain(kMeetingSwatch, "where they first meet");
+  if (moved_any) {
+    draw_at(impact.time, kMeeting);
+    sketch.explain(kMeetingSwatch, "where they first meet");
+  }
   sketch.mark(MarkKind::Dot, impact.point_a, kContact);
 }
 
