@@ -101,11 +101,10 @@ ImpactFinderInfo own_finder(const std::string& name, FindImpact<S> find) {
 }  // namespace
 
 std::vector<ImpactFinderInfo> own_impact_finders() {
-  return {
-      own_finder<float>("time of impact, float", &time_of_impact<float>),
-      own_finder<double>("time of impact, double", &time_of_impact<double>),
-      own_finder<float>("conservative advancement, float", &conservative_advancement<float>),
-      own_finder<double>("conservative advancement, double", &conservative_advancement<double>)};
+  return {own_finder<float>("time of impact", &time_of_impact<float>),
+          own_finder<double>("time of impact in double", &time_of_impact<double>),
+          own_finder<float>("advancement", &conservative_advancement<float>),
+          own_finder<double>("advancement in double", &conservative_advancement<double>)};
 }
 
 ImpactCase random_impact_case(std::mt19937_64& engine, int vertices, const ImpactMotion& motion) {

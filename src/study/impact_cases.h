@@ -55,7 +55,7 @@ struct ImpactFinderInfo {
   std::function<std::unique_ptr<ImpactFinder>(std::span<const ImpactCase> cases)> make;
 };
 
-/// Time of impact and conservative advancement in float and double.
+/// Time of impact and conservative advancement, each in float unless its name says double.
 std::vector<ImpactFinderInfo> own_impact_finders();
 
 /// What a finder came to on many cases.

@@ -70,6 +70,10 @@ const std::vector<StudyInfo>& studies() {
        &study_meshes},
       {"triangle_triangle", "wrong answers of a test of triangles, down to one unit off one plane",
        &study_triangles},
+      {"time_of_impact", "error and time of continuous collision, by speed and far from the origin",
+       &study_time_of_impact},
+      {"tunnelling", "what share of bullets passes a wall, by speed and thickness",
+       &study_tunnelling},
   };
   return list;
 }

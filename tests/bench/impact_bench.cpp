@@ -5,10 +5,12 @@
 //   impact_bench [queries [repetitions]]
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "continuous/feature_pair.h"
-#include "continuous/swept_sphere.h"
+#include "continuous/swept_convex.h"
 #include "study/impact_cases.h"
 #include "study/study.h"
 #ifdef CONTACTSCOPE_PEERS
@@ -50,7 +52,7 @@ void bench_hulls(const char* title, const ImpactMotion& motion, int queries, int
   }
 }
 
-void bench_sphere(int queries, int repetitions) {
+void bench_swept(int queries, int repetitions) {
   test::Random random(8);
   struct Query {
     Vec3f start, way;
@@ -71,16 +73,25 @@ void bench_sphere(int queries, int repetitions) {
       query.way = (1.5 * (aim - start)).cast<float>();
       cases.push_back(query);
     }
-    PassTimes times;
-    for (int repetition = 0; repetition < repetitions; ++repetition) {
-      times.measure(queries, [&](int i) {
-        const Query& query = cases[static_cast<std::size_t>(i)];
-        return sweep_sphere_triangle(query.start, query.way, query.radius, query.triangle).time;
-      });
-    }
-    std::printf("\nsphere against triangle, %g m from the origin\n", away);
-    print_time("rounded prism, float", times);
-    std::printf("\n");
+    std::printf("\nswept against a triangle, %g m from the origin, float\n", away);
+    const auto bench = [&](const char* name, const auto& time_of) {
+      PassTimes times;
+      for (int repetition = 0; repetition < repetitions; ++repetition)
+        times.measure(queries, [&](int i) { return time_of(cases[static_cast<std::size_t>(i)]); });
+      print_time(name, times);
+      std::printf("\n");
+    };
+    bench("sphere", [](const Query& query) {
+      return sweep_sphere_triangle(query.start, query.way, query.radius, query.triangle).time;
+    });
+    bench("capsule", [](const Query& query) {
+      const std::array<Vec3f, 2> ends = {query.start, query.start + Vec3f(0.3F, 0.2F, 0.1F)};
+      return sweep_capsule_triangle(ends, query.way, query.radius, query.triangle).time;
+    });
+    bench("box", [](const Query& query) {
+      const Obb<float> box{query.start, Mat3<float>::Identity(), Vec3f::Constant(query.radius)};
+      return sweep_box_triangle(box, query.way, query.triangle).time;
+    });
   }
 }
 
@@ -129,7 +140,7 @@ int main(int argc, char** argv) {
   }
   bench_hulls("translating", {10, 0, 0}, queries, repetitions);
   bench_hulls("rotating", {10, 2, 0}, queries, repetitions);
-  bench_sphere(10 * queries, repetitions);
+  bench_swept(10 * queries, repetitions);
   bench_features("near each other", 10 * queries, repetitions, [](test::Random& random) {
     return test::random_feature_pair(random, random.decade(-4, 4));
   });

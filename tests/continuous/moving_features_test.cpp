@@ -29,16 +29,6 @@ ExtendedPoint placed(const FeaturePair<double>& pair, std::size_t i, Extended ti
   return (1 - time) * start + time * end;
 }
 
-Features face_of(const std::array<ExtendedPoint, 3>& corners) {
-  Features face{{corners[0], corners[1], corners[2]}, {{0, 1}, {1, 2}, {2, 0}}, {}, {}};
-  const ExtendedPoint normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (normal.squaredNorm() == 0) return face;
-  face.triangles = {{0, 1, 2}, {0, 2, 1}};
-  for (std::size_t i = 0; i < 3; ++i)
-    face.walls.push_back({corners[i], (corners[(i + 1) % 3] - corners[i]).cross(normal)});
-  return face;
-}
-
 /// By exhaustion, metres.
 Extended true_distance(const FeaturePair<double>& pair, Extended time) {
   const auto corner = [&](std::size_t i) { return placed(pair, i, time); };
@@ -48,7 +38,8 @@ Extended true_distance(const FeaturePair<double>& pair, Extended time) {
   if (pair.edges)
     return brute_force_distance(edge(corner(0), corner(1)), edge(corner(2), corner(3))).distance;
   const Features vertex{{corner(0)}, {}, {}, {}};
-  return brute_force_distance(vertex, face_of({corner(1), corner(2), corner(3)})).distance;
+  return brute_force_distance(vertex, test::features_of_triangle({corner(1), corner(2), corner(3)}))
+      .distance;
 }
 
 /// No two points come nearer by more in the step, metres; and no difference of corners is larger.

@@ -150,6 +150,16 @@ Features features_of_segment(const Vec3d& from, const Vec3d& to, const Pose<doub
   return {{placed(from, pose), placed(to, pose)}, {{0, 1}}, {}};
 }
 
+Features features_of_triangle(const std::array<ExtendedPoint, 3>& corners) {
+  Features face{{corners[0], corners[1], corners[2]}, {{0, 1}, {1, 2}, {2, 0}}, {}, {}};
+  const ExtendedPoint normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  if (normal.squaredNorm() == 0) return face;
+  face.triangles = {{0, 1, 2}, {0, 2, 1}};
+  for (std::size_t i = 0; i < 3; ++i)
+    face.walls.push_back({corners[i], (corners[(i + 1) % 3] - corners[i]).cross(normal)});
+  return face;
+}
+
 Features features_of(const Hull<double>& hull, const Pose<double>& pose) {
   Features features;
   for (const Vec3d& point : hull.vertices) features.vertices.push_back(placed(point, pose));

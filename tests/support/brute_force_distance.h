@@ -27,6 +27,8 @@ struct Features {
 
 Features features_of_point(const Vec3d& point, const Pose<double>& pose);
 Features features_of_segment(const Vec3d& from, const Vec3d& to, const Pose<double>& pose);
+/// One of no area is its edges.
+Features features_of_triangle(const std::array<ExtendedPoint, 3>& corners);
 Features features_of(const Hull<double>& hull, const Pose<double>& pose);
 
 struct BruteForceDistance {

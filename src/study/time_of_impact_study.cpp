@@ -1,0 +1,141 @@
+#include "study/time_of_impact_study.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/at.h"
+#include "query/gjk.h"
+#include "study/random_cases.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kImpactCases = 200;
+constexpr int kImpactRepetitions = 5;
+constexpr int kImpactVertices = 32;
+constexpr std::array<double, 4> kWays = {1, 3, 10, 100};
+constexpr std::array<double, 6> kOrigins = {1, 10, 100, 1000, 10'000, 100'000};
+constexpr double kFullTurn = 2;  // radians a step, of what turns
+
+/// What nothing continuous does: the poses at some times of the step, evenly apart, and whether the
+/// shapes overlap there.
+class SampledOverlap : public ImpactFinder {
+ public:
+  SampledOverlap(std::span<const ImpactCase> cases, int samples)
+      : cases_(cases), samples_(samples) {}
+
+  FoundImpact find(int index) override {
+    const ImpactCase& of = at(cases_, index);
+    const SupportSet<float> a = support_set(of.a), b = support_set(of.b);
+    for (int i = 1; i <= samples_; ++i) {
+      const float time = static_cast<float>(i) / static_cast<float>(samples_);
+      const Pose<float> b_in_a = relative_pose(of.of_a.at(time), of.of_b.at(time));
+      if (gjk(a, b, b_in_a).status != GjkStatus::Separated)
+        return {true, static_cast<double>(time)};
+    }
+    return {};
+  }
+
+ private:
+  std::span<const ImpactCase> cases_;
+  int samples_;
+};
+
+ImpactFinderInfo sampled(int samples) {
+  return {std::to_string(samples) + " samples", true, [samples](std::span<const ImpactCase> cases) {
+            return std::make_unique<SampledOverlap>(cases, samples);
+          }};
+}
+
+/// Cases that move alike, at one parameter of a panel.
+struct ImpactWorkload {
+  const char* panel;
+  const char* parameter_name;
+  double parameter;
+  ImpactMotion motion;
+};
+
+/// Measures by the order of the study's: how far off, and what share of the pairs was missed.
+Measurement measured(ImpactFinder& finder, std::span<const ImpactCase> cases, int repetitions) {
+  Measurement result(2, count_of(cases));
+  const ImpactTally tally = judge_impacts(finder, cases);
+  for (const double error : tally.errors) result.errors[0].add(error);
+  result.failed = tally.missed;
+  for (int i = 0; i < tally.of; ++i) result.errors[1].add(i < tally.missed ? 1 : 0);
+  for (int i = 0; i < repetitions; ++i)
+    result.times.measure(tally.of, [&](int k) { return finder.find(k).time; });
+  return result;
+}
+
+}  // namespace
+
+std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInfo>& finders,
+                                               const StudyOptions& options,
+                                               const StudyProgress& progress) {
+  std::vector<ImpactWorkload> workloads;
+  for (const double way : kWays)
+    workloads.push_back({"translating", "metres in the step", way, {way, 0, 0}});
+  for (const double way : kWays)
+    workloads.push_back({"rotating", "metres in the step", way, {way, kFullTurn, 0}});
+  for (const double origin : kOrigins)
+    workloads.push_back(
+        {"far from the origin", "metres from the origin", origin, {10, kFullTurn, origin}});
+  const int count = options.cases.value_or(kImpactCases);
+  std::vector<trace::Study> results = results_of(
+      "time_of_impact", "float and double", "metres in the step",
+      "steps as long as the largest separation allows, in double, " + std::to_string(count) +
+          " pairs of hulls of " + std::to_string(kImpactVertices) + " vertices a point, seed " +
+          std::to_string(options.seed),
+      {{"error", "How far off the time of impact is", "fraction of the step", "", 1e-7},
+       {"missed", "How many hits are missed", "share of the pairs", "", 0.5 / count}});
+  results[1].form = trace::StudyForm::Curves;
+  const StudyStep tell = counted(progress, static_cast<int>(workloads.size()));
+  const char* panel = nullptr;
+  std::size_t first = 0;
+  for (const ImpactWorkload& workload : workloads) {
+    tell(std::string(workload.panel) + ", " + std::to_string(static_cast<int>(workload.parameter)) +
+         " " + workload.parameter_name);
+    if (panel == nullptr || std::string(panel) != workload.panel) {
+      panel = workload.panel;
+      first = results[0].series.size();
+      for (trace::Study& study : results)
+        for (const ImpactFinderInfo& info : finders)
+          study.series.push_back(
+              {info.name, {}, panel, std::string(panel) + ", " + workload.parameter_name});
+    }
+    std::vector<ImpactCase> cases;
+    for (int i = 0; i < count; ++i) {
+      std::mt19937_64 engine =
+          case_engine(options.seed, i, workload.parameter, 1 + workload.motion.turn);
+      cases.push_back(random_impact_case(engine, kImpactVertices, workload.motion));
+    }
+    for (std::size_t f = 0; f < finders.size(); ++f) {
+      if (workload.motion.turn > 0 && !finders[f].knows_rotation) continue;
+      const auto finder = finders[f].make(cases);
+      const Measurement found =
+          measured(*finder, cases, options.repetitions.value_or(kImpactRepetitions));
+      for (std::size_t m = 0; m < results.size(); ++m)
+        results[m].series[first + f].points.push_back(found.point(workload.parameter, m));
+    }
+  }
+  for (trace::StudySeries& series : results[1].series) {
+    for (trace::StudyPoint& point : series.points) {
+      point.error_worst = point.error;  // a share has no other
+      point.failed = 0;                 // it says so itself
+    }
+  }
+  return results;
+}
+
+/// Error of the time of impact against run time, by how far the shapes go in the step and how far they
+/// are from the origin, translating and rotating; and how many hits are missed, which is what failed.
+/// All are given the same floats, so that what they lose far from the origin is theirs.
+std::vector<trace::Study> study_time_of_impact(const StudyOptions& options,
+                                               const StudyProgress& progress) {
+  std::vector<ImpactFinderInfo> finders = own_impact_finders();
+  finders.push_back(sampled(8));
+  finders.push_back(sampled(64));
+  return study_impact_finders(finders, options, progress);
+}
+
+}  // namespace contactscope

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "study/impact_cases.h"
+#include "study/study.h"
+
+namespace contactscope {
+
+/// The study `time_of_impact` with these finders, which take turns where they are timed.
+std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInfo>& finders,
+                                               const StudyOptions& options,
+                                               const StudyProgress& progress);
+
+}  // namespace contactscope

@@ -1,0 +1,224 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "continuous/impact_of_shapes.h"
+#include "core/at.h"
+#include "geometry/primitives.h"
+#include "query/gjk.h"
+#include "study/random_cases.h"
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kBullets = 200;
+constexpr int kBulletRepetitions = 3;
+constexpr double kFrame = 1.0 / 60;                                              // seconds a step
+constexpr std::array<double, 8> kSpeeds = {5, 10, 20, 60, 100, 200, 500, 1000};  // m/s
+constexpr std::array<double, 6> kThicknesses = {1, 3, 10, 30, 100, 300};         // mm
+constexpr double kUsualThickness = 10, kUsualSpeed = 20;
+constexpr float kMargin = 0.02F;  // metres, of speculative contacts; what engines take
+
+enum class BulletKind { Sphere, Box, Rod };
+constexpr std::array<const char*, 3> kBulletNames = {"spheres", "boxes", "spinning rods"};
+
+const Vec3f kBulletCentre = Vec3f::Zero();
+
+/// A bullet and the wall that it flies at, a step at a time.
+struct Flight {
+  Shape<float> bullet;
+  SupportSet<float> core;  // of the bullet
+  float radius = 0;        // of the bullet about the core
+  float reach = 0;         // of a ball about the bullet
+  Shape<float> wall;
+  Sweep<float> motion;  // in a step; its start is that of the first
+  int steps = 1;        // until it is beyond the wall for certain
+
+  Flight(BulletKind kind, double speed, double millimetres, std::mt19937_64& engine);
+  Flight(const Flight&) = delete;
+  Flight& operator=(const Flight&) = delete;
+
+  Sweep<float> step(int i) const {
+    Sweep<float> now = motion;
+    now.start = motion.at(static_cast<float>(i));
+    return now;
+  }
+  /// Metres; 0 where they touch or overlap.
+  float distance(const Pose<float>& bullet_pose) const {
+    const Pose<float> wall_in_bullet = relative_pose(bullet_pose, Pose<float>());
+    const GjkResult<float> found =
+        gjk(core, support_set(std::get<Hull<float>>(wall)), wall_in_bullet);
+    return found.status == GjkStatus::Separated ? std::max(found.distance - radius, 0.0F) : 0.0F;
+  }
+};
+
+Flight::Flight(BulletKind kind, double speed, double millimetres, std::mt19937_64& engine) {
+  constexpr double kRod = 0.3, kRodRadius = 0.01, kBall = 0.05, kWallSide = 5;
+  const Vec3d half(0.05, 0.04, 0.03);
+  switch (kind) {
+    case BulletKind::Sphere:
+      bullet = Sphere<float>{static_cast<float>(kBall)};
+      radius = reach = static_cast<float>(kBall);
+      break;
+    case BulletKind::Box:
+      bullet = shape_cast<float>(Shape<double>(make_box(half)));
+      reach = static_cast<float>(half.norm());
+      break;
+    case BulletKind::Rod: {
+      const auto end = static_cast<float>(kRod);
+      bullet =
+          Capsule<float>{{Vec3f(-end, 0, 0), Vec3f(end, 0, 0)}, static_cast<float>(kRodRadius)};
+      radius = static_cast<float>(kRodRadius);
+      reach = static_cast<float>(kRod + kRodRadius);
+    }
+  }
+  if (kind == BulletKind::Box) {
+    core = support_set(std::get<Hull<float>>(bullet));
+  } else if (kind == BulletKind::Rod) {
+    core = {std::get<Capsule<float>>(bullet).points.data(), 2, nullptr};
+  } else {
+    core = support_set(kBulletCentre);
+  }
+  wall =
+      shape_cast<float>(Shape<double>(make_box(Vec3d(0.5e-3 * millimetres, kWallSide, kWallSide))));
+  const double way = speed * kFrame;
+  // Anywhere in its step when it meets the wall.
+  const double before = static_cast<double>(reach) + 0.5e-3 * millimetres + 0.01;
+  const double start = -before - way * uniform(engine, 0, 1);
+  motion.start.rotation = uniform_rotation(engine).cast<float>();
+  const double up = uniform(engine, -1, 1), aside = uniform(engine, -1, 1);
+  motion.start.position = Vec3d(start, up, aside).cast<float>();
+  motion.displacement = Vec3f(static_cast<float>(way), 0, 0);
+  const double spin = uniform(engine, 0, std::numbers::pi);
+  if (kind == BulletKind::Rod)
+    motion.turn = (spin * (uniform_rotation(engine) * Vec3d::UnitX())).cast<float>();
+  steps = static_cast<int>(std::ceil((before - start) / way));
+}
+
+/// Metres from the wall when the method stops it; nothing where it passes.
+using Stopped = std::optional<float>;
+
+struct StopMethod {
+  const char* name;
+  Stopped (*stops)(const Flight& flight);
+};
+
+/// At the end of each step. What overlaps is pushed out to the side where its middle is.
+Stopped by_overlaps(const Flight& flight, float margin) {
+  for (int i = 0; i < flight.steps; ++i) {
+    const Sweep<float> now = flight.step(i);
+    // A speculative contact holds what begins the step within the margin.
+    if (margin > 0) {
+      const float distance = flight.distance(now.start);
+      const bool is_before = now.start.position.x() < 0;
+      if (distance <= margin && is_before) return distance;
+    }
+    const Pose<float> end = now.at(1);
+    if (flight.distance(end) > 0) continue;
+    return end.position.x() < 0 ? Stopped(0.0F) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+Stopped by_impact(const Flight& flight, const Shape<float>& swept, ImpactMethod method) {
+  for (int i = 0; i < flight.steps; ++i) {
+    const Sweep<float> now = flight.step(i);
+    const ShapeImpact<float> found = impact_of_shapes(swept, now, flight.wall, {}, method);
+    if (found.result.status == ImpactStatus::Separated) continue;
+    return flight.distance(now.at(found.result.time));
+  }
+  return std::nullopt;
+}
+
+constexpr StopMethod kStopMethods[] = {
+    {"discrete", [](const Flight& flight) { return by_overlaps(flight, 0); }},
+    {"speculative margin of 2 cm",
+     [](const Flight& flight) { return by_overlaps(flight, kMargin); }},
+    {"swept bounding sphere",
+     [](const Flight& flight) {
+       return by_impact(flight, Sphere<float>{flight.reach}, ImpactMethod::TimeOfImpact);
+     }},
+    {"conservative advancement",
+     [](const Flight& flight) {
+       return by_impact(flight, flight.bullet, ImpactMethod::ConservativeAdvancement);
+     }},
+    {"time of impact",
+     [](const Flight& flight) {
+       return by_impact(flight, flight.bullet, ImpactMethod::TimeOfImpact);
+     }},
+};
+
+using Flights = std::vector<std::unique_ptr<Flight>>;
+
+Measurement measured(const StopMethod& method, const Flights& flights, int repetitions) {
+  Measurement result(2, count_of(flights));
+  for (const auto& flight : flights) {
+    const Stopped stopped = method.stops(*flight);
+    result.errors[0].add(stopped ? 0 : 1);
+    if (stopped) result.errors[1].add(static_cast<double>(*stopped));
+  }
+  for (int i = 0; i < repetitions; ++i)
+    result.times.measure(count_of(flights), [&](int k) {
+      return static_cast<double>(method.stops(*at(flights, k)).value_or(1.0F));
+    });
+  return result;
+}
+
+}  // namespace
+
+/// Bullets of about 10 cm that fly straight at a wall at 60 steps a second: what share of them passes,
+/// by speed and by the thickness of the wall, and how far from it the others are stopped. Rods are 60
+/// cm long and turn by up to half a turn a step. A discrete test looks at the end of each step, and
+/// what it finds to overlap with its middle beyond the wall is pushed out behind it.
+std::vector<trace::Study> study_tunnelling(const StudyOptions& options,
+                                           const StudyProgress& progress) {
+  const int count = options.cases.value_or(kBullets);
+  std::vector<trace::Study> results = results_of(
+      "tunnelling", "float", "m/s",
+      "where the bullet is beyond the wall, " + std::to_string(count) +
+          " bullets a point, 60 steps a second, seed " + std::to_string(options.seed),
+      {{"passed", "Bullets that pass a wall: none that is swept", "share of the bullets", "",
+        0.5 / count},
+       {"early", "How far from the wall a bullet is stopped", "distance when stopped", "m", 1e-6}});
+  for (trace::Study& study : results) study.form = trace::StudyForm::Curves;
+  const StudyStep tell = counted(progress, 2 * static_cast<int>(kBulletNames.size()));
+  const auto panel_of = [&](BulletKind kind, bool by_speed) {
+    const std::string name = at(kBulletNames, static_cast<int>(kind));
+    const std::string panel = name + (by_speed ? ", a wall of 1 cm" : ", at 20 m/s");
+    tell(panel);
+    const std::size_t first = results[0].series.size();
+    for (trace::Study& study : results)
+      for (const StopMethod& method : kStopMethods)
+        study.series.push_back(
+            {method.name, {}, panel, panel + (by_speed ? ": m/s" : ": wall in mm")});
+    const auto add_points = [&](double parameter, double speed, double millimetres) {
+      Flights flights;
+      for (int i = 0; i < count; ++i) {
+        std::mt19937_64 engine = case_engine(options.seed, i, speed, millimetres);
+        flights.push_back(std::make_unique<Flight>(kind, speed, millimetres, engine));
+      }
+      for (std::size_t m = 0; m < std::size(kStopMethods); ++m) {
+        const Measurement found =
+            measured(kStopMethods[m], flights, options.repetitions.value_or(kBulletRepetitions));
+        for (std::size_t r = 0; r < results.size(); ++r)
+          results[r].series[first + m].points.push_back(found.point(parameter, r));
+      }
+    };
+    if (by_speed) {
+      for (const double speed : kSpeeds) add_points(speed, speed, kUsualThickness);
+    } else {
+      for (const double thick : kThicknesses) add_points(thick, kUsualSpeed, thick);
+    }
+  };
+  for (const bool by_speed : {true, false})
+    for (const BulletKind kind : {BulletKind::Sphere, BulletKind::Box, BulletKind::Rod})
+      panel_of(kind, by_speed);
+  for (trace::StudySeries& series : results[0].series)
+    for (trace::StudyPoint& point : series.points)
+      point.error_worst = point.error;  // a share has no other
+  return results;
+}
+
+}  // namespace contactscope

@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "study/study.h"
+#include "study/time_of_impact_study.h"
+
+namespace contactscope {
+namespace {
+
+/// What a method came to in a panel, by growing parameter.
+const trace::StudySeries& line_of(const trace::Study& study, const std::string& method,
+                                  const std::string& panel) {
+  for (const trace::StudySeries& series : study.series)
+    if (series.method == method && series.panel == panel) return series;
+  throw std::out_of_range(method + ", " + panel);
+}
+
+TEST(TimeOfImpactStudy, SlowOursMissNothingAndSamplingDoes) {
+  StudyOptions options;
+  options.cases = 6;
+  options.repetitions = 1;
+  const auto results = study_time_of_impact(options, [](int, int, const std::string&) {});
+  ASSERT_EQ(results.size(), 2);
+  int checked = 0;
+  for (const trace::StudySeries& series : results[0].series) {
+    if (series.method.ends_with("samples")) continue;
+    for (const trace::StudyPoint& point : series.points) {
+      EXPECT_EQ(point.failed, 0) << series.method << ' ' << series.panel << ' ' << point.parameter;
+      EXPECT_EQ(point.of, 6);
+      EXPECT_LT(point.error.value_or(0), 2e-4) << series.method << ' ' << series.panel;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 4 * (4 + 4 + 6));
+  // In a step of a hundred metres the hulls are in each other for two of them.
+  EXPECT_GT(line_of(results[0], "8 samples", "translating").points.back().failed, 1);
+  EXPECT_GT(*line_of(results[1], "8 samples", "translating").points.back().error, 0.1);
+}
+
+TEST(TunnellingStudy, SlowNothingPassesATimeOfImpact) {
+  StudyOptions options;
+  options.cases = 20;
+  options.repetitions = 1;
+  const auto results = study_tunnelling(options, [](int, int, const std::string&) {});
+  ASSERT_EQ(results.size(), 2);
+  ASSERT_EQ(results[0].series.size(), 6 * 5);
+  for (const trace::StudySeries& series : results[0].series) {
+    const bool continuous = series.method == "time of impact" ||
+                            series.method == "conservative advancement" ||
+                            series.method == "swept bounding sphere";
+    for (const trace::StudyPoint& point : series.points) {
+      ASSERT_TRUE(point.error);
+      EXPECT_TRUE(!continuous || *point.error == 0) << series.method << ' ' << series.panel;
+    }
+  }
+  // At 5 m/s a sphere goes 8 cm a step, less than its size with the wall's; at 1000 m/s 17 m.
+  const auto& discrete = line_of(results[0], "discrete", "spheres, a wall of 1 cm");
+  EXPECT_LT(*discrete.points.front().error, 0.7);
+  EXPECT_GT(*discrete.points.back().error, 0.9);
+  const auto& swept = line_of(results[1], "swept bounding sphere", "spinning rods, a wall of 1 cm");
+  const auto& exact = line_of(results[1], "time of impact", "spinning rods, a wall of 1 cm");
+  EXPECT_GT(*swept.points.back().error, 0.05);
+  EXPECT_LT(*exact.points.back().error, 1e-3);
+}
+
+}  // namespace
+}  // namespace contactscope
