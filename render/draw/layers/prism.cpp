@@ -14,51 +14,75 @@ namespace {
 
 constexpr int kMostTriangles =
     8;  // of a mesh, of which all are drawn; of others the one that is met
-constexpr Color kFaceTint = with_alpha(kShapeEdge, 0.34f);
-constexpr Color kEdgeTint = with_alpha(kShapeEdge, 0.2f);
-constexpr Color kVertexTint = with_alpha(kShapeEdge, 0.1f);
+constexpr Color kFaceTint = rgb(0xA9AFB8);
+constexpr Color kEdgeTint = rgb(0xCDD2D9);
+constexpr Color kVertexTint = rgb(0xEDF0F3);
 constexpr LineStyle kThin{1.0f, kDropped};
 constexpr LineStyle kWay{1.5f, kContact, true};
 
-constexpr Swatch kFaceSwatch{LegendGroup::Motion, 9,
-                             [](auto& pen) { pen.area(kFaceTint, 0.34f, 1); }};
-constexpr Swatch kEdgeSwatch{LegendGroup::Motion, 10,
-                             [](auto& pen) { pen.area(kEdgeTint, 0.2f, 1); }};
+constexpr Swatch kFaceSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.area(kFaceTint, 1, 1); }};
+constexpr Swatch kEdgeSwatch{LegendGroup::Motion, 10, [](auto& pen) { pen.area(kEdgeTint, 1, 1); }};
 constexpr Swatch kVertexSwatch{LegendGroup::Motion, 11,
-                               [](auto& pen) { pen.area(kVertexTint, 0.1f, 1); }};
+                               [](auto& pen) { pen.area(kVertexTint, 1, 1); }};
 constexpr Swatch kWaySwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
 
-/// What the eye sees of a capsule, or of a ball where both ends are one.
-std::vector<Vec3d> outline_of(const Camera& camera, const Vec3d& from, const Vec3d& to,
-                              double radius) {
-  constexpr int kHalf = 16;  // points of half a circle
-  const Vec3d right = camera.right(), up = camera.up();
-  const Vec3d way = to - from;
-  const double angle = std::atan2(way.dot(up), way.dot(right));
+/// What the eye sees of a ball.
+std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double radius) {
+  constexpr int kPoints = 32;
   std::vector<Vec3d> points;
-  for (int half = 0; half < 2; ++half) {
-    const Vec3d& center = half == 0 ? to : from;
-    for (int i = 0; i <= kHalf; ++i) {
-      const double at = angle + std::numbers::pi * (static_cast<double>(i) / kHalf - 0.5 + half);
-      points.emplace_back(center + radius * (std::cos(at) * right + std::sin(at) * up));
-    }
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kPoints;
+    points.emplace_back(
+        center + radius * (std::cos(angle) * camera.right() + std::sin(angle) * camera.up()));
   }
   return points;
 }
 
+/// What the eye sees of the half of a cylinder about an edge that looks away from the triangle.
+std::vector<Vec3d> half_cylinder(const Camera& camera, const Vec3d& from, const Vec3d& to,
+                                 const Vec3d& normal, double radius) {
+  constexpr int kSteps = 32;
+  const Vec3d outward = (to - from).cross(normal).stableNormalized();
+  const Vec3d to_eye = camera.right().cross(camera.up());
+  std::vector<Vec3d> arc;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = std::numbers::pi * i / kSteps;
+    const Vec3d direction = std::cos(angle) * normal + std::sin(angle) * outward;
+    if (direction.dot(to_eye) >= 0) arc.push_back(radius * direction);
+  }
+  std::vector<Vec3d> patch;
+  for (const Vec3d& point : arc) patch.emplace_back(from + point);
+  for (auto point = arc.rbegin(); point != arc.rend(); ++point) patch.emplace_back(to + *point);
+  return patch;
+}
+
 void draw_triangle(const Scene& scene, const std::vector<Vec3d>& corners, double radius,
                    Sketch& sketch) {
+  const Camera& camera = scene.camera;
   const Vec3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
-  for (const Vec3d& corner : corners)
-    sketch.face(outline_of(scene.camera, corner, corner, radius), kVertexTint, kThin);
-  for (std::size_t i = 0; i < 3; ++i)
-    sketch.face(outline_of(scene.camera, corners[i], corners[(i + 1) % 3], radius), kEdgeTint,
-                kThin);
-  for (const double side : {-radius, radius}) {
-    std::vector<Vec3d> flat;
-    for (const Vec3d& corner : corners) flat.emplace_back(corner + side * normal);
-    sketch.face(flat, kFaceTint, kThin);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d& corner = corners[i];
+    const std::vector<Vec3d> disc = disc_of(camera, corner, radius);
+    sketch.surfaces.push_back({disc, kVertexTint});
+    // Its rim where no cylinder goes on from it.
+    for (std::size_t k = 0; k < disc.size(); ++k) {
+      const Vec3d from = disc[k] - corner, to = disc[(k + 1) % disc.size()] - corner;
+      const auto looks_away = [&](const Vec3d& other) {
+        return (from + to).dot(other - corner) <= 0;
+      };
+      if (looks_away(corners[(i + 1) % 3]) && looks_away(corners[(i + 2) % 3]))
+        sketch.line(corner + from, corner + to, kThin);
+    }
   }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<Vec3d> patch =
+        half_cylinder(camera, corners[i], corners[(i + 1) % 3], normal, radius);
+    if (patch.size() > 2) sketch.face(patch, kEdgeTint, kThin);
+  }
+  const double side = normal.dot(camera.right().cross(camera.up())) > 0 ? radius : -radius;
+  std::vector<Vec3d> flat;
+  for (const Vec3d& corner : corners) flat.emplace_back(corner + side * normal);
+  sketch.face(flat, kFaceTint, kThin);
 }
 
 void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
