@@ -9,10 +9,12 @@
 namespace contactscope {
 
 enum class ImpactStatus {
-  Separated,        // at no time of the step nearer than the tolerance
-  Hit,              // at `time` within the tolerance, and never before
-  Overlapping,      // at time 0 already, or so near that rounding cannot tell
-  OutOfIterations,  // kMaxImpactSteps; up to `time` they are apart for certain, what comes is not known
+  Separated,    // at no time of the step nearer than the tolerance
+  Hit,          // at `time` within the tolerance, and never before
+  Overlapping,  // at time 0 already, or so near that rounding cannot tell
+  /// kMaxImpactSteps, or a motion so large that its rounding hides what is between the two; up to `time`
+  /// they are apart for certain, what comes is not known.
+  OutOfIterations,
 };
 
 /// "separated", "hit", "overlapping", "out_of_iterations".

@@ -54,8 +54,13 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
     apart.speed = approach.closing_speed(closest);
     result.distance = closest.distance - radii;
     if (result.steps == 1) {
-      if (begin == S(0) && result.distance <= S(8) * rounding)
-        return ended(ImpactStatus::Overlapping);
+      if (begin == S(0) && result.distance <= S(8) * rounding) {
+        // Rounding of the way is larger than what is between them: nobody can say what comes.
+        const S at_rest = approach.scale() + radii - approach.largest_motion();
+        const bool apart_at_rest = result.distance > S(8) * tie_tolerance(std::max(at_rest, S(0)));
+        result.normal = closest.axis;
+        return ended(apart_at_rest ? ImpactStatus::OutOfIterations : ImpactStatus::Overlapping);
+      }
       // What was apart by more than the tolerance before need not come nearer than that.
       const S within = begin > S(0) ? tolerance : std::min(tolerance, result.distance);
       apart.target = radii + S(0.5) * within + rounding;

@@ -161,6 +161,16 @@ TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {
   EXPECT_THAT(failures("speculative", "ghosts = 1\n"), testing::SizeIs(1));
 }
 
+/// In a step of 100,000 km float's rounding of the way is larger than what is between the two.
+TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
+  std::string text = crate_over_floor("[pipeline]\ncontinuous = \"time_of_impact\"\n");
+  text.replace(text.find("[0, -4, 0]"), 10, "[0, -2e8, 0]");
+  const trace::Frame frame = first_frame(text);
+  ASSERT_TRUE(frame.pairs.at(0).impact);
+  EXPECT_EQ(frame.pairs[0].impact->status, "out_of_iterations");
+  EXPECT_EQ(frame.pairs[0].impact->time, 0);
+}
+
 /// A sheet that comes down on another one, and bends as it does: its crest is first.
 TEST(ContinuousKeys, TwoMeshesThatDeformMeetAtTheirCorners) {
   const std::string sheet = "type = \"mesh\"\ngrid = { size = 2, cells = 8 }\n";
