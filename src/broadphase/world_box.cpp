@@ -47,6 +47,7 @@ struct Reach {
       add(point);
     }
   }
+  void operator()(const Field<S>& field) { std::visit(*this, field.source->shape); }
   /// Without end, but along an axis that its normal is parallel to.
   void operator()(const HalfSpace<S>& half_space) {
     constexpr double kNoEnd = std::numeric_limits<double>::infinity();

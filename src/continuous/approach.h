@@ -82,7 +82,6 @@ template <class S>
 struct Closest {
   S time = 0;
   S distance = 0;                   // metres; 0 where they touch or overlap
-  S separation = 0;                 // along the axis, metres; never more than the distance
   Vec3<S> axis = Vec3<S>::UnitX();  // unit, from A to B
   Vec3<S> on_a, on_b;               // of meaning if they are apart
 };
@@ -143,24 +142,18 @@ class Approach {
     return -closest.axis.dot(velocity);
   }
 
-  /// Goes on from the simplex of the call before. `enough`: see gjk(); where it is less than 1 the
-  /// distance is no less than it is, and the points are not the closest.
-  Closest<S> measure(S time, S enough = S(1)) {
+  /// Goes on from the simplex of the call before.
+  Closest<S> measure(S time) {
     const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
     const Quat<S> to_a = rotation_of_a.conjugate();
     const Vec3<S> b_origin = from_a_to_b_ + time * displacement_ - rotation_of_b * b_.pivot();
     Pose<S> b_in_a;
     b_in_a.rotation = to_a * rotation_of_b;
     b_in_a.position = to_a * b_origin + a_.pivot();
-    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr,
-               static_cast<GjkRun<S>*>(nullptr), enough);
+    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr);
     is_measured_ = true;
-    const bool is_apart = gjk_.status == GjkStatus::Separated;
-    return {time,
-            is_apart ? gjk_.distance : S(0),
-            is_apart ? gjk_.separation : S(0),
-            rotation_of_a * gjk_.normal,
-            rotation_of_a * (gjk_.on_a - a_.pivot()),
+    return {time, gjk_.status == GjkStatus::Separated ? gjk_.distance : S(0),
+            rotation_of_a * gjk_.normal, rotation_of_a * (gjk_.on_a - a_.pivot()),
             rotation_of_a * (gjk_.on_b - a_.pivot())};
   }
 

@@ -53,7 +53,7 @@ class ApproachToPlane {
     return -closest.axis.dot(velocity);
   }
 
-  Closest<S> measure(S time, S /*enough*/ = S(1)) const {
+  Closest<S> measure(S time) const {
     const Vec3<S> normal = normal_at(time);
     const Quat<S> rotation = b_.rotation(time);
     const Vec3<S> local = rotation.conjugate() * Vec3<S>(-normal);
@@ -64,7 +64,7 @@ class ApproachToPlane {
     closest.on_b = from_a_to_b_ + time * displacement_ + rotation * (lowest - b_.pivot());
     const S distance = normal.dot(closest.on_b) + offset_;
     closest.on_a = closest.on_b - distance * normal;
-    closest.distance = closest.separation = std::max(distance, S(0));
+    closest.distance = std::max(distance, S(0));
     return closest;
   }
 

@@ -7,8 +7,6 @@ namespace contactscope {
 namespace {
 
 struct DistanceOverSpeed {
-  static constexpr double kEnough = 1;
-
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {

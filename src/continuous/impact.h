@@ -103,8 +103,7 @@ struct ImpactLimits {
 ///
 /// Balls about both say when one has to look at all. Then, by the root of the separation along the axis
 /// that GJK names: exactly where nothing turns, else by a bound between now and where the nearest points
-/// would meet. Far from a hit any axis will do that tells the shapes apart by most of their distance.
-/// `run`: null when nobody watches.
+/// would meet. `run`: null when nobody watches.
 template <class S>
 ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
                                const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);

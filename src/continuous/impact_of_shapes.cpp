@@ -175,6 +175,9 @@ const std::vector<ImpactMethodInfo>& impact_methods() {
 }
 
 std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
+  if (a == ShapeKind::Field || b == ShapeKind::Field)
+    return "when a distance field meets another shape is not known; give the shape that it is made "
+           "of";
   if (is_convex(a) || is_convex(b) || (a != b)) return std::nullopt;
   return std::string("when two ") + to_string(a) + (a == ShapeKind::Mesh ? "es" : "s") +
          " meet is not known; one of the shapes must be convex, or a mesh against a plane";

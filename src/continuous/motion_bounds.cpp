@@ -29,6 +29,7 @@ struct ReachAbout {
         (box.lower - pivot).cwiseAbs().cwiseMax(Vec3<S>((box.upper - pivot).cwiseAbs()));
     return farther.norm();
   }
+  S operator()(const Field<S>& field) const { return std::visit(*this, field.source->shape); }
   S operator()(const HalfSpace<S>&) const { return std::numeric_limits<S>::infinity(); }
 };
 

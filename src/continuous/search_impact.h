@@ -20,8 +20,7 @@ struct Apart {
 /// Measures the distance of two moving shapes, lets advance(approach, apart, result, step) move
 /// `result.time` to where they cannot yet be nearer than the target, and measures again, until they
 /// are near or the step is over. `result.time` of allowed.until after that is the end: they stay
-/// apart. Far from a hit the distance is measured only until the separation is Advance::kEnough of it.
-/// `approach` measures in a frame that goes with the pivot of `of_a`.
+/// apart. `approach` measures in a frame that goes with the pivot of `of_a`.
 template <class S, class Approach, class Advance>
 ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
                               const ImpactLimits<S>& allowed, ImpactRun<S>* run,
@@ -46,10 +45,8 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
     return ended(ImpactStatus::Separated);
   }
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
-    Closest<S> closest = approach.measure(result.time, S(Advance::kEnough));
-    if (Advance::kEnough < 1 && closest.separation - radii <= tolerance)
-      closest = approach.measure(result.time);
-    apart.separation = closest.separation;
+    const Closest<S> closest = approach.measure(result.time);
+    apart.separation = closest.distance;
     apart.axis = closest.axis;
     apart.speed = approach.closing_speed(closest);
     result.distance = closest.distance - radii;
@@ -74,10 +71,6 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       return ended(ImpactStatus::Hit);
     }
     ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
-    if (run != nullptr && Advance::kEnough < 1) [[unlikely]] {
-      auto another = approach;  // what is measured for the record changes nothing
-      step.distance = another.measure(step.time).distance - radii;
-    }
     advance(approach, apart, result, step);
     if (run != nullptr) [[unlikely]] {
       step.bracket_separation -= radii;

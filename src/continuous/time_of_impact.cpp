@@ -31,9 +31,6 @@ S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
 /// so by a division. Else a bracket from the safe time to where the nearest points would meet the
 /// target, at the speed that they have now, is narrow enough for its bound to be near the root.
 struct RootBrackets {
-  /// An axis that tells them apart by so much of the distance is as good as any far from the hit.
-  static constexpr double kEnough = 0.8;
-
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {

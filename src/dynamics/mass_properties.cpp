@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "dynamics/body.h"
+#include "field/distance_field.h"
 
 // Sphere and capsule by the formulas of every textbook. A hull is cut into tetrahedra from one of
 // its vertices (Tonon 2004, "Explicit exact formulas for the 3-D tetrahedron inertia tensor"), here
@@ -36,13 +37,21 @@ void for_each_surface_triangle(const Hull<S>& hull, const Visit& visit) {
   }
 }
 
-template <class S>
-std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
-  if (hull.flat()) return std::nullopt;
+template <class S, class Visit>
+void for_each_surface_triangle(const Mesh<S>& mesh, const Visit& visit) {
+  const auto corner = [&](int triangle, int k) {
+    return Vec3d(mesh.corner(triangle, k).template cast<double>());
+  };
+  for (int t = 0; t < mesh.triangle_count(); ++t) visit(corner(t, 0), corner(t, 1), corner(t, 2));
+}
+
+/// What a surface without holes goes around; with its fronts inside, too.
+template <class Surface>
+MassProperties of_inside(const Surface& surface) {
   MassProperties result;
-  const Vec3d apex = hull.vertices.front().template cast<double>();
+  const Vec3d apex = surface.vertices.front().template cast<double>();
   Vec3d first_moment = Vec3d::Zero();
-  for_each_surface_triangle(hull, [&](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+  for_each_surface_triangle(surface, [&](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
     const Vec3d a = p - apex, b = q - apex, c = r - apex;
     const double det = a.dot(b.cross(c));
     result.mass += det / 6;
@@ -52,13 +61,23 @@ std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
   result.center = apex + from_apex;
 
   Mat3<double> moments = Mat3<double>::Zero();
-  for_each_surface_triangle(hull, [&](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+  for_each_surface_triangle(surface, [&](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
     const Vec3d a = p - result.center, b = q - result.center, c = r - result.center;
     const double det = a.dot(b.cross(c));
     moments += det / 120 * (outer(a) + outer(b) + outer(c) + outer(Vec3d(a + b + c)));
   });
+  if (result.mass < 0) {
+    result.mass = -result.mass;
+    moments = -moments;
+  }
   result.inertia = moments.trace() * Mat3<double>::Identity() - moments;
   return result;
+}
+
+template <class S>
+std::optional<MassProperties> of_unit_density(const Hull<S>& hull) {
+  if (hull.flat()) return std::nullopt;
+  return of_inside(hull);
 }
 
 template <class S>
@@ -90,6 +109,20 @@ std::optional<MassProperties> of_unit_density(const Capsule<S>& capsule) {
                         ball * (0.4 * r * r + length * length / 4 + 0.375 * r * length);
   const Vec3d unit = length > 0 ? Vec3d(axis / length) : Vec3d(Vec3d::UnitY());
   result.inertia = across * Mat3<double>::Identity() + (along - across) * outer(unit);
+  return result;
+}
+
+/// Of the shape that it is made of; of a mesh by the surface with its holes closed.
+template <class S>
+std::optional<MassProperties> of_unit_density(const Field<S>& field) {
+  if (!std::holds_alternative<Mesh<S>>(field.source->shape))
+    return mass_properties(field.source->shape);
+  // Length, volume and moment in cells become metres.
+  MassProperties result = of_inside(*field.values->surface());
+  const double volume = field.cell * field.cell * field.cell;
+  result.mass *= volume;
+  result.center = field.origin + field.cell * result.center;
+  result.inertia *= volume * field.cell * field.cell;
   return result;
 }
 

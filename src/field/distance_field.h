@@ -153,6 +153,10 @@ struct PlacedField {
   Vec3d origin = Vec3d::Zero();  // of the lattice, in the shape's frame
   double cell = 1;               // metres
 
+  template <class S>
+  static PlacedField of(const Field<S>& shape) {
+    return {shape.values, shape.origin, shape.cell};
+  }
   Vec3d in_lattice(const Vec3d& point) const { return (point - origin) / cell; }
   /// The sample at a point of the shape's frame, its distance in metres.
   FieldSample sample(const Vec3d& point) const {
@@ -170,6 +174,12 @@ struct PlacedField {
     return sample;
   }
 };
+
+/// A shape made of a field and what it was made of.
+inline Field<double> field_shape(const PlacedField& placed, const Shape<double>& source) {
+  return {placed.field, placed.origin, placed.cell,
+          std::make_shared<const FieldSource<double>>(FieldSource<double>{source})};
+}
 
 /// Builds the field of a shape: a sphere, a capsule, a hull or a mesh.
 ///

@@ -8,10 +8,30 @@
 namespace contactscope {
 namespace {
 
-[[gnu::always_inline]] inline double squared_distance(const Aabb<double>& box, const Vec3d& point) {
+double squared_distance(const Aabb<double>& box, const Vec3d& point) {
   const Vec3d beyond = (box.lower - point).cwiseMax(point - box.upper).cwiseMax(0.0);
   return beyond.squaredNorm();
 }
+
+using Pack = lanes::Pack<float>;
+
+/// x, y and z, and 0.
+Pack pack_of_point(const Vec3d& point) {
+  return Pack{static_cast<float>(point.x()), static_cast<float>(point.y()),
+              static_cast<float>(point.z()), 0};
+}
+
+/// The squared distance from a box that was rounded outwards.
+[[gnu::always_inline]] inline float squared_distance(const Pack& lower, const Pack& upper,
+                                                     const Pack& point) {
+  const Pack beyond = lanes::larger(lanes::larger(lower - point, point - upper), Pack{});
+  const Pack squares = beyond * beyond;
+  return (squares[0] + squares[1]) + squares[2];
+}
+
+/// What rounding a point and a box to float, and the arithmetic above, may add to a distance, as a part
+/// of the largest number there.
+constexpr double kRoughness = 0x1p-20;
 
 }  // namespace
 
@@ -28,6 +48,14 @@ NearestTriangles::NearestTriangles(std::shared_ptr<const Mesh<double>> mesh)
       prism.edge_scale[k] = length > 0 ? 1 / length : 0;
     }
   }
+  const Aabb<double> all = mesh_->tree.bounds();
+  const double largest = all.lower.cwiseAbs().cwiseMax(all.upper.cwiseAbs()).maxCoeff();
+  const Vec3d out = Vec3d::Constant(kRoughness * largest);
+  const auto rough = [&](const Aabb<double>& box) {
+    return RoughBox{pack_of_point(box.lower - out), pack_of_point(box.upper + out)};
+  };
+  node_boxes_ = mapped(mesh_->tree.nodes, [&](const auto& node) { return rough(node.box); });
+  triangle_boxes_ = mapped(mesh_->tree.boxes, rough);
 }
 
 NearestPoint NearestTriangles::nearest(const Vec3d& point, int seed) const {
@@ -36,29 +64,39 @@ NearestPoint NearestTriangles::nearest(const Vec3d& point, int seed) const {
   if (seed >= 0) improve(seed, point, best);
   struct Waiting {
     int node;
-    double squared;
+    float squared;
   };
   std::array<Waiting, kMaxAabbTreeDepth> stack;
   std::size_t height = 0;
+  const Pack at_point = pack_of_point(point);
+  // More than the square by what far points are rounded.
+  const auto rounded_up = [&] { return static_cast<float>(best.squared * (1 + kRoughness)); };
+  const auto distance_to = [&](const std::vector<RoughBox>& boxes, int i) {
+    const RoughBox& box = at(boxes, i);
+    return squared_distance(box.lower, box.upper, at_point);
+  };
+  float least = rounded_up();
   int i = 0;
   while (true) {
     const AabbTree<double>::Node& node = at(tree.nodes, i);
     if (node.leaf()) {
-      for (int k = node.next; k < node.next + node.count; ++k)
-        if (squared_distance(at(tree.boxes, k), point) < best.squared)
-          improve(at(tree.triangles, k), point, best);
+      for (int k = node.next; k < node.next + node.count; ++k) {
+        if (distance_to(triangle_boxes_, k) > least) continue;
+        improve(at(tree.triangles, k), point, best);
+        least = rounded_up();
+      }
     } else {
-      Waiting near{i + 1, squared_distance(at(tree.nodes, i + 1).box, point)};
+      Waiting near{i + 1, distance_to(node_boxes_, i + 1)};
       const int right = tree.right_of(i);
-      Waiting far{right, squared_distance(at(tree.nodes, right).box, point)};
+      Waiting far{right, distance_to(node_boxes_, right)};
       if (far.squared < near.squared) std::swap(near, far);
-      if (far.squared < best.squared) stack[height++] = far;
-      if (near.squared < best.squared) {
+      if (far.squared <= least) stack[height++] = far;
+      if (near.squared <= least) {
         i = near.node;
         continue;
       }
     }
-    while (height > 0 && stack[height - 1].squared >= best.squared) --height;
+    while (height > 0 && stack[height - 1].squared > least) --height;
     if (height == 0) return best;
     i = stack[--height].node;
   }
@@ -66,6 +104,7 @@ NearestPoint NearestTriangles::nearest(const Vec3d& point, int seed) const {
 
 void NearestTriangles::within(const Vec3d& point, double squared, std::vector<int>& found) const {
   const AabbTree<double>& tree = mesh_->tree;
+  std::vector<std::pair<double, int>> near;
   const int node_count = count_of(tree.nodes);
   int i = 0;
   while (i < node_count) {
@@ -76,16 +115,18 @@ void NearestTriangles::within(const Vec3d& point, double squared, std::vector<in
         if (squared_distance(at(tree.boxes, k), point) > squared) continue;
         NearestPoint own;
         improve(at(tree.triangles, k), point, own);
-        if (own.squared <= squared) found.push_back(at(tree.triangles, k));
+        if (own.squared <= squared) near.emplace_back(own.squared, at(tree.triangles, k));
       }
     }
     i = hit || node.leaf() ? i + 1 : node.next;
   }
+  std::ranges::sort(near);
+  for (const auto& [distance, triangle] : near) found.push_back(triangle);
 }
 
 std::size_t NearestTriangles::bytes() const {
-  return prisms_.size() * (sizeof(Prism) + sizeof(Aabb<double>) + sizeof(int)) +
-         mesh_->tree.nodes.size() * sizeof(AabbTree<double>::Node);
+  return prisms_.size() * (sizeof(Prism) + sizeof(RoughBox) + sizeof(Aabb<double>) + sizeof(int)) +
+         mesh_->tree.nodes.size() * (sizeof(AabbTree<double>::Node) + sizeof(RoughBox));
 }
 
 }  // namespace contactscope

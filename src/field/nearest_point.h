@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/pack.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {
@@ -41,7 +42,8 @@ class NearestTriangles {
     return best;
   }
 
-  /// Appends each triangle whose squared distance from `point` is no more than `squared`.
+  /// Appends each triangle whose squared distance from `point` is no more than `squared`, nearest
+  /// first.
   void within(const Vec3d& point, double squared, std::vector<int>& found) const;
 
   /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
@@ -54,10 +56,14 @@ class NearestTriangles {
 
  private:
   struct Prism {
-    std::array<Vec3d, 3> corners, edges,
-        inward;                        // inward: in the plane, at right angles to the edge
+    Vec3d normal;  // beside the first corner in memory: most triangles need no more
+    std::array<Vec3d, 3> corners, edges;
+    std::array<Vec3d, 3> inward;       // in the plane, at right angles to the edge
     std::array<double, 3> edge_scale;  // 1 / |edge|^2
-    Vec3d normal;
+  };
+  /// A box in single precision, larger by what that rounds.
+  struct RoughBox {
+    lanes::Pack<float> lower, upper;
   };
 
   /// Replaces `best` where the triangle is nearer.
@@ -82,6 +88,7 @@ class NearestTriangles {
 
   std::shared_ptr<const Mesh<double>> mesh_;
   std::vector<Prism> prisms_;
+  std::vector<RoughBox> node_boxes_, triangle_boxes_;  // in the order of the tree
 };
 
 }  // namespace contactscope

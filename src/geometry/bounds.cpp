@@ -261,6 +261,8 @@ std::optional<Bound> bound_of(const Shape<S>& shape, const Make& make) {
       [&]<class Kind>(const Kind& kind) -> std::optional<Bound> {
         if constexpr (std::is_same_v<Kind, HalfSpace<S>>) {
           return std::nullopt;
+        } else if constexpr (std::is_same_v<Kind, Field<S>>) {
+          return bound_of<Bound>(kind.source->shape, make);
         } else {
           return make(kind);
         }

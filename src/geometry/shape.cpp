@@ -1,5 +1,7 @@
 #include "geometry/shape.h"
 
+#include <utility>
+
 namespace contactscope {
 namespace {
 
@@ -36,6 +38,14 @@ Vec3d origin_for(const Mesh<double>& mesh) {
   return middle_where_far(mesh.tree.bounds(), 0);
 }
 
+Vec3d origin_for(const Field<double>& field) {
+  return moved_origin(field.source->shape);
+}
+
+std::shared_ptr<const FieldSource<double>> source_of(Shape<double> shape) {
+  return std::make_shared<const FieldSource<double>>(FieldSource<double>{std::move(shape)});
+}
+
 void move(Sphere<double>&, const Vec3d&) {}
 
 void move(HalfSpace<double>& half_space, const Vec3d& origin) {
@@ -56,6 +66,11 @@ void move(Hull<double>& hull, const Vec3d& origin) {
 void move(Mesh<double>& mesh, const Vec3d& origin) {
   for (Vec3d& vertex : mesh.vertices) vertex -= origin;
   refit(mesh);
+}
+
+void move(Field<double>& field, const Vec3d& origin) {
+  field.origin -= origin;
+  field.source = source_of(seen_from(field.source->shape, origin));
 }
 
 void scale(Sphere<double>& sphere, double factor) {
@@ -84,6 +99,12 @@ void scale(Mesh<double>& mesh, double factor) {
   refit(mesh);
 }
 
+void scale(Field<double>& field, double factor) {
+  field.origin *= factor;
+  field.cell *= factor;
+  field.source = source_of(scaled(field.source->shape, factor));
+}
+
 }  // namespace
 
 template <class T>
@@ -96,6 +117,11 @@ Shape<T> shape_cast(const Shape<double>& shape) {
   if (const auto* hull = std::get_if<Hull<double>>(&shape)) return hull_cast<T>(*hull);
   if (const auto* half_space = std::get_if<HalfSpace<double>>(&shape))
     return HalfSpace<T>{half_space->plane.cast<T>()};
+  if (const auto* field = std::get_if<Field<double>>(&shape)) {
+    return Field<T>{field->values, field->origin, field->cell,
+                    std::make_shared<const FieldSource<T>>(
+                        FieldSource<T>{shape_cast<T>(field->source->shape)})};
+  }
   return mesh_cast<T>(std::get<Mesh<double>>(shape));
 }
 

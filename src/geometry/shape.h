@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <variant>
 
 #include "core/plane.h"
@@ -29,14 +30,35 @@ struct HalfSpace {
   Plane<S> plane;
 };
 
+class DistanceField;  // src/field
+template <class S>
+struct FieldSource;
+
+/// A solid by the distances to its surface: a lattice of them, see field/distance_field.h, and the shape
+/// that it was made of, in one frame. Scenarios call it "sdf". Bounds, mass and pictures are those of
+/// the shape that it was made of.
+template <class S>
+struct Field {
+  std::shared_ptr<const DistanceField> values;   // unit: a cell
+  Vec3d origin = Vec3d::Zero();                  // of the lattice, own frame, metres
+  double cell = 1;                               // metres
+  std::shared_ptr<const FieldSource<S>> source;  // never null
+};
+
 /// Anything that can collide, in its own frame. The order is that of the collision table, which has
 /// an upper half only: a pair is worked on with the earlier type first.
 template <class S>
-using Shape = std::variant<Sphere<S>, Capsule<S>, Hull<S>, HalfSpace<S>, Mesh<S>>;
+using Shape = std::variant<Sphere<S>, Capsule<S>, Hull<S>, HalfSpace<S>, Mesh<S>, Field<S>>;
+
+/// What a field was made of: a sphere, a capsule, a hull or a mesh.
+template <class S>
+struct FieldSource {
+  Shape<S> shape;
+};
 
 /// Position of a type in `Shape`.
-enum class ShapeKind { Sphere, Capsule, Hull, Plane, Mesh };
-inline constexpr int kShapeKinds = 5;
+enum class ShapeKind { Sphere, Capsule, Hull, Plane, Mesh, Field };
+inline constexpr int kShapeKinds = 6;
 
 template <class S>
 ShapeKind kind_of(const Shape<S>& shape) {
@@ -48,9 +70,9 @@ constexpr bool is_convex(ShapeKind kind) {
   return kind <= ShapeKind::Hull;
 }
 
-/// "sphere", "capsule", "hull", "plane", "mesh"; a pair is called "sphere-hull".
+/// "sphere", "capsule", "hull", "plane", "mesh", "sdf"; a pair is called "sphere-hull".
 constexpr const char* to_string(ShapeKind kind) {
-  constexpr const char* kNames[] = {"sphere", "capsule", "hull", "plane", "mesh"};
+  constexpr const char* kNames[] = {"sphere", "capsule", "hull", "plane", "mesh", "sdf"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -45,7 +45,8 @@ Answer<S> ask_convex(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b
   return answer_of(gap, question);
 }
 
-/// A convex shape and the surface of a mesh: the contacts of its triangles, which are not kept.
+/// A convex shape and the surface of a mesh, or any shape and a field: their contacts, which are not
+/// kept.
 template <class S>
 Answer<S> ask_contacts(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                        const Pose<S>& pose_b, const Question& question, trace::Pair* record,
@@ -90,6 +91,8 @@ template <class S>
 Answer<S> ask_shapes(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                      const Pose<S>& pose_b, const Question& question, trace::Pair* record,
                      const trace::Stages& stages, MeshFront* front) {
+  if (kind_of(b) == ShapeKind::Field)
+    return ask_contacts(a, pose_a, b, pose_b, question, record, stages);
   if (const auto* mesh = std::get_if<Mesh<S>>(&a))
     return ask_meshes(*mesh, pose_a, std::get<Mesh<S>>(b), pose_b, question,
                       stages.query ? record : nullptr, stages, front);

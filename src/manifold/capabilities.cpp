@@ -67,8 +67,9 @@ const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
     return kRows[static_cast<int>(QueryMethod::Triangles)].otherwise;
   }
   if (method == QueryMethod::Triangles) {
-    return one == ShapeKind::Mesh ? nullptr
-                                  : "it compares the triangles of two meshes; ask \"contacts\"";
+    return one == ShapeKind::Mesh && other == ShapeKind::Mesh
+               ? nullptr
+               : "it compares the triangles of two meshes; ask \"contacts\"";
   }
   if (method == QueryMethod::Support) {
     return is_convex(one) && other == ShapeKind::Plane
@@ -76,6 +77,8 @@ const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
                : "it is of a convex shape and a plane, whose normal is the one axis that counts; "
                  "ask \"gjk\" or \"contacts\"";
   }
+  if (other == ShapeKind::Field)
+    return "a distance field is not convex; ask \"contacts\", which looks for where it is negative";
   if (!is_convex(other)) {
     return other == ShapeKind::Plane
                ? "a plane has no end, and so no farthest point along a direction; ask \"support\""
@@ -121,8 +124,12 @@ std::optional<std::string> refusal(QueryKind query, ShapeKind one, ShapeKind oth
   // Contacts know every other pair that anything here knows.
   return refusal(QueryMethod::Contacts, QueryKind::Manifold, one, other)
       .value_or(
-          "the distance from a mesh is not known beyond the margin of its contacts; ask for "
-          "\"manifold\" and read its separations");
+          other == ShapeKind::Field || one == ShapeKind::Field
+              ? "contacts of a distance field end at the margin; ask for \"manifold\" with a "
+                "margin "
+                "and read its separations"
+              : "the distance from a mesh is not known beyond the margin of its contacts; ask for "
+                "\"manifold\" and read its separations");
 }
 
 }  // namespace contactscope

@@ -16,10 +16,22 @@ constexpr const char* to_string(Degenerate degenerate) {
   return degenerate == Degenerate::Fallback ? "fallback" : "skip";
 }
 
+/// How a shape looks for where its surface is inside a distance field.
+enum class FieldSearch {
+  Conservative,  // parts that the field's bounds leave are cut until it is decided: none is missed
+  Sampled,       // at its vertices and at points about a cell apart: what is between is missed
+};
+
+/// "conservative", "sampled", as scenarios spell it.
+constexpr const char* to_string(FieldSearch search) {
+  return search == FieldSearch::Conservative ? "conservative" : "sampled";
+}
+
 struct CollideOptions {
   double margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
+  FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;  // of meshes: contacts on edges that the surface lacks are mended
   /// Of two hulls that overlap. Meshes and round shapes have ways of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;

@@ -218,4 +218,10 @@ template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder);
 
+/// Contacts of any shape with a distance field, one manifold for each direction in which its surface
+/// lies, and the least separation that was found. See collide_with_field.cpp.
+template <class S>
+S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a,
+                     const CollideOptions& options, ContactSink<S>& sink);
+
 }  // namespace contactscope

@@ -64,6 +64,20 @@ void with_mesh(const PlacedPair<S>& pair, const CollideOptions& options, Manifol
     recorder->separation(separation);
 }
 
+template <class S>
+void with_field(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
+                Recorder<S>* recorder) {
+  // As of a mesh there may be several manifolds, which have no name of their own.
+  CollideOptions of_part = options;
+  of_part.reduction.previous = {};
+  ContactSink<S> sink{ToWorld<S>(pair.pose_a), of_part, manifolds, recorder};
+  const S separation =
+      collide_with_field<S>(pair.a, *std::get_if<Field<S>>(&pair.b),
+                            relative_pose(pair.pose_a, pair.pose_b), of_part, sink);
+  if (recorder) [[unlikely]]
+    recorder->separation(separation);
+}
+
 /// The upper half of the table; nullptr where there is nothing to do.
 template <class S>
 Entry<S> entry(ShapeKind a, ShapeKind b) {
@@ -74,12 +88,15 @@ Entry<S> entry(ShapeKind a, ShapeKind b) {
   static constexpr Entry<S> kTable[kShapeKinds][kShapeKinds] = {
       {convex<S, Sp, Sp, collide_sphere_sphere<S>>, convex<S, Sp, Ca, collide_sphere_capsule<S>>,
        convex<S, Sp, Hu, collide_sphere_hull<S>>, convex<S, Sp, Pl, collide_sphere_plane<S>>,
-       with_mesh<S, Sp, collide_sphere_mesh<S>>},
+       with_mesh<S, Sp, collide_sphere_mesh<S>>, with_field<S>},
       {nullptr, convex<S, Ca, Ca, collide_capsule_capsule<S>>,
        convex<S, Ca, Hu, collide_capsule_hull<S>>, convex<S, Ca, Pl, collide_capsule_plane<S>>,
-       with_mesh<S, Ca, collide_capsule_mesh<S>>},
+       with_mesh<S, Ca, collide_capsule_mesh<S>>, with_field<S>},
       {nullptr, nullptr, hulls<S>, convex<S, Hu, Pl, collide_hull_plane<S>>,
-       with_mesh<S, Hu, collide_hull_mesh<S>>},
+       with_mesh<S, Hu, collide_hull_mesh<S>>, with_field<S>},
+      {nullptr, nullptr, nullptr, nullptr, nullptr, with_field<S>},
+      {nullptr, nullptr, nullptr, nullptr, nullptr, with_field<S>},
+      {nullptr, nullptr, nullptr, nullptr, nullptr, with_field<S>},
   };
   return kTable[static_cast<int>(a)][static_cast<int>(b)];
 }
@@ -92,8 +109,9 @@ void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
   if (collide_pair == nullptr) return;
   if (record == nullptr) return collide_pair(pair, options, manifolds, nullptr);
   trace::Stages stages = given;
-  // Each triangle has these of its own, and a record has room for one of each.
-  if (kind_of(pair.b) == ShapeKind::Mesh)
+  // Each triangle has these of its own, each part of a field a reduction, and a record has room for
+  // one of each.
+  if (kind_of(pair.b) >= ShapeKind::Mesh)
     stages.sat = stages.clip = stages.reduction = stages.gjk = false;
   Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, *record);
   collide_pair(pair, options, manifolds, &recorder);

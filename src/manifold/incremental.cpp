@@ -173,7 +173,7 @@ void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S
 }
 
 bool can_persist(ShapeKind one, ShapeKind other) {
-  return one != ShapeKind::Mesh && other != ShapeKind::Mesh && can_collide(one, other);
+  return std::max(one, other) < ShapeKind::Mesh && can_collide(one, other);
 }
 
 template <class S>

@@ -81,7 +81,7 @@ GjkSimplex<S> to_result(const Simplex<S>& simplex, const MinkowskiDifference<S>&
 }
 
 template <class S>
-GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex, S along,
+GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
                     const MinkowskiDifference<S>& difference, GjkRun<S>* run) {
   GjkResult<S> result;
   result.status = status;
@@ -91,10 +91,7 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
   result.on_b = weighted(result.simplex, &GjkVertex<S>::b);
   result.distance = difference.unit() * std::sqrt(simplex.nearest.squared_distance);
   const S length = simplex.nearest.direction.norm();
-  if (length > S(0)) {
-    result.normal = simplex.nearest.direction / length;
-    result.separation = std::min(difference.unit() * (along / length), result.distance);
-  }
+  if (length > S(0)) result.normal = simplex.nearest.direction / length;
   if (run != nullptr) [[unlikely]]
     run->result = result;
   return result;
@@ -120,7 +117,7 @@ GjkResult<S> finish(GjkStatus status, int iterations, const Simplex<S>& simplex,
 /// the simplex itself: separated; 6. add it and go on at 2.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
-                 const GjkSimplex<S>* warm_start, GjkRun<S>* run, S enough) {
+                 const GjkSimplex<S>* warm_start, GjkRun<S>* run) {
   const MinkowskiDifference<S> difference(a, b, b_in_a);
   const S rounding = tie_tolerance(difference.scale());
 
@@ -131,9 +128,8 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
       difference.has(warm_start)
           ? warm_simplex(*warm_start, difference)
           : first_simplex(difference.support_against(difference.between_middles()), difference);
-  S along = 0;  // the least product of the difference with the direction
   const auto ended = [&](GjkStatus status, int iterations) {
-    return finish(status, iterations, *simplex, along, difference, run);
+    return finish(status, iterations, *simplex, difference, run);
   };
   int stalls = 0;
   for (int iteration = 1; iteration < kMaxGjkIterations; ++iteration) {
@@ -145,15 +141,9 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
       return ended(GjkStatus::Touching, iteration);
 
     const IndexPair support = difference.support_against(nearest.direction);
-    const Vec3<S> point = difference.point(support);
-    along = nearest.direction.dot(point);
     if (simplex->has(support)) return ended(GjkStatus::Separated, iteration);
-    // Both sides are squared: roots are for the end.
-    if (enough < S(1) && along > S(0) &&
-        along * along >=
-            enough * enough * nearest.squared_distance * nearest.direction.squaredNorm())
-      return ended(GjkStatus::Separated, iteration);
-    const S gain = simplex->least_along(nearest.direction) - along;
+    const Vec3<S> point = difference.point(support);
+    const S gain = simplex->least_along(nearest.direction) - nearest.direction.dot(point);
     const bool is_farther =
         gain > S(0) && gain * gain > rounding * rounding * nearest.direction.squaredNorm();
     if (!is_farther) return ended(GjkStatus::Separated, iteration);

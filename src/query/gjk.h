@@ -43,7 +43,6 @@ template <class S>
 struct GjkResult {
   GjkStatus status = GjkStatus::OutOfIterations;
   S distance = 0;                     // metres; 0 in overlap
-  S separation = 0;                   // along the normal, metres; of meaning if Separated
   Vec3<S> on_a, on_b;                 // closest points in A's frame; in overlap a common point
   Vec3<S> normal = Vec3<S>::UnitX();  // unit, from A to B, in A's frame; of meaning if Separated
   int iterations = 0;                 // support points looked for
@@ -70,12 +69,8 @@ struct GjkRun {
 /// way between the frames; shapes nearer than that are Touching. The normal keeps the shapes apart
 /// by the distance up to the same rounding. Swapping A and B changes rounding only. Flat,
 /// needle-like, coincident and coplanar points are fine, as are lengths from 1e-18 m to 1e18 m.
-///
-/// `enough`, from 0 to 1, ends it sooner: when the separation along the normal, which is never more
-/// than the distance, is so much of what is told as the distance, which is never less. Then the closest
-/// points are some points. At 1, the distance itself is looked for.
 template <class S>
 GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
-                 const GjkSimplex<S>* warm_start = nullptr, GjkRun<S>* run = nullptr, S enough = 1);
+                 const GjkSimplex<S>* warm_start = nullptr, GjkRun<S>* run = nullptr);
 
 }  // namespace contactscope

@@ -38,9 +38,9 @@ std::string idle_question(std::string_view key, const Question& question) {
 }
 
 constexpr const char* kContactKeys[] = {
-    "manifold",    "reducer",           "max_points", "margin",
-    "cache",       "preference",        "degenerate", "internal_edges",
-    "core_margin", "breaking_distance", "confirm"};
+    "manifold", "reducer",     "max_points",        "margin",
+    "cache",    "preference",  "degenerate",        "internal_edges",
+    "field",    "core_margin", "breaking_distance", "confirm"};
 constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
 
 /// Why `key` changes nothing of a pair; empty: it does.
@@ -66,6 +66,14 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
     return incremental || (hull_a && hull_b)
                ? ""
                : "it is of two hulls (boxes, hulls, cylinders, cones), or of incremental manifolds";
+  if (key == "field") {
+    const auto is_field = [&](int i) {
+      return kind_of(*scenario.shape(i).geometry) == ShapeKind::Field;
+    };
+    return is_field(pair.a) || is_field(pair.b)
+               ? ""
+               : "neither shape is a distance field (type = \"sdf\"); remove it";
+  }
   const bool of_incremental =
       key == "core_margin" || key == "breaking_distance" || key == "confirm";
   if (!of_incremental) return "";

@@ -31,7 +31,7 @@ double read_least_length(const Value& value) {
 Keys with_settings(Keys keys) {
   // Of contacts, then of what a pair is asked.
   keys.insert(keys.end(), {"scalar", "manifold", "reducer", "max_points", "margin", "cache",
-                           "preference", "degenerate", "internal_edges", "core_margin",
+                           "preference", "degenerate", "internal_edges", "field", "core_margin",
                            "breaking_distance", "confirm", "penetration", "continuous"});
   keys.insert(keys.end(),
               {"query", "bounds", "comparison", "tolerance", "axes", "skip_up_to", "traversal"});
@@ -45,9 +45,10 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
     return;
   for (const int index : {pair.a, pair.b}) {
     const ScenarioShape& shape = at(shapes, index);
-    if (kind_of(*shape.geometry) == ShapeKind::Mesh)
+    if (kind_of(*shape.geometry) >= ShapeKind::Mesh)
       where.fail("incremental manifolds are made of spheres, capsules, hulls and planes, and '" +
-                 shape.name + "' is a mesh; give its pairs manifold = \"one-shot\" in [[pairs]]");
+                 shape.name + "' is a " + to_string(kind_of(*shape.geometry)) +
+                 "; give its pairs manifold = \"one-shot\" in [[pairs]]");
   }
 }
 
@@ -144,6 +145,8 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   });
   table.read("traversal", settings.traversal,
              word_of<Traversal>({"from_roots", "coherent"}, "traversal"));
+  table.read("field", settings.field,
+             word_of<FieldSearch>({"conservative", "sampled"}, "search of a distance field"));
   table.read("internal_edges", settings.internal_edges, &Value::boolean);
   table.read("degenerate", settings.degenerate,
              word_of<Degenerate>({"fallback", "skip"}, "answer"));

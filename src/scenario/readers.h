@@ -36,6 +36,7 @@ class Value {
   int line() const { return static_cast<int>(node_->source().begin.line); }
   bool is_table() const { return node_->is_table(); }
   bool is_array() const { return node_->is_array(); }
+  bool is_string() const { return node_->is_string(); }
 
   /// Throws InputError at this value; the message is made one printable line of bounded length.
   [[noreturn]] void fail(const std::string& message) const;
@@ -117,7 +118,7 @@ Vec3d read_velocity(const Value& table, const char* key, const char* unit);
 /// kLargestLength.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
-// shapes.cpp, mesh_shape.cpp, deform_keys.cpp
+// shapes.cpp, mesh_shape.cpp, sdf_shape.cpp, deform_keys.cpp
 
 /// What a shape is read in.
 struct Surroundings {
@@ -135,6 +136,10 @@ std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& sc
 /// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. What was left
 /// out of it, triangles without an area, is warned of.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
+/// A shape of type "sdf": of which shape, and how fine.
+Shape<double> read_sdf(const Value& table, const Surroundings& surroundings);
+/// A shape written inline, with its type and no place: anything but another "sdf".
+Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings);
 /// The key deform of a [shapes.NAME.motion] table. `shape` has its name, type and geometry already;
 /// files are relative to `folder`.
 Deformation read_deformation(const Value& value, const ScenarioShape& shape,

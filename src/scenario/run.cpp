@@ -25,6 +25,7 @@ CollideOptions options_of(const PipelineSettings& settings) {
   options.margin = settings.margin;
   options.preference = settings.preference;
   options.degenerate = settings.degenerate;
+  options.field = settings.field;
   options.internal_edges = settings.internal_edges;
   options.penetration = settings.penetration;
   options.reducer = find_reducer(settings.reducer);

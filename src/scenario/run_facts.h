@@ -55,6 +55,12 @@ void describe(const Mesh<S>& mesh, trace::Shape& traced) {
   traced.center_of_mass = bounds.center().template cast<double>();
 }
 
+/// As the shape that it is made of.
+template <class S>
+void describe(const Field<S>& field, trace::Shape& traced) {
+  std::visit([&](const auto& kind) { describe(kind, traced); }, field.source->shape);
+}
+
 /// A shape of a scenario as a trace has it, with the vertices that the pipeline sees.
 template <class S>
 trace::Shape traced_shape(const ScenarioShape& shape, const Shape<S>& rounded) {

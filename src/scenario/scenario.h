@@ -89,6 +89,7 @@ struct PipelineSettings {
   bool cache = true;
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
+  FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;

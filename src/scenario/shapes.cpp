@@ -139,6 +139,7 @@ const std::vector<Type>& types() {
       {"capsule", {"radius", "points", "half_height"}, read_capsule},
       {"mesh", {"vertices", "triangles", "file", "grid", "tree"}, read_mesh},
       {"plane", {"normal", "offset"}, read_plane},
+      {"sdf", {"of", "cells", "band", "interpolation", "exact"}, read_sdf},
   };
   return all;
 }
@@ -225,6 +226,18 @@ void refuse_deforming_beside_bodies(const Value& value, const std::vector<Scenar
 }
 
 }  // namespace
+
+Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings) {
+  Keys words = names_in(types());
+  std::erase(words, "sdf");
+  const std::string word =
+      value.table(every_key()).require("type", "type = \"box\"").one_of(words, "shape type");
+  const Type& type = *std::ranges::find(types(), word, &Type::name);
+  Keys keys = type.keys;
+  std::erase(keys, "tree");
+  keys.push_back("type");
+  return type.read(value.table(keys), surroundings);
+}
 
 std::vector<Vec3d> read_points(const Value& value) {
   return mapped(value.array(), &Value::vector3);

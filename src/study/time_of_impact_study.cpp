@@ -79,7 +79,7 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
     workloads.push_back({"rotating", "metres in the step", way, {way, kFullTurn, 0}});
   for (const double origin : kOrigins)
     workloads.push_back(
-        {"far from the origin", "metres from the origin", origin, {10, kFullTurn, origin}});
+        {"far from the origin", "metres away", origin, {10, kFullTurn, origin}});
   const int count = options.cases.value_or(kImpactCases);
   std::vector<trace::Study> results = results_of(
       "time_of_impact", "float and double", "metres in the step",

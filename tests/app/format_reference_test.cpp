@@ -93,6 +93,7 @@ TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
       {"### Mesh", shape("type = \"mesh\"\n" + key)},
       {"### Mesh", shape("type = \"mesh\"\ngrid = { qqqqqq = 1 }")},
       {"### Plane", shape("type = \"plane\"\n" + key)},
+      {"### Sdf", shape("type = \"sdf\"\n" + key)},
       {"### `rotation`", shape("type = \"sphere\"\nradius = 1\nrotation = { qqqqqq = 1 }")},
       {"### `motion`", shape("type = \"sphere\"\nradius = 1\nmotion = { qqqqqq = 1 }")},
       {"### `motion`",
@@ -134,6 +135,9 @@ TEST(FormatReference, NamesEveryValueThatTheParserKnows) {
       {"## The file", "up = \"qqqqqq\"\n" + kTwoBoxes},
       {"## `[shapes.NAME]`", shape("type = \"qqqqqq\"")},
       {"### Mesh", shape("type = \"mesh\"\ngrid = { size = 1, cells = 1 }\ntree = \"qqqqqq\"")},
+      {"### Sdf", shape("type = \"sdf\"\nof = { type = \"sphere\", radius = 1 }\n"
+                        "interpolation = \"qqqqqq\"")},
+      {"## `[pipeline]`", setting("[pipeline]", "field")},
       {"## `[pipeline]`", setting("[pipeline]", "scalar")},
       {"## `[pipeline]`", setting("[pipeline]", "manifold")},
       {"## `[pipeline]`", setting("[pipeline]", "reducer")},

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "field/distance_field.h"
 #include "geometry/bounds.h"
 #include "geometry/primitives.h"
 #include "manifold/ask.h"
@@ -31,6 +32,11 @@ Shape<double> shape_of(ShapeKind kind) {
       return HalfSpace<double>{{Vec3d::UnitY(), 0.5}};
     case ShapeKind::Mesh:
       break;
+    case ShapeKind::Field: {
+      static const Shape<double> box = make_box(Vec3d(0.5, 0.5, 0.5));
+      static const PlacedField placed = build_distance_field(box, {.cells = 16});
+      return field_shape(placed, box);
+    }
   }
   Mesh<double> grid = make_grid(4, 4, 2, 2, 0);
   for (Vec3d& vertex : grid.vertices) vertex.y() = 0.5;
@@ -40,6 +46,7 @@ Shape<double> shape_of(ShapeKind kind) {
 /// The convex one lies over the other, `gap` metres above it.
 PlacedShapes pair_of(ShapeKind lower, ShapeKind upper, double gap) {
   if (lower < upper) std::swap(lower, upper);
+  if (upper == ShapeKind::Plane) std::swap(lower, upper);
   const double y = upper == ShapeKind::Mesh ? gap : 1 + gap;  // of two meshes the surfaces meet
   return {shape_of(lower), {}, shape_of(upper), {Quatd::Identity(), {0, y, 0}}};
 }

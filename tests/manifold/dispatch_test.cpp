@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "field/distance_field.h"
 #include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
@@ -52,6 +53,11 @@ Shape<double> random_shape(test::Random& random, ShapeKind kind, double size) {
                                 : test::random_hull(random, 12, size, 3);
     case ShapeKind::Mesh:
       return make_grid(3 * size, 2 * size, 3, 2, random.chance(0.3) ? 0 : 0.3 * size);
+    case ShapeKind::Field: {
+      static const Shape<double> box = make_box(Vec3d(1, 0.6, 0.3));
+      static const Shape<double> field = field_shape(build_distance_field(box, {.cells = 8}), box);
+      return scaled(field, size * random.uniform(0.2, 1));
+    }
     case ShapeKind::Plane:
       break;
   }
@@ -68,7 +74,7 @@ PlacedShapes random_pair(test::Random& random, ShapeKind a, ShapeKind b) {
 }
 
 constexpr ShapeKind kKinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind::Hull,
-                                ShapeKind::Plane, ShapeKind::Mesh};
+                                ShapeKind::Plane,  ShapeKind::Mesh,    ShapeKind::Field};
 
 template <class S>
 CollideOptions some_options(int number) {

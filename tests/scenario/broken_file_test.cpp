@@ -25,7 +25,7 @@ TEST(BrokenFileMessage, IsOneLineOfBoundedLength) {
   const std::string of_type = complaint(one_shape("type = \"" + name + "\""));
   EXPECT_THAT(of_type, StartsWith("group/idea.toml:3:8: unknown shape type '\u00e9"));
   EXPECT_THAT(of_type, HasSubstr("..."));
-  EXPECT_THAT(of_type, ::testing::EndsWith("'mesh' and 'plane'"));
+  EXPECT_THAT(of_type, ::testing::EndsWith("'plane' and 'sdf'"));
   EXPECT_LT(of_type.size(), 700u);
 }
 

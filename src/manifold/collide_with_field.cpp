@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bounds.h"
+#include "manifold/collide_pairs.h"
+#include "manifold/field_contact.h"
+
+// A field answers points, so the other shape comes as points: its vertices, and pieces of its faces,
+// its axis or its triangles (field_contact.h). Normals are gradients of the field: points whose normals
+// differ by little share a manifold. Against a plane it is the other way round: the surface that the
+// field was made of is looked at, as of a hull.
+
+namespace contactscope {
+namespace {
+
+/// Normals within 15 degrees of the deepest point's are one manifold's.
+constexpr double kSameDirection = 0.9659;
+/// A shape is looked at in no more than about so many places along its side, or that of the field.
+constexpr double kMostPlaces = 16;
+
+/// Pieces of a shape in the field's frame.
+struct Pieces {
+  std::vector<FieldPiece> pieces;
+  double radius = 0;
+};
+
+template <class S>
+class PieceMaker {
+ public:
+  /// `near`: what of a mesh is looked at, the mesh's frame.
+  PieceMaker(const Pose<double>& in_field, const Aabb<S>& near)
+      : in_field_(in_field), near_(near) {}
+
+  Pieces of(const Shape<S>& shape) {
+    std::visit([&](const auto& kind) { add(kind); }, shape);
+    return std::move(made_);
+  }
+
+ private:
+  Vec3d place(const Vec3<S>& point) const {
+    return in_field_.transform(point.template cast<double>());
+  }
+  void add_vertex(const Vec3<S>& vertex, int index) {
+    made_.pieces.push_back({{place(vertex)}, 1, vertex_ref(Owner::A, index)});
+  }
+
+  void add(const Sphere<S>& sphere) {
+    made_.radius = static_cast<double>(sphere.radius);
+    add_vertex(Vec3<S>::Zero(), 0);
+  }
+  void add(const Capsule<S>& capsule) {
+    made_.radius = static_cast<double>(capsule.radius);
+    for (int end = 0; end < 2; ++end) add_vertex(at(capsule.points, end), end);
+    made_.pieces.push_back(
+        {{place(capsule.points[0]), place(capsule.points[1])}, 2, edge_ref(Owner::A, 0)});
+  }
+  void add(const Hull<S>& hull) {
+    for (int v = 0; v < hull.vertex_count(); ++v) add_vertex(at(hull.vertices, v), v);
+    for (int face = 0; face < hull.face_count(); ++face) {
+      const std::vector<int> around = face_vertices(hull, face);
+      for (int k = 2; k < count_of(around); ++k)
+        made_.pieces.push_back(
+            {{place(at(hull.vertices, around[0])), place(at(hull.vertices, at(around, k - 1))),
+              place(at(hull.vertices, at(around, k)))},
+             3,
+             face_ref(Owner::A, face * static_cast<int>(kMaxFaceVertices) + k)});
+    }
+  }
+  void add(const Mesh<S>& mesh) {
+    std::vector<int> vertices;
+    mesh.tree.query(near_, [&](int triangle) {
+      std::array<Vec3d, 3> corners;
+      for (int k = 0; k < 3; ++k) {
+        at(corners, k) = place(mesh.corner(triangle, k));
+        vertices.push_back(at(at(mesh.triangles, triangle), k));
+      }
+      made_.pieces.push_back({corners, 3, face_ref(Owner::A, triangle)});
+    });
+    std::ranges::sort(vertices);
+    const auto repeated = std::ranges::unique(vertices);
+    vertices.erase(repeated.begin(), repeated.end());
+    for (const int vertex : vertices) add_vertex(at(mesh.vertices, vertex), vertex);
+  }
+  void add(const Field<S>& field) {
+    std::visit([&](const auto& kind) { add(kind); }, field.source->shape);
+  }
+  /// Never: planes have a way of their own.
+  void add(const HalfSpace<S>&) {}
+
+  const Pose<double>& in_field_;
+  const Aabb<S>& near_;
+  Pieces made_;
+};
+
+template <class S>
+Pose<double> in_double_precision(const Pose<S>& pose) {
+  Pose<double> wide = pose.template cast<double>();
+  wide.rotation.normalize();
+  return wide;
+}
+
+Pose<double> inverse(const Pose<double>& pose) {
+  return relative_pose(pose, Pose<double>{});
+}
+
+/// The surface's box in metres, around it the margin, as a parent of the field sees it.
+template <class S>
+Aabb<S> reach_of(const PlacedField& field, const Pose<double>& field_in, double around) {
+  const Aabb<double>& box = field.field->surface_box();
+  Aabb<double> reach;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3d point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = (corner >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
+    reach.include(field_in.transform(field.origin + field.cell * point));
+  }
+  // What rounding to S takes off it is less than a cell's part of it.
+  const Vec3d out = Vec3d::Constant(around + 0.01 * field.cell);
+  return Aabb<double>{reach.lower - out, reach.upper + out}.template cast<S>();
+}
+
+template <class S>
+FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
+                        const CollideOptions& options, double& radius) {
+  const Pose<double> a_in_field = inverse(field_in_a);
+  const Pieces made =
+      PieceMaker<S>(a_in_field, reach_of<S>(field, field_in_a, options.margin)).of(a);
+  Aabb<double> box;
+  for (const FieldPiece& piece : made.pieces)
+    for (int k = 0; k < piece.count; ++k) box.include(at(piece.corners, k));
+  radius = made.radius;
+  const double side_a = box.empty() ? 0 : box.extent().maxCoeff();
+  const double side_b = field.cell * field.field->surface_box().extent().maxCoeff();
+  const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMostPlaces);
+  FieldTouches touches =
+      find_touches(field, made.pieces, {options.field, made.radius, options.margin, spacing});
+  if (std::isinf(touches.least)) {
+    // Nothing was near enough to be looked at: the gap of the boxes.
+    const Aabb<double> of_a = aabb_of(a)->template cast<double>();
+    const Aabb<double> of_field = reach_of<double>(field, field_in_a, 0);
+    touches.least =
+        (of_a.lower - of_field.upper).cwiseMax(of_field.lower - of_a.upper).cwiseMax(0.0).norm();
+  }
+  return touches;
+}
+
+/// Gives the touches to the sink, deepest first, those of one direction together. `in_a` places the
+/// field's frame; `flipped`: the field is A's and the points are B's.
+template <class S>
+void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<double>& in_a,
+                   bool flipped, ContactSink<S>& sink) {
+  std::ranges::stable_sort(touches, {}, &FieldTouch::separation);
+  while (!touches.empty()) {
+    const Vec3d outward = touches.front().outward;
+    std::vector<FieldTouch> rest, same;
+    for (const FieldTouch& touch : touches)
+      (touch.outward.dot(outward) >= kSameDirection ? same : rest).push_back(touch);
+    // Vertices first, so that what does not fit is from inside of a face; then evenly.
+    std::ranges::stable_partition(
+        same, [](const FieldTouch& t) { return t.feature.kind == FeatureKind::Vertex; });
+    Contact<S> contact;
+    contact.axis = AxisKind::ClosestPoints;
+    const Vec3d normal = in_a.rotate(outward) * (flipped ? 1.0 : -1.0);
+    contact.normal = normal.template cast<S>().normalized();
+    const std::size_t stride = (same.size() + kMaxManifoldPoints - 1) / kMaxManifoldPoints;
+    for (std::size_t i = 0; i < same.size(); i += stride) {
+      const FieldTouch& touch = same[i];
+      // On the field's surface, as points of a face contact are on the reference face.
+      const Vec3d on_field = touch.point - (radius + touch.separation) * touch.outward;
+      const FeatureRef other = face_ref(Owner::B, 0);
+      const FeatureId id = FeatureId::of(touch.feature, other);
+      contact.points.push_back({in_a.transform(on_field).template cast<S>(),
+                                static_cast<S>(touch.separation), flipped ? id.flipped() : id});
+    }
+    contact.type = face_contact_type(contact.points.size());
+    sink.add(contact);
+    touches = std::move(rest);
+  }
+}
+
+/// A hull around all of the field, which none of its faces meets: out by the face that is least deep.
+template <class S>
+void add_contained(const Hull<S>& hull, const Field<S>& field, const Pose<double>& field_in_a,
+                   FieldTouches& touches) {
+  const Pose<double> a_in_field = inverse(field_in_a);
+  const Aabb<S> everywhere{Vec3<S>::Constant(-std::numeric_limits<S>::infinity()),
+                           Vec3<S>::Constant(std::numeric_limits<S>::infinity())};
+  const Pieces pieces = PieceMaker<S>(field_in_a, everywhere).of(field.source->shape);
+  double least_depth = std::numeric_limits<double>::infinity();
+  FieldTouch best{};
+  for (int face = 0; face < hull.face_count(); ++face) {
+    const Plane<double> plane = at(hull.planes, face).template cast<double>();
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    Vec3d deepest = Vec3d::Zero();
+    for (const FieldPiece& piece : pieces.pieces) {
+      if (piece.count > 1) continue;
+      const double height = plane.distance(piece.corners[0]) - pieces.radius;
+      highest = std::max(highest, height + 2 * pieces.radius);
+      if (height < lowest) {
+        lowest = height;
+        deepest = piece.corners[0] - pieces.radius * plane.normal;
+      }
+    }
+    if (highest > 0) return;  // it is not inside
+    if (-lowest < least_depth) {
+      least_depth = -lowest;
+      best = {a_in_field.transform(deepest - lowest * plane.normal), lowest,
+              a_in_field.rotate(Vec3d(-plane.normal)), face_ref(Owner::A, face)};
+    }
+  }
+  touches.found.push_back(best);
+  touches.least = best.separation;
+}
+
+/// The plane is A. The points of the surface that the field was made of, deepest first.
+template <class S>
+S collide_plane_field(const HalfSpace<S>& plane, const Field<S>& field, const Pose<double>& b_in_a,
+                      const CollideOptions& options, ContactSink<S>& sink) {
+  const Aabb<S> everywhere{Vec3<S>::Constant(-std::numeric_limits<S>::infinity()),
+                           Vec3<S>::Constant(std::numeric_limits<S>::infinity())};
+  const Pieces pieces = PieceMaker<S>(b_in_a, everywhere).of(field.source->shape);
+  const Plane<double> ground = plane.plane.template cast<double>();
+  FieldTouches touches{{}, std::numeric_limits<double>::infinity()};
+  for (const FieldPiece& piece : pieces.pieces) {
+    if (piece.count > 1) continue;
+    const double separation = ground.distance(piece.corners[0]) - pieces.radius;
+    touches.least = std::min(touches.least, separation);
+    if (separation <= options.margin)
+      touches.found.push_back({piece.corners[0], separation, ground.normal, piece.feature});
+  }
+  if (touches.found.size() > kMaxManifoldPoints) {
+    std::ranges::nth_element(touches.found, touches.found.begin() + kMaxManifoldPoints, {},
+                             &FieldTouch::separation);
+    touches.found.resize(kMaxManifoldPoints);
+  }
+  add_manifolds(std::move(touches.found), pieces.radius, {}, true, sink);
+  return static_cast<S>(touches.least);
+}
+
+}  // namespace
+
+template <class S>
+S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a,
+                     const CollideOptions& options, ContactSink<S>& sink) {
+  const Pose<double> field_in_a = in_double_precision(b_in_a);
+  if (const auto* plane = std::get_if<HalfSpace<S>>(&a))
+    return collide_plane_field(*plane, b, field_in_a, options, sink);
+  double radius = 0;
+  FieldTouches touches = touches_of(a, PlacedField::of(b), field_in_a, options, radius);
+  const bool conservative = options.field == FieldSearch::Conservative;
+  if (touches.found.empty() && conservative) {
+    if (const auto* hull = std::get_if<Hull<S>>(&a)) add_contained(*hull, b, field_in_a, touches);
+    if (const auto* field = std::get_if<Field<S>>(&a)) {
+      // B may be inside A: then its surface is.
+      const Shape<S> other = b;
+      const Pose<double> a_in_b = inverse(field_in_a);
+      FieldTouches inside = touches_of(other, PlacedField::of(*field), a_in_b, options, radius);
+      add_manifolds(std::move(inside.found), radius, {}, true, sink);
+      return static_cast<S>(std::min(touches.least, inside.least));
+    }
+  }
+  const S least = static_cast<S>(touches.least);
+  add_manifolds(std::move(touches.found), radius, field_in_a, false, sink);
+  return least;
+}
+
+template decltype(collide_with_field<float>) collide_with_field<float>;
+template decltype(collide_with_field<double>) collide_with_field<double>;
+
+}  // namespace contactscope

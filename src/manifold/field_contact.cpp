@@ -1,0 +1,174 @@
+#include "manifold/field_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "core/at.h"
+
+namespace contactscope {
+namespace {
+
+/// So many cuts settle any pair that is not all along at the distance of the margin; then the nearest
+/// piece counts as a touch.
+constexpr int kMostCuts = 1 << 14;
+
+/// A piece of a piece. Its path says which: two bits for each cut.
+struct Part {
+  std::array<Vec3d, 3> corners;
+  int count;
+  FeatureRef feature;
+  std::uint32_t path = 0;
+
+  Vec3d middle() const {
+    if (count == 1) return corners[0];
+    if (count == 2) return 0.5 * (corners[0] + corners[1]);
+    return (corners[0] + corners[1] + corners[2]) / 3;
+  }
+  double reach(const Vec3d& from) const {
+    double squared = 0;
+    for (int k = 0; k < count; ++k)
+      squared = std::max(squared, (at(corners, k) - from).squaredNorm());
+    return std::sqrt(squared);
+  }
+  /// The parts that it is cut into: two of a segment; of a triangle two across its longest side, so that
+  /// slivers become compact.
+  std::array<Part, 2> cut() const {
+    std::array<Part, 2> parts{*this, *this};
+    parts[0].path = 2 * path + 1;
+    parts[1].path = 2 * path + 2;
+    int longest = 0;
+    for (int k = 1; k < (count == 3 ? 3 : 1); ++k)
+      if (side(k) > side(longest)) longest = k;
+    const int next = (longest + 1) % count;
+    const Vec3d half = 0.5 * (at(corners, longest) + at(corners, next));
+    at(parts[0].corners, next) = half;
+    at(parts[1].corners, longest) = half;
+    return parts;
+  }
+
+ private:
+  double side(int k) const { return (at(corners, (k + 1) % count) - at(corners, k)).squaredNorm(); }
+};
+
+class Search {
+ public:
+  Search(const PlacedField& field, const FieldSearchLimits& limits)
+      : field_(field), limits_(limits) {
+    const Vec3d out = Vec3d::Constant(limits.radius + limits.margin);
+    const Aabb<double>& box = field.field->surface_box();
+    box_ = {Vec3d(field.origin + field.cell * box.lower - out),
+            Vec3d(field.origin + field.cell * box.upper + out)};
+  }
+
+  /// Steps 1 and 2.
+  void look_through(const FieldPiece& piece) {
+    std::vector<Part> open{{piece.corners, piece.count, piece.feature}};
+    while (!open.empty()) {
+      const Part part = open.back();
+      open.pop_back();
+      const Vec3d middle = part.middle();
+      const double reach = part.reach(middle);
+      double bound = 0;
+      if (!can_touch(part, middle, reach, bound)) continue;
+      if (reach > limits_.spacing) {
+        for (const Part& half : part.cut()) open.push_back(half);
+        continue;
+      }
+      look_at(part, middle, reach, bound);
+    }
+  }
+
+  /// Step 3.
+  void decide() {
+    for (int cuts = 0; touches_.found.empty() && !undecided_.empty(); ++cuts) {
+      const Part part = undecided_.top().part;
+      undecided_.pop();
+      const Vec3d middle = part.middle();
+      if (part.reach(middle) <= kFieldTolerance * field_.cell || cuts == kMostCuts) {
+        add(part, middle, value(middle));
+        return;
+      }
+      for (const Part& half : part.cut()) {
+        const Vec3d of_half = half.middle();
+        double bound = 0;
+        if (!can_touch(half, of_half, half.reach(of_half), bound)) continue;
+        look_at(half, of_half, half.reach(of_half), bound);
+      }
+    }
+  }
+
+  FieldTouches&& touches() { return std::move(touches_); }
+
+ private:
+  struct Undecided {
+    double bound;  // of the separation of all its points
+    Part part;
+    bool operator<(const Undecided& other) const { return bound > other.bound; }
+  };
+
+  bool conservative() const { return limits_.search == FieldSearch::Conservative; }
+
+  bool can_touch(const Part& part, const Vec3d& middle, double reach, double& bound) {
+    if (!conservative()) {
+      Aabb<double> box;
+      for (int k = 0; k < part.count; ++k) box.include(at(part.corners, k));
+      return overlaps(box, box_);
+    }
+    bound = field_.bounds(middle).lower - reach * (1 + 0x1p-50) - limits_.radius;
+    if (bound <= limits_.margin) return true;
+    touches_.least = std::min(touches_.least, bound);
+    return false;
+  }
+
+  /// The exact distance where the field knows it and the touch depends on it.
+  FieldSample value(const Vec3d& point) const {
+    const FieldSample sample = field_.sample(point);
+    return conservative() && field_.field->settings().exact &&
+                   sample.source != FieldSample::Source::Exact
+               ? field_.exact(point)
+               : sample;
+  }
+
+  /// A touch, or to be cut further, or neither.
+  void look_at(const Part& part, const Vec3d& middle, double reach, double bound) {
+    const FieldSample sample = value(middle);
+    const double separation = sample.distance - limits_.radius;
+    if (separation <= limits_.margin) return add(part, middle, sample);
+    touches_.least = std::min(touches_.least, separation);
+    if (sample.source == FieldSample::Source::Exact)
+      bound = std::max(bound, separation - DistanceField::kExactSlack * field_.cell - reach);
+    if (reach > 0 && bound <= limits_.margin) undecided_.push({bound, part});
+  }
+
+  void add(const Part& part, const Vec3d& middle, const FieldSample& sample) {
+    const double length = sample.gradient.norm();
+    const double separation = sample.distance - limits_.radius;
+    FeatureRef feature = part.feature;
+    // As many cuts as one can tell apart in a name: 2^10 parts of each of four million triangles.
+    if (part.path > 0) feature.index = (feature.index << 10U) + 1 + part.path % 1023;
+    touches_.found.push_back({middle, separation,
+                              length > 0 ? Vec3d(sample.gradient / length) : Vec3d(Vec3d::UnitY()),
+                              feature});
+    touches_.least = std::min(touches_.least, separation);
+  }
+
+  const PlacedField& field_;
+  const FieldSearchLimits& limits_;
+  Aabb<double> box_;
+  std::priority_queue<Undecided> undecided_;
+  FieldTouches touches_{{}, std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace
+
+FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
+                          const FieldSearchLimits& limits) {
+  Search search(field, limits);
+  for (const FieldPiece& piece : pieces) search.look_through(piece);
+  if (limits.search == FieldSearch::Conservative) search.decide();
+  return search.touches();
+}
+
+}  // namespace contactscope

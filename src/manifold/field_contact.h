@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "field/distance_field.h"
+#include "manifold/collide_options.h"
+
+/// Where the surface of one shape is inside a distance field. Everything in the field's frame, metres.
+namespace contactscope {
+
+/// A part of a surface, or of the core of a round shape: a point, a segment or a triangle.
+struct FieldPiece {
+  std::array<Vec3d, 3> corners;
+  int count = 1;  // of the corners
+  FeatureRef feature;
+};
+
+/// A point of the surface, or of the core, that is no farther from the field's than the margin.
+struct FieldTouch {
+  Vec3d point;
+  double separation;  // less the radius; negative inside
+  Vec3d outward;      // unit: away from the field's surface
+  FeatureRef feature;
+};
+
+struct FieldTouches {
+  std::vector<FieldTouch> found;
+  double least;  // separation, or the least bound where no point was found; infinite: none was near
+};
+
+/// How the search goes about it. Lengths in metres.
+struct FieldSearchLimits {
+  FieldSearch search = FieldSearch::Conservative;
+  double radius = 0;   // around each piece
+  double margin = 0;   // points up to this separation are found
+  double spacing = 0;  // of points on large pieces
+};
+
+/// Points of `pieces` at or inside the surface. Corners that are vertices come as pieces of one point.
+///
+/// Steps: 1. a piece is left out where the field's lower bound at its middle is larger than what reaches
+/// it from there; 2. others are cut until they are no larger than the spacing, and their middles are
+/// looked at; 3. conservative, and none was found: the piece of the least bound is cut, again and again,
+/// until a point is inside, or all bounds are larger than the margin, or a piece is so small that the
+/// surfaces are within kFieldTolerance: it counts as a touch, with what its middle has for a separation.
+/// So an overlap is never missed, and what is apart by less than the tolerance may be called touching.
+/// Sampled: only 2, of all pieces that the box around the field's surface reaches.
+///
+/// Source of the search: Piyavskii 1972 and Shubert 1972 for functions of bounded slope.
+FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
+                          const FieldSearchLimits& limits);
+
+/// Part of a cell.
+inline constexpr double kFieldTolerance = 0x1p-8;
+
+}  // namespace contactscope

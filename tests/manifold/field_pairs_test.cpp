@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "field/distance_field.h"
+#include "field/surface_of.h"
+#include "geometry/primitives.h"
+#include "manifold/dispatch.h"
+#include "manifold/field_contact.h"
+#include "manifold/placed_shapes.h"
+#include "query/mesh_overlap.h"
+#include "query/winding.h"
+#include "support/builders.h"
+#include "support/sphere_mesh.h"
+
+namespace contactscope {
+namespace {
+
+using test::PlacedShapes;
+using test::Random;
+
+Shape<double> field_of(const Shape<double>& shape, const FieldSettings& settings = {}) {
+  return field_shape(build_distance_field(shape, settings), shape);
+}
+
+template <class S = double>
+Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
+  Manifolds<S> manifolds;
+  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
+          pair.pose_b.template cast<S>(), options, manifolds);
+  return manifolds;
+}
+
+template <class S>
+double deepest_of(const Manifolds<S>& manifolds) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Manifold<S>& manifold : manifolds) least = std::min(least, test::deepest(manifold));
+  return least;
+}
+
+TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
+  Random random(1);
+  int touching = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double size = random.decade(-4, 4);
+    const Hull<double> box = make_box(size * Vec3d(1, 0.7, 0.4));
+    const double radius = size * random.uniform(0.1, 0.5);
+    // Outside of the box the distance of the centre is the same to both.
+    const Vec3d center = box.radius * random.uniform(0.3, 1.4) * random.unit_vector();
+    const Pose<double> frame = random.pose(3 * size);
+    const PlacedShapes to_box =
+        test::moved({Sphere<double>{radius}, {Quatd::Identity(), center}, box, {}}, frame);
+    PlacedShapes to_field = to_box;
+    to_field.b = field_of(box, {.cells = 12});
+    const Manifolds<double> expected = manifolds_of(to_box), found = manifolds_of(to_field);
+    ASSERT_EQ(found.size(), expected.size()) << i;
+    if (found.empty()) continue;
+    ++touching;
+    EXPECT_NEAR(deepest_of(found), deepest_of(expected), 1e-12 * size) << i;
+    EXPECT_GT(found[0].normal.dot(expected[0].normal), 1 - 1e-9) << i;
+    EXPECT_LT((found[0].points[0].position - expected[0].points[0].position).norm(), 1e-9 * size);
+  }
+  EXPECT_GT(touching, 50);
+}
+
+TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
+  // Triangles that share a point, exactly, or a corner inside, by its winding number.
+  Random random(2);
+  int overlapping = 0, apart = 0, false_alarms = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double size = random.decade(-4, 4);
+    const Mesh<double> mesh = test::built(test::sphere_mesh(size, 12, 9, 0.3));
+    const Hull<double> hull = test::random_hull(random, 8, size * random.uniform(0.02, 0.6), 30);
+    Pose<double> hull_in_mesh = random.pose(0);
+    hull_in_mesh.position = size * random.uniform(0.8, 1.5) * random.unit_vector();
+    bool truth = mesh_overlap(mesh, surface_of(hull), hull_in_mesh).overlapping();
+    for (const Vec3d& vertex : hull.vertices)
+      truth |= winding_number(mesh, hull_in_mesh.transform(vertex)).number != 0;
+    const PlacedShapes pair = test::moved(
+        {hull, hull_in_mesh, field_of(mesh, {.cells = 16, .band = 1}), {}}, random.pose(size));
+    const Manifolds<double> found = manifolds_of(pair);
+    (truth ? overlapping : apart)++;
+    if (truth) {
+      ASSERT_FALSE(found.empty()) << i;
+    } else if (!found.empty()) {
+      // Closer than a part of a cell, and the separation says so.
+      ++false_alarms;
+      const double cell = std::get<Field<double>>(pair.b).cell;
+      EXPECT_GT(deepest_of(found), -1e-12 * size);
+      EXPECT_LT(deepest_of(found), 2 * kFieldTolerance * cell);
+    }
+  }
+  EXPECT_GT(overlapping, 100);
+  EXPECT_GT(apart, 100);
+  EXPECT_LT(false_alarms, 3);
+}
+
+TEST(FieldPairs, SamplesMissANeedleThatTheBoundFinds) {
+  // A needle sticks out of a block, through the middle of a face of another one.
+  const Hull<double> floor = make_box(Vec3d(1, 0.1, 1));
+  const Hull<double> needle = make_box(Vec3d(0.003, 0.5, 0.003));
+  int missed = 0;
+  for (int i = 0; i < 20; ++i) {
+    // The needle is the field here, and ends in the floor: no corner of the floor is near.
+    const PlacedShapes pair{floor, test::at(0, 0, 0), field_of(needle, {.cells = 64}),
+                            test::at(0.031 * i, 0.55, 0.017 * i)};
+    EXPECT_FALSE(manifolds_of(pair).empty()) << i;
+    missed += manifolds_of(pair, {.field = FieldSearch::Sampled}).empty() ? 1 : 0;
+  }
+  EXPECT_GT(missed, 10);
+}
+
+TEST(FieldPairs, ABoxOnAFieldHasItsCornersAndKeepsTheirNames) {
+  const Shape<double> floor = field_of(make_box(Vec3d(2, 0.5, 2)), {.cells = 32});
+  const auto names = [&](double x) {
+    const PlacedShapes pair{floor, test::at(0, -0.5, 0), make_box(Vec3d(0.5, 0.5, 0.5)),
+                            test::at(x, 0.49, 0.1)};
+    const Manifolds<double> found = manifolds_of(pair, {.reducer = find_reducer(kDefaultReducer)});
+    EXPECT_EQ(found.size(), 1U);
+    EXPECT_LT((found[0].normal - Vec3d::UnitY()).norm(), 1e-12);
+    EXPECT_EQ(found[0].points.size(), 4U);
+    for (const ContactPoint<double>& point : found[0].points) {
+      EXPECT_NEAR(point.separation, -0.01, 1e-12);
+      EXPECT_NEAR(std::abs(point.position.x() - x), 0.5, 1e-12);
+      EXPECT_NEAR(point.position.y(), 0, 1e-12);
+    }
+    return test::sorted_ids(found[0]);
+  };
+  const std::vector<FeatureId> before = names(0.1);
+  EXPECT_EQ(names(0.1001), before);
+  EXPECT_EQ(names(0.3), before);
+}
+
+TEST(FieldPairs, AFieldOnAPlaneTouchesWithTheCornersOfItsShape) {
+  const Hull<double> box = make_box(Vec3d(0.5, 0.4, 0.3));
+  for (const double tilt : {0.0, 0.1, 0.7}) {
+    const PlacedShapes as_hull{
+        test::ground(), {}, box, {test::about({1, 0, 2}, tilt), {0.3, 0.38, 0}}};
+    PlacedShapes as_field = as_hull;
+    as_field.b = field_of(box, {.cells = 8});
+    const Manifolds<double> expected = manifolds_of(as_hull), found = manifolds_of(as_field);
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_EQ(found[0].points.size(), expected[0].points.size());
+    EXPECT_NEAR(deepest_of(found), deepest_of(expected), 1e-15);
+    EXPECT_LT((found[0].normal - expected[0].normal).norm(), 1e-15);
+  }
+}
+
+TEST(FieldPairs, RoundShapesMeshesAndOtherFieldsMeetAField) {
+  const Shape<double> floor = field_of(make_box(Vec3d(1, 0.5, 1)), {.cells = 24});
+  const Shape<double> ball = field_of(Sphere<double>{0.5}, {.cells = 24});
+  const Mesh<double> wavy = test::built(test::sphere_mesh(0.5, 24, 17, 0));
+  const auto depth = [&](const Shape<double>& shape, double height) {
+    return -deepest_of(manifolds_of({shape, test::at(0.1, 0.5 + height, 0.1), floor, {}}));
+  };
+  EXPECT_NEAR(depth(test::lying_capsule(0.3, 0.2), 0.19), 0.01, 1e-12);
+  EXPECT_NEAR(depth(test::upright_capsule(0.3, 0.2), 0.45), 0.05, 1e-12);
+  EXPECT_NEAR(depth(ball, 0.48), 0.02, 1e-12);
+  // Poles are on z; the lowest vertices of the mesh lie on y.
+  EXPECT_NEAR(depth(wavy, 0.48), 0.02, 2e-3);
+  EXPECT_NEAR(depth(field_of(wavy, {.cells = 24}), 0.48), 0.02, 2e-3);
+  EXPECT_EQ(depth(ball, 0.51), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(depth(test::lying_capsule(0.3, 0.2), 0.21), -std::numeric_limits<double>::infinity());
+}
+
+TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
+  const Shape<double> small = field_of(make_box(Vec3d(0.1, 0.1, 0.1)), {.cells = 8});
+  const Shape<double> large = field_of(make_box(Vec3d(1, 1, 1)), {.cells = 8});
+  const Pose<double> inside = test::at(0.5, 0, 0);
+  const auto way_out = [&](const Shape<double>& a, const Shape<double>& b,
+                           const Pose<double>& b_in_a) {
+    const Manifolds<double> found = manifolds_of({a, {}, b, b_in_a});
+    EXPECT_FALSE(found.empty());
+    return deepest_of(found);
+  };
+  // By its far corner, and of two fields by that of the surface's points which is deepest.
+  EXPECT_NEAR(way_out(make_box(Vec3d(1, 1, 1)), small, inside), -0.6, 1e-12);
+  EXPECT_LE(way_out(large, small, inside), -0.5);
+  EXPECT_LE(way_out(small, large, test::at(-0.5, 0, 0)), -0.5);
+  // The distance of the ball's centre from the small box, less its radius.
+  EXPECT_NEAR(way_out(Sphere<double>{2}, small, inside), 0.4 - 2, 1e-12);
+}
+
+TEST(FieldPairs, TradingTheArgumentsMirrorsTheContact) {
+  const Shape<double> field = field_of(make_box(Vec3d(1, 0.5, 1)), {.cells = 16});
+  const Shape<double> box = make_box(Vec3d(0.3, 0.3, 0.3));
+  const Pose<double> pose{test::about({1, 2, 3}, 0.4), {0.1, 0.9, 0.2}};
+  const Manifolds<float> there = manifolds_of<float>({field, {}, box, pose});
+  const Manifolds<float> back = manifolds_of<float>({box, pose, field, {}});
+  ASSERT_FALSE(there.empty());
+  ASSERT_EQ(there.size(), back.size());
+  EXPECT_EQ(there[0].normal, Vec3f(-back[0].normal));
+  ASSERT_EQ(there[0].points.size(), back[0].points.size());
+  EXPECT_EQ(there[0].points[0].position, back[0].points[0].position);
+  EXPECT_EQ(there[0].points[0].id, back[0].points[0].id.flipped());
+}
+
+}  // namespace
+}  // namespace contactscope
