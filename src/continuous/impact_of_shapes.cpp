@@ -6,6 +6,7 @@
 
 #include "continuous/approach_to_plane.h"
 #include "continuous/swept_sphere.h"
+#include "field/distance_field.h"
 
 namespace contactscope {
 namespace {
@@ -175,15 +176,40 @@ const std::vector<ImpactMethodInfo>& impact_methods() {
 }
 
 std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
-  if (a == ShapeKind::Field || b == ShapeKind::Field)
-    return "when a distance field meets another shape is not known; give the shape that it is made "
-           "of";
+  const bool fields = a == ShapeKind::Field && b == ShapeKind::Field;
+  const bool with_mesh = (a == ShapeKind::Field && b == ShapeKind::Mesh) ||
+                         (a == ShapeKind::Mesh && b == ShapeKind::Field);
+  if (fields || with_mesh)
+    return std::string("when a distance field meets ") + (fields ? "another one" : "a mesh") +
+           " is not known; one of the shapes must be convex or a plane";
   if (is_convex(a) || is_convex(b) || (a != b)) return std::nullopt;
   return std::string("when two ") + to_string(a) + (a == ShapeKind::Mesh ? "es" : "s") +
          " meet is not known; one of the shapes must be convex, or a mesh against a plane";
 }
 
 namespace {
+
+/// What is asked of a field: what it was made of.
+template <class S>
+const Shape<S>& surface_of(const Shape<S>& shape) {
+  const auto* field = std::get_if<Field<S>>(&shape);
+  return field == nullptr ? shape : field->source->shape;
+}
+
+/// Whether a convex shape, which touches nothing of what a field was made of, is inside of it.
+template <class S>
+bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<S>& convex,
+                   const Sweep<S>& of_convex) {
+  const auto* field = std::get_if<Field<S>>(&shape);
+  if (field == nullptr || !is_convex(kind_of(convex))) return false;
+  const Vec3<S> centre = Vec3<S>::Zero();
+  const MovingShape<S> other = moving(convex, of_convex, centre);
+  const Vec3<S> point = other.motion.start.transform(other.core.points[0]);
+  const Vec3<S> arm = point - of_field.start.position;
+  const Vec3<S> own = of_field.start.rotation.conjugate() * arm;
+  const PlacedField placed{field->values, field->origin, field->cell};
+  return placed.sample(own.template cast<double>()).distance < 0;
+}
 
 template <class S>
 Sweep<S> without_turn(Sweep<S> sweep) {
@@ -227,6 +253,18 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, cons
   if (method == ImpactMethod::Swept && !(sweep_a.turn.isZero(S(0)) && sweep_b.turn.isZero(S(0))))
     return impact_of_shapes(a, without_turn(sweep_a), b, without_turn(sweep_b), method, allowed,
                             run);
+  if (kind_of(a) == ShapeKind::Field || kind_of(b) == ShapeKind::Field) {
+    ShapeImpact<S> found =
+        impact_of_shapes(surface_of(a), sweep_a, surface_of(b), sweep_b, method, allowed, run);
+    const bool inside =
+        starts_inside(a, sweep_a, b, sweep_b) || starts_inside(b, sweep_b, a, sweep_a);
+    if (inside && found.result.status != ImpactStatus::Overlapping) {
+      found = {};
+      found.result.status = ImpactStatus::Overlapping;
+      if (run != nullptr) *run = {found.result, {}};
+    }
+    return found;
+  }
   const Ordered<S> pair(a, sweep_a, b, sweep_b);
   ShapeImpact<S> found;
   if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first)) {
@@ -251,7 +289,7 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, cons
 template <class S>
 std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                                  const Sweep<S>& sweep_b, int triangle, int count) {
-  const Ordered<S> pair(a, sweep_a, b, sweep_b);
+  const Ordered<S> pair(surface_of(a), sweep_a, surface_of(b), sweep_b);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&pair.first))
     return measured<S>(ApproachToPlane<S>({plane->plane, pair.of_first}, pair.second),
                        pair.second.radius, count);

@@ -49,6 +49,9 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 /// that does not meet one that turns meets it exactly (sweep_sphere_triangle), where no gap is asked
 /// for. A mesh that overlaps at the start by one triangle is Overlapping, whatever comes later.
 ///
+/// Of a distance field the surface that it was made of is asked, whatever its lattice makes of that; a
+/// convex shape that is inside of it at the start is Overlapping.
+///
 /// Swept leaves turns out, and is wrong where something turns; Speculative asks nothing between
 /// frames, and here gets the answer of TimeOfImpact, by which its contacts can be judged.
 ///

@@ -41,7 +41,8 @@ class PieceMaker {
     return in_field_.transform(point.template cast<double>());
   }
   void add_vertex(const Vec3<S>& vertex, int index) {
-    made_.pieces.push_back({{place(vertex)}, 1, vertex_ref(Owner::A, index)});
+    const Vec3d place_of = place(vertex);
+    made_.pieces.push_back({{place_of, place_of, place_of}, 1, vertex_ref(Owner::A, index)});
   }
 
   void add(const Sphere<S>& sphere) {
@@ -51,8 +52,8 @@ class PieceMaker {
   void add(const Capsule<S>& capsule) {
     made_.radius = static_cast<double>(capsule.radius);
     for (int end = 0; end < 2; ++end) add_vertex(at(capsule.points, end), end);
-    made_.pieces.push_back(
-        {{place(capsule.points[0]), place(capsule.points[1])}, 2, edge_ref(Owner::A, 0)});
+    const Vec3d end = place(capsule.points[1]);
+    made_.pieces.push_back({{place(capsule.points[0]), end, end}, 2, edge_ref(Owner::A, 0)});
   }
   void add(const Hull<S>& hull) {
     for (int v = 0; v < hull.vertex_count(); ++v) add_vertex(at(hull.vertices, v), v);

@@ -161,6 +161,23 @@ TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {
   EXPECT_THAT(failures("speculative", "ghosts = 1\n"), testing::SizeIs(1));
 }
 
+/// Of a field its surface is met, and what is inside of it overlaps already.
+TEST(ContinuousKeys, AFieldIsMetWhereItsSurfaceIs) {
+  const auto impact_of = [](const std::string& position) {
+    const trace::Frame frame = first_frame(
+        "title = \"Field\"\n[time]\nframes = 2\ndt = 1\n[pipeline]\ncontinuous = "
+        "\"time_of_impact\"\n[shapes.ball]\ntype = \"sphere\"\nradius = 0.1\nposition = " +
+        position +
+        "\nmotion = { velocity = [0, -4, 0] }\n[shapes.solid]\ntype = \"sdf\"\ncells = 16\n"
+        "of = { type = \"box\", half_extents = [1, 1, 1] }\n");
+    return frame.pairs.at(0).impact.value_or(trace::Impact{});
+  };
+  const trace::Impact outside = impact_of("[0.3, 3.1, 0.2]");
+  EXPECT_EQ(outside.status, "hit");
+  EXPECT_NEAR(outside.time, 0.5, 1e-4);
+  EXPECT_EQ(impact_of("[0.3, 0, 0.2]").status, "overlapping");
+}
+
 /// In a step of 100,000 km float's rounding of the way is larger than what is between the two.
 TEST(ContinuousKeys, AWayThatHidesTheGapIsNoOverlap) {
   std::string text = crate_over_floor("[pipeline]\ncontinuous = \"time_of_impact\"\n");

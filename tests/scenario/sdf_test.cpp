@@ -64,7 +64,10 @@ TEST(Sdf, PairsThatCannotBeAskedAreRefusedWithTheReason) {
   EXPECT_THAT(complaint(kBoxOnField + pairs + "query = \"distance\"\n"), HasSubstr("margin"));
   EXPECT_THAT(complaint(kBoxOnField + pairs + "manifold = \"incremental\"\n"),
               HasSubstr("'floor' is a sdf"));
-  EXPECT_THAT(complaint(kBoxOnField + pairs + "continuous = \"time_of_impact\"\n"),
+  const std::string another =
+      "[shapes.rock]\ntype = \"sdf\"\ncells = 8\nof = { type = \"sphere\", radius = 0.3 }\n";
+  EXPECT_THAT(complaint(kBoxOnField + another + "[[pairs]]\na = \"floor\"\nb = \"rock\"\n" +
+                        "continuous = \"time_of_impact\"\n"),
               HasSubstr("distance field"));
 }
 
