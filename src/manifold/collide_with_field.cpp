@@ -106,7 +106,7 @@ Pose<double> inverse(const Pose<double>& pose) {
 
 /// The surface's box in metres, around it the margin, as a parent of the field sees it.
 template <class S>
-Aabb<S> reach_of(const PlacedField& field, const Pose<double>& field_in, double around) {
+Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, double around) {
   const Aabb<double>& box = field.field->surface_box();
   Aabb<double> reach;
   for (int corner = 0; corner < 8; ++corner) {
@@ -125,7 +125,7 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
                         const CollideOptions& options, double& radius) {
   const Pose<double> a_in_field = inverse(field_in_a);
   const Pieces made =
-      PieceMaker<S>(a_in_field, reach_of<S>(field, field_in_a, options.margin)).of(a);
+      PieceMaker<S>(a_in_field, field_reach<S>(field, field_in_a, options.margin)).of(a);
   Aabb<double> box;
   for (const FieldPiece& piece : made.pieces)
     for (int k = 0; k < piece.count; ++k) box.include(at(piece.corners, k));
@@ -138,7 +138,7 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   if (std::isinf(touches.least)) {
     // Nothing was near enough to be looked at: the gap of the boxes.
     const Aabb<double> of_a = aabb_of(a)->template cast<double>();
-    const Aabb<double> of_field = reach_of<double>(field, field_in_a, 0);
+    const Aabb<double> of_field = field_reach<double>(field, field_in_a, 0);
     touches.least =
         (of_a.lower - of_field.upper).cwiseMax(of_field.lower - of_a.upper).cwiseMax(0.0).norm();
   }
