@@ -291,7 +291,7 @@ void add_between_frames(const Expectation& expected, const trace::Pair& pair,
       list.push_back({"expected an impact at " + spell(*expected.impact_time) + " of the step",
                       status == "hit" ? spell_got(time, *expected.impact_time) : status});
   }
-  const int ghosts = pair.impact ? pair.impact->ghosts : 0;
+  const int ghosts = pair.impact ? count_of(pair.impact->ghosts) : 0;
   if (expected.ghosts && ghosts != *expected.ghosts)
     list.push_back(
         {"expected " + std::to_string(*expected.ghosts) + " ghosts", std::to_string(ghosts)});

@@ -71,12 +71,12 @@ inline void tell_ghosts(trace::Pair& pair) {
     if (angle > 0) arm = Eigen::AngleAxisd(angle, travel.turn / angle) * arm;
     return travel.pivot + travel.displacement + arm;
   };
-  for (trace::Manifold& manifold : pair.manifolds) {
-    for (trace::Point& point : manifold.points) {
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points) {
       const Vec3d apart =
           moved(impact.travel_b, point.position) - moved(impact.travel_a, point.position);
-      point.ghost = point.separation > 0 && point.separation + apart.dot(manifold.normal) < 0;
-      impact.ghosts += point.ghost ? 1 : 0;
+      if (point.separation > 0 && point.separation + apart.dot(manifold.normal) < 0)
+        impact.ghosts.push_back(point.position);
     }
   }
 }

@@ -49,13 +49,11 @@ struct Point {
   std::string id;  // "a:e3 b:e7"
   std::optional<Impulse> impulse{};
   std::optional<RelativeVelocity> relative_velocity{};  // where there is an impulse
-  bool ghost = false;  // it holds back shapes that would not meet in the step
 
   static constexpr auto fields() {
     return std::tuple(field::position("position", &Point::position).says(""),
                       field::length("separation", &Point::separation),
                       field::exact("id", &Point::id).optional().mirror(Mirrored::IdFlipped).finds(),
-                      field::exact("ghost", &Point::ghost).where_set(),
                       field::fact("impulse", &Point::impulse),
                       field::fact("relative_velocity", &Point::relative_velocity));
   }

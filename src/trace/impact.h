@@ -70,9 +70,9 @@ struct Impact {
   Travel travel_a, travel_b;
   /// Metres up to which contacts of a speculative pair are kept: as much nearer as the two can come.
   double margin = 0;
-  /// Contact points that hold back shapes that would not meet: speculative ones that the motion
+  /// Where contact points hold back shapes that would not meet, world: speculative ones that the motion
   /// closes, of a pair that is "separated".
-  int ghosts = 0;
+  std::vector<Vec3d> ghosts{};
   std::vector<DistanceAt> distances;  // through the step, evenly apart
   std::vector<ImpactStep> steps;
 
@@ -91,7 +91,7 @@ struct Impact {
         field::position("corners_b", &I::corners_b).where_set().says(""),
         field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
         field::fact("travel_b", &I::travel_b), field::length("margin", &I::margin).where_set(),
-        field::exact("ghosts", &I::ghosts).where_set(),
+        field::position("ghosts", &I::ghosts).where_set().says(""),
         field::facts("distances", &I::distances).where_set().entries("distance"),
         field::facts("steps", &I::steps).entries("step of the search"));
   }

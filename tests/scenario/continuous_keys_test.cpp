@@ -136,12 +136,12 @@ TEST(ContinuousKeys, GhostsAreCounted) {
   const trace::Frame frame = first_frame(text);
   ASSERT_TRUE(frame.pairs.at(0).impact);
   EXPECT_EQ(frame.pairs[0].impact->status, "separated");
-  EXPECT_EQ(frame.pairs[0].impact->ghosts, 1);
+  ASSERT_EQ(frame.pairs[0].impact->ghosts.size(), 1u);
   EXPECT_NEAR(frame.pairs[0].impact->margin, 0.01 * std::hypot(100, 60), 1e-5);
   ASSERT_EQ(frame.pairs[0].manifolds.size(), 1u);
-  EXPECT_TRUE(frame.pairs[0].manifolds[0].points.at(0).ghost);
+  EXPECT_EQ(frame.pairs[0].impact->ghosts[0], frame.pairs[0].manifolds[0].points.at(0).position);
   const trace::Frame hit = first_frame(shot("speculative"));
-  EXPECT_EQ(hit.pairs.at(0).impact->ghosts, 0);
+  EXPECT_TRUE(hit.pairs.at(0).impact->ghosts.empty());
 }
 
 TEST(ContinuousKeys, WhatHappensBetweenFramesCanBeExpected) {

@@ -7,7 +7,6 @@ namespace contactscope {
 namespace {
 
 using ::testing::Each;
-using ::testing::Field;
 using ::testing::SizeIs;
 
 constexpr int kBoxes[] = {30, 200};
@@ -22,8 +21,9 @@ TEST(BroadPhaseStudy, NoBroadPhaseMissesAPair) {
     EXPECT_THAT(study.series, SizeIs(5 * broad_phases().size()));
     for (const trace::StudySeries& series : study.series) {
       ASSERT_THAT(series.points, SizeIs(2)) << series.method;
-      EXPECT_THAT(series.points, Each(Field(&trace::StudyPoint::failed, 0))) << series.method;
-      EXPECT_THAT(series.points, Each(Field(&trace::StudyPoint::of, 2))) << series.method;
+      EXPECT_THAT(series.points, Each(testing::Field(&trace::StudyPoint::failed, 0)))
+          << series.method;
+      EXPECT_THAT(series.points, Each(testing::Field(&trace::StudyPoint::of, 2))) << series.method;
     }
   }
 }
@@ -50,7 +50,8 @@ TEST(BroadPhaseStudy, AMissedPairIsAFailure) {
       {"forgetful", 1000, 1000, [] { return std::make_unique<Forgetful>(); }}};
   for (const trace::Study& study : study_pair_finders(forgetful, kBoxes, kTwoSteps, tell_nobody))
     for (const trace::StudySeries& series : study.series)
-      EXPECT_THAT(series.points, Each(Field(&trace::StudyPoint::failed, 2))) << series.panel;
+      EXPECT_THAT(series.points, Each(testing::Field(&trace::StudyPoint::failed, 2)))
+          << series.panel;
 }
 
 TEST(BroadPhaseStudy, BruteForceComparesEveryTwoBoxesOnce) {

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
-#include "draw/scene/pairs.h"
 
 /// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous Collision".
 /// Onion skins at the times up to which the search knew them apart; where they meet; and where they
@@ -55,9 +54,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     draw_at(1, kEnd);
     sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
   }
-  for (const auto& [manifold, point] : all_points(pair)) {
-    if (!point->ghost) continue;
-    sketch.mark(MarkKind::WideRing, point->position, kAxis);
+  for (const Vec3d& ghost : impact.ghosts) {
+    sketch.mark(MarkKind::WideRing, ghost, kAxis);
     sketch.explain(kGhostSwatch, "ghost: holds back what would go past");
   }
   for (const std::vector<Vec3d>* corners : {&impact.corners_a, &impact.corners_b}) {
