@@ -111,10 +111,9 @@ class Stopper {
         return one.a == a || one.b == a || one.a == b || one.b == b;
       });
       for (int other = 0; other < count_of(bodies_); ++other) {
-        if (other != a && other != b) {
-          look(std::min(a, other), std::max(a, other));
-          look(std::min(b, other), std::max(b, other));
-        }
+        if (other == a || other == b) continue;
+        look(a, other);
+        look(b, other);
       }
       look(a, b);
     }
@@ -145,15 +144,17 @@ class Stopper {
     return !rest.displacement.isZero(S(0)) || !rest.turn.isZero(S(0));
   }
 
-  /// Two bodies that are kept from passing through each other, one of them dynamic, within reach.
-  std::optional<ContinuousPair<S>> near_pair(int a, int b) const {
-    if (!at(bodies_, a).dynamic() && !at(bodies_, b).dynamic()) return std::nullopt;
-    if (!overlaps(at(boxes_, a), at(boxes_, b))) return std::nullopt;
-    return pair_of_(a, b);
+  /// Two bodies that are kept from passing through each other, one of them dynamic, within reach; in
+  /// either order.
+  std::optional<ContinuousPair<S>> near_pair(int i, int j) const {
+    if (!at(bodies_, i).dynamic() && !at(bodies_, j).dynamic()) return std::nullopt;
+    if (!overlaps(at(boxes_, i), at(boxes_, j))) return std::nullopt;
+    return pair_of_(std::min(i, j), std::max(i, j));
   }
 
-  /// Writes down when the two meet next.
-  void look(int a, int b) {
+  /// Writes down when two bodies, in either order, meet next.
+  void look(int one, int other) {
+    const int a = std::min(one, other), b = std::max(one, other);
     if (!moves(a) && !moves(b)) return;
     if (const auto before = stops_of_.find({a, b});
         before != stops_of_.end() && before->second >= kMostStopsOfAPair)
@@ -172,8 +173,8 @@ class Stopper {
                          limits)
             .result;
     if (found.status != ImpactStatus::Hit && found.status != ImpactStatus::OutOfIterations) return;
-    Meeting<S> meeting{
-        .a = a, .b = b, .time = since + rounded_down<S>(found.time) * (S(1) - since)};
+    const S time = since + rounded_down<S>(found.time) * (S(1) - since);
+    Meeting<S> meeting{.a = a, .b = b, .time = std::min(time, S(1))};
     meeting.normal = found.normal.template cast<S>();
     meeting.point = found.on_a.template cast<S>();
     meeting.lacking = static_cast<S>(lacking_of(found.distance, limits.gap));
@@ -182,13 +183,12 @@ class Stopper {
 
   ImpactStop<S> stop(const Meeting<S>& meeting) {
     const int a = meeting.a, b = meeting.b;
-    const S time = std::min(meeting.time, S(1));
-    const int count = ++stops_of_[{a, b}];
-    const bool for_good = count >= kMostStopsOfAPair;
+    const S time = meeting.time;
+    const bool for_good = ++stops_of_[{a, b}] >= kMostStopsOfAPair;
     for (const int i : {a, b}) {
       if (!at(bodies_, i).dynamic()) continue;
       Path<S>& path = at(paths_, i);
-      path.rest = path.from < S(1) ? path.since(time) : path.rest;
+      path.rest = path.since(time);
       path.from = time;
     }
     move_apart(meeting);
@@ -203,7 +203,7 @@ class Stopper {
       path.rest.turn = left * body.angular_velocity;
       at(boxes_, i) = box_of(i);
     }
-    return {a, b, meeting.time, meeting.normal, meeting.point, for_good};
+    return {a, b, time, meeting.normal, meeting.point, for_good};
   }
 
   /// Cores that turn come nearer with each stop, until rounding says that they overlap and nobody
@@ -224,9 +224,7 @@ class Stopper {
   void push_apart(int a, int b, S time) {
     std::vector<int> who{a, b};
     for (int other = 0; other < count_of(bodies_); ++other)
-      if (other != a && other != b &&
-          (near_pair(std::min(a, other), std::max(a, other)) ||
-           near_pair(std::min(b, other), std::max(b, other))))
+      if (other != a && other != b && (near_pair(a, other) || near_pair(b, other)))
         who.push_back(other);
     std::vector<Body<S>> local;
     for (const int i : who) {
@@ -243,17 +241,15 @@ class Stopper {
     options.margin = static_cast<S>(settings_.speculative_margin.value_or(0));
     std::vector<Manifolds<S>> contacts;
     std::vector<PairContacts<S>> pairs;
-    contacts.reserve(2 * who.size());
+    contacts.reserve(2 * who.size());  // pairs point into it
     for (int i = 0; i < 2; ++i) {
       for (int j = i + 1; j < count_of(who); ++j) {
-        const int first = std::min(at(who, i), at(who, j)),
-                  second = std::max(at(who, i), at(who, j));
-        if (!at(local, i).dynamic() && !at(local, j).dynamic()) continue;
-        const auto pair = near_pair(first, second);
+        const auto pair = near_pair(at(who, i), at(who, j));
         if (!pair) continue;
-        const int one = first == at(who, i) ? i : j, two = first == at(who, i) ? j : i;
+        // As everywhere else, the body that comes first is a.
+        const int one = at(who, i) < at(who, j) ? i : j, two = i + j - one;
         Manifolds<S>& found = contacts.emplace_back();
-        collide(at(shapes_, first), at(local, one).pose(), at(shapes_, second),
+        collide(at(shapes_, at(who, one)), at(local, one).pose(), at(shapes_, at(who, two)),
                 at(local, two).pose(), options, found);
         pairs.push_back({one, two, &found, pair->friction, pair->restitution});
       }

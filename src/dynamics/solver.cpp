@@ -5,14 +5,24 @@
 #include "dynamics/solve_velocities.h"
 
 namespace contactscope {
+namespace {
+
+template <class S>
+std::vector<SolverBody<S>> solver_bodies(const std::vector<Body<S>>& bodies) {
+  std::vector<SolverBody<S>> moving;
+  for (const Body<S>& body : bodies) moving.push_back({body});
+  for (SolverBody<S>& body : moving) body.turn_inertia();
+  return moving;
+}
+
+}  // namespace
+
 template <class S>
 void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& given, S dt) {
   const SolverSettings settings = settled(given, bodies);
-  std::vector<SolverBody<S>> moving;
-  for (const Body<S>& body : bodies) moving.push_back({body});
-  for (SolverBody<S>& body : moving) body.turn_inertia();
+  std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   impulses.resize(pairs.size());
   std::vector<ContactConstraint<S>> contacts = prepare_contacts<S>(all, pairs, impulses, settings);
@@ -63,9 +73,7 @@ void solve_impact(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>>
                   const SolverSettings& given, S dt) {
   SolverSettings settings = settled(given, bodies);
   settings.substeps = 1;
-  std::vector<SolverBody<S>> moving;
-  for (const Body<S>& body : bodies) moving.push_back({body});
-  for (SolverBody<S>& body : moving) body.turn_inertia();
+  std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   const std::vector<PairImpulses<S>> none(pairs.size());
   std::vector<ContactConstraint<S>> contacts = prepare_contacts<S>(all, pairs, none, settings);

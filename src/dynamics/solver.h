@@ -136,11 +136,11 @@ std::vector<ImpactStop<S>> step(World<S>& world, const std::vector<Shape<S>>& sh
     const WorldPair<S>& pair = world.pairs[i];
     pairs.push_back({pair.a, pair.b, &contacts[i], pair.friction, pair.restitution});
   }
-  const std::vector<Body<S>> before = world.bodies;
+  const bool looks = std::ranges::any_of(
+      world.pairs, [](const auto& pair) { return pair.continuous.has_value(); });
+  const std::vector<Body<S>> before = looks ? world.bodies : std::vector<Body<S>>{};
   solve_step<S>(world.bodies, pairs, world.impulses, world.gravity, settings, dt);
-  if (!std::ranges::any_of(world.pairs,
-                           [](const auto& pair) { return pair.continuous.has_value(); }))
-    return {};
+  if (!looks) return {};
   if (world.cores.empty()) world.cores = impact_cores(world.bodies, shapes, settings);
   const auto pair_of = [&](int a, int b) -> std::optional<ContinuousPair<S>> {
     for (const WorldPair<S>& pair : world.pairs)

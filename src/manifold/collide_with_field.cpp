@@ -4,6 +4,7 @@
 #include "geometry/bounds.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
+#include "manifold/in_double.h"
 
 // A field answers points, so the other shape comes as points: its vertices, and pieces of its faces,
 // its axis or its triangles (field_contact.h). Normals are gradients of the field: points whose normals
@@ -92,13 +93,6 @@ class PieceMaker {
   const Aabb<S>& near_;
   Pieces made_;
 };
-
-template <class S>
-Pose<double> in_double_precision(const Pose<S>& pose) {
-  Pose<double> wide = pose.template cast<double>();
-  wide.rotation.normalize();
-  return wide;
-}
 
 Pose<double> inverse(const Pose<double>& pose) {
   return relative_pose(pose, Pose<double>{});
@@ -244,7 +238,7 @@ S collide_plane_field(const HalfSpace<S>& plane, const Field<S>& field, const Po
 template <class S>
 S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a,
                      const CollideOptions& options, ContactSink<S>& sink) {
-  const Pose<double> field_in_a = in_double_precision(b_in_a);
+  const Pose<double> field_in_a = in_double(b_in_a);
   if (const auto* plane = std::get_if<HalfSpace<S>>(&a))
     return collide_plane_field(*plane, b, field_in_a, options, sink);
   double radius = 0;

@@ -50,8 +50,9 @@ inline Shape<double> in_double(const Shape<float>& shape) {
 }
 
 /// The rotation is made unit to double's precision, so that a long lever keeps its length.
-inline Pose<double> in_double(const Pose<float>& pose) {
-  Pose<double> wide = pose.cast<double>();
+template <class S>
+Pose<double> in_double(const Pose<S>& pose) {
+  Pose<double> wide = pose.template cast<double>();
   wide.rotation.normalize();
   return wide;
 }

@@ -69,7 +69,7 @@ class BetweenFrames {
               trace::Pair& record) const {
     if (!asks(pair)) return;
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
-    if (is_mesh(a) && is_mesh(b)) {
+    if (a.is_mesh() && b.is_mesh()) {
       record.impact = mesh_impact_facts(a, b, frame * scenario_.dt, (frame + 1) * scenario_.dt);
       return;
     }
@@ -89,9 +89,7 @@ class BetweenFrames {
     if (!cores_) return {};
     const auto pair_of = [&](int a, int b) -> std::optional<ContinuousPair<S>> {
       const PipelineSettings* settings = settings_of(a, b);
-      if (settings == nullptr || !settings->continuous ||
-          impact_refusal(scenario_.shape(a), scenario_.shape(b)))
-        return std::nullopt;
+      if (settings == nullptr || !asks(a, b, settings->continuous)) return std::nullopt;
       const auto [friction, restitution] = surfaces_of<S>(scenario_, a, b);
       return ContinuousPair<S>{*settings->continuous, friction, restitution};
     };
@@ -100,14 +98,11 @@ class BetweenFrames {
   }
 
  private:
-  static bool is_mesh(const ScenarioShape& shape) {
-    return kind_of(*shape.geometry) == ShapeKind::Mesh;
-  }
-
   bool asks(const ScenarioPair& pair) const {
-    const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
-    if (!pair.pipeline.continuous || impact_refusal(a, b)) return false;
-    return !(is_mesh(a) && is_mesh(b)) || pair.pipeline.continuous == ImpactMethod::TimeOfImpact;
+    return asks(pair.a, pair.b, pair.pipeline.continuous);
+  }
+  bool asks(int a, int b, const std::optional<ImpactMethod>& method) const {
+    return method && !impact_refusal(scenario_.shape(a), scenario_.shape(b), *method);
   }
 
   /// How a shape goes through the step: a body as it moves and falls if nothing stops it, all others as

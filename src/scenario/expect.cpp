@@ -120,7 +120,7 @@ void require_triangles(const Value& count, const Expectation& expectation,
                        const Scenario& scenario) {
   for (const int index : {expectation.a, expectation.b}) {
     const ScenarioShape& shape = scenario.shape(index);
-    if (kind_of(*shape.geometry) != ShapeKind::Mesh)
+    if (!shape.is_mesh())
       count.fail("'intersections' are of the triangles of two meshes, and '" + shape.name +
                  "' is none; expect overlap");
   }

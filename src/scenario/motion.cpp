@@ -51,11 +51,13 @@ Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<doubl
   return compose(pose, {Quatd::Identity(), Vec3d(-shape.collider_origin)});
 }
 
-std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b) {
-  const auto is_mesh = [](const ScenarioShape& shape) {
-    return kind_of(*shape.geometry) == ShapeKind::Mesh;
-  };
-  if (is_mesh(a) && is_mesh(b)) return std::nullopt;
+std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b,
+                                          ImpactMethod method) {
+  if (a.is_mesh() && b.is_mesh()) {
+    if (method == ImpactMethod::TimeOfImpact) return std::nullopt;
+    return "two meshes are asked corner by corner and edge by edge; set continuous = "
+           "\"time_of_impact\"";
+  }
   for (const ScenarioShape* shape : {&a, &b})
     if (shape->deforms())
       return "'" + shape->name +

@@ -102,15 +102,8 @@ void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>
   const auto key = entry.find("continuous");
   if (!key || !pair.pipeline.continuous) return;
   const ScenarioShape &a = at(shapes, pair.a), &b = at(shapes, pair.b);
-  if (const auto reason = impact_refusal(a, b))
+  if (const auto reason = impact_refusal(a, b, *pair.pipeline.continuous))
     key->fail("'" + a.name + "' and '" + b.name + "' cannot be asked when they meet: " + *reason);
-  const auto is_mesh = [](const ScenarioShape& shape) {
-    return kind_of(*shape.geometry) == ShapeKind::Mesh;
-  };
-  if (is_mesh(a) && is_mesh(b) && pair.pipeline.continuous != ImpactMethod::TimeOfImpact)
-    key->fail(
-        "two meshes are asked corner by corner and edge by edge; set continuous = "
-        "\"time_of_impact\"");
 }
 
 /// The settings that [pipeline] and a [[pairs]] entry share; keys of incremental manifolds are

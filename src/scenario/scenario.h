@@ -66,6 +66,7 @@ struct ScenarioShape {
   bool dynamic() const { return body.has_value(); }
   bool deforms() const { return motion.deformation != nullptr; }
   bool is_moved() const { return !collider_origin.isZero(0); }
+  bool is_mesh() const { return kind_of(*geometry) == ShapeKind::Mesh; }
   /// nullptr for shapes that are no hulls.
   const Hull<double>* hull() const { return std::get_if<Hull<double>>(geometry.get()); }
 };
@@ -105,8 +106,9 @@ struct PipelineSettings {
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
 
-/// Why nobody can say when two shapes meet between frames; nothing where one can.
-std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b);
+/// Why nobody can say by this method when two shapes meet between frames; nothing where one can.
+std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b,
+                                          ImpactMethod method);
 
 /// Two shapes to collide, by index into Scenario::shapes, with the settings for this pair: those of
 /// [pipeline], overridden by the keys of the [[pairs]] entry.
@@ -176,9 +178,7 @@ struct Scenario {
 
 /// Whether a pair is two meshes that are asked themselves, so that both trees are gone through.
 inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
-  const auto is_mesh = [&](int i) {
-    return kind_of(*scenario.shape(i).geometry) == ShapeKind::Mesh;
-  };
+  const auto is_mesh = [&](int i) { return scenario.shape(i).is_mesh(); };
   return !pair.pipeline.makes_contacts() && !pair.pipeline.question.bounds && is_mesh(pair.a) &&
          is_mesh(pair.b);
 }

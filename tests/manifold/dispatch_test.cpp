@@ -14,6 +14,7 @@
 namespace contactscope {
 namespace {
 
+using test::manifolds_of;
 using test::PlacedShapes;
 
 template <class T>
@@ -83,14 +84,6 @@ CollideOptions some_options(int number) {
   options.margin = number % 3 == 0 ? S(0.05) : S(0);
   options.reducer = number % 2 == 0 ? find_reducer("area") : nullptr;
   return options;
-}
-
-template <class S>
-Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options) {
-  Manifolds<S> manifolds;
-  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
-          pair.pose_b.template cast<S>(), options, manifolds);
-  return manifolds;
 }
 
 PlacedShapes swapped(const PlacedShapes& pair) {

@@ -16,26 +16,13 @@
 namespace contactscope {
 namespace {
 
+using test::deepest_of;
+using test::manifolds_of;
 using test::PlacedShapes;
 using test::Random;
 
 Shape<double> field_of(const Shape<double>& shape, const FieldSettings& settings = {}) {
   return field_shape(build_distance_field(shape, settings), shape);
-}
-
-template <class S = double>
-Manifolds<S> manifolds_on(const PlacedShapes& pair, const CollideOptions& options = {}) {
-  Manifolds<S> manifolds;
-  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
-          pair.pose_b.template cast<S>(), options, manifolds);
-  return manifolds;
-}
-
-template <class S>
-double deepest_of(const Manifolds<S>& manifolds) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Manifold<S>& manifold : manifolds) least = std::min(least, test::deepest(manifold));
-  return least;
 }
 
 TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
@@ -52,7 +39,7 @@ TEST(FieldPairs, ASphereTouchesAFieldAsItTouchesTheBoxThatItIsMadeOf) {
         test::moved({Sphere<double>{radius}, {Quatd::Identity(), center}, box, {}}, frame);
     PlacedShapes to_field = to_box;
     to_field.b = field_of(box, {.cells = 12});
-    const Manifolds<double> expected = manifolds_on(to_box), found = manifolds_on(to_field);
+    const Manifolds<double> expected = manifolds_of(to_box), found = manifolds_of(to_field);
     ASSERT_EQ(found.size(), expected.size()) << i;
     if (found.empty()) continue;
     ++touching;
@@ -78,7 +65,7 @@ TEST(FieldPairs, SlowAHullThatCrossesAMeshIsNeverMissed) {
       truth |= winding_number(mesh, hull_in_mesh.transform(vertex)).number != 0;
     const PlacedShapes pair = test::moved(
         {hull, hull_in_mesh, field_of(mesh, {.cells = 16, .band = 1}), {}}, random.pose(size));
-    const Manifolds<double> found = manifolds_on(pair);
+    const Manifolds<double> found = manifolds_of(pair);
     (truth ? overlapping : apart)++;
     if (truth) {
       ASSERT_FALSE(found.empty()) << i;
@@ -104,8 +91,8 @@ TEST(FieldPairs, SamplesMissANeedleThatTheBoundFinds) {
     // The needle is the field here, and ends in the floor: no corner of the floor is near.
     const PlacedShapes pair{floor, test::at(0, 0, 0), field_of(needle, {.cells = 64}),
                             test::at(0.031 * i, 0.55, 0.017 * i)};
-    EXPECT_FALSE(manifolds_on(pair).empty()) << i;
-    missed += manifolds_on(pair, {.field = FieldSearch::Sampled}).empty() ? 1 : 0;
+    EXPECT_FALSE(manifolds_of(pair).empty()) << i;
+    missed += manifolds_of(pair, {.field = FieldSearch::Sampled}).empty() ? 1 : 0;
   }
   EXPECT_GT(missed, 10);
 }
@@ -115,7 +102,7 @@ TEST(FieldPairs, ABoxOnAFieldHasItsCornersAndKeepsTheirNames) {
   const auto names = [&](double x) {
     const PlacedShapes pair{floor, test::at(0, -0.5, 0), make_box(Vec3d(0.5, 0.5, 0.5)),
                             test::at(x, 0.49, 0.1)};
-    const Manifolds<double> found = manifolds_on(pair, {.reducer = find_reducer(kDefaultReducer)});
+    const Manifolds<double> found = manifolds_of(pair, {.reducer = find_reducer(kDefaultReducer)});
     EXPECT_EQ(found.size(), 1U);
     EXPECT_LT((found[0].normal - Vec3d::UnitY()).norm(), 1e-12);
     EXPECT_EQ(found[0].points.size(), 4U);
@@ -138,7 +125,7 @@ TEST(FieldPairs, AFieldOnAPlaneTouchesWithTheCornersOfItsShape) {
         test::ground(), {}, box, {test::about({1, 0, 2}, tilt), {0.3, 0.38, 0}}};
     PlacedShapes as_field = as_hull;
     as_field.b = field_of(box, {.cells = 8});
-    const Manifolds<double> expected = manifolds_on(as_hull), found = manifolds_on(as_field);
+    const Manifolds<double> expected = manifolds_of(as_hull), found = manifolds_of(as_field);
     ASSERT_EQ(found.size(), expected.size());
     EXPECT_EQ(found[0].points.size(), expected[0].points.size());
     EXPECT_NEAR(deepest_of(found), deepest_of(expected), 1e-15);
@@ -151,7 +138,7 @@ TEST(FieldPairs, RoundShapesMeshesAndOtherFieldsMeetAField) {
   const Shape<double> ball = field_of(Sphere<double>{0.5}, {.cells = 24});
   const Mesh<double> wavy = test::built(test::sphere_mesh(0.5, 24, 17, 0));
   const auto depth = [&](const Shape<double>& shape, double height) {
-    return -deepest_of(manifolds_on({shape, test::at(0.1, 0.5 + height, 0.1), floor, {}}));
+    return -deepest_of(manifolds_of({shape, test::at(0.1, 0.5 + height, 0.1), floor, {}}));
   };
   EXPECT_NEAR(depth(test::lying_capsule(0.3, 0.2), 0.19), 0.01, 1e-12);
   EXPECT_NEAR(depth(test::upright_capsule(0.3, 0.2), 0.45), 0.05, 1e-12);
@@ -169,7 +156,7 @@ TEST(FieldPairs, WhatIsWhollyInsideIsFound) {
   const Pose<double> inside = test::at(0.5, 0, 0);
   const auto way_out = [&](const Shape<double>& a, const Shape<double>& b,
                            const Pose<double>& b_in_a) {
-    const Manifolds<double> found = manifolds_on({a, {}, b, b_in_a});
+    const Manifolds<double> found = manifolds_of({a, {}, b, b_in_a});
     EXPECT_FALSE(found.empty());
     return deepest_of(found);
   };
@@ -185,8 +172,8 @@ TEST(FieldPairs, TradingTheArgumentsMirrorsTheContact) {
   const Shape<double> field = field_of(make_box(Vec3d(1, 0.5, 1)), {.cells = 16});
   const Shape<double> box = make_box(Vec3d(0.3, 0.3, 0.3));
   const Pose<double> pose{test::about({1, 2, 3}, 0.4), {0.1, 0.9, 0.2}};
-  const Manifolds<float> there = manifolds_on<float>({field, {}, box, pose});
-  const Manifolds<float> back = manifolds_on<float>({box, pose, field, {}});
+  const Manifolds<float> there = manifolds_of<float>({field, {}, box, pose});
+  const Manifolds<float> back = manifolds_of<float>({box, pose, field, {}});
   ASSERT_FALSE(there.empty());
   ASSERT_EQ(there.size(), back.size());
   EXPECT_EQ(there[0].normal, Vec3f(-back[0].normal));

@@ -14,23 +14,10 @@ namespace {
 
 using test::about;
 using test::at;
+using test::deepest_of;
 using test::kDegree;
+using test::manifolds_of;
 using test::PlacedShapes;
-
-template <class S>
-Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
-  Manifolds<S> manifolds;
-  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
-          pair.pose_b.template cast<S>(), options, manifolds);
-  return manifolds;
-}
-
-template <class S>
-double deepest(const Manifolds<S>& manifolds) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Manifold<S>& manifold : manifolds) least = std::min(least, test::deepest(manifold));
-  return least;
-}
 
 /// Largest angle of any normal from `direction`, radians.
 template <class S>
@@ -109,7 +96,7 @@ TEST(MeshPairs, ASphereIsAsFarFromATriangleAsItsClosestPoint) {
     }
     if (manifolds.empty()) continue;
     ++touching;
-    ASSERT_NEAR(deepest(manifolds), separation, tolerance) << i;
+    ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i;
     ASSERT_EQ(manifolds[0].triangle, 0);
   }
   EXPECT_GT(touching, 400);
@@ -149,7 +136,7 @@ TEST(MeshPairs, ACapsuleBesideATriangleIsAsFarAsTheClosestPoints) {
     }
     if (manifolds.empty()) continue;
     ++touching;
-    ASSERT_NEAR(deepest(manifolds), separation, tolerance) << i;
+    ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i;
   }
   EXPECT_GT(touching, 400);
 }
@@ -178,7 +165,7 @@ TEST(MeshPairs, AHullOverlapsATriangleAsDeepAsTheShallowestOfAllAxesSays) {
     }
     if (manifolds.empty()) continue;
     ++touching;
-    ASSERT_NEAR(deepest(manifolds), separation, tolerance) << i;
+    ASSERT_NEAR(deepest_of(manifolds), separation, tolerance) << i;
   }
   EXPECT_GT(touching, 400);
 }
@@ -239,7 +226,7 @@ void slide(const Slider& slider, double size, bool internal_edges, double& worst
     pose.rotation = about(Vec3d::UnitY(), 0.3);
     const Manifolds<S> manifolds = manifolds_of<S>({slider.shape, pose, floor, {}}, options);
     worst_angle = std::max(worst_angle, worst_turn(manifolds, Vec3d(0, -1, 0)));
-    worst_depth = std::max(worst_depth, std::abs(deepest(manifolds) + depth));
+    worst_depth = std::max(worst_depth, std::abs(deepest_of(manifolds) + depth));
     least_manifolds = std::min(least_manifolds, static_cast<int>(manifolds.size()));
   }
 }
@@ -282,10 +269,10 @@ TEST(MeshPairs, NothingFeelsAnEdgeOfAFlatFloorHoweverNearToItItIs) {
         const PlacedShapes pair{slider.shape, pose, floor, {}};
         const Manifolds<double> in_double = manifolds_of<double>(pair);
         ASSERT_LT(worst_turn(in_double, Vec3d(0, -1, 0)), 1e-14) << slider.name << place;
-        ASSERT_NEAR(deepest(in_double), -0.01 * size, 1e-15 * size) << slider.name << place;
+        ASSERT_NEAR(deepest_of(in_double), -0.01 * size, 1e-15 * size) << slider.name << place;
         const Manifolds<float> in_float = manifolds_of<float>(pair);
         ASSERT_LT(worst_turn(in_float, Vec3d(0, -1, 0)), 8e-6) << slider.name << place;
-        ASSERT_NEAR(deepest(in_float), -0.01 * size, 1e-6 * size) << slider.name << place;
+        ASSERT_NEAR(deepest_of(in_float), -0.01 * size, 1e-6 * size) << slider.name << place;
         if (slider.name != std::string("sphere")) return;
         ASSERT_EQ(in_double.size(), 1u) << place;
         ASSERT_EQ(in_double[0].points[0].id.second.kind, FeatureKind::Face) << place;
@@ -348,7 +335,7 @@ TEST(MeshPairs, ASphereTouchesTheMeshOfACubeAsItTouchesTheCube) {
     ASSERT_EQ(surface.empty(), solid.points.empty()) << i;
     if (surface.empty()) continue;
     ++touching;
-    ASSERT_NEAR(deepest(surface), test::deepest(solid), 1e-14) << i;
+    ASSERT_NEAR(deepest_of(surface), test::deepest(solid), 1e-14) << i;
     double nearest = 10;
     for (const Manifold<double>& manifold : surface)
       nearest = std::min(nearest, worst_turn<double>({manifold}, solid.normal));
@@ -377,7 +364,7 @@ TEST(MeshPairs, SlowOnATerrainTheDeepestPointIsTheClosestOfTheWholeSurface) {
     ASSERT_EQ(manifolds.empty(), distance > radius) << i;
     if (manifolds.empty()) continue;
     ++touching;
-    ASSERT_NEAR(deepest(manifolds), distance - radius, 1e-13) << i;
+    ASSERT_NEAR(deepest_of(manifolds), distance - radius, 1e-13) << i;
   }
   EXPECT_GT(touching, 100);
 }

@@ -20,6 +20,14 @@ struct PlacedShapes {
   Pose<double> pose_b;
 };
 
+template <class S = double>
+Manifolds<S> manifolds_of(const PlacedShapes& pair, const CollideOptions& options = {}) {
+  Manifolds<S> manifolds;
+  collide(shape_cast<S>(pair.a), pair.pose_a.template cast<S>(), shape_cast<S>(pair.b),
+          pair.pose_b.template cast<S>(), options, manifolds);
+  return manifolds;
+}
+
 inline Shape<double> ball(double radius) {
   return Sphere<double>{radius};
 }
@@ -161,6 +169,13 @@ double deepest_of(const Manifold<S>& manifold) {
   for (const ContactPoint<S>& point : manifold.points) {
     least = std::min(least, static_cast<double>(point.separation));
   }
+  return least;
+}
+
+template <class S>
+double deepest_of(const Manifolds<S>& manifolds) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Manifold<S>& manifold : manifolds) least = std::min(least, deepest_of(manifold));
   return least;
 }
 

@@ -4,17 +4,12 @@
 
 #include "study/study.h"
 #include "study/time_of_impact_study.h"
+#include "study_lines.h"
 
 namespace contactscope {
 namespace {
 
-/// What a method came to in a panel, by growing parameter.
-const trace::StudySeries& impact_line_of(const trace::Study& study, const std::string& method,
-                                         const std::string& panel) {
-  for (const trace::StudySeries& series : study.series)
-    if (series.method == method && series.panel == panel) return series;
-  throw std::out_of_range(method + ", " + panel);
-}
+using test::line_of;
 
 TEST(TimeOfImpactStudy, SlowOursMissNothingAndSamplingDoes) {
   StudyOptions options;
@@ -34,8 +29,8 @@ TEST(TimeOfImpactStudy, SlowOursMissNothingAndSamplingDoes) {
   }
   EXPECT_EQ(checked, 4 * (4 + 4 + 6));
   // In a step of a hundred metres the hulls are in each other for two of them.
-  EXPECT_GT(impact_line_of(results[0], "8 samples", "translating").points.back().failed, 1);
-  EXPECT_GT(*impact_line_of(results[1], "8 samples", "translating").points.back().error, 0.1);
+  EXPECT_GT(line_of(results[0], "translating", "8 samples").points.back().failed, 1);
+  EXPECT_GT(*line_of(results[1], "translating", "8 samples").points.back().error, 0.1);
 }
 
 TEST(TunnellingStudy, SlowNothingPassesATimeOfImpact) {
@@ -55,12 +50,11 @@ TEST(TunnellingStudy, SlowNothingPassesATimeOfImpact) {
     }
   }
   // At 5 m/s a sphere goes 8 cm a step, less than its size with the wall's; at 1000 m/s 17 m.
-  const auto& discrete = impact_line_of(results[0], "discrete", "spheres, a wall of 1 cm");
+  const auto& discrete = line_of(results[0], "spheres, a wall of 1 cm", "discrete");
   EXPECT_LT(*discrete.points.front().error, 0.7);
   EXPECT_GT(*discrete.points.back().error, 0.9);
-  const auto& swept =
-      impact_line_of(results[1], "swept bounding sphere", "spinning rods, a wall of 1 cm");
-  const auto& exact = impact_line_of(results[1], "time of impact", "spinning rods, a wall of 1 cm");
+  const auto& swept = line_of(results[1], "spinning rods, a wall of 1 cm", "swept bounding sphere");
+  const auto& exact = line_of(results[1], "spinning rods, a wall of 1 cm", "time of impact");
   EXPECT_GT(*swept.points.back().error, 0.05);
   EXPECT_LT(*exact.points.back().error, 1e-3);
 }

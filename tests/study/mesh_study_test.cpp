@@ -7,10 +7,13 @@
 #include "core/at.h"
 #include "study/study.h"
 #include "study/triangle_answers.h"
+#include "study_lines.h"
 #include "support/exact_triangles.h"
 
 namespace contactscope {
 namespace {
+
+using test::line_of;
 
 std::vector<trace::Study> quick(RunStudy* run, int cases, int frames) {
   StudyOptions options;
@@ -18,13 +21,6 @@ std::vector<trace::Study> quick(RunStudy* run, int cases, int frames) {
   options.repetitions = 1;
   options.frames = frames;
   return run(options, [](int, int, const auto&) {});
-}
-
-const trace::StudySeries& line_of(const trace::Study& study, const std::string& panel,
-                                  const std::string& method) {
-  return *std::ranges::find_if(study.series, [&](const trace::StudySeries& series) {
-    return series.method == method && series.panel == panel;
-  });
 }
 
 TEST(TriangleStudy, TheExactTestIsNeverWrongAndAnEpsilonIsRightAtNoMoreThanItsOwnSize) {
