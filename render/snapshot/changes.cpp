@@ -118,6 +118,22 @@ void Changes::compare(const Wording& field, const std::array<double, 2>& expecte
   end.words = "upper end of the " + field.words;
   compare(end, expected[1], actual[1]);
 }
+void Changes::compare(const Wording& field, const std::vector<double>& expected,
+                      std::vector<double>& actual) {
+  if (expected.size() != actual.size()) {
+    return add({}, std::to_string(expected.size()) + " -> " + std::to_string(actual.size()) + " " +
+                       field.words.substr(0, field.words.size() - 1) + "s");
+  }
+  std::size_t first = 0, changed = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (settle(field.kind, expected[i], actual[i], tolerance_.of(field.kind, expected[i])))
+      continue;
+    if (changed++ == 0) first = i;
+  }
+  if (changed == 0) return;
+  const std::string more = changed > 1 ? ", " + std::to_string(changed - 1) + " more" : "";
+  add(field, std::to_string(first) + " " + spell_change(expected[first], actual[first]) + more);
+}
 
 template <class Face>
 requires std::same_as<typename Face::value_type, int>

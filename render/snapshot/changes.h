@@ -62,6 +62,9 @@ class Changes {
   /// An interval.
   void compare(const Wording& field, const std::array<double, 2>& expected,
                std::array<double, 2>& actual);
+  /// "120 -> 100 distances", or "distance 7 0.5 -> 0.6, 2 more".
+  void compare(const Wording& field, const std::vector<double>& expected,
+               std::vector<double>& actual);
   /// An index, a name or a list of indices: "3 -> 4".
   template <class T>
   requires requires(const T& value) { spell_change(value, value); }

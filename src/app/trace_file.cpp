@@ -134,6 +134,12 @@ void check_frame(const trace::Header& header, const trace::Frame& frame, int bef
                 " 'vertices', and the header's shape " + std::to_string(count) +
                 "; give each of them its place in this frame");
   }
+  for (const trace::FieldSlice& slice : frame.field_slices) {
+    require(slice.columns > 0 && slice.rows() * slice.columns == count_of(slice.distances),
+            "field_slices." + slice.name + " has " + std::to_string(slice.distances.size()) +
+                " 'distances', which is no number of rows of " + std::to_string(slice.columns) +
+                " 'columns'; give each row all of its values");
+  }
   for (std::size_t i = 0; i < frame.pairs.size(); ++i)
     check_pair(header, "pairs[" + std::to_string(i) + "]", frame.pairs[i]);
 }

@@ -21,6 +21,7 @@
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
+  ROW(Field, "field")                          \
   ROW(Intersections, "intersections")          \
   ROW(Volumes, "volumes")                      \
   ROW(TestedAxes, "tested_axes")               \

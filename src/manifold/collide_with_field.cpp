@@ -116,7 +116,8 @@ Aabb<S> field_reach(const PlacedField& field, const Pose<double>& field_in, doub
 
 template <class S>
 FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<double>& field_in_a,
-                        const CollideOptions& options, double& radius) {
+                        const CollideOptions& options, double& radius,
+                        std::vector<trace::FieldProbe>* probes = nullptr) {
   const Pose<double> a_in_field = inverse(field_in_a);
   const Pieces made =
       PieceMaker<S>(a_in_field, field_reach<S>(field, field_in_a, options.margin)).of(a);
@@ -127,8 +128,8 @@ FieldTouches touches_of(const Shape<S>& a, const PlacedField& field, const Pose<
   const double side_a = box.empty() ? 0 : box.extent().maxCoeff();
   const double side_b = field.cell * field.field->surface_box().extent().maxCoeff();
   const double spacing = std::max(field.cell, std::min(side_a, side_b) / kMostPlaces);
-  FieldTouches touches =
-      find_touches(field, made.pieces, {options.field, made.radius, options.margin, spacing});
+  FieldTouches touches = find_touches(
+      field, made.pieces, {options.field, made.radius, options.margin, spacing, probes});
   if (std::isinf(touches.least)) {
     // Nothing was near enough to be looked at: the gap of the boxes.
     const Aabb<double> of_a = aabb_of(a)->template cast<double>();
@@ -242,8 +243,12 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
   if (const auto* plane = std::get_if<HalfSpace<S>>(&a))
     return collide_plane_field(*plane, b, field_in_a, options, sink);
   double radius = 0;
-  FieldTouches touches = touches_of(a, PlacedField::of(b), field_in_a, options, radius);
   const bool conservative = options.field == FieldSearch::Conservative;
+  std::vector<trace::FieldProbe>* const probes =
+      sink.recorder ? sink.recorder->field_probes() : nullptr;
+  FieldTouches touches = touches_of(a, PlacedField::of(b), field_in_a, options, radius, probes);
+  if (probes != nullptr) [[unlikely]]
+    sink.recorder->field_search(options.field, field_in_a);
   if (touches.found.empty() && conservative) {
     if (const auto* hull = std::get_if<Hull<S>>(&a)) add_contained(*hull, b, field_in_a, touches);
     if (const auto* field = std::get_if<Field<S>>(&a)) {

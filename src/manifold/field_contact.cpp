@@ -13,6 +13,8 @@ namespace {
 /// So many cuts settle any pair that is not all along at the distance of the margin; then the nearest
 /// piece counts as a touch.
 constexpr int kMostCuts = 1 << 14;
+/// A record is no longer than this: more points are not told apart in a picture.
+constexpr std::size_t kMostProbes = 4096;
 
 /// A piece of a piece. Its path says which: two bits for each cut.
 struct Part {
@@ -135,6 +137,8 @@ class Search {
   void look_at(const Part& part, const Vec3d& middle, double reach, double bound) {
     const FieldSample sample = value(middle);
     const double separation = sample.distance - limits_.radius;
+    if (limits_.probes != nullptr && limits_.probes->size() < kMostProbes) [[unlikely]]
+      limits_.probes->push_back({middle, separation});
     if (separation <= limits_.margin) return add(part, middle, sample);
     touches_.least = std::min(touches_.least, separation);
     if (sample.source == FieldSample::Source::Exact)

@@ -5,6 +5,7 @@
 
 #include "field/distance_field.h"
 #include "manifold/collide_options.h"
+#include "trace/field_slice.h"
 
 /// Where the surface of one shape is inside a distance field. Everything in the field's frame, metres.
 namespace contactscope {
@@ -35,6 +36,8 @@ struct FieldSearchLimits {
   double radius = 0;   // around each piece
   double margin = 0;   // points up to this separation are found
   double spacing = 0;  // of points on large pieces
+  std::vector<trace::FieldProbe>* probes =
+      nullptr;  // record of what is asked; null: nobody watches
 };
 
 /// Points of `pieces` at or inside the surface. Corners that are vertices come as pieces of one point.

@@ -194,6 +194,16 @@ void Recorder<S>::penetration(PenetrationMethod method, const PenetrationResult<
     told.directions.push_back({direction(step.normal), static_cast<double>(step.separation)});
 }
 
+template <class S>
+void Recorder<S>::field_search(FieldSearch method, const Pose<double>& field_in_a) {
+  trace::FieldProbes& told = pair_.field_probes.emplace();
+  told.method = to_string(method);
+  for (const trace::FieldProbe& probe : probes_)
+    told.probes.push_back(
+        {point(field_in_a.transform(probe.position).template cast<S>()), probe.separation});
+  probes_.clear();
+}
+
 /// The Minkowski difference B - A in the world's axes: the hull of the differences of all vertices.
 /// None where these are more than kMaxMinkowskiPoints, and where the builder gives no hull of them:
 /// the picture goes without it.

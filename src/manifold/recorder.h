@@ -80,6 +80,11 @@ class Recorder {
   }
   /// Of the pair, metres: what stands in the record when no point does.
   void separation(S separation) { pair_.separation = separation; }
+  /// Where the search in a distance field leaves the points that it asked, in the field's frame;
+  /// nullptr where they are not to be recorded.
+  std::vector<trace::FieldProbe>* field_probes() { return stages_.fields ? &probes_ : nullptr; }
+  /// The points that were left there; `field_in_a` places the field's frame in A's.
+  void field_search(FieldSearch method, const Pose<double>& field_in_a);
   /// What became of every point of an incremental manifold.
   void incremental(const CoreQuery<S>& query, const IncrementalStep<S>& step,
                    const PersistentManifold<S>& persistent, const IncrementalOptions& options);
@@ -99,6 +104,7 @@ class Recorder {
   trace::Pair& pair_;
   GjkRun<S> gjk_run_;
   PenetrationSteps<S> penetration_steps_;
+  std::vector<trace::FieldProbe> probes_;
 };
 
 /// Where GJK and the penetration methods leave their steps, whether or not somebody watches.

@@ -14,6 +14,7 @@
 #include "manifold/incremental.h"
 #include "scenario/between_frames.h"
 #include "scenario/deforming_mesh.h"
+#include "scenario/field_slice.h"
 #include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
@@ -63,6 +64,7 @@ trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) 
   stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
   stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
   stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
+  stages.fields = stages.fields || shown(views, Layer::Field);
   return stages;
 }
 
@@ -185,6 +187,7 @@ class Runner::In final : public Runner::InScalar {
         result->poses.emplace_back(shape.name,
                                    told_pose(shape, time, poses.back().template cast<double>()));
     }
+    if (recorded && stages_.fields) record_field_slices(poses, *result);
     if (dynamic_ && recorded) result->solver = solver_facts(scenario_, bodies_);
 
     if (chooser_.chooses()) choose_pairs(poses, recorded ? result : nullptr);
@@ -222,6 +225,15 @@ class Runner::In final : public Runner::InScalar {
     }
     if (dynamic_) solve(contacts, recorded ? result : nullptr);
     ++next_;
+  }
+
+  void record_field_slices(const std::vector<Pose<S>>& poses, trace::Frame& frame) const {
+    const Vec3d toward = facing_slices(scenario_);
+    for (int i = 0; i < count_of(poses); ++i) {
+      if (const auto* field = std::get_if<Field<S>>(&shape(i)))
+        frame.field_slices.push_back(slice_through(scenario_.shape(i).name, PlacedField::of(*field),
+                                                   at(poses, i).template cast<double>(), toward));
+    }
   }
 
   /// From the frame in which a mesh is collided to that of its file, where the two differ.

@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "core/at.h"
 #include "query/mesh_query_cost.h"
+#include "study/ball_mesh.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -20,35 +20,6 @@ constexpr double kInnerBall = 0.97;  // of a radius of 1 m
 constexpr int kMovingFrames = 40;
 constexpr int kMicrometres[] = {10, 100, 1000, 10000, 100000};  // a frame
 constexpr double kMilliseconds = 1e-6;
-
-/// A closed ball of radius 1 about the origin, poles on z, fronts outside.
-Mesh<double> ball(int meridians) {
-  const int parallels = meridians / 2;
-  std::vector<Vec3d> vertices = {{0, 0, 1}};
-  for (int i = 1; i < parallels; ++i) {
-    const double polar = std::numbers::pi * i / parallels;
-    for (int k = 0; k < meridians; ++k) {
-      const double around = 2 * std::numbers::pi * k / meridians;
-      vertices.emplace_back(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
-                            std::cos(polar));
-    }
-  }
-  vertices.emplace_back(0, 0, -1);
-  const int last = count_of(vertices) - 1;
-  std::vector<std::array<int, 3>> triangles;
-  for (int k = 0; k < meridians; ++k) {
-    const int next = (k + 1) % meridians;
-    triangles.push_back({0, 1 + k, 1 + next});
-    for (int i = 1; i + 1 < parallels; ++i) {
-      const int row = 1 + (i - 1) * meridians, below = row + meridians;
-      triangles.push_back({row + k, below + k, below + next});
-      triangles.push_back({row + k, below + next, row + next});
-    }
-    const int row = last - meridians;
-    triangles.push_back({last, row + next, row + k});
-  }
-  return build_mesh(std::move(vertices), std::move(triangles));
-}
 
 /// So far and so turned that they cut each other in a ring.
 Pose<float> beside() {
@@ -84,7 +55,7 @@ void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Stud
   for (const char* method : {"both trees", "query", "vertices moved, one tree refitted"})
     times.series.push_back({method, {}, kPanel, "triangles of each ball"});
   for (const int meridians : kMeridians) {
-    const Mesh<double> made = ball(meridians);
+    const Mesh<double> made = ball_mesh(meridians);
     const Mesh<float> mesh = mesh_cast<float>(made);
     const double triangles = mesh.triangle_count();
     const trace::Nanoseconds build = timed(repetitions, [&] {
@@ -119,7 +90,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
                        trace::Study& costs) {
   const int frames = options.frames.value_or(kDeformingFrames);
   const int repetitions = std::max(1, options.repetitions.value_or(kMeshRepetitions) / 2);
-  const Mesh<float> at_rest = mesh_cast<float>(ball(kDeformingMeridians));
+  const Mesh<float> at_rest = mesh_cast<float>(ball_mesh(kDeformingMeridians));
   struct Way {
     const char* name;
     TreeUpdate how;
@@ -180,7 +151,7 @@ void study_deformation(const StudyOptions& options, const StudyStep& step, trace
 void study_motion(const StudyOptions& options, const StudyStep& step, trace::Study& times,
                   trace::Study& costs) {
   const int repetitions = options.repetitions.value_or(kMeshRepetitions);
-  const Mesh<double> made = ball(kDeformingMeridians);
+  const Mesh<double> made = ball_mesh(kDeformingMeridians);
   std::vector<Vec3d> smaller = made.vertices;
   for (Vec3d& vertex : smaller) vertex *= kInnerBall;
   const Mesh<float> outer = mesh_cast<float>(made);

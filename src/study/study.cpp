@@ -74,6 +74,9 @@ const std::vector<StudyInfo>& studies() {
        &study_time_of_impact},
       {"tunnelling", "what share of bullets passes a wall, by speed and thickness",
        &study_tunnelling},
+      {"distance_field",
+       "distance fields: error against time and memory, what sampling misses, thin plates",
+       &study_distance_field},
   };
   return list;
 }

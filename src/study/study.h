@@ -30,7 +30,7 @@ using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
 // Each is in the file of its name, with what it measures.
 RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver, study_overlap, study_broad_phase, study_meshes,
-    study_triangles, study_time_of_impact, study_tunnelling;
+    study_triangles, study_time_of_impact, study_tunnelling, study_distance_field;
 
 struct StudyInfo {
   std::string name;

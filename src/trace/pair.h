@@ -7,6 +7,7 @@
 
 #include "trace/clip.h"
 #include "trace/contact.h"
+#include "trace/field_slice.h"
 #include "trace/impact.h"
 #include "trace/minkowski.h"
 #include "trace/query.h"
@@ -202,8 +203,9 @@ struct Degenerate {
 };
 
 /// Which optional stages to record: what no picture shows need not be written down. The arcs of the
-/// Gauss map, the Minkowski difference, the cells of a broad phase and the node pairs of two trees are
-/// large and say nothing that the shapes do not: they are only recorded where a view asks for them.
+/// Gauss map, the Minkowski difference, the cells of a broad phase, the node pairs of two trees and the
+/// slices through distance fields are large and say nothing that the shapes do not: they are only
+/// recorded where a view asks for them.
 struct Stages {
   bool sat = true;
   bool clip = true;
@@ -217,9 +219,11 @@ struct Stages {
   bool query = true;   // bounds, axes and triangles that cross; the answer is always told
   bool cells = false;  // of a broad phase
   bool node_pairs = false;
+  bool fields = false;  // slices through distance fields, and where they were asked
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false,
+            false, false, false, false, false, false};
   }
 };
 
@@ -249,6 +253,7 @@ struct Pair {
   std::optional<Query> query{};   // likewise; such a pair has no manifolds
   std::vector<Intersection> intersections{};  // of two meshes
   std::optional<Impact> impact{};             // where the pair is asked when it meets
+  std::optional<FieldProbes> field_probes{};  // with a distance field, where a view shows it
 
   static constexpr auto fields() {
     return std::tuple(
@@ -272,7 +277,8 @@ struct Pair {
         field::fact("stability", &Pair::stability).apart("stability"),
         field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).apart("query"),
         field::facts("intersections", &Pair::intersections).where_set().entries("intersection"),
-        field::fact("impact", &Pair::impact).apart("impact"));
+        field::fact("impact", &Pair::impact).apart("impact"),
+        field::fact("field_probes", &Pair::field_probes).apart("field probes"));
   }
 };
 

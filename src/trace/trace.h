@@ -214,6 +214,7 @@ struct Frame {
   std::vector<Placement> poses;  // in the order of the shapes
   std::vector<Pair> pairs;
   std::vector<Deformed> deformed{};         // shapes that no longer are as in the header
+  std::vector<FieldSlice> field_slices{};   // of distance fields, where a view shows them
   std::optional<BroadPhase> broad_phase{};  // where one chose the pairs
   std::optional<Solver> solver{};
   std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
@@ -227,6 +228,9 @@ struct Frame {
                       field::facts("deformed", &Frame::deformed)
                           .where_set()
                           .entries("deformed mesh", "deformed meshes"),
+                      field::facts("field_slices", &Frame::field_slices)
+                          .where_set()
+                          .entries("slice through a field", "slices through fields"),
                       field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
                       field::fact("solver", &Frame::solver).apart("solver"),
                       field::fact("totals", &Frame::totals).apart("totals"));

@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/at.h"
 #include "field/distance_field.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"
@@ -42,6 +46,62 @@ TEST(Sdf, StandsInTheTraceAsTheShapeThatItIsMadeOf) {
   EXPECT_EQ(header.shapes[0].type, "sdf");
   EXPECT_EQ(header.shapes[0].vertices.size(), 8U);
   EXPECT_EQ(header.shapes[0].faces.size(), 6U);
+}
+
+TEST(Sdf, IsSlicedWhereAViewShowsIt) {
+  const auto frame_of = [](const std::string& views) {
+    const Scenario scenario = parse_scenario(kBoxOnField + views, "field/a.toml");
+    return Runner(scenario).frame(0);
+  };
+  const trace::Frame plain = frame_of("");
+  EXPECT_TRUE(plain.field_slices.empty());
+  EXPECT_FALSE(plain.pairs.at(0).field_probes);
+
+  const trace::Frame frame = frame_of("[[views]]\nlayers = [\"field\"]\n");
+  ASSERT_EQ(frame.field_slices.size(), 1U);
+  const trace::FieldSlice& slice = frame.field_slices[0];
+  EXPECT_EQ(slice.name, "floor");
+  EXPECT_NEAR(slice.cell, 2.0 / 24, 1e-12);
+  ASSERT_EQ(slice.rows() * slice.columns, count_of(slice.distances));
+  int before_faces = 0, inside = 0;
+  for (int row = 0; row < slice.rows(); ++row) {
+    for (int column = 0; column < slice.columns; ++column) {
+      const Vec3d place = slice.origin + column * slice.next + row * slice.next_row;
+      EXPECT_NEAR(place.z(), 0, 1e-12);
+      // Distance of a box whose top is the ground.
+      const Vec3d out = (place + Vec3d(0, 0.5, 0)).cwiseAbs() - Vec3d(1, 0.5, 1);
+      const double truth = out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
+      const double told = slice.cell * at(slice.distances, row * slice.columns + column);
+      EXPECT_NEAR(told, truth, 0.5 * slice.cell) << place.transpose();
+      // Before a face, away from edges and the middle, the distance is linear, as blends are.
+      if (out.x() > -0.5 || std::abs(out.y()) > 0.3) continue;
+      ++before_faces;
+      inside += truth < 0 ? 1 : 0;
+      EXPECT_NEAR(told, truth, 1e-3 * slice.cell) << place.transpose();
+    }
+  }
+  EXPECT_GT(before_faces, 100);
+  EXPECT_GT(inside, 30);
+  // A dense field has nodes of its own everywhere, and this one asks no triangles.
+  const int squares =
+      static_cast<int>(std::lround(slice.next.norm() * (slice.columns - 1) * slice.next_row.norm() *
+                                   (slice.rows() - 1) / (slice.cell * slice.cell)));
+  EXPECT_EQ(count_of(slice.band), squares);
+  EXPECT_TRUE(slice.exact.empty());
+
+  const auto& probes = frame.pairs.at(0).field_probes;
+  ASSERT_TRUE(probes);
+  EXPECT_EQ(probes->method, "conservative");
+  ASSERT_GE(probes->probes.size(), 4U);
+  for (const trace::FieldProbe& probe : probes->probes)
+    EXPECT_NEAR(probe.separation, probe.position.y(), 0.02);
+}
+
+TEST(Sdf, IsSlicedAcrossTheWayToTheEye) {
+  const Scenario scenario = parse_scenario(
+      kBoxOnField + "[[views]]\nlayers = [\"field\"]\neye = [0.2, 5, 0.1]\n", "field/a.toml");
+  const trace::FieldSlice slice = Runner(scenario).frame(0).field_slices.at(0);
+  EXPECT_GT(slice.next.cross(slice.next_row).y(), 0.99 * slice.next.norm() * slice.next_row.norm());
 }
 
 TEST(Sdf, MakesContactsOrAnswersWhatItIsAsked) {

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/contours.h"
+#include "draw/scene/quantity.h"
+
+/// A slice through a distance field: lines of equal distance, the surface among them strong, and the
+/// cells that have nodes or triangles of their own, faint. What contacts asked are specks.
+namespace contactscope::draw {
+namespace {
+
+constexpr int kMostLines = 8;  // on each side of the surface
+constexpr Color kOutside = rgb(0x7D8894);
+constexpr Color kInside = rgb(0x6A4C93);
+constexpr LineStyle kOutsideLine{1.2f, kOutside};
+constexpr LineStyle kInsideLine{1.6f, kInside, true};
+constexpr LineStyle kSurface{3.2f, kNormal};
+constexpr LineStyle kGrid{0.7f, with_alpha(kDropped, 0.35f)};
+constexpr Color kExact = rgb(0xF3DFC1, 0.75f);
+constexpr Color kProbe = rgb(0x3F4650);
+
+constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 20,
+                                [](auto& pen) { pen.level_line(0, 23, 3.2, kNormal); }};
+constexpr Swatch kOutsideSwatch{LegendGroup::Trees, 21,
+                                [](auto& pen) { pen.level_line(0, 23, 1.2, kOutside); }};
+constexpr Swatch kInsideSwatch{LegendGroup::Trees, 22, [](auto& pen) { pen.dashes(1.6, kInside); }};
+constexpr Swatch kBandSwatch{LegendGroup::Trees, 23,
+                             [](auto& pen) { pen.box(kWhite, with_alpha(kDropped, 0.5f), 1); }};
+constexpr Swatch kExactSwatch{LegendGroup::Trees, 24,
+                              [](auto& pen) { pen.box(kExact, with_alpha(kDropped, 0.5f), 1); }};
+constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 2.4, kProbe); }};
+
+/// Where cells of a slice are.
+class Cells {
+ public:
+  explicit Cells(const trace::FieldSlice& slice)
+      : origin_(slice.origin),
+        along_(slice.cell * slice.next.stableNormalized()),
+        across_(slice.cell * slice.next_row.stableNormalized()) {}
+
+  Vec3d corner(int column, int row) const { return origin_ + column * along_ + row * across_; }
+
+  /// Calls `visit(row, begin, end)` for each run of cells beside each other.
+  template <class Visit>
+  static void each_run(std::vector<std::array<int, 2>> cells, const Visit& visit) {
+    std::ranges::sort(cells, [](const auto& a, const auto& b) {
+      return std::pair(a[1], a[0]) < std::pair(b[1], b[0]);
+    });
+    for (std::size_t i = 0; i < cells.size();) {
+      std::size_t end = i + 1;
+      while (end < cells.size() && cells[end][1] == cells[i][1] &&
+             cells[end][0] == cells[end - 1][0] + 1)
+        ++end;
+      visit(cells[i][1], cells[i][0], cells[end - 1][0] + 1);
+      i = end;
+    }
+  }
+
+ private:
+  Vec3d origin_, along_, across_;
+};
+
+/// The sides of cells, each once, as few long lines.
+void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
+  const Cells cells(slice);
+  std::vector<std::array<int, 2>> below, beside;  // sides by the cell above or right of them
+  for (const auto& [column, row] : slice.band) {
+    below.insert(below.end(), {{column, row}, {column, row + 1}});
+    beside.insert(beside.end(), {{row, column}, {row, column + 1}});
+  }
+  for (const bool upright : {false, true}) {
+    auto& sides = upright ? beside : below;
+    std::ranges::sort(sides);
+    const auto twice = std::ranges::unique(sides);
+    sides.erase(twice.begin(), twice.end());
+    Cells::each_run(sides, [&](int line, int begin, int end) {
+      if (upright)
+        sketch.line(cells.corner(line, begin), cells.corner(line, end), kGrid);
+      else
+        sketch.line(cells.corner(begin, line), cells.corner(end, line), kGrid);
+    });
+  }
+  if (!slice.band.empty()) sketch.explain(kBandSwatch, "cells of the narrow band");
+}
+
+void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
+  const Cells cells(slice);
+  Cells::each_run(slice.exact, [&](int row, int begin, int end) {
+    sketch.surfaces.push_back({{cells.corner(begin, row), cells.corner(end, row),
+                                cells.corner(end, row + 1), cells.corner(begin, row + 1)},
+                               kExact});
+  });
+  if (!slice.exact.empty()) sketch.explain(kExactSwatch, "cells that ask their triangles");
+}
+
+void draw_level(const trace::FieldSlice& slice, double level, const LineStyle& style,
+                Sketch& sketch) {
+  for (const Contour& contour : contours_at(slice.distances, slice.columns, level)) {
+    Curve curve{{}, style, contour.closed};
+    for (const Vec3d& place : contour.points)
+      curve.points.emplace_back(slice.origin + place.x() * slice.next + place.y() * slice.next_row);
+    sketch.curves.push_back(std::move(curve));
+  }
+}
+
+/// `spacing`: metres.
+void draw_contours(const trace::FieldSlice& slice, double spacing, Sketch& sketch) {
+  const auto [least, largest] = std::ranges::minmax(slice.distances);
+  const double step = spacing / slice.cell;
+  for (int k = 1; k * step < largest; ++k) draw_level(slice, k * step, kOutsideLine, sketch);
+  for (int k = 1; - k * step > least; ++k) draw_level(slice, -k * step, kInsideLine, sketch);
+  draw_level(slice, 0, kSurface, sketch);
+  sketch.explain(kSurfaceSwatch, "distance 0: the surface");
+  sketch.explain(kOutsideSwatch, "outside, every " + spell_length(spacing));
+  if (-step > least) sketch.explain(kInsideSwatch, "inside, every " + spell_length(spacing));
+}
+
+void draw_slices(const Scene& scene, Sketch& sketch) {
+  double largest = 0;
+  for (const trace::FieldSlice& slice : scene.frame.field_slices)
+    for (const double distance : slice.distances)
+      largest = std::max(largest, slice.cell * std::abs(distance));
+  if (!(largest > 0)) return;
+  const double spacing = round_down(2 * largest / kMostLines);
+  for (const trace::FieldSlice& slice : scene.frame.field_slices) {
+    draw_exact_cells(slice, sketch);
+    draw_grid(slice, sketch);
+    draw_contours(slice, spacing, sketch);
+  }
+}
+
+void draw_probes(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+  if (!pair.field_probes) return;
+  for (const trace::FieldProbe& probe : pair.field_probes->probes)
+    sketch.mark(MarkKind::Speck, probe.position, kProbe);
+  if (!pair.field_probes->probes.empty()) sketch.explain(kProbeSwatch, "where the field was asked");
+}
+
+}  // namespace
+
+const LayerDrawing kFieldLayer{
+    .needs = {&Stages::fields}, .beneath = draw_slices, .search = draw_probes};
+
+}  // namespace contactscope::draw

@@ -1,0 +1,106 @@
+#include "draw/scene/contours.h"
+
+#include <array>
+#include <cassert>
+
+#include "core/at.h"
+
+namespace contactscope::draw {
+namespace {
+
+/// Where lines cross the sides of the grid's squares. A side has a number: twice that of the grid point
+/// at its lower end, and 1 more where it goes to the next row.
+class Crossings {
+ public:
+  Crossings(std::span<const double> values, int columns, double level)
+      : values_(values),
+        columns_(columns),
+        rows_(count_of(values) / columns),
+        level_(level),
+        next_(2 * values.size(), {-1, -1}) {
+    for (int row = 0; row + 1 < rows_; ++row)
+      for (int column = 0; column + 1 < columns_; ++column) join_sides_of(column, row);
+  }
+
+  std::vector<Contour> lines() {
+    std::vector<Contour> found;
+    // Lines that end at the border begin there; what is left is closed.
+    for (const bool closed : {false, true}) {
+      for (int side = 0; side < count_of(next_); ++side) {
+        const auto& [one, other] = at(next_, side);
+        if (one >= 0 && (closed || other < 0)) found.push_back(follow(side, closed));
+      }
+    }
+    return found;
+  }
+
+ private:
+  bool above(int column, int row) const { return at(values_, row * columns_ + column) > level_; }
+
+  void join_sides_of(int column, int row) {
+    const int corner = row * columns_ + column;
+    // Below, right, above, left; side k is from corner k to the next, counter-clockwise.
+    const std::array<int, 4> sides{2 * corner, 2 * (corner + 1) + 1, 2 * (corner + columns_),
+                                   2 * corner + 1};
+    const std::array<bool, 4> high{above(column, row), above(column + 1, row),
+                                   above(column + 1, row + 1), above(column, row + 1)};
+    std::array<int, 4> crossed{};
+    int count = 0;
+    for (int k = 0; k < 4; ++k)
+      if (at(high, k) != at(high, (k + 1) % 4)) at(crossed, count++) = at(sides, k);
+    if (count == 2) return join(crossed[0], crossed[1]);
+    if (count == 0) return;
+    const double mean = (at(values_, corner) + at(values_, corner + 1) +
+                         at(values_, corner + columns_) + at(values_, corner + columns_ + 1)) /
+                        4;
+    // Corners 0 and 2 are alike: they are one part where the middle is like them.
+    const bool joined = (mean > level_) == high[0];
+    join(sides[0], sides[joined ? 1 : 3]);
+    join(sides[2], sides[joined ? 3 : 1]);
+  }
+
+  void join(int one, int other) {
+    const auto add = [this](int side, int to) {
+      auto& [first, second] = at(next_, side);
+      (first < 0 ? first : second) = to;
+    };
+    add(one, other);
+    add(other, one);
+  }
+
+  Vec3d place(int side) const {
+    const int from = side / 2, to = from + (side % 2 == 0 ? 1 : columns_);
+    const double low = at(values_, from), high = at(values_, to);
+    const double part = (level_ - low) / (high - low);
+    const Vec3d start(from % columns_, from / columns_, 0);
+    return start + part * (side % 2 == 0 ? Vec3d::UnitX() : Vec3d::UnitY());
+  }
+
+  /// What is followed is taken away.
+  Contour follow(int start, bool closed) {
+    Contour line{{}, closed};
+    for (int side = start, before = -1; side >= 0;) {
+      line.points.push_back(place(side));
+      auto& ways = at(next_, side);
+      const int on = ways[0] != before ? ways[0] : ways[1];
+      ways = {-1, -1};
+      before = side;
+      side = on == start ? -1 : on;
+    }
+    return line;
+  }
+
+  std::span<const double> values_;
+  int columns_, rows_;
+  double level_;
+  std::vector<std::array<int, 2>> next_;  // of each side the sides that a line goes on to
+};
+
+}  // namespace
+
+std::vector<Contour> contours_at(std::span<const double> values, int columns, double level) {
+  assert(columns > 0 && values.size() % static_cast<std::size_t>(columns) == 0);
+  return Crossings(values, columns, level).lines();
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "core/at.h"
+#include "field/distance_field.h"
+#include "manifold/field_contact.h"
+#include "study/ball_mesh.h"
+#include "study/random_cases.h"
+#include "study/study.h"
+#include "study/surface_truth.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kFieldPoints = 2000;
+constexpr int kFieldRepetitions = 9;
+constexpr int kFieldMeridians = 100;  // 9,800 triangles
+constexpr double kWaves = 0.1;
+constexpr int kFieldCells[] = {16, 32, 64, 128};
+constexpr int kBands[] = {1, 2, 4, 8, 16};
+constexpr int kBandCells = 64;
+
+constexpr double kPokes[] = {0.01, 0.1, 1};        // cells that a sphere goes into a box
+constexpr double kSpacings[] = {0.5, 1, 2, 4, 8};  // cells between points
+constexpr int kSphereCells = 32;
+constexpr int kPokeCases = 1000;
+
+constexpr double kThicknesses[] = {0.125, 0.25, 0.5, 0.75, 1, 1.5};  // cells
+constexpr int kPlateCells = 16;
+constexpr int kPlates = 40;        // of each thickness, at random heights
+constexpr int kPlatePlaces = 200;  // of each plate
+
+struct FieldMethod {
+  const char* name;
+  FieldInterpolation interpolation;
+  bool exact;
+};
+constexpr FieldMethod kFieldMethods[] = {
+    {"trilinear", FieldInterpolation::Trilinear, false},
+    {"cubic", FieldInterpolation::Cubic, false},
+    {"trilinear, exact cells", FieldInterpolation::Trilinear, true},
+    {"cubic, exact cells", FieldInterpolation::Cubic, true},
+};
+
+/// Measures: metres, degrees, megabytes, milliseconds to build.
+Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& points,
+                        const FieldSettings& settings, int repetitions) {
+  Measurement measured(4, count_of(points));
+  PassTimes build;
+  PlacedField field;
+  for (int i = 0; i < std::min(repetitions, 3); ++i) {
+    build.measure(1, [&](int) {
+      field = build_distance_field(mesh, settings);
+      return field.cell;
+    });
+  }
+  for (const TruePoint& point : points) {
+    const FieldSample sample = field.sample(point.place);
+    measured.errors[0].add(std::abs(sample.distance - point.distance));
+    const double cosine = sample.gradient.stableNormalized().dot(point.gradient);
+    measured.errors[1].add(180 / std::numbers::pi * std::acos(std::clamp(cosine, -1.0, 1.0)));
+  }
+  measured.errors[2].add(1e-6 * static_cast<double>(field.field->bytes()));
+  measured.errors[3].add(1e-6 * build.summary().min);
+  for (int i = 0; i < repetitions; ++i)
+    measured.times.measure(count_of(points),
+                           [&](int k) { return field.sample(at(points, k).place).distance; });
+  return measured;
+}
+
+std::vector<trace::Study> study_field_errors(const StudyOptions& options, const StudyStep& step) {
+  const int count = options.cases.value_or(kFieldPoints);
+  const int repetitions = options.repetitions.value_or(kFieldRepetitions);
+  const Mesh<double> mesh = ball_mesh(kFieldMeridians, 0.5, kWaves);
+  const Aabb<double> box = mesh.tree.bounds();
+  std::mt19937_64 engine(options.seed);
+  std::vector<TruePoint> points;
+  for (int i = 0; i < count; ++i) {
+    Vec3d part;
+    for (int k = 0; k < 3; ++k) part[k] = uniform(engine, 0, 1);
+    points.push_back(truth_at(mesh, box.lower + part.cwiseProduct(box.extent())));
+  }
+  std::vector<trace::Study> results = results_of(
+      "distance_field", "double", "cells",
+      "all triangles in long double, " + std::to_string(count) +
+          " points in the box of a wavy ball of " + std::to_string(mesh.triangle_count()) +
+          " triangles, 1 m wide, seed " + std::to_string(options.seed),
+      {{"distance", "Error of a field's distance against the time of a query",
+        "error of the distance", "m", 1e-8},
+       {"normal", "Error of a field's gradient against the time of a query", "angle to the truth",
+        "degrees", 1e-6},
+       {"memory", "What a field takes of memory", "megabytes", "", 1e-3},
+       {"build", "How long a field takes to build", "milliseconds", "", 1e-3}});
+  results[2].form = results[3].form = trace::StudyForm::Curves;
+  for (const FieldMethod& method : kFieldMethods) {
+    FieldSettings settings{.interpolation = method.interpolation, .exact = method.exact};
+    add_line(results, {method.name, {}, "by cells", "cells along the longest side"}, kFieldCells,
+             [&](int cells) {
+               settings.cells = cells;
+               return judge_field(mesh, points, settings, repetitions);
+             });
+    step(std::string("cells, ") + method.name);
+  }
+  for (const FieldMethod& method : kFieldMethods) {
+    FieldSettings settings{
+        .cells = kBandCells, .interpolation = method.interpolation, .exact = method.exact};
+    add_line(results, {method.name, {}, "by band, of 64 cells", "cells on each side"}, kBands,
+             [&](int band) {
+               settings.band = band;
+               return judge_field(mesh, points, settings, repetitions);
+             });
+    step(std::string("band, ") + method.name);
+  }
+  // One field has one size.
+  for (std::size_t m = 2; m < results.size(); ++m)
+    for (trace::StudySeries& series : results[m].series)
+      for (trace::StudyPoint& point : series.points) point.of = 1;
+  return results;
+}
+
+/// A cube of 1 m by its corners and by two triangles a face, in the frame of the sphere that goes
+/// `depth` metres into it, 0.5 m in radius. How deep is known from how they are made: the way back along
+/// which the sphere came is from the nearest point of the cube.
+std::vector<FieldPiece> cube_poked(std::mt19937_64& engine, double depth) {
+  const Vec3d from = uniform_rotation(engine) * Vec3d(uniform(engine, 1, 3), 0, 0);
+  const Vec3d nearest = from.cwiseMax(-0.5).cwiseMin(0.5);
+  const Vec3d center = nearest + (0.5 - depth) * (from - nearest).normalized();
+  const Quatd turn = uniform_rotation(engine);
+  std::array<Vec3d, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    at(corners, i) = turn * (Vec3d((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5) - center);
+  std::vector<FieldPiece> pieces;
+  for (int i = 0; i < 8; ++i) pieces.push_back({{at(corners, i)}, 1, vertex_ref(Owner::A, i)});
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+    for (const int base : {0, 1 << axis}) {
+      for (const int third : {u, v})
+        pieces.push_back({{at(corners, base), at(corners, base + third), at(corners, base + u + v)},
+                          3,
+                          face_ref(Owner::A, count_of(pieces))});
+    }
+  }
+  return pieces;
+}
+
+void add_missed(const StudyOptions& options, trace::Study& result, const StudyStep& step) {
+  const int count = options.cases.value_or(kPokeCases);
+  const PlacedField sphere =
+      build_distance_field(Sphere<double>{0.5}, FieldSettings{.cells = kSphereCells});
+  std::vector<trace::Study> results{std::move(result)};
+  for (const double poke : kPokes) {
+    std::vector<std::vector<FieldPiece>> cases;
+    for (int i = 0; i < count; ++i) {
+      std::mt19937_64 engine = case_engine(options.seed, i, poke, 1);
+      cases.push_back(cube_poked(engine, poke * sphere.cell));
+    }
+    std::string depth = std::to_string(poke).substr(0, poke < 0.1 ? 4 : poke < 1 ? 3 : 1);
+    for (const FieldSearch search : {FieldSearch::Sampled, FieldSearch::Conservative}) {
+      add_line(results,
+               {to_string(search),
+                {},
+                depth + (poke == 1 ? " cell deep" : " cells deep"),
+                "cells between points"},
+               kSpacings, [&](double spacing) {
+                 const FieldSearchLimits limits{.search = search, .spacing = spacing * sphere.cell};
+                 Measurement measured(1, count);
+                 const auto finds = [&](int i) {
+                   return find_touches(sphere, at(cases, i), limits).found.empty() ? 0.0 : 1.0;
+                 };
+                 for (int i = 0; i < count; ++i) measured.errors[0].add(1 - finds(i));
+                 measured.times.measure(count, finds);
+                 return measured;
+               });
+    }
+    step("overlaps " + depth + " cells deep");
+  }
+  result = std::move(results.front());
+}
+
+/// A wall with a plate, `thickness` metres, whose middle is `height` metres over the wall's.
+Mesh<double> wall_with_plate(double thickness, double height) {
+  const double low = height - thickness / 2, high = height + thickness / 2;
+  const std::array<Vec3d, 8> outline{{{-0.5, -0.5, 0},
+                                      {-0.3, -0.5, 0},
+                                      {-0.3, low, 0},
+                                      {0.5, low, 0},
+                                      {0.5, high, 0},
+                                      {-0.3, high, 0},
+                                      {-0.3, 0.5, 0},
+                                      {-0.5, 0.5, 0}}};
+  const std::array<std::array<int, 3>, 6> front{
+      {{0, 1, 2}, {0, 2, 5}, {0, 5, 7}, {5, 6, 7}, {2, 3, 4}, {2, 4, 5}}};
+  std::vector<Vec3d> vertices;
+  for (const double z : {0.15, -0.15})
+    for (const Vec3d& corner : outline) vertices.emplace_back(corner.x(), corner.y(), z);
+  std::vector<std::array<int, 3>> triangles(front.begin(), front.end());
+  for (const auto& [a, b, c] : front) triangles.push_back({8 + a, 8 + c, 8 + b});
+  for (int i = 0; i < 8; ++i) {
+    const int next = (i + 1) % 8;
+    triangles.insert(triangles.end(), {{i, 8 + i, 8 + next}, {i, 8 + next, next}});
+  }
+  return build_mesh(std::move(vertices), std::move(triangles));
+}
+
+void add_plates(const StudyOptions& options, trace::Study& result, const StudyStep& step) {
+  const int plates = std::min(options.cases.value_or(kPlates), kPlates);
+  constexpr double kCell = 1.0 / kPlateCells;
+  std::vector<trace::Study> results{std::move(result)};
+  for (const FieldMethod& method : kFieldMethods) {
+    if (method.exact && method.interpolation == FieldInterpolation::Trilinear) continue;
+    add_line(
+        results, {method.name, {}, "a plate beside a wall", "cells thick"}, kThicknesses,
+        [&](double thickness) {
+          Measurement measured(1, plates * kPlatePlaces);
+          std::mt19937_64 engine = case_engine(options.seed, 0, thickness, 2);
+          for (int i = 0; i < plates; ++i) {
+            const double height = uniform(engine, -kCell, kCell);
+            const PlacedField field = build_distance_field(
+                wall_with_plate(thickness * kCell, height), {.cells = kPlateCells,
+                                                             .interpolation = method.interpolation,
+                                                             .exact = method.exact});
+            std::vector<Vec3d> places;
+            for (int k = 0; k < kPlatePlaces; ++k)
+              places.emplace_back(uniform(engine, -0.2, 0.4), height, uniform(engine, -0.1, 0.1));
+            const auto lost = [&](int k) {
+              return field.sample(at(places, k)).distance >= 0 ? 1.0 : 0.0;
+            };
+            for (int k = 0; k < kPlatePlaces; ++k) measured.errors[0].add(lost(k));
+            measured.times.measure(kPlatePlaces, lost);
+          }
+          return measured;
+        });
+    step(std::string("plates, ") + method.name);
+  }
+  result = std::move(results.front());
+}
+
+}  // namespace
+
+/// Signed distance fields. "distance" and "normal": error against the time of a query, by cells and by
+/// the width of the narrow band; "memory" and "build": what that takes. "missed": the share of
+/// overlaps of a sphere's field with a cube that a search finds no point in, by the distance of the points
+/// that it looks at. "plate": the share of places in the middle of a thin plate that a field calls outside.
+std::vector<trace::Study> study_distance_field(const StudyOptions& options,
+                                               const StudyProgress& progress) {
+  const StudyStep step = counted(progress, 8 + 3 + 3);
+  std::vector<trace::Study> results = study_field_errors(options, step);
+  const int cases = options.cases.value_or(kPokeCases);
+  std::vector<trace::Study> shares =
+      results_of("distance_field", "double", "cells between points",
+                 "how the cases are made, seed " + std::to_string(options.seed),
+                 {{"missed", "Overlaps that points of the surface miss", "share of the overlaps",
+                   "", 0.5 / cases},
+                  {"plate", "What a field loses of a thin plate",
+                   "share of its places called outside", "", 0.5 / (kPlates * kPlatePlaces)}});
+  add_missed(options, shares[0], step);
+  add_plates(options, shares[1], step);
+  for (trace::Study& study : shares) {
+    study.form = trace::StudyForm::Curves;
+    for (trace::StudySeries& series : study.series)
+      for (trace::StudyPoint& point : series.points) point.error_worst = point.error;  // a share
+    results.push_back(std::move(study));
+  }
+  return results;
+}
+
+}  // namespace contactscope

@@ -1,0 +1,73 @@
+#include "draw/scene/contours.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace contactscope::draw {
+namespace {
+
+/// Values of a function of column and row.
+template <class Function>
+std::vector<double> grid(int columns, int rows, const Function& function) {
+  std::vector<double> values;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) values.push_back(function(column, row));
+  return values;
+}
+
+double length_of(const Contour& contour) {
+  double length = 0;
+  for (std::size_t i = contour.closed ? 0 : 1; i < contour.points.size(); ++i) {
+    const std::size_t before = (i + contour.points.size() - 1) % contour.points.size();
+    length += (contour.points[i] - contour.points[before]).norm();
+  }
+  return length;
+}
+
+TEST(Contours, OfACircleAreOneClosedLine) {
+  const auto values =
+      grid(41, 31, [](int x, int y) { return std::hypot(x - 19.3, y - 15.1) - 11.2; });
+  const std::vector<Contour> found = contours_at(values, 41, 0);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].closed);
+  for (const Vec3d& point : found[0].points)
+    EXPECT_NEAR((point - Vec3d(19.3, 15.1, 0)).norm(), 11.2, 0.02);
+  EXPECT_NEAR(length_of(found[0]), 2 * 3.14159265 * 11.2, 0.1);
+}
+
+TEST(Contours, OfAPlaneEndAtTheBorder) {
+  const auto values = grid(9, 5, [](int x, int y) { return 0.5 * x + y; });
+  const std::vector<Contour> found = contours_at(values, 9, 2.75);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].closed);
+  for (const Vec3d& point : found[0].points) EXPECT_NEAR(0.5 * point.x() + point.y(), 2.75, 1e-12);
+  EXPECT_NEAR(length_of(found[0]), std::hypot(5.5, 2.75), 1e-12);
+}
+
+TEST(Contours, WhereTwoCouldCrossTheMeanDecides) {
+  const std::vector<double> values = {1, -1, -1, 3};
+  const auto both_ends = [&](double level) {
+    std::vector<double> sums;
+    for (const Contour& contour : contours_at(values, 2, level)) {
+      EXPECT_EQ(contour.points.size(), 2U);
+      sums.push_back(contour.points.front().sum() + contour.points.back().sum());
+    }
+    return sums;
+  };
+  // The mean is 0.5: below it the high corners are one part, and each line is about a low corner.
+  EXPECT_THAT(both_ends(0), testing::ElementsAre(testing::DoubleNear(0.5 + 1.25, 1e-12),
+                                                 testing::DoubleNear(0.5 + 1.25, 1e-12)));
+  // Above it each line is about a high corner.
+  EXPECT_THAT(both_ends(0.75), testing::ElementsAre(testing::DoubleNear(0.25, 1e-12),
+                                                    testing::DoubleNear(2.875, 1e-12)));
+}
+
+TEST(Contours, OfOneValueOrOutOfReachAreNone) {
+  EXPECT_TRUE(contours_at(grid(5, 5, [](int, int) { return 2.0; }), 5, 0).empty());
+  EXPECT_TRUE(contours_at(grid(5, 5, [](int, int) { return 0.0; }), 5, 0).empty());
+  EXPECT_TRUE(contours_at(grid(5, 1, [](int x, int) { return x - 2.0; }), 5, 0).empty());
+}
+
+}  // namespace
+}  // namespace contactscope::draw
