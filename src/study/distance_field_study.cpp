@@ -134,7 +134,10 @@ std::vector<FieldPiece> cube_poked(std::mt19937_64& engine, double depth) {
   for (int i = 0; i < 8; ++i)
     at(corners, i) = turn * (Vec3d((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5) - center);
   std::vector<FieldPiece> pieces;
-  for (int i = 0; i < 8; ++i) pieces.push_back({{at(corners, i)}, 1, vertex_ref(Owner::A, i)});
+  for (int i = 0; i < 8; ++i) {
+    const Vec3d& corner = at(corners, i);
+    pieces.push_back({{corner, corner, corner}, 1, vertex_ref(Owner::A, i)});
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
     for (const int base : {0, 1 << axis}) {
