@@ -20,6 +20,7 @@ constexpr int kFieldPoints = 2000;
 constexpr int kFieldRepetitions = 9;
 constexpr int kFieldMeridians = 100;  // 9,800 triangles
 constexpr double kWaves = 0.1;
+constexpr double kNear = 0.02;  // metres
 constexpr int kFieldCells[] = {16, 32, 64, 128};
 constexpr int kBands[] = {1, 2, 4, 8, 16};
 constexpr int kBandCells = 64;
@@ -72,23 +73,45 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   return measured;
 }
 
-std::vector<trace::Study> study_field_errors(const StudyOptions& options, const StudyStep& step) {
-  const int count = options.cases.value_or(kFieldPoints);
-  const int repetitions = options.repetitions.value_or(kFieldRepetitions);
-  const Mesh<double> mesh = ball_mesh(kFieldMeridians, 0.5, kWaves);
+/// No farther from the surface than kNear: where contacts ask.
+std::vector<TruePoint> points_by_surface(std::mt19937_64& engine, const Mesh<double>& mesh,
+                                         int count) {
+  std::vector<TruePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const auto [a, b, c] =
+        at(mesh.triangles, std::uniform_int_distribution(0, mesh.triangle_count() - 1)(engine));
+    const double u = std::sqrt(uniform(engine, 0, 1)), v = uniform(engine, 0, 1);
+    const Vec3d on_surface = (1 - u) * at(mesh.vertices, a) + u * (1 - v) * at(mesh.vertices, b) +
+                             u * v * at(mesh.vertices, c);
+    const Vec3d away = uniform_rotation(engine) * Vec3d(uniform(engine, 0, kNear), 0, 0);
+    points.push_back(truth_at(mesh, on_surface + away));
+  }
+  return points;
+}
+
+std::vector<TruePoint> points_in_box(std::mt19937_64& engine, const Mesh<double>& mesh, int count) {
   const Aabb<double> box = mesh.tree.bounds();
-  std::mt19937_64 engine(options.seed);
   std::vector<TruePoint> points;
   for (int i = 0; i < count; ++i) {
     Vec3d part;
     for (int k = 0; k < 3; ++k) part[k] = uniform(engine, 0, 1);
     points.push_back(truth_at(mesh, box.lower + part.cwiseProduct(box.extent())));
   }
+  return points;
+}
+
+std::vector<trace::Study> study_field_errors(const StudyOptions& options, const StudyStep& step) {
+  const int count = options.cases.value_or(kFieldPoints);
+  const int repetitions = options.repetitions.value_or(kFieldRepetitions);
+  const Mesh<double> mesh = ball_mesh(kFieldMeridians, 0.5, kWaves);
+  std::mt19937_64 engine(options.seed);
+  const std::vector<TruePoint> near_surface = points_by_surface(engine, mesh, count);
+  const std::vector<TruePoint> anywhere = points_in_box(engine, mesh, count);
   std::vector<trace::Study> results = results_of(
       "distance_field", "double", "cells",
       "all triangles in long double, " + std::to_string(count) +
-          " points in the box of a wavy ball of " + std::to_string(mesh.triangle_count()) +
-          " triangles, 1 m wide, seed " + std::to_string(options.seed),
+          " points within 2 cm of a wavy ball of " + std::to_string(mesh.triangle_count()) +
+          " triangles, 1 m wide, by band in its box, seed " + std::to_string(options.seed),
       {{"distance", "Error of a field's distance against the time of a query",
         "error of the distance", "m", 1e-8},
        {"normal", "Error of a field's gradient against the time of a query", "angle to the truth",
@@ -101,7 +124,7 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
     add_line(results, {method.name, {}, "by cells", "cells along the longest side"}, kFieldCells,
              [&](int cells) {
                settings.cells = cells;
-               return judge_field(mesh, points, settings, repetitions);
+               return judge_field(mesh, near_surface, settings, repetitions);
              });
     step(std::string("cells, ") + method.name);
   }
@@ -111,7 +134,7 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
     add_line(results, {method.name, {}, "by band, of 64 cells", "cells on each side"}, kBands,
              [&](int band) {
                settings.band = band;
-               return judge_field(mesh, points, settings, repetitions);
+               return judge_field(mesh, anywhere, settings, repetitions);
              });
     step(std::string("band, ") + method.name);
   }
@@ -167,7 +190,7 @@ void add_missed(const StudyOptions& options, trace::Study& result, const StudySt
                {to_string(search),
                 {},
                 depth + (poke == 1 ? " cell deep" : " cells deep"),
-                "cells between points"},
+                depth + (poke == 1 ? " cell" : " cells") + " deep, by cells between points"},
                kSpacings, [&](double spacing) {
                  const FieldSearchLimits limits{.search = search, .spacing = spacing * sphere.cell};
                  Measurement measured(1, count);
@@ -244,8 +267,8 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
 
 }  // namespace
 
-/// Signed distance fields. "distance" and "normal": error against the time of a query, by cells and by
-/// the width of the narrow band; "memory" and "build": what that takes. "missed": the share of
+/// Signed distance fields. "distance" and "normal": error against the time of a query, by cells near
+/// the surface, and everywhere by the width of the narrow band; "memory" and "build": what that takes. "missed": the share of
 /// overlaps of a sphere's field with a cube that a search finds no point in, by the distance of the points
 /// that it looks at. "plate": the share of places in the middle of a thin plate that a field calls outside.
 std::vector<trace::Study> study_distance_field(const StudyOptions& options,
