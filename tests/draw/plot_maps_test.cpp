@@ -188,6 +188,29 @@ TEST(PlotCurves, FramesAreEquallyFarApart) {
   expect_legible(drawing);
 }
 
+TEST(PlotCurves, LinesAtTheSamePlacesAreSeenAroundEachOther) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  for (const char* method : {"some", "none", "none either"}) {
+    trace::StudySeries& line = study.series.emplace_back();
+    line.method = method;
+    const double share = line.method == "some" ? 0.1 : 0.0;
+    for (const double parameter : {1.0, 10.0, 100.0})
+      line.points.push_back({parameter, share, share, {}, 0, 1});
+  }
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  std::set<float> sizes, heights;
+  for (const Disc& disc : all_of<Disc>(drawing)) {
+    if (disc.center.y < 110) continue;  // the legend
+    sizes.insert(disc.outer);
+    heights.insert(disc.center.y);
+  }
+  EXPECT_EQ(heights.size(), 2u);
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_GT(*sizes.rbegin() - *sizes.begin(), 1.5);
+  EXPECT_THAT(words(drawing), Contains("0"));
+  expect_legible(drawing);
+}
+
 TEST(PlotCurves, AnAxisOfOneDecadeHasTwoLabelsAndMore) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   trace::StudySeries& line = study.series.emplace_back();

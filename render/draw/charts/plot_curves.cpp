@@ -16,7 +16,10 @@ struct CurveStyle {
   Color color;
   bool dashed = false;
   bool signal = false;
+  int covered =
+      0;  // by so many later ones at the same places: it is drawn wider, to be seen beside them
 
+  double wider() const { return 2.0 * covered; }
   double dash() const { return dashed ? 5 : 0; }
 };
 
@@ -43,6 +46,23 @@ bool counts_up(const trace::StudySeries& series) {
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].parameter != points[i - 1].parameter + 1) return false;
   return points.size() > 2;
+}
+
+/// All points of both are at the same places.
+bool covers(const trace::StudySeries& upper, const trace::StudySeries& lower) {
+  return std::ranges::equal(upper.points, lower.points,
+                            [](const trace::StudyPoint& a, const trace::StudyPoint& b) {
+                              return a.parameter == b.parameter && a.error == b.error &&
+                                     largest_error(a) == largest_error(b);
+                            });
+}
+
+bool has_zero(const PlotPanel& panel) {
+  return std::ranges::any_of(panel.series, [](const trace::StudySeries* series) {
+    return std::ranges::any_of(series->points, [](const trace::StudyPoint& point) {
+      return point.error && largest_error(point) == 0;
+    });
+  });
 }
 
 struct Curves : Pen {
@@ -88,11 +108,16 @@ struct Curves : Pen {
     frame(area, 1.2, kChartBorder);
     text(panel.parameter, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
     for (const bool signal : {true, false}) {
-      for (const trace::StudySeries* series : panel.series) {
-        const CurveStyle style = style_of(study, series->method);
-        if (style.signal == signal) curve(*series, style, x, y);
+      for (std::size_t i = 0; i < panel.series.size(); ++i) {
+        CurveStyle style = style_of(study, panel.series[i]->method);
+        if (style.signal != signal) continue;
+        for (std::size_t later = i + 1; later < panel.series.size(); ++later)
+          style.covered += covers(*panel.series[later], *panel.series[i]) ? 1 : 0;
+        curve(*panel.series[i], style, x, y);
       }
     }
+    if (panel.begins_row && has_zero(panel))
+      text("0", {left - px(8), bottom + px(5)}, Align::Right, kQuietText);
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
       if (failures(*series, x, left, right, row)) row += px(kFailureRow);
@@ -100,7 +125,7 @@ struct Curves : Pen {
   }
 
   void marker(const Point2& at, const CurveStyle& style) const {
-    draw_marker(Marker::Circle, at, px(3.4), style.color, drawing());
+    draw_marker(Marker::Circle, at, px(3.4 + style.wider()), style.color, drawing());
     if (style.dashed) draw_marker(Marker::Circle, at, px(1.9), kWhite, drawing());
   }
 
@@ -112,7 +137,8 @@ struct Curves : Pen {
     for (std::size_t i = 1; i < series.points.size(); ++i) {
       const trace::StudyPoint &before = series.points[i - 1], &point = series.points[i];
       if (!before.error || !point.error) continue;
-      line(place(before), place(point), style.signal ? 1.5 : 2.2, style.color, style.dash());
+      line(place(before), place(point), style.signal ? 1.5 : 2.2 + style.wider(), style.color,
+           style.dash());
     }
     if (style.signal) return;
     for (const trace::StudyPoint& point : series.points) {
