@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
+constexpr double kWidestGap = 150;        // pixels
 constexpr double kUsualImpulse = 0.20;    // of the view's height
 constexpr double kUsualOfBody = 1.1;      // and of the smallest body's radius
 constexpr double kLeastUsual = 0.08;      // but this much of the view's height
@@ -31,15 +32,17 @@ double usual(std::vector<double> values) {
   return *middle;
 }
 
-// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible. Pixels.
-double fit_overlap(double deepest, double pixel) {
+// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible, as long as the
+// widest gap, which is drawn so many times as wide too, stays beside its shapes. Pixels.
+double fit_overlap(double deepest, double widest_gap, double pixel) {
   if (deepest <= 0 || deepest >= kLegibleDepth * pixel) return 1;
   const double wanted = kExaggeratedDepth * pixel / deepest;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * decade >= 0.75 * wanted) return step * decade;
+  double factor = 10 * decade;
+  for (const double step : {5.0, 2.0, 1.0}) {
+    if (step * decade >= 0.75 * wanted) factor = step * decade;
   }
-  return 10 * decade;
+  return factor * widest_gap > kWidestGap * pixel ? 1 : factor;
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
   std::vector<double> impulses, frictions;  // largest of each frame that has any
   double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
-  double drift = 0, deepest = 0;            // pixels
+  double drift = 0, deepest = 0, gap = 0;   // pixels
   double pixels_per_metre = 0;
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
@@ -64,6 +67,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
         // Points that are drawn by their age have no whiskers.
         if (!pair.incremental || !view.shows(Layer::Persistent))
           deepest = std::max(deepest, -point->separation * here);
+        gap = std::max(gap, point->separation * here);
         if (!point->impulse) continue;
         pixels_per_metre = std::max(pixels_per_metre, here);
         largest = std::max(largest, point->impulse->normal);
@@ -92,7 +96,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
 
   scales.pixel = layout.scale;
-  scales.overlap = fit_overlap(deepest, scales.pixel);
+  scales.overlap = fit_overlap(deepest, gap, scales.pixel);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   const double height = layout.view.height;
