@@ -36,12 +36,12 @@ constexpr const char* to_string(ImpactMethod method) {
 template <class S>
 struct ShapeImpact {
   ImpactResult<S> result;
-  int triangle = -1;  // of a mesh, that is met first, or overlapped
-  int triangles = 0;  // of a mesh, that were asked
+  int triangle = -1;       // of a mesh, of a's of two, that is met first, or overlapped
+  int triangle_of_b = -1;  // of two meshes
+  int triangles = 0;       // pairs that were asked, with a mesh
 };
 
-/// Why two kinds of shapes cannot be asked, in either order: planes or meshes of each other. Nothing
-/// where they can.
+/// Why two kinds of shapes cannot be asked: two planes. Nothing where they can.
 std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 
 /// The first time in a step at which two shapes are within the tolerance: time_of_impact() for any two
@@ -49,8 +49,8 @@ std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b);
 /// that does not meet one that turns meets it exactly (sweep_sphere_triangle), where no gap is asked
 /// for. A mesh that overlaps at the start by one triangle is Overlapping, whatever comes later.
 ///
-/// Of a distance field the surface that it was made of is asked, whatever its lattice makes of that; a
-/// convex shape that is inside of it at the start is Overlapping.
+/// Of a distance field the surface that it was made of is asked, whatever its lattice makes of that; what
+/// is inside of it at the start is Overlapping.
 ///
 /// Swept leaves turns out, and is wrong where something turns; Speculative asks nothing between
 /// frames, and here gets the answer of TimeOfImpact, by which its contacts can be judged.
@@ -63,10 +63,10 @@ ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& motion_a, con
                                 const ImpactLimits<S>& allowed = {}, ImpactRun<S>* run = nullptr);
 
 /// The distance of the surfaces, metres, at `count` > 1 times of the step, the first at 0 and the last at
-/// 1, evenly apart; 0 where they overlap. Of a mesh that of `triangle`, and nothing for -1. It is what
-/// the search looks at, for pictures.
+/// 1, evenly apart; 0 where they overlap. Of meshes that of the triangles that were found to meet first,
+/// and nothing where none were. It is what the search looks at, for pictures.
 template <class S>
 std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
-                                 const Sweep<S>& sweep_b, int triangle, int count);
+                                 const Sweep<S>& sweep_b, const ShapeImpact<S>& found, int count);
 
 }  // namespace contactscope

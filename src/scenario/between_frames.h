@@ -69,7 +69,7 @@ class BetweenFrames {
               trace::Pair& record) const {
     if (!asks(pair)) return;
     const ScenarioShape &a = scenario_.shape(pair.a), &b = scenario_.shape(pair.b);
-    if (a.is_mesh() && b.is_mesh()) {
+    if (a.deforms() || b.deforms()) {
       record.impact = mesh_impact_facts(a, b, frame * scenario_.dt, (frame + 1) * scenario_.dt);
       return;
     }

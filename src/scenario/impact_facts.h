@@ -38,7 +38,7 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
                       .status = to_string(found.result.status),
                       .time = static_cast<double>(found.result.time),
                       .distance = static_cast<double>(found.result.distance),
-                      .triangle = found.triangle,
+                      .triangle = found.triangle_of_b < 0 ? found.triangle : -1,
                       .travel_a = travel_of(sweep_a),
                       .travel_b = travel_of(sweep_b),
                       .distances = {},
@@ -48,8 +48,12 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
     facts.point_a = found.result.on_a.template cast<double>();
     facts.point_b = found.result.on_b.template cast<double>();
   }
+  if (found.triangle_of_b >= 0) {
+    facts.triangle_a = found.triangle;
+    facts.triangle_b = found.triangle_of_b;
+  }
   constexpr int kDistances = 65;
-  for (const S distance : distances_through<S>(a, sweep_a, b, sweep_b, found.triangle, kDistances))
+  for (const S distance : distances_through<S>(a, sweep_a, b, sweep_b, found, kDistances))
     facts.distances.push_back({static_cast<double>(facts.distances.size()) / (kDistances - 1),
                                static_cast<double>(distance)});
   for (const ImpactStep<S>& step : run.steps)

@@ -53,9 +53,9 @@ Pose<double> told_pose(const ScenarioShape& shape, double time, const Pose<doubl
 
 std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b,
                                           ImpactMethod method) {
-  if (a.is_mesh() && b.is_mesh()) {
+  if (a.is_mesh() && b.is_mesh() && (a.deforms() || b.deforms())) {
     if (method == ImpactMethod::TimeOfImpact) return std::nullopt;
-    return "two meshes are asked corner by corner and edge by edge; set continuous = "
+    return "meshes that deform are asked corner by corner and edge by edge; set continuous = "
            "\"time_of_impact\"";
   }
   for (const ScenarioShape* shape : {&a, &b})

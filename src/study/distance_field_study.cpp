@@ -20,7 +20,7 @@ constexpr int kFieldPoints = 2000;
 constexpr int kFieldRepetitions = 9;
 constexpr int kFieldMeridians = 100;  // 9,800 triangles
 constexpr double kWaves = 0.1;
-constexpr double kNear = 0.02;  // metres
+constexpr double kByTheSurface = 0.02;  // metres
 constexpr int kFieldCells[] = {16, 32, 64, 128};
 constexpr int kBands[] = {1, 2, 4, 8, 16};
 constexpr int kBandCells = 64;
@@ -73,7 +73,7 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   return measured;
 }
 
-/// No farther from the surface than kNear: where contacts ask.
+/// No farther from the surface than kByTheSurface: where contacts ask.
 std::vector<TruePoint> points_by_surface(std::mt19937_64& engine, const Mesh<double>& mesh,
                                          int count) {
   std::vector<TruePoint> points;
@@ -83,7 +83,7 @@ std::vector<TruePoint> points_by_surface(std::mt19937_64& engine, const Mesh<dou
     const double u = std::sqrt(uniform(engine, 0, 1)), v = uniform(engine, 0, 1);
     const Vec3d on_surface = (1 - u) * at(mesh.vertices, a) + u * (1 - v) * at(mesh.vertices, b) +
                              u * v * at(mesh.vertices, c);
-    const Vec3d away = uniform_rotation(engine) * Vec3d(uniform(engine, 0, kNear), 0, 0);
+    const Vec3d away = uniform_rotation(engine) * Vec3d(uniform(engine, 0, kByTheSurface), 0, 0);
     points.push_back(truth_at(mesh, on_surface + away));
   }
   return points;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "field/distance_field.h"
+#include "field/surface_of.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
 #include "support/random_geometry.h"
@@ -160,6 +162,91 @@ TEST(ImpactOfShapes, SlowNothingTunnels) {
   EXPECT_EQ(through, 0);
 }
 
+/// Two meshes meet when the first two of their triangles do, each pair asked by itself as flat hulls.
+TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
+  Random random(23);
+  int hits = 0, apart = 0, few = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double size = random.decade(-4, 4);
+    const Mesh<double> a = random_mesh(random, size), b = random_mesh(random, size);
+    const Sweep<double> of_a = random_motion(random, size, random.chance(0.5));
+    Sweep<double> of_b = random_motion(random, size, random.chance(0.5));
+    of_b.start.position += 4 * size * random.unit_vector();
+    const Vec3d aim = 2.5 * size * random.vector(-1, 1);
+    of_b.displacement += random.uniform(0.5, 2) * (aim - of_b.start.position);
+    const ShapeImpact<double> found =
+        impact_of_shapes<double>(a, of_a, b, of_b, ImpactMethod::TimeOfImpact);
+    const auto triangles_of = [](const Mesh<double>& mesh) {
+      std::vector<Shape<double>> hulls;
+      for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const std::array<Vec3d, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1),
+                                              mesh.corner(t, 2)};
+        hulls.push_back(build_hull(corners, {.allow_flat = true}));
+      }
+      return hulls;
+    };
+    double first = 2;
+    const std::vector<Shape<double>> of_mesh_b = triangles_of(b);
+    for (const Shape<double>& one : triangles_of(a)) {
+      for (const Shape<double>& other : of_mesh_b) {
+        const auto alone =
+            impact_of_shapes(one, of_a, other, of_b, ImpactMethod::TimeOfImpact).result;
+        ASSERT_TRUE(alone.status == ImpactStatus::Hit || alone.status == ImpactStatus::Separated);
+        if (alone.status == ImpactStatus::Hit) first = std::min(first, alone.time);
+      }
+    }
+    const ShapeImpact<double> turned =
+        impact_of_shapes<double>(b, of_b, a, of_a, ImpactMethod::TimeOfImpact);
+    EXPECT_EQ(turned.result.status, found.result.status) << i;
+    EXPECT_NEAR(turned.result.time, found.result.time, 1e-4) << i;
+    if (first > 1) {
+      EXPECT_EQ(found.result.status, ImpactStatus::Separated) << i;
+      ++apart;
+      continue;
+    }
+    ++hits;
+    ASSERT_EQ(found.result.status, ImpactStatus::Hit) << i;
+    EXPECT_NEAR(found.result.time, first, 1e-4) << i;
+    few += found.triangles < a.triangle_count() * b.triangle_count() / 4;
+  }
+  EXPECT_GT(hits, 25);
+  EXPECT_GT(apart, 5);
+  EXPECT_GT(few, hits / 5);
+}
+
+/// A box of triangles, or a field of one, and another one come head on: faces are flat on each other at a
+/// known time. One field within another overlaps.
+TEST(ImpactOfShapes, MeshesAndFieldsMeetHeadOn) {
+  const Mesh<double> cube = surface_of(make_box(Vec3d(1, 1, 1)));
+  const PlacedField placed = build_distance_field(Shape<double>(cube), {.cells = 16});
+  const std::array<Shape<double>, 2> kinds = {cube, field_shape(placed, cube)};
+  for (const Shape<double>& a : kinds) {
+    for (const Shape<double>& b : kinds) {
+      for (const ImpactMethod method : kImpactMethods) {
+        Sweep<double> right, left;
+        right.start.position = Vec3d(-3, 0.1, 0);
+        right.displacement = Vec3d(3, 0, 0);
+        left.start.position = Vec3d(3, 0, 0.2);
+        left.displacement = Vec3d(-2, 0, 0);
+        const auto found = impact_of_shapes(a, right, b, left, method).result;
+        ASSERT_EQ(found.status, ImpactStatus::Hit);
+        EXPECT_LE(found.time, 0.8);
+        EXPECT_NEAR(found.time, 0.8, 1e-4);
+        EXPECT_NEAR(found.normal.x(), 1, 1e-6);
+      }
+    }
+  }
+  const Mesh<double> small = surface_of(make_box(Vec3d(0.2, 0.2, 0.2)));
+  Sweep<double> stands, goes;
+  goes.displacement = Vec3d(0.1, 0, 0);
+  const auto inside =
+      impact_of_shapes<double>(kinds[1], stands, small, goes, ImpactMethod::TimeOfImpact).result;
+  EXPECT_EQ(inside.status, ImpactStatus::Overlapping);
+  const auto hollow =
+      impact_of_shapes<double>(cube, stands, small, goes, ImpactMethod::TimeOfImpact).result;
+  EXPECT_EQ(hollow.status, ImpactStatus::Separated);  // a mesh is its triangles
+}
+
 TEST(ImpactOfShapes, APlaneIsMetByEveryOtherKind) {
   const Shape<double> plane = HalfSpace<double>{{Vec3d::UnitY(), 0.0}};
   const std::vector<Vec3d> corners = {Vec3d(0, -0.5, 0), Vec3d(1, 0.5, 0), Vec3d(0, 0.5, 1)};
@@ -178,7 +265,8 @@ TEST(ImpactOfShapes, APlaneIsMetByEveryOtherKind) {
     EXPECT_NEAR(found.result.normal.y(), -1, 1e-9);  // from the shape to the plane
     EXPECT_NEAR(found.result.on_b.y(), 0, 1e-9);
   }
-  EXPECT_TRUE(impact_refusal(ShapeKind::Mesh, ShapeKind::Mesh));
+  EXPECT_FALSE(impact_refusal(ShapeKind::Mesh, ShapeKind::Mesh));
+  EXPECT_FALSE(impact_refusal(ShapeKind::Field, ShapeKind::Field));
   EXPECT_TRUE(impact_refusal(ShapeKind::Plane, ShapeKind::Plane));
   EXPECT_FALSE(impact_refusal(ShapeKind::Plane, ShapeKind::Mesh));
   EXPECT_FALSE(impact_refusal(ShapeKind::Mesh, ShapeKind::Capsule));

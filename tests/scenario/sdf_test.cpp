@@ -124,11 +124,13 @@ TEST(Sdf, PairsThatCannotBeAskedAreRefusedWithTheReason) {
   EXPECT_THAT(complaint(kBoxOnField + pairs + "query = \"distance\"\n"), HasSubstr("margin"));
   EXPECT_THAT(complaint(kBoxOnField + pairs + "manifold = \"incremental\"\n"),
               HasSubstr("'floor' is a sdf"));
-  const std::string another =
-      "[shapes.rock]\ntype = \"sdf\"\ncells = 8\nof = { type = \"sphere\", radius = 0.3 }\n";
-  EXPECT_THAT(complaint(kBoxOnField + another + "[[pairs]]\na = \"floor\"\nb = \"rock\"\n" +
+  const std::string sheet =
+      "[shapes.sheet]\ntype = \"mesh\"\ngrid = { size = 2, cells = 4 }\nmotion.deform = { wave = { "
+      "axis "
+      "= [1, 0, 0], direction = [0, 1, 0], amplitude = 0.1, wavelength = 1, speed = 1 } }\n";
+  EXPECT_THAT(complaint(kBoxOnField + sheet + "[[pairs]]\na = \"floor\"\nb = \"sheet\"\n" +
                         "continuous = \"time_of_impact\"\n"),
-              HasSubstr("distance field"));
+              HasSubstr("changes its form"));
 }
 
 class BrokenSdf : public ::testing::TestWithParam<Broken> {};

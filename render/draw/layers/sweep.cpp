@@ -33,8 +33,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     for (const auto& [name, travel] :
          {std::pair(pair.a, impact.travel_a), std::pair(pair.b, impact.travel_b)}) {
       const PlacedShape* shape = scene.find(name);
-      if (shape == nullptr || shape->is_mesh() || shape->traced().half_space || !moves(travel))
-        continue;
+      if (shape == nullptr || shape->traced().half_space || !moves(travel)) continue;
       draw_ghost(scene.camera,
                  moved(*shape, travel.pivot, time * travel.displacement, turned * travel.turn),
                  style, sketch);
