@@ -1,7 +1,9 @@
 #include "query/support_set.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "core/pack.h"
 #include "geometry/lanes.h"
@@ -48,14 +50,13 @@ int support_in_lanes(const VectorLanes<S>& vertices, const Vec3<S>& direction) {
     best = farther ? distances : best;
     best_block = farther ? block + kWidth : best_block;
   }
-  // A tournament without branches: which place wins is anybody's guess.
-  int place = best[1] > best[0] ? 1 : 0;
-  if constexpr (kWidth == 4) {
-    const int other = best[3] > best[2] ? 3 : 2;
-    place = best[other] > best[place] ? other : place;
-  }
+  // Without a branch: which place wins is anybody's guess. The first of equals; any where there is
+  // no number.
+  const Pack<S> most = lanes::largest<S>(best);
+  const std::uint32_t winners = lanes::bits<S>(best == most);
+  const int place = std::countr_zero(winners | (1U << kWidth)) & (kWidth - 1);
   int result = static_cast<int>(best_block[place]) + place;
-  S farthest = best[place];
+  S farthest = most[0];
   for (i = whole; i < vertices.count(); ++i) {
     const S distance = dot(dx, dy, dz, vertices.x()[i], vertices.y()[i], vertices.z()[i]);
     if (distance > farthest) {
