@@ -56,7 +56,7 @@ class RoundedPrism {
     const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
     is_flat_ = !(twice_area_ > 1e-15 * longest);
     if (!is_flat_) {
-      normal_ /= twice_area_;
+      normal_ *= 1 / twice_area_;
       height_ = normal_.dot(start_ - corner(0));
       if (height_ < 0) {  // seen from the sphere's side the corners go the other way about
         height_ = -height_;
@@ -64,7 +64,8 @@ class RoundedPrism {
         std::swap(corners_[1], corners_[2]);
         swapped_ = true;
       }
-      if (height_ <= radius_ && inside(start_)) return true;
+      if (height_ > radius_) return false;
+      if (inside(start_)) return true;
     }
     for (int i = 0; i < 3; ++i) {
       const Vec3d along = corner(i + 1) - corner(i), offset = start_ - corner(i);
@@ -87,24 +88,20 @@ class RoundedPrism {
     return false;
   }
 
-  /// The cylinder about the edge between the planes of its ends.
+  /// The cylinder about the edge between the planes of its ends. Cross products with the edge are what
+  /// lies across it, times its length: nothing is divided before the cylinder is known to be met.
   void edge(int i) {
     const Vec3d along = corner(i + 1) - corner(i);
     const double squared = along.squaredNorm();
-    if (squared == 0) return;
-    // Across the edge only. A component that is taken away twice leaves nothing of its rounding.
-    const auto across = [&](Vec3d v) -> Vec3d {
-      v -= v.dot(along) / squared * along;
-      return v - v.dot(along) / squared * along;
-    };
-    const Vec3d offset = across(start_ - corner(i)), way = across(way_);
-    const double c = offset.squaredNorm() - radius_ * radius_;
+    const Vec3d from = start_ - corner(i);
+    const Vec3d offset = along.cross(from), way = along.cross(way_);
+    const double c = offset.squaredNorm() - radius_ * radius_ * squared;
     if (c <= 0) return;  // inside the endless cylinder: through an end, so a vertex is met before
     const double time = first_root(way.squaredNorm(), way.dot(offset), c);
     if (!(time < hit_.time)) return;
-    const double at = (centre(time) - corner(i)).dot(along) / squared;
-    if (at < 0 || at > 1) return;
-    take(time, TriangleFeature::Edge, i, corner(i) + at * along);
+    const double at = (from + time * way_).dot(along);
+    if (at < 0 || at > squared) return;
+    take(time, TriangleFeature::Edge, i, corner(i) + at / squared * along);
   }
 
   void vertex(int i) {
