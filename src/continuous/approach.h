@@ -33,6 +33,7 @@ class Turning {
   }
 
   const SupportSet<S>& core() const { return core_; }
+  bool turns() const { return angle_ > S(0); }
   S reach() const { return reach_; }
   /// Metres a step, of the fastest point.
   S speed() const { return angle_ * from_axis_; }
@@ -86,6 +87,11 @@ struct Closest {
   Vec3<S> on_a, on_b;               // of meaning if they are apart
 };
 
+template <class S>
+struct TimeSpan {
+  S begin, end;
+};
+
 /// Two convex shapes as seen from a frame that goes with A's pivot and does not turn.
 template <class S>
 class Approach {
@@ -101,24 +107,31 @@ class Approach {
            a_.pivot().norm() + b_.pivot().norm();
   }
   S largest_motion() const { return displacement_.norm() + a_.speed() + b_.speed(); }
+  const Turning<S>& a() const { return a_; }
+  const Turning<S>& b() const { return b_; }
+  /// From A's pivot to B's at a time, and how it changes in the step.
+  Vec3<S> between_pivots_at(S time) const { return from_a_to_b_ + time * displacement_; }
+  const Vec3<S>& displacement() const { return displacement_; }
 
-  /// The first time at which balls about the pivots that hold the shapes, which are `radii` larger than
-  /// their cores, can be within `near`; 0 where they are at the start, and more than 1 where they never
-  /// are. Metres.
-  S balls_near(S radii, S near) const {
+  /// While balls about the pivots that hold the shapes, which are `radii` larger than their cores, can
+  /// be within `near`: from 0 where they are at the start, from later than 1 where they never are.
+  /// Metres.
+  TimeSpan<S> balls_near(S radii, S near) const {
+    constexpr TimeSpan<S> kNever = {2, 2};
     const S rounding = tie_tolerance(scale() + radii);
     const S reach = a_.reach() + b_.reach() + radii + near + S(4) * rounding;
     const S squared = displacement_.squaredNorm();
-    if (from_a_to_b_.norm() <= reach) return 0;
-    if (!(squared > S(0))) return 2;
+    const bool near_at_start = from_a_to_b_.norm() <= reach;
+    if (!(squared > S(0))) return near_at_start ? TimeSpan<S>{0, 2} : kNever;
     // The part across the way, taken off twice so that none of its rounding is left.
     const S nearest = -from_a_to_b_.dot(displacement_) / squared;
-    if (nearest < S(0)) return 2;
+    if (nearest < S(0) && !near_at_start) return kNever;
     Vec3<S> across = from_a_to_b_ + nearest * displacement_;
     across -= across.dot(displacement_) / squared * displacement_;
-    const S inside = reach * reach - across.squaredNorm();
-    if (inside < S(0)) return 2;
-    return std::max(nearest - (std::sqrt(inside) + S(4) * rounding) / std::sqrt(squared), S(0));
+    const S inside = std::max(reach * reach - across.squaredNorm(), S(0));
+    if (inside == S(0) && !near_at_start) return kNever;
+    const S half = (std::sqrt(inside) + S(4) * rounding) / std::sqrt(squared);
+    return {near_at_start ? S(0) : std::max(nearest - half, S(0)), std::max(nearest + half, S(0))};
   }
 
   /// Of the cores along a unit vector, B's side less A's; < 0 where they overlap along it.
@@ -142,7 +155,7 @@ class Approach {
     return -closest.axis.dot(velocity);
   }
 
-  /// Goes on from the simplex of the call before.
+  /// Goes on from the simplex of the call before, or from one that is given.
   Closest<S> measure(S time) {
     const Quat<S> rotation_of_a = a_.rotation(time), rotation_of_b = b_.rotation(time);
     const Quat<S> to_a = rotation_of_a.conjugate();
@@ -150,19 +163,19 @@ class Approach {
     Pose<S> b_in_a;
     b_in_a.rotation = to_a * rotation_of_b;
     b_in_a.position = to_a * b_origin + a_.pivot();
-    gjk_ = gjk(a_.core(), b_.core(), b_in_a, is_measured_ ? &gjk_.simplex : nullptr);
-    is_measured_ = true;
+    gjk_ =
+        gjk(a_.core(), b_.core(), b_in_a, gjk_.simplex.vertices.empty() ? nullptr : &gjk_.simplex);
     return {time, gjk_.status == GjkStatus::Separated ? gjk_.distance : S(0),
             rotation_of_a * gjk_.normal, rotation_of_a * (gjk_.on_a - a_.pivot()),
             rotation_of_a * (gjk_.on_b - a_.pivot())};
   }
+  void measure_from(const GjkSimplex<S>& simplex) { gjk_.simplex = simplex; }
 
  private:
   Turning<S> a_, b_;
   Vec3<S> from_a_to_b_;  // pivots at time 0
   Vec3<S> displacement_;
   GjkResult<S> gjk_;  // of the last measurement
-  bool is_measured_ = false;
 };
 
 }  // namespace contactscope

@@ -28,7 +28,7 @@ class ApproachToPlane {
   S scale() const { return reach_ + b_.reach() + displacement_.norm() + std::abs(offset_); }
   S largest_motion() const { return displacement_.norm() + b_.speed() + angle_ * reach_; }
 
-  S balls_near(S /*radii*/, S /*near*/) const { return 0; }
+  TimeSpan<S> balls_near(S /*radii*/, S /*near*/) const { return {0, 2}; }
   S separation(const Vec3<S>& /*axis*/, S time) const {
     const Vec3<S> normal = normal_at(time);
     return normal.dot(from_a_to_b_ + time * displacement_) + offset_ - b_.extent(-normal, time);

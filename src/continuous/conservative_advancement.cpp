@@ -7,6 +7,12 @@ namespace contactscope {
 namespace {
 
 struct DistanceOverSpeed {
+  /// It never looks ahead.
+  template <class Approach, class S>
+  std::optional<Closest<S>> foresee(Approach& /*approach*/, S /*radii*/, const Apart<S>& /*apart*/,
+                                    ImpactResult<S>& /*result*/, ImpactRun<S>* /*run*/) const {
+    return std::nullopt;
+  }
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {

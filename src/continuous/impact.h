@@ -50,8 +50,8 @@ struct ImpactResult {
   Vec3<S> on_a =
       Vec3<S>::Zero();  // closest points of the surfaces at `time`, in the world; of a Hit
   Vec3<S> on_b = Vec3<S>::Zero();
-  int steps = 0;   // distances measured
-  int bounds = 0;  // projections on an axis
+  int steps = 0;   // distances measured; one that a cast ends with counts
+  int bounds = 0;  // projections on an axis, support points of casts among them
 };
 
 /// One step of the search, for somebody who watches.
@@ -62,7 +62,9 @@ struct ImpactStep {
   Vec3<S> axis;  // unit, from A to B, world: along it the shapes are apart
   /// Of the last projection on the axis: when the separation along it was measured again, and what it
   /// was. By conservative advancement, which measures no second time, and of what does not turn, the
-  /// fastest that they can come nearer: where the distance would be used up, and 0; or the end.
+  /// fastest that they can come nearer: where the distance would be used up, and 0; or the end, of the
+  /// step or of the time in which balls about them are near. By a cast, of which each support plane that
+  /// brings the safe time on is a step: that time, and what is left.
   S bracket_end;
   S bracket_separation;
   S safe;  // until then they cannot meet
@@ -101,7 +103,8 @@ struct ImpactLimits {
 /// subtracted before anything else is computed, so that nothing is lost far from the origin but what
 /// the coordinates have lost already.
 ///
-/// Balls about both say when one has to look at all. Then, by the root of the separation along the axis
+/// Balls about both say when one has to look at all. Polyhedra are cast against each other from there
+/// (foresee_impact.h). Then, and of what is round at once, by the root of the separation along the axis
 /// that GJK names: exactly where nothing turns, else by a bound between now and where the nearest points
 /// would meet. `run`: null when nobody watches.
 template <class S>

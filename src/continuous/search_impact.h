@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "continuous/approach.h"
 
@@ -38,30 +39,42 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
   };
   Apart<S> apart;
   apart.until = allowed.until;
-  result.time = approach.balls_near(radii, tolerance);
-  const S begin = result.time;
-  if (begin >= apart.until) {
-    result.time = apart.until;
+  const TimeSpan<S> balls = approach.balls_near(radii, tolerance);
+  const S begin = balls.begin;
+  result.time = begin;
+  apart.until = std::min(allowed.until, balls.end);
+  const auto separated = [&] {
+    result.time = allowed.until;
     return ended(ImpactStatus::Separated);
+  };
+  // What was apart by more than the tolerance before need not come nearer than that.
+  const auto come_within = [&](S within) {
+    apart.target = radii + S(0.5) * within + rounding;
+    apart.near = radii + S(0.75) * within;
+  };
+  std::optional<Closest<S>> foreseen;
+  if (begin > S(0)) {
+    if (begin >= apart.until) return separated();
+    come_within(tolerance);
+    foreseen = advance.foresee(approach, radii, apart, result, run);
+    if (result.time >= apart.until) return separated();
   }
   for (result.steps = 1; result.steps <= kMaxImpactSteps; ++result.steps) {
-    const Closest<S> closest = approach.measure(result.time);
+    const Closest<S> closest = foreseen ? *foreseen : approach.measure(result.time);
+    foreseen.reset();
     apart.separation = closest.distance;
     apart.axis = closest.axis;
     apart.speed = approach.closing_speed(closest);
     result.distance = closest.distance - radii;
-    if (result.steps == 1) {
-      if (begin == S(0) && result.distance <= S(8) * rounding) {
+    if (result.steps == 1 && begin == S(0)) {
+      if (result.distance <= S(8) * rounding) {
         // Rounding of the way is larger than what is between them: nobody can say what comes.
         const S at_rest = approach.scale() + radii - approach.largest_motion();
         const bool apart_at_rest = result.distance > S(8) * tie_tolerance(std::max(at_rest, S(0)));
         result.normal = closest.axis;
         return ended(apart_at_rest ? ImpactStatus::OutOfIterations : ImpactStatus::Overlapping);
       }
-      // What was apart by more than the tolerance before need not come nearer than that.
-      const S within = begin > S(0) ? tolerance : std::min(tolerance, result.distance);
-      apart.target = radii + S(0.5) * within + rounding;
-      apart.near = radii + S(0.75) * within;
+      come_within(std::min(tolerance, result.distance));
     }
     if (closest.distance <= apart.near) {
       const Vec3<S> origin = of_a.start.transform(of_a.pivot) + result.time * of_a.displacement;
@@ -70,6 +83,11 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       result.on_b = origin + closest.on_b - radius_b * closest.axis;
       return ended(ImpactStatus::Hit);
     }
+    if (result.steps == 1 && begin == S(0)) {
+      foreseen = advance.foresee(approach, radii, apart, result, run);
+      if (result.time >= apart.until) return separated();
+      if (result.time > begin) continue;
+    }
     ImpactStep<S> step{result.time, result.distance, apart.axis, apart.until, 0, 0};
     advance(approach, apart, result, step);
     if (run != nullptr) [[unlikely]] {
@@ -77,10 +95,7 @@ ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const
       step.safe = result.time;
       run->steps.push_back(step);
     }
-    if (result.time >= apart.until) {
-      result.time = apart.until;
-      return ended(ImpactStatus::Separated);
-    }
+    if (result.time >= apart.until) return separated();
   }
   result.steps = kMaxImpactSteps;
   result.normal = apart.axis;

@@ -2,35 +2,28 @@
 #include <cmath>
 
 #include "continuous/approach_to_plane.h"
+#include "continuous/foresee_impact.h"
+#include "continuous/safe_fraction.h"
 #include "continuous/search_impact.h"
 
 namespace contactscope {
 namespace {
 
-/// A lower bound of the separation along a fixed axis between two times at which it is known. A point
-/// that is accelerated by no more than k is off the straight line between two of its places by no
-/// more than k u (1 - u) width^2 / 2 at the fraction u between them; and the least of many straight
-/// lines is nowhere below the straight line between its ends.
-///
-/// Returns the fraction up to which the bound is above `target`; 1 where it is all the way.
-/// `at_begin` > target.
-template <class S>
-S safe_fraction(S at_begin, S at_end, S acceleration, S width, S target) {
-  const S sag = S(0.5) * acceleration * width * width;
-  const S c = at_begin - target;        // > 0
-  const S b = at_end - at_begin - sag;  // the bound: sag u^2 + b u + c
-  if (!(b < S(0))) return 1;
-  const S discriminant = b * b - S(4) * sag * c;
-  if (discriminant < S(0)) return 1;
-  // The smaller root, by the form in which nothing cancels.
-  const S root = S(2) * c / (-b + std::sqrt(discriminant));
-  return std::min(root, S(1));
-}
-
 /// Along the axis the shapes stay apart for a while: until when, at the least? What does not turn says
 /// so by a division. Else a bracket from the safe time to where the nearest points would meet the
 /// target, at the speed that they have now, is narrow enough for its bound to be near the root.
 struct RootBrackets {
+  template <class S>
+  std::optional<Closest<S>> foresee(Approach<S>& approach, S radii, const Apart<S>& apart,
+                                    ImpactResult<S>& result, ImpactRun<S>* run) const {
+    return foresee_impact(approach, radii, apart, result, run);
+  }
+  template <class S>
+  std::optional<Closest<S>> foresee(const ApproachToPlane<S>& /*approach*/, S /*radii*/,
+                                    const Apart<S>& /*apart*/, ImpactResult<S>& /*result*/,
+                                    ImpactRun<S>* /*run*/) const {
+    return std::nullopt;
+  }
   template <class Approach, class S>
   void operator()(const Approach& approach, const Apart<S>& apart, ImpactResult<S>& result,
                   ImpactStep<S>& step) const {
@@ -62,6 +55,8 @@ struct RootBrackets {
 template <class S>
 ImpactResult<S> time_of_impact(const MovingShape<S>& a, const MovingShape<S>& b,
                                const ImpactLimits<S>& allowed, ImpactRun<S>* run) {
+  prefetch_points(a.core);
+  prefetch_points(b.core);
   return search_impact(Approach<S>(a, b), a.radius, b.radius, a.motion, allowed, run,
                        RootBrackets());
 }

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/vec3.h"
 #include "geometry/hull.h"
+#include "geometry/lanes.h"
 
 namespace contactscope {
 
@@ -32,6 +35,17 @@ SupportSet<S> support_set(const Vec3<S> (&ends)[2]) {
 /// Index of a point farthest along `direction` (any length > 0, the set's own frame).
 template <class S>
 int support_index(const SupportSet<S>& set, const Vec3<S>& direction);
+
+/// Has a hull's points brought into the cache while the caller computes something else: the first
+/// support point of a hull that was not seen lately waits for memory.
+template <class S>
+void prefetch_points(const SupportSet<S>& set) {
+  if (set.hull == nullptr) return;
+  constexpr int kCacheLine = 64, kMost = 1024;  // bytes; a longer row fetches itself
+  const auto* bytes = reinterpret_cast<const char*>(set.hull->lanes.vertices.data());
+  const int size = std::min(3 * padded(set.count) * static_cast<int>(sizeof(S)), kMost);
+  for (int i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i);
+}
 
 /// Some point in the middle of the set.
 template <class S>

@@ -1,0 +1,128 @@
+#include "continuous/foresee_impact.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "continuous/portal_cast.h"
+#include "continuous/safe_fraction.h"
+#include "query/minkowski_difference.h"
+
+namespace contactscope {
+namespace {
+
+template <class S>
+CastLimits<S> limits_from(S time, const Apart<S>& apart) {
+  return {apart.target, S(0.5) * (apart.near - apart.target), apart.until - time};
+}
+
+/// Only for a watcher: by a copy, so that what is computed after it is the same to the bit.
+template <class S>
+void record(Approach<S> approach, const ImpactStep<S>& step, ImpactRun<S>& run) {
+  run.steps.push_back(step);
+  run.steps.back().distance = approach.measure(step.time).distance;
+}
+
+template <class S>
+void record_planes(const Approach<S>& approach, const std::vector<SupportPlane<S>>& planes, S begin,
+                   S until, ImpactRun<S>& run) {
+  S from = begin;
+  for (const SupportPlane<S>& plane : planes) {
+    const Vec3<S> axis = -plane.normal;
+    const S safe = std::min(begin + plane.time, until);
+    const S at_end = plane.separation + axis.dot(approach.displacement()) * (safe - begin);
+    record(approach, {from, 0, axis, safe, at_end, safe}, run);
+    from = safe;
+  }
+}
+
+/// The nearest points of a cast's portal at `time`, if it is a hit then; else GJK is to begin there.
+template <class S>
+std::optional<Closest<S>> hit_at(S time, S time_of_cast, const PortalCast<S>& cast,
+                                 const Apart<S>& apart, Approach<S>& approach) {
+  Closest<S> closest = cast.closest(time_of_cast);
+  closest.time = time;
+  if (closest.distance <= apart.near) return closest;
+  approach.measure_from(cast.portal());
+  return std::nullopt;
+}
+
+template <class S>
+std::optional<Closest<S>> cast_straight(Approach<S>& approach, const Apart<S>& apart,
+                                        ImpactResult<S>& result, ImpactRun<S>* run) {
+  const S begin = result.time;
+  PortalCast<S> cast(approach.a(), approach.b(), approach.scale());
+  cast.place(begin, approach.between_pivots_at(begin), approach.displacement());
+  std::vector<SupportPlane<S>> planes;
+  const CastStatus status =
+      cast.cast(limits_from(begin, apart), run != nullptr ? &planes : nullptr);
+  result.bounds += cast.supports();
+  result.time = status == CastStatus::Separated ? apart.until : begin + cast.safe_time();
+  if (run != nullptr) [[unlikely]]
+    record_planes(approach, planes, begin, apart.until, *run);
+  if (status != CastStatus::Hit) return std::nullopt;
+  return hit_at(result.time, cast.safe_time(), cast, apart, approach);
+}
+
+template <class S>
+std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Apart<S>& apart,
+                                       ImpactResult<S>& result, ImpactRun<S>* run) {
+  // Each squares the error, about. What needs more of them spins too fast for the bound as well.
+  constexpr int kMostCasts = 4;
+  const S begin = result.time;
+  const S aim = S(0.5) * (apart.target + apart.near);
+  PortalCast<S> cast(approach.a(), approach.b(), approach.scale());
+  Vec3<S> velocity = approach.displacement();
+  S time = begin, at_end = 0;
+  CastStatus status = CastStatus::Hit;
+  bool is_met = false;
+  for (int i = 0; i < kMostCasts && time < apart.until; ++i) {
+    cast.place(time, approach.between_pivots_at(time), velocity);
+    const CastLimits<S> limits = limits_from(time, apart);
+    status = i == 0 ? cast.cast(limits) : cast.cast_again(limits);
+    if (status == CastStatus::Separated) time = apart.until;
+    if (status != CastStatus::Hit) break;
+    at_end = cast.plane().separation;
+    is_met = at_end > apart.target && at_end < apart.near;
+    if (is_met) break;
+    const GjkSimplex<S> portal = cast.portal();
+    velocity = approach.displacement() + approach.b().velocity(weighted(portal, &GjkVertex<S>::b)) -
+               approach.a().velocity(weighted(portal, &GjkVertex<S>::a));
+    const S closing = cast.plane().normal.dot(velocity);
+    if (!(closing > S(0))) break;
+    time = std::clamp(time + (at_end - aim) / closing, begin, apart.until);
+  }
+  result.bounds += cast.supports();
+
+  const S width = time - begin;
+  if (!(width > S(0))) return std::nullopt;
+  const Vec3<S> axis = -cast.plane().normal;
+  const S at_begin = approach.separation(axis, begin);
+  if (!(at_begin > apart.target)) return std::nullopt;
+  if (!is_met) at_end = approach.separation(axis, time);
+  result.bounds += is_met ? 1 : 2;
+  const S fraction =
+      safe_fraction(at_begin, at_end, approach.acceleration(axis), width, apart.target);
+  const bool is_safe = fraction == S(1);
+  result.time = is_safe ? time : begin + fraction * width;
+  if (run != nullptr) [[unlikely]]
+    record(approach, {begin, 0, axis, time, at_end, result.time}, *run);
+  if (is_met && is_safe) return hit_at(time, S(0), cast, apart, approach);
+  if (status == CastStatus::Hit) approach.measure_from(cast.portal());
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class S>
+std::optional<Closest<S>> foresee_impact(Approach<S>& approach, S radii, const Apart<S>& apart,
+                                         ImpactResult<S>& result, ImpactRun<S>* run) {
+  if (radii > S(0)) return std::nullopt;
+  const bool turns = approach.a().turns() || approach.b().turns();
+  return turns ? cast_turning(approach, apart, result, run)
+               : cast_straight(approach, apart, result, run);
+}
+
+template decltype(foresee_impact<float>) foresee_impact<float>;
+template decltype(foresee_impact<double>) foresee_impact<double>;
+
+}  // namespace contactscope
