@@ -4,8 +4,9 @@
 #include <optional>
 #include <variant>
 
-#include "core/pack.h"
+#include "core/at.h"
 #include "field/nearest_point.h"
+#include "field/node_blend.h"
 #include "geometry/shape.h"
 
 /// Signed distance fields: a lattice of distances to the surface of a shape, negative inside.
@@ -15,7 +16,8 @@
 ///     |  coarse   |. . fine . |     fine nodes in the blocks near the surface: the narrow band
 ///     |           |. .-----. .|
 ///     +-----------+--/--------+     cells that the surface passes know their triangles, and are
-///                                   answered exactly: what is thinner than a cell does not vanish
+///                                   answered exactly where a blend would not do: what is thinner than
+///                                   a cell does not vanish
 ///
 /// All of this is in a frame of its own, the lattice's: its unit is a cell, its origin the corner of the
 /// lattice. A field may so be moved and scaled without a change of its numbers; see PlacedField.
@@ -38,7 +40,10 @@ struct FieldSettings {
   int cells = 64;  // along the longest side of the shape, kFewestFieldCells to kMostFieldCells
   int band = 3;    // cells on each side of the surface that have fine nodes; 0: all have
   FieldInterpolation interpolation = FieldInterpolation::Cubic;
-  bool exact = true;  // cells that the surface passes are answered by their triangles
+  bool exact = true;  // cells that the surface passes know their triangles
+  /// sample() blends nodes in such cells too where they are smooth: no thin feature can be in them, and
+  /// the blend, measured at nine points of the cell, is off by no more than this, cells. 0: none is.
+  double smooth = 1.0 / 32;
   std::size_t most_bytes = std::size_t{1} << 30;  // a larger field is refused
 
   friend bool operator==(const FieldSettings&, const FieldSettings&) = default;
@@ -59,15 +64,10 @@ struct FieldBounds {
 /// A lattice of distances. Made by build_distance_field only.
 class DistanceField {
  public:
-  /// Blend of the eight nodes around a point, or, where the surface passes the cell and the settings say
-  /// exact, the distance itself. A point outside the lattice gets its distance from where on the surface
-  /// the value and the gradient of the nearest point of the lattice point to.
-  ///
-  /// Cubic interpolation is right for polynomials of third order: along each axis Hermite's cubic by
-  /// distance and slope of both nodes, across it linear; what it adds to a linear blend is summed over
-  /// the axes (a Boolean sum without its mixed parts, after Gordon 1971). The gradient is the linear
-  /// blend of the nodes' gradients.
-  FieldSample sample(const Vec3d& point) const;
+  /// Blend of the eight nodes around a point (node_blend.h), or, where the surface passes the cell and
+  /// the settings say so, the distance itself. A point outside the lattice gets its distance from where
+  /// on the surface the value and the gradient of the nearest point of the lattice point to.
+  [[gnu::always_inline]] FieldSample sample(const Vec3d& point) const;
 
   /// Bounds that hold for every point, rounding included: the distance changes by no more than the way
   /// from each of the eight nodes around (Lipschitz), and in cells that the surface passes it is known.
@@ -85,8 +85,10 @@ class DistanceField {
   std::size_t bytes() const;
   int fine_blocks() const { return fine_block_count_; }
   /// Whether a point is in a cell of the narrow band.
-  bool in_band(const Vec3d& point) const {
-    return clamped(point) == point && locate(point).fine >= 0;
+  bool in_band(const Vec3d& point) const { return in_lattice(point) && locate(point).fine; }
+  /// Whether a point is in a cell that knows its triangles.
+  bool at_surface(const Vec3d& point) const {
+    return in_lattice(point) && !triangles_of(locate(point)).empty();
   }
   /// The surface as triangles, caps included; null for a sphere or a capsule, which have a core.
   const Mesh<double>* surface() const { return core_ ? nullptr : &triangles_.mesh(); }
@@ -96,32 +98,47 @@ class DistanceField {
   static constexpr int kBlock = 4;  // cells along the side of a block
   static constexpr int kSide = kBlock + 1;
   static constexpr int kNodes = kSide * kSide * kSide;
+  static constexpr int kPairs = kBlock * kSide * kSide;
   static constexpr int kCells = kBlock * kBlock * kBlock;
 
   /// How far an exact distance may be from the truth: rounding of coordinates up to kMostFieldCells is
   /// some 2^-37 cells.
   static constexpr double kExactSlack = 0x1p-33;
-  /// The same of the number of a node, which is rounded to float.
-  static double slack(double distance) { return 0x1p-23 * std::abs(distance) + kExactSlack; }
 
  private:
   friend class FieldBuilder;
-  /// Distance, then its gradient.
-  using Node = lanes::Pack<float>;
 
   /// Where a point of the lattice is.
   struct Place {
-    std::array<int, 3> block;
-    int fine;           // number among the fine blocks; -1: none
-    int cell;           // in the block; 0 where it is coarse
-    Vec3d corner;       // of the cell or the coarse block
-    double side;        // its length: 1 or kBlock
-    const Node* nodes;  // the first of the eight; the others are 1 and these two away
-    int next_y, next_z;
-  };
+    const NodePair* first;  // of the cell's nodes
+    const NodeLayout* layout;
+    lanes::Flags<float> weights;
+    lanes::Flags<float> block,
+        cell;            // that many blocks from the origin, and cells from the block's
+    int first_of_block;  // its node
+    bool fine;
 
-  Place locate(const Vec3d& inside) const;
-  FieldSample blend(const Place& place, const Vec3d& inside) const;
+    Vec3d corner() const {
+      const lanes::Flags<float> all = kBlock * block + cell;
+      return Vec3d(all[0], all[1], all[2]);
+    }
+  };
+  /// Calls visit(position, distance) for the eight nodes around until it says false.
+  template <class Visit>
+  void for_nodes(const Place& place, const Visit& visit) const;
+
+  using Integers = lanes::Flags<float>;
+  bool in_lattice(const Vec3d& point) const {
+    return (point.array() >= 0).all() && (point.array() <= size_.array()).all();
+  }
+  /// Of a point of the lattice.
+  Place locate(const Vec3d& inside) const {
+    return locate(lanes::smaller(node_blend::parts_of(inside), last_part_));
+  }
+  Place locate(const Integers& parts) const;
+  [[gnu::always_inline]] FieldSample sample(const Place& place, const Vec3d& point) const;
+  FieldSample sample_outside(const Vec3d& point) const;
+  FieldSample exact_in_cell(const Vec3d& point) const;
   FieldBounds bounds_by_nodes(const Place& place, const Vec3d& inside) const;
   std::span<const int> triangles_of(const Place& place) const;
   FieldSample exact_near(const Place& place, const Vec3d& point, const NearestPoint& nearest,
@@ -129,15 +146,26 @@ class DistanceField {
   FieldSample by_core(const Vec3d& point) const;
   bool is_inside(const Place& place, const Vec3d& point, const NearestPoint& nearest,
                  std::span<const int> around) const;
-  Vec3d clamped(const Vec3d& point) const { return point.cwiseMax(0.0).cwiseMin(size_); }
+  /// The nearest point of the lattice; of what is no number its corner.
+  Vec3d clamped(const Vec3d& point) const {
+    const auto along = [&](int axis) { return std::min(std::max(0.0, point[axis]), size_[axis]); };
+    return {along(0), along(1), along(2)};
+  }
+  /// How far the number of a node may be from the truth, cells.
+  static double slack(const Place& place) {
+    return kNodeRounding * double{place.layout->step} + kExactSlack;
+  }
 
   FieldSettings settings_;
   std::array<int, 3> blocks_{};  // along each axis
+  int blocks_of_layer_ = 0;      // x and y
   Vec3d size_ = Vec3d::Zero();
+  Integers last_part_{};                 // the largest of the lattice (node_blend::parts_of)
+  std::array<NodeLayout, 2> layouts_{};  // of the coarse nodes and of a fine block
+  std::vector<NodePair> nodes_;          // the coarse ones, x first, then kPairs of each fine block
+  int coarse_count_ = 0;
+  std::vector<int> first_node_of_block_;  // of a coarse one its corner, of a fine one its own first
   Aabb<double> surface_box_;
-  std::vector<Node> coarse_;                   // x first
-  std::vector<int> fine_of_block_;             // -1: none
-  std::vector<Node> fine_;                     // kNodes of each fine block
   std::vector<std::uint32_t> first_triangle_;  // of each cell of the fine blocks, and of the end
   std::vector<int> cell_triangles_;
   int fine_block_count_ = 0;
@@ -147,19 +175,60 @@ class DistanceField {
   double front_ = 1;      // 1: fronts are outside
 };
 
+inline DistanceField::Place DistanceField::locate(const Integers& parts) const {
+  using node_blend::small_lane;
+  constexpr int kBlockBits = kWeightBits + 2;
+  static_assert(kBlock == 1 << (kBlockBits - kWeightBits));
+  const Integers block = parts >> kBlockBits, cell = parts >> kWeightBits & (kBlock - 1);
+  const int first =
+      at(first_node_of_block_, small_lane<2>(block) * blocks_of_layer_ +
+                                   small_lane<1>(block) * blocks_[0] + small_lane<0>(block));
+  // Both kinds of blocks without a branch, which nothing could foresee: all bits where it is fine.
+  const int fine = (coarse_count_ - 1 - first) >> 31;
+  const int in_block =
+      (small_lane<2>(cell) * kSide + small_lane<1>(cell)) * kBlock + small_lane<0>(cell);
+  const NodeLayout& layout = layouts_[static_cast<std::size_t>(fine & 1)];
+  return {nodes_.data() + first + (in_block & fine),
+          &layout,
+          parts >> layout.side_bits & (kWeightOne - 1),
+          block,
+          cell & fine,
+          first,
+          fine != 0};
+}
+
+inline FieldSample DistanceField::sample(const Vec3d& point) const {
+  const Integers parts = node_blend::parts_of(point);
+  // Negative, or beyond the last.
+  if (lanes::bits<float>(parts | (last_part_ - parts)) != 0) [[unlikely]]
+    return sample_outside(point);
+  return sample(locate(parts), point);
+}
+
+inline FieldSample DistanceField::sample(const Place& place, const Vec3d& point) const {
+  if (place.first->asks_triangles()) return exact_in_cell(point);
+  const lanes::Pack<float> node = settings_.interpolation == FieldInterpolation::Cubic
+                                      ? blend<true>(place.first, *place.layout, place.weights)
+                                      : blend<false>(place.first, *place.layout, place.weights);
+  return {node[0],
+          {node[1], node[2], node[3]},
+          place.fine ? FieldSample::Source::Fine : FieldSample::Source::Coarse};
+}
+
 /// A field in the frame of a shape, metres.
 struct PlacedField {
   std::shared_ptr<const DistanceField> field;
   Vec3d origin = Vec3d::Zero();  // of the lattice, in the shape's frame
   double cell = 1;               // metres
+  double per_cell = 1 / cell;    // 1 / metres
 
   template <class S>
   static PlacedField of(const Field<S>& shape) {
     return {shape.values, shape.origin, shape.cell};
   }
-  Vec3d in_lattice(const Vec3d& point) const { return (point - origin) / cell; }
+  Vec3d in_lattice(const Vec3d& point) const { return (point - origin) * per_cell; }
   /// The sample at a point of the shape's frame, its distance in metres.
-  FieldSample sample(const Vec3d& point) const {
+  [[gnu::always_inline]] FieldSample sample(const Vec3d& point) const {
     return in_metres(field->sample(in_lattice(point)));
   }
   FieldSample exact(const Vec3d& point) const { return in_metres(field->exact(in_lattice(point))); }

@@ -1,17 +1,13 @@
 #include "field/nearest_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/at.h"
 
 namespace contactscope {
 namespace {
-
-double squared_distance(const Aabb<double>& box, const Vec3d& point) {
-  const Vec3d beyond = (box.lower - point).cwiseMax(point - box.upper).cwiseMax(0.0);
-  return beyond.squaredNorm();
-}
 
 using Pack = lanes::Pack<float>;
 
@@ -102,26 +98,33 @@ NearestPoint NearestTriangles::nearest(const Vec3d& point, int seed) const {
   }
 }
 
-void NearestTriangles::within(const Vec3d& point, double squared, std::vector<int>& found) const {
+void NearestTriangles::around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                              std::vector<int>& found) const {
   const AabbTree<double>& tree = mesh_->tree;
-  std::vector<std::pair<double, int>> near;
+  const Pack at_middle = pack_of_point(middle), at_nearest = pack_of_point(nearest.point);
+  const double diagonal = 2 * 1.7320508075688774 * half_side;
+  const double by_distance = std::sqrt(nearest.squared) + diagonal;
+  const auto most = static_cast<float>(by_distance * by_distance * (1 + kRoughness));
+  const auto base = static_cast<float>(nearest.squared * (1 + kRoughness));
+  const auto rise = static_cast<float>(2 * half_side * (1 + kRoughness));
+  const auto can_be = [&](const RoughBox& box) {
+    const Pack below = box.lower - at_nearest, above = box.upper - at_nearest;
+    const Pack sides = lanes::larger(lanes::larger(below, -below), lanes::larger(above, -above));
+    const float farthest = (sides[0] + sides[1]) + sides[2];
+    return squared_distance(box.lower, box.upper, at_middle) <=
+           std::min(most, base + rise * farthest);
+  };
   const int node_count = count_of(tree.nodes);
   int i = 0;
   while (i < node_count) {
     const AabbTree<double>::Node& node = at(tree.nodes, i);
-    const bool hit = squared_distance(node.box, point) <= squared;
+    const bool hit = can_be(at(node_boxes_, i));
     if (hit && node.leaf()) {
-      for (int k = node.next; k < node.next + node.count; ++k) {
-        if (squared_distance(at(tree.boxes, k), point) > squared) continue;
-        NearestPoint own;
-        improve(at(tree.triangles, k), point, own);
-        if (own.squared <= squared) near.emplace_back(own.squared, at(tree.triangles, k));
-      }
+      for (int k = node.next; k < node.next + node.count; ++k)
+        if (can_be(at(triangle_boxes_, k))) found.push_back(at(tree.triangles, k));
     }
     i = hit || node.leaf() ? i + 1 : node.next;
   }
-  std::ranges::sort(near);
-  for (const auto& [distance, triangle] : near) found.push_back(triangle);
 }
 
 std::size_t NearestTriangles::bytes() const {

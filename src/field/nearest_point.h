@@ -42,9 +42,10 @@ class NearestTriangles {
     return best;
   }
 
-  /// Appends each triangle whose squared distance from `point` is no more than `squared`, nearest
-  /// first.
-  void within(const Vec3d& point, double squared, std::vector<int>& found) const;
+  /// Appends all triangles that can be nearest to a point of a cube, and some others, in the order of
+  /// the tree. `nearest`: of all to the middle. See TriangleSieve.
+  void around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+              std::vector<int>& found) const;
 
   /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
   double height_over(int triangle, const Vec3d& point) const {
@@ -52,20 +53,6 @@ class NearestTriangles {
     return prism.normal.dot(point - prism.corners[0]);
   }
   const Vec3d& normal(int triangle) const { return at(prisms_, triangle).normal; }
-  std::size_t bytes() const;
-
- private:
-  struct Prism {
-    Vec3d normal;  // beside the first corner in memory: most triangles need no more
-    std::array<Vec3d, 3> corners, edges;
-    std::array<Vec3d, 3> inward;       // in the plane, at right angles to the edge
-    std::array<double, 3> edge_scale;  // 1 / |edge|^2
-  };
-  /// A box in single precision, larger by what that rounds.
-  struct RoughBox {
-    lanes::Pack<float> lower, upper;
-  };
-
   /// Replaces `best` where the triangle is nearer.
   void improve(int triangle, const Vec3d& point, NearestPoint& best) const {
     const Prism& prism = at(prisms_, triangle);
@@ -85,6 +72,20 @@ class NearestTriangles {
     }
     if (inside) best = {point - height * prism.normal, height * height, triangle, true};
   }
+
+  std::size_t bytes() const;
+
+ private:
+  struct Prism {
+    Vec3d normal;  // beside the first corner in memory: most triangles need no more
+    std::array<Vec3d, 3> corners, edges;
+    std::array<Vec3d, 3> inward;       // in the plane, at right angles to the edge
+    std::array<double, 3> edge_scale;  // 1 / |edge|^2
+  };
+  /// A box in single precision, larger by what that rounds.
+  struct RoughBox {
+    lanes::Pack<float> lower, upper;
+  };
 
   std::shared_ptr<const Mesh<double>> mesh_;
   std::vector<Prism> prisms_;

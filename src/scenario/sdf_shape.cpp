@@ -15,6 +15,17 @@ int read_band(const Value& value) {
   return value.integer(1, kMaxBand);
 }
 
+/// Which of the cells that the surface passes ask their triangles: all of them, none, or those that are
+/// not smooth.
+void read_exact(const Value& value, FieldSettings& settings) {
+  if (value.is_string()) {
+    value.one_of({"where_needed"}, "exact (or true, or false)");
+    settings.smooth = FieldSettings{}.smooth;
+  } else {
+    settings.exact = value.boolean();
+  }
+}
+
 }  // namespace
 
 Shape<double> read_sdf(const Value& table, const Surroundings& surroundings) {
@@ -30,7 +41,8 @@ Shape<double> read_sdf(const Value& table, const Surroundings& surroundings) {
   table.read("band", settings.band, read_band);
   table.read("interpolation", settings.interpolation,
              word_of<FieldInterpolation>({"trilinear", "cubic"}, "interpolation"));
-  table.read("exact", settings.exact, &Value::boolean);
+  settings.smooth = 0;
+  if (const auto exact = table.find("exact")) read_exact(*exact, settings);
   const PlacedField placed =
       build_at(of, "distance field", [&] { return build_distance_field(shape, settings); });
   return field_shape(placed, shape);

@@ -1,0 +1,248 @@
+#include "field/triangle_sieve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/at.h"
+
+namespace contactscope {
+namespace {
+
+using SieveFloats = lanes::Pack<float>;
+
+std::array<SieveFloats, 3> in_all_lanes(const Vec3d& point) {
+  return {lanes::all(static_cast<float>(point.x())), lanes::all(static_cast<float>(point.y())),
+          lanes::all(static_cast<float>(point.z()))};
+}
+
+SieveFloats magnitude(const SieveFloats& pack) {
+  return lanes::larger(pack, -pack);
+}
+
+/// How far `along` is beyond the ends of a segment from 0 to `length`.
+SieveFloats beyond(const SieveFloats& along, const SieveFloats& length) {
+  return along - lanes::smaller(lanes::larger(along, SieveFloats{}), length);
+}
+
+constexpr double kDiagonal = 1.7320508075688774;  // of a unit cube, rounded up
+
+}  // namespace
+
+TriangleSieve::TriangleSieve(const NearestTriangles& triangles, double size)
+    : triangles_(triangles), slack_(kRoughness * size) {
+  const Mesh<double>& mesh = triangles.mesh();
+  flat_.reserve(mesh.triangles.size());
+  for (int t = 0; t < mesh.triangle_count(); ++t) flat_.push_back(flat(mesh, t));
+}
+
+TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle) {
+  int longest = 0;
+  double length = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double own = (mesh.corner(triangle, (k + 1) % 3) - mesh.corner(triangle, k)).norm();
+    if (own <= length) continue;
+    length = own;
+    longest = k;
+  }
+  const Vec3d origin = mesh.corner(triangle, longest);
+  const Vec3d third = mesh.corner(triangle, (longest + 2) % 3) - origin;
+  const Vec3d& normal = mesh.normal(triangle);
+  const Vec3d first_axis = (mesh.corner(triangle, (longest + 1) % 3) - origin) / length;
+  const Vec3d second_axis = normal.cross(first_axis);
+  const Eigen::Vector2d tip(third.dot(first_axis), third.dot(second_axis));
+  const Eigen::Vector2d second = tip - Eigen::Vector2d(length, 0);
+  Aabb<double> box;
+  for (int k = 0; k < 3; ++k) box.include(mesh.corner(triangle, k));
+  Flat numbers{};
+  const auto set = [&](int first, const auto& vector) {
+    for (int i = 0; i < vector.size(); ++i) at(numbers, first + i) = static_cast<float>(vector[i]);
+  };
+  set(kOrigin, origin);
+  set(kAxes, first_axis);
+  set(kAxes + 3, second_axis);
+  set(kAxes + 6, normal);
+  numbers[kBase] = static_cast<float>(length);
+  set(kSecond, Eigen::Vector2d(second.normalized()));
+  numbers[kSecond + 2] = static_cast<float>(second.norm());
+  set(kThird, Eigen::Vector2d(tip.normalized()));
+  numbers[kThird + 2] = static_cast<float>(tip.norm());
+  set(kMiddle, box.center());
+  numbers[kExtent] = static_cast<float>(0.5 * box.extent().sum() * (1 + 0x1p-20));
+  return numbers;
+}
+
+void TriangleSieve::lay_out(List& list) const {
+  const std::size_t count = list.triangles_.size();
+  list.fours_.resize((count + 3) / 4);
+  list.squared_.resize(list.fours_.size());
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
+    const auto of = [&](std::size_t lane) {
+      // The last one fills up what is left of the last four.
+      return at(flat_, list.triangles_[std::min(4 * i + lane, count - 1)]).data();
+    };
+    const float *a = of(0), *b = of(1), *c = of(2), *d = of(3);
+    for (std::size_t k = 0; k < kNumbers; k += 4) {
+      const Floats one = lanes::load(a + k), two = lanes::load(b + k);
+      const Floats three = lanes::load(c + k), four = lanes::load(d + k);
+      const Floats low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
+      const Floats high = __builtin_shufflevector(one, two, 2, 6, 3, 7);
+      const Floats other_low = __builtin_shufflevector(three, four, 0, 4, 1, 5);
+      const Floats other_high = __builtin_shufflevector(three, four, 2, 6, 3, 7);
+      Floats* to = list.fours_[i].data() + k;
+      to[0] = __builtin_shufflevector(low, other_low, 0, 1, 4, 5);
+      to[1] = __builtin_shufflevector(low, other_low, 2, 3, 6, 7);
+      to[2] = __builtin_shufflevector(high, other_high, 0, 1, 4, 5);
+      to[3] = __builtin_shufflevector(high, other_high, 2, 3, 6, 7);
+    }
+  }
+}
+
+[[gnu::always_inline]] inline TriangleSieve::Floats TriangleSieve::squared_distance(
+    const Four& four, const std::array<Floats, 3>& point, InFrame& in_frame) {
+  const Floats from_x = point[0] - four[kOrigin], from_y = point[1] - four[kOrigin + 1];
+  const Floats from_z = point[2] - four[kOrigin + 2];
+  const auto along = [&](std::size_t axis) {
+    return four[axis] * from_x + four[axis + 1] * from_y + four[axis + 2] * from_z;
+  };
+  const Floats x = along(kAxes), y = along(kAxes + 3), z = along(kAxes + 6);
+  // Of each edge how far the point is on its inner side, and beyond its ends.
+  const Floats first_beyond = beyond(x, four[kBase]);
+  const Floats from_second = x - four[kBase];
+  const Floats second = y * four[kSecond] - from_second * four[kSecond + 1];
+  const Floats second_beyond =
+      beyond(from_second * four[kSecond] + y * four[kSecond + 1], four[kSecond + 2]);
+  const Floats third = x * four[kThird + 1] - y * four[kThird];
+  const Floats third_beyond = beyond(x * four[kThird] + y * four[kThird + 1], four[kThird + 2]);
+  const Floats of_first = first_beyond * first_beyond + y * y;
+  const Floats of_second = second_beyond * second_beyond + second * second;
+  const Floats of_third = third_beyond * third_beyond + third * third;
+  const Floats in_plane = lanes::smaller(of_first, lanes::smaller(of_second, of_third));
+  const auto outside = (y < 0) | (second < 0) | (third < 0);
+  in_frame = {first_beyond, y, z};
+  const auto by_second = of_second == in_plane;
+  const auto by_third = of_third == in_plane;
+  in_frame.x =
+      by_second ? second_beyond * four[kSecond] - second * four[kSecond + 1]
+                : (by_third ? third_beyond * four[kThird] + third * four[kThird + 1] : in_frame.x);
+  in_frame.y =
+      by_second ? second_beyond * four[kSecond + 1] + second * four[kSecond]
+                : (by_third ? third_beyond * four[kThird + 1] - third * four[kThird] : in_frame.y);
+  in_frame.x = outside ? in_frame.x : Floats{};
+  in_frame.y = outside ? in_frame.y : Floats{};
+  return z * z + (outside ? in_plane : Floats{});
+}
+
+NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
+  const std::array<Floats, 3> at_point = in_all_lanes(point);
+  Floats least = lanes::all(std::numeric_limits<float>::infinity());
+  InFrame unused;
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
+    list.squared_[i] = squared_distance(list.fours_[i], at_point, unused);
+    least = lanes::smaller(least, list.squared_[i]);
+  }
+  const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
+  const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
+  NearestPoint best;
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
+    for (std::uint32_t bits = lanes::bits<float>(list.squared_[i] <= most); bits != 0;
+         bits &= bits - 1) {
+      const std::size_t triangle = 4 * i + static_cast<std::size_t>(__builtin_ctz(bits));
+      if (triangle >= list.triangles_.size()) break;
+      triangles_.improve(list.triangles_[triangle], point, best);
+    }
+  }
+  return best;
+}
+
+float TriangleSieve::rough_distance(const List& list, const Vec3d& point) const {
+  const std::array<Floats, 3> at_point = in_all_lanes(point);
+  Floats least = lanes::all(std::numeric_limits<float>::infinity());
+  Floats height_of_least{};
+  InFrame offset;
+  for (const Four& four : list.fours_) {
+    const Floats squared = squared_distance(four, at_point, offset);
+    height_of_least = squared < least ? offset.height : height_of_least;
+    least = lanes::smaller(least, squared);
+  }
+  int lane = 0;
+  for (int i = 1; i < 4; ++i)
+    if (least[i] < least[lane]) lane = i;
+  return std::copysign(std::sqrt(least[lane]), height_of_least[lane]);
+}
+
+/// Calls keep(triangle, squared distance) for each triangle of the list that a point of the cube can have
+/// for its nearest. See the class: |x-q|_1 is no larger than at the farthest corner of the triangle's box;
+/// and with x*, the triangle's point that is nearest to c, and r = |x-x*|,
+///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
+/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h.
+template <class Keep>
+void TriangleSieve::sift(const List& list, const Vec3d& middle, double half_side,
+                         const NearestPoint& nearest, const Keep& keep) const {
+  // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: the rounding of a distance, as of a square.
+  constexpr double kShare = 0x1p-8;
+  const double by_distance = std::sqrt(nearest.squared) + 2 * kDiagonal * half_side;
+  const double slack = (1 + 1 / kShare) * 4 * slack_ * slack_;
+  const auto limit_of = [&](double squared) {
+    return lanes::all(static_cast<float>((1 + kShare) * squared + slack));
+  };
+  const Floats most = limit_of(by_distance * by_distance);
+  const double squared = nearest.squared + 8 * half_side * slack_;
+  const Floats by_corner = limit_of(squared);
+  const Floats by_nearest = limit_of(squared + 3 * half_side * half_side);
+  const Floats rise = lanes::all(static_cast<float>((1 + kShare) * 2 * half_side));
+  const std::array<Floats, 3> at_nearest = in_all_lanes(nearest.point);
+  const std::array<Floats, 3> at_middle = in_all_lanes(middle);
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
+    const Four& four = list.fours_[i];
+    Floats sum = four[kExtent];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum += magnitude(four[kMiddle + axis] - at_nearest[axis]);
+    const auto can_be = list.squared_[i] <= lanes::smaller(most, by_corner + rise * sum);
+    if (lanes::bits<float>(can_be) == 0) continue;
+    InFrame offset;
+    const Floats own = squared_distance(four, at_middle, offset);
+    sum = Floats{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum += magnitude((at_middle[axis] - at_nearest[axis]) -
+                       (four[kAxes + axis] * offset.x + four[kAxes + 3 + axis] * offset.y +
+                        four[kAxes + 6 + axis] * offset.height));
+    const auto kept = can_be & (own <= by_nearest + rise * sum);
+    for (std::uint32_t bits = lanes::bits<float>(kept); bits != 0; bits &= bits - 1) {
+      const int lane = __builtin_ctz(bits);
+      const std::size_t triangle = 4 * i + static_cast<std::size_t>(lane);
+      if (triangle < list.triangles_.size()) keep(list.triangles_[triangle], own[lane]);
+    }
+  }
+}
+
+void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
+  list.triangles_.assign(triangles.begin(), triangles.end());
+  lay_out(list);
+}
+
+void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                                List& list) const {
+  list.triangles_.clear();
+  triangles_.around(middle, half_side, nearest, list.triangles_);
+  lay_out(list);
+}
+
+void TriangleSieve::fill_within(const List& from, const Vec3d& middle, double half_side,
+                                const NearestPoint& nearest, List& list) const {
+  list.triangles_.clear();
+  sift(from, middle, half_side, nearest,
+       [&](int triangle, float) { list.triangles_.push_back(triangle); });
+  lay_out(list);
+}
+
+void TriangleSieve::append(List& from, const Vec3d& middle, double half_side,
+                           const NearestPoint& nearest, std::vector<int>& found) const {
+  from.near_.clear();
+  sift(from, middle, half_side, nearest,
+       [&](int triangle, float squared) { from.near_.emplace_back(squared, triangle); });
+  std::ranges::sort(from.near_);
+  for (const auto& [squared, triangle] : from.near_) found.push_back(triangle);
+}
+
+}  // namespace contactscope

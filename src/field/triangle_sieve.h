@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/pack.h"
+#include "field/nearest_point.h"
+
+namespace contactscope {
+
+/// Finds which triangles of a surface can be nearest to a point, or to some point of a cube, four at a
+/// time in single precision; a double decides among the few that are left. For fields: points are in a
+/// lattice whose corner is the origin, with coordinates that float holds exactly, as all multiples of 1/8
+/// of a cell up to 2^20 are.
+///
+/// A triangle can be nearest to a point p of a cube only if it has a point x that is no farther from p than
+/// q is, the point of the surface that is nearest to the middle c: |p-x|^2 <= |p-q|^2. The difference of
+/// both sides is linear in p, so that it is largest at a corner of the cube, and
+///
+///     |c-x|^2  <=  |c-q|^2 + 2 h |x-q|_1        h: half the side of the cube; |.|_1: sum of the axes
+///
+/// holds for each such x. On a flat surface that leaves a disc about q whose radius is some three h,
+/// however far from the surface the cube is.
+class TriangleSieve {
+  using Floats = lanes::Pack<float>;
+  /// The numbers of four triangles side by side (Number).
+  using Four = std::array<Floats, 24>;
+
+ public:
+  /// `size`: the largest coordinate, of points and of triangles. Keeps a reference to `triangles`.
+  TriangleSieve(const NearestTriangles& triangles, double size);
+
+  /// Triangles laid out for the questions below.
+  class List {
+   public:
+    std::span<const int> triangles() const { return triangles_; }
+
+   private:
+    friend class TriangleSieve;
+    std::vector<int> triangles_;
+    std::vector<Four> fours_;
+    std::vector<Floats> squared_;  // distances from the point that was asked last
+    std::vector<std::pair<float, int>> near_;
+  };
+
+  // Lists are filled, and not returned, so that they keep their memory. What is asked about a cube needs
+  // the question nearest() of its middle before it.
+
+  void fill(std::span<const int> triangles, List& list) const;
+  /// All triangles that can be nearest to a point of a cube. `nearest`: of all to its middle.
+  void fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                   List& list) const;
+  /// The same among those of a list.
+  void fill_within(const List& from, const Vec3d& middle, double half_side,
+                   const NearestPoint& nearest, List& list) const;
+  /// The same, appended to `found`, nearest first.
+  void append(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+              std::vector<int>& found) const;
+
+  /// The nearest of a list.
+  NearestPoint nearest(List& list, const Vec3d& point) const;
+  /// The distance from the nearest of a list, off by kRoughness of the size at most, negative behind it.
+  float rough_distance(const List& list, const Vec3d& point) const;
+
+  /// What rounding may add to a distance, as a part of the size. Some 20 roundings of 2^-24.
+  static constexpr double kRoughness = 0x1p-18;
+
+ private:
+  /// A triangle in a frame of its own: its longest edge from the origin along the first axis, the normal
+  /// along the third.
+  enum Number {
+    kOrigin = 0,
+    kAxes = 3,     // three of three numbers each
+    kBase = 12,    // length of the longest edge
+    kSecond = 13,  // direction of the edge after it, two numbers, and its length
+    kThird = 16,   // direction from the origin to the third corner, and its length
+    kMiddle = 19,  // of its box
+    kExtent = 22,  // half the sum of the sides of its box, rounded up
+    kNumbers = 24
+  };
+  using Flat = std::array<float, kNumbers>;
+
+  static Flat flat(const Mesh<double>& mesh, int triangle);
+  void lay_out(List& list) const;
+  template <class Keep>
+  void sift(const List& list, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+            const Keep& keep) const;
+  /// From the nearest point of each triangle to a point, in the triangles' frames.
+  struct InFrame {
+    Floats x, y, height;
+  };
+  static Floats squared_distance(const Four& four, const std::array<Floats, 3>& point,
+                                 InFrame& offset);
+
+  const NearestTriangles& triangles_;
+  double slack_;  // of a distance
+  std::vector<Flat> flat_;
+};
+
+}  // namespace contactscope
