@@ -42,7 +42,7 @@ struct FieldSettings {
   FieldInterpolation interpolation = FieldInterpolation::Cubic;
   bool exact = true;  // cells that the surface passes know their triangles
   /// sample() blends nodes in such cells too where they are smooth: no thin feature can be in them, and
-  /// the blend, measured at nine points of the cell, is off by no more than this, cells. 0: none is.
+  /// the blend, measured at five points of the cell, is off by no more than this, cells. 0: none is.
   double smooth = 1.0 / 32;
   std::size_t most_bytes = std::size_t{1} << 30;  // a larger field is refused
 

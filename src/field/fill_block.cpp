@@ -111,7 +111,11 @@ void FieldBuilder::fill_part(Block& block, const std::array<int, 3>& first) {
 /// Where the surface may pass a cell, all triangles that can be nearest to a point of it.
 void FieldBuilder::find_triangles(Block& block, const std::array<int, 3>& cell) {
   const auto [i, j, k] = cell;
-  if (at(block.nodes, node_in_block(i, j, k))[0] > 2 * kHalfCell + kSignSlack) return;
+  // The middle is no nearer to the surface than a corner is, less half a diagonal.
+  for (const int w : {k, k + 1})
+    for (const int v : {j, j + 1})
+      for (const int u : {i, i + 1})
+        if (at(block.nodes, node_in_block(u, v, w))[0] > 2 * kHalfCell + kSignSlack) return;
   const Vec3d middle = block.corner + Vec3d(i + 0.5, j + 0.5, k + 0.5);
   const NearestPoint nearest = sieve_->nearest(of_part_, middle);
   if (nearest.squared > kHalfCell * kHalfCell + kSignSlack) return;

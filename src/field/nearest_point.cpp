@@ -54,10 +54,9 @@ NearestTriangles::NearestTriangles(std::shared_ptr<const Mesh<double>> mesh)
   triangle_boxes_ = mapped(mesh_->tree.boxes, rough);
 }
 
-NearestPoint NearestTriangles::nearest(const Vec3d& point, int seed) const {
+NearestPoint NearestTriangles::nearest(const Vec3d& point, std::span<const int> seeds) const {
   const AabbTree<double>& tree = mesh_->tree;
-  NearestPoint best;
-  if (seed >= 0) improve(seed, point, best);
+  NearestPoint best = nearest_of(seeds, point);
   struct Waiting {
     int node;
     float squared;

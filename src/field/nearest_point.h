@@ -31,9 +31,9 @@ class NearestTriangles {
 
   const Mesh<double>& mesh() const { return *mesh_; }
 
-  /// The nearest of all triangles; of equally near ones any. `seed`, if it is not -1, is tried first:
-  /// a triangle near by makes the search short.
-  NearestPoint nearest(const Vec3d& point, int seed = -1) const;
+  /// The nearest of all triangles; of equally near ones any. `seeds` are tried first: triangles near by
+  /// make the search short.
+  NearestPoint nearest(const Vec3d& point, std::span<const int> seeds = {}) const;
 
   /// The nearest of these.
   NearestPoint nearest_of(std::span<const int> triangles, const Vec3d& point) const {

@@ -143,13 +143,19 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   }
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
-  NearestPoint best;
+  near_.resize(list.fours_.size());
+  std::size_t near_count = 0;
   for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    for (std::uint32_t bits = lanes::bits<float>(list.squared_[i] <= most); bits != 0;
+    near_[near_count] = static_cast<int>(i);
+    near_count += lanes::bits<float>(list.squared_[i] <= most) != 0 ? 1 : 0;
+  }
+  NearestPoint best;
+  for (std::size_t n = 0; n < near_count; ++n) {
+    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, near_[n]) <= most); bits != 0;
          bits &= bits - 1) {
-      const std::size_t triangle = 4 * i + static_cast<std::size_t>(__builtin_ctz(bits));
-      if (triangle >= list.triangles_.size()) break;
-      triangles_.improve(list.triangles_[triangle], point, best);
+      const int triangle = 4 * near_[n] + __builtin_ctz(bits);
+      if (triangle >= count_of(list.triangles_)) break;
+      triangles_.improve(at(list.triangles_, triangle), point, best);
     }
   }
   return best;
@@ -171,14 +177,13 @@ float TriangleSieve::rough_distance(const List& list, const Vec3d& point) const 
   return std::copysign(std::sqrt(least[lane]), height_of_least[lane]);
 }
 
-/// Calls keep(triangle, squared distance) for each triangle of the list that a point of the cube can have
-/// for its nearest. See the class: |x-q|_1 is no larger than at the farthest corner of the triangle's box;
-/// and with x*, the triangle's point that is nearest to c, and r = |x-x*|,
+/// See the class: |x-q|_1 is no larger than at the farthest corner of the triangle's box; and with x*, the
+/// triangle's point that is nearest to c, and r = |x-x*|,
 ///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
-/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h.
-template <class Keep>
-void TriangleSieve::sift(const List& list, const Vec3d& middle, double half_side,
-                         const NearestPoint& nearest, const Keep& keep) const {
+/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h. No branch depends on
+/// whether a triangle is kept: nothing could foresee it.
+void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
+                           const NearestPoint& nearest, std::vector<int>& found) const {
   // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: the rounding of a distance, as of a square.
   constexpr double kShare = 0x1p-8;
   const double by_distance = std::sqrt(nearest.squared) + 2 * kDiagonal * half_side;
@@ -193,27 +198,37 @@ void TriangleSieve::sift(const List& list, const Vec3d& middle, double half_side
   const Floats rise = lanes::all(static_cast<float>((1 + kShare) * 2 * half_side));
   const std::array<Floats, 3> at_nearest = in_all_lanes(nearest.point);
   const std::array<Floats, 3> at_middle = in_all_lanes(middle);
-  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    const Four& four = list.fours_[i];
+  near_.resize(from.fours_.size());
+  std::size_t near_count = 0;
+  for (std::size_t i = 0; i < from.fours_.size(); ++i) {
+    const Four& four = from.fours_[i];
     Floats sum = four[kExtent];
     for (std::size_t axis = 0; axis < 3; ++axis)
       sum += magnitude(four[kMiddle + axis] - at_nearest[axis]);
-    const auto can_be = list.squared_[i] <= lanes::smaller(most, by_corner + rise * sum);
-    if (lanes::bits<float>(can_be) == 0) continue;
+    const auto can_be = from.squared_[i] <= lanes::smaller(most, by_corner + rise * sum);
+    near_[near_count] = static_cast<int>(i);
+    near_count += lanes::bits<float>(can_be) != 0 ? 1 : 0;
+  }
+  std::size_t count = found.size();
+  found.resize(count + 4 * near_count);
+  for (std::size_t n = 0; n < near_count; ++n) {
+    const Four& four = at(from.fours_, near_[n]);
     InFrame offset;
     const Floats own = squared_distance(four, at_middle, offset);
-    sum = Floats{};
+    Floats sum{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       sum += magnitude((at_middle[axis] - at_nearest[axis]) -
                        (four[kAxes + axis] * offset.x + four[kAxes + 3 + axis] * offset.y +
                         four[kAxes + 6 + axis] * offset.height));
-    const auto kept = can_be & (own <= by_nearest + rise * sum);
-    for (std::uint32_t bits = lanes::bits<float>(kept); bits != 0; bits &= bits - 1) {
-      const int lane = __builtin_ctz(bits);
-      const std::size_t triangle = 4 * i + static_cast<std::size_t>(lane);
-      if (triangle < list.triangles_.size()) keep(list.triangles_[triangle], own[lane]);
+    const std::uint32_t kept =
+        lanes::bits<float>(own <= lanes::smaller(most, by_nearest + rise * sum));
+    for (int lane = 0; lane < 4; ++lane) {
+      const int triangle = 4 * near_[n] + lane;
+      found[count] = at(from.triangles_, std::min(triangle, count_of(from.triangles_) - 1));
+      count += (kept >> lane & 1U) != 0 && triangle < count_of(from.triangles_) ? 1 : 0;
     }
   }
+  found.resize(count);
 }
 
 void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
@@ -231,18 +246,8 @@ void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Nea
 void TriangleSieve::fill_within(const List& from, const Vec3d& middle, double half_side,
                                 const NearestPoint& nearest, List& list) const {
   list.triangles_.clear();
-  sift(from, middle, half_side, nearest,
-       [&](int triangle, float) { list.triangles_.push_back(triangle); });
+  append(from, middle, half_side, nearest, list.triangles_);
   lay_out(list);
-}
-
-void TriangleSieve::append(List& from, const Vec3d& middle, double half_side,
-                           const NearestPoint& nearest, std::vector<int>& found) const {
-  from.near_.clear();
-  sift(from, middle, half_side, nearest,
-       [&](int triangle, float squared) { from.near_.emplace_back(squared, triangle); });
-  std::ranges::sort(from.near_);
-  for (const auto& [squared, triangle] : from.near_) found.push_back(triangle);
 }
 
 }  // namespace contactscope

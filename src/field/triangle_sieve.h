@@ -2,7 +2,6 @@
 
 #include <array>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/pack.h"
@@ -42,7 +41,6 @@ class TriangleSieve {
     std::vector<int> triangles_;
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
-    std::vector<std::pair<float, int>> near_;
   };
 
   // Lists are filled, and not returned, so that they keep their memory. What is asked about a cube needs
@@ -55,8 +53,8 @@ class TriangleSieve {
   /// The same among those of a list.
   void fill_within(const List& from, const Vec3d& middle, double half_side,
                    const NearestPoint& nearest, List& list) const;
-  /// The same, appended to `found`, nearest first.
-  void append(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+  /// The same, appended to `found`.
+  void append(const List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
               std::vector<int>& found) const;
 
   /// The nearest of a list.
@@ -84,9 +82,6 @@ class TriangleSieve {
 
   static Flat flat(const Mesh<double>& mesh, int triangle);
   void lay_out(List& list) const;
-  template <class Keep>
-  void sift(const List& list, const Vec3d& middle, double half_side, const NearestPoint& nearest,
-            const Keep& keep) const;
   /// From the nearest point of each triangle to a point, in the triangles' frames.
   struct InFrame {
     Floats x, y, height;
@@ -97,6 +92,7 @@ class TriangleSieve {
   const NearestTriangles& triangles_;
   double slack_;  // of a distance
   std::vector<Flat> flat_;
+  mutable std::vector<int> near_;  // fours that may count; a member so that it keeps its memory
 };
 
 }  // namespace contactscope

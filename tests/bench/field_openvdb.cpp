@@ -1,0 +1,74 @@
+#include "bench/field_openvdb.h"
+
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Interpolation.h>
+#include <openvdb/tools/MeshToVolume.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "bench/field_judge.h"
+
+namespace contactscope::test {
+namespace {
+
+using VdbClock = std::chrono::steady_clock;
+
+double vdb_seconds_since(VdbClock::time_point start) {
+  return std::chrono::duration<double>(VdbClock::now() - start).count();
+}
+
+}  // namespace
+
+void measure_openvdb(const Mesh<double>& mesh, int cells, const std::vector<Vec3d>& points) {
+  openvdb::initialize();
+  constexpr float kBand = 3;
+  const double cell = mesh.tree.bounds().extent().maxCoeff() / cells;
+  const auto transform = openvdb::math::Transform::createLinearTransform(cell);
+  std::vector<openvdb::Vec3s> vertices;
+  for (const Vec3d& vertex : mesh.vertices)
+    vertices.emplace_back(vertex.x(), vertex.y(), vertex.z());
+  std::vector<openvdb::Vec3I> triangles;
+  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
+  double build = 1e9;
+  openvdb::FloatGrid::Ptr grid;
+  for (int round = 0; round < 5; ++round) {
+    const auto start = VdbClock::now();
+    grid =
+        openvdb::tools::meshToLevelSet<openvdb::FloatGrid>(*transform, vertices, triangles, kBand);
+    build = std::min(build, vdb_seconds_since(start));
+  }
+  // With an accessor, which remembers where the last point was.
+  const auto accessor = grid->getConstAccessor();
+  const openvdb::tools::GridSampler<openvdb::FloatGrid::ConstAccessor, openvdb::tools::BoxSampler>
+      sampler(accessor, grid->transform());
+  const auto sample = [&](const Vec3d& p) -> double {
+    return double{sampler.wsSample(openvdb::Vec3R(p.x(), p.y(), p.z()))};
+  };
+  double query = 1e9, sum = 0;
+  for (int round = 0; round < 5; ++round) {
+    const auto start = VdbClock::now();
+    for (const Vec3d& point : points) sum += sample(point);
+    query = std::min(query, vdb_seconds_since(start) * 1e9 / static_cast<double>(points.size()));
+  }
+  // Of points whose eight nodes are in the band: beyond it a level set holds no distances.
+  FieldJudge judge(mesh);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < points.size() && errors.size() < 20000; ++i) {
+    const double found = sample(points[i]);
+    if (std::abs(found) > (double{kBand} - 1.8) * cell) continue;
+    judge.look_at(points[i], 0);
+    errors.push_back(std::abs(found - judge.distance(points[i])));
+  }
+  std::ranges::sort(errors);
+  const auto quantile = [&](double share) {
+    return 1e3 * errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
+  };
+  std::printf("OpenVDB           band 3: build %6.1f ms %6.2f MB  query %5.1f ns", 1e3 * build,
+              1e-6 * static_cast<double>(grid->memUsage()), sum == 0.123 ? 0 : query);
+  std::printf("  error %.4f %.4f %.4f mm\n", quantile(0.5), quantile(0.99), quantile(1));
+}
+
+}  // namespace contactscope::test
