@@ -20,7 +20,7 @@ int read_band(const Value& value) {
 void read_exact(const Value& value, FieldSettings& settings) {
   if (value.is_string()) {
     value.one_of({"where_needed"}, "exact (or true, or false)");
-    settings.smooth = FieldSettings{}.smooth;
+    settings.smooth = kSmoothPart;
   } else {
     settings.exact = value.boolean();
   }
@@ -41,7 +41,6 @@ Shape<double> read_sdf(const Value& table, const Surroundings& surroundings) {
   table.read("band", settings.band, read_band);
   table.read("interpolation", settings.interpolation,
              word_of<FieldInterpolation>({"trilinear", "cubic"}, "interpolation"));
-  settings.smooth = 0;
   if (const auto exact = table.find("exact")) read_exact(*exact, settings);
   const PlacedField placed =
       build_at(of, "distance field", [&] { return build_distance_field(shape, settings); });

@@ -148,18 +148,18 @@ int main(int argc, char** argv) {
   std::printf("%d triangles, %d cells\n", mesh.triangle_count(), cells);
   const std::vector<Vec3d> points = random_points(mesh, 1000000);
   for (const auto interpolation : {FieldInterpolation::Trilinear, FieldInterpolation::Cubic}) {
-    FieldSettings settings{.cells = cells, .interpolation = interpolation};
+    FieldSettings settings{.cells = cells, .interpolation = interpolation, .smooth = kSmoothPart};
     measure(mesh, settings, points);
     settings.smooth = 0;
     measure(mesh, settings, points);
     settings.exact = false;
     measure(mesh, settings, points);
   }
-  measure(mesh, {.cells = cells, .band = 1}, points);
-  measure(mesh, {.cells = cells, .band = 0}, points);
+  measure(mesh, {.cells = cells, .band = 1, .smooth = kSmoothPart}, points);
+  measure(mesh, {.cells = cells, .band = 0, .smooth = kSmoothPart}, points);
   test::measure_openvdb(mesh, cells, points);
   // Half of them where the surface's cells know the distance.
   judge_bounds(mesh, {.cells = cells, .exact = false}, queries / 2);
-  judge_bounds(mesh, {.cells = cells}, queries - queries / 2);
+  judge_bounds(mesh, {.cells = cells, .smooth = kSmoothPart}, queries - queries / 2);
   return 0;
 }

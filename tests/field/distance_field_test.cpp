@@ -52,7 +52,7 @@ TEST(DistanceField, ExactDistancesOfRoundShapesAndBoxesAtEveryScale) {
 
 TEST(DistanceField, SamplesOfABoxAreExactAtItsSurfaceAndCloseInTheBand) {
   const Vec3d half(0.5, 0.3, 0.2);
-  const PlacedField field = build_distance_field(make_box(half), {.cells = 32, .smooth = 0});
+  const PlacedField field = build_distance_field(make_box(half), {.cells = 32});
   Random random(2);
   int exact = 0, fine = 0, coarse = 0;
   for (int k = 0; k < 20000; ++k) {

@@ -43,7 +43,7 @@ TEST(SmoothCells, SlowHaveNoOpposedNormals) {
   for (int i = 0; i < 12; ++i) {
     const test::SphereMesh surface = ball_with_fin(random, 0.04 * random.decade(-3, 0));
     const Mesh<double> mesh = test::built(surface);
-    const PlacedField field = build_distance_field(mesh, {.cells = 40 + i});
+    const PlacedField field = build_distance_field(mesh, {.cells = 40 + i, .smooth = kSmoothPart});
     std::vector<test::SurfaceOracle> triangles;
     for (const std::array<int, 3>& corners : mesh.triangles)
       triangles.emplace_back(mesh.vertices, std::vector{corners});
@@ -102,8 +102,9 @@ TEST(SmoothCells, SlowBlendWithinTheirPartOfACellNearlyEverywhere) {
 
 TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
   const Vec3d half(0.5, 0.3, 0.2);
-  const PlacedField all = build_distance_field(make_box(half), {.cells = 32, .smooth = 0});
-  const PlacedField some = build_distance_field(make_box(half), {.cells = 32});
+  const PlacedField all = build_distance_field(make_box(half), {.cells = 32});
+  const PlacedField some =
+      build_distance_field(make_box(half), {.cells = 32, .smooth = kSmoothPart});
   Random random(26);
   int flat = 0, at_edge = 0;
   for (int k = 0; k < 30000; ++k) {
@@ -131,7 +132,7 @@ TEST(SmoothCells, NoneIfTheSettingSaysSoAndNoneAtEdgesOfABox) {
 
 TEST(SmoothCells, SpheresAndCapsulesAreSmoothWhereTheyAreLarge) {
   const auto share_asking = [](const Shape<double>& shape, int cells) {
-    const PlacedField field = build_distance_field(shape, {.cells = cells});
+    const PlacedField field = build_distance_field(shape, {.cells = cells, .smooth = kSmoothPart});
     Random random(27);
     int asking = 0, at_surface = 0;
     for (int k = 0; k < 20000; ++k) {

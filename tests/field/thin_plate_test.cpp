@@ -13,7 +13,7 @@ using test::places_lost;
 
 TEST(ThinPlate, ExactAndSmoothCellsLoseNoPlaceOfAPlateOfHalfACell) {
   for (const auto interpolation : {FieldInterpolation::Trilinear, FieldInterpolation::Cubic})
-    for (const double smooth : {0.0, 1.0 / 32, 1.0 / 8})
+    for (const double smooth : {0.0, kSmoothPart, 1.0 / 8})
       for (int i = 0; i < 5; ++i)
         EXPECT_EQ(
             places_lost({.cells = kPlateCells, .interpolation = interpolation, .smooth = smooth},
