@@ -202,8 +202,7 @@ inline DistanceField::Place DistanceField::locate(const Integers& parts) const {
 
 inline FieldSample DistanceField::sample(const Vec3d& point) const {
   const Integers parts = node_blend::parts_of(point);
-  // Negative, or beyond the last.
-  if (lanes::bits<float>(parts | (last_part_ - parts)) != 0) [[unlikely]]
+  if (lanes::bits<float>((parts < 0) | (parts > last_part_)) != 0) [[unlikely]]
     return sample_outside(point);
   return sample(locate(parts), point);
 }
@@ -259,7 +258,9 @@ inline Field<double> field_shape(const PlacedField& placed, const Shape<double>&
 /// nodes whose distances together are larger than the way between them have one sign, as the surface
 /// cannot pass between; where that does not reach, the winding number decides; 4. blocks that the band
 /// reaches get fine nodes, and 5. their signs in the same way; 6. cells that the surface passes get all
-/// triangles that can be nearest to one of their points.
+/// triangles that can be nearest to one of their points; 7. those of them that are not smooth are marked.
+/// In 4 and 6 a block sifts the triangles for its eight parts, and those for their cells
+/// (triangle_sieve.h).
 ///
 /// Throws ShapeError for a plane, for a mesh without an inside, and for a field of more bytes than the
 /// settings allow, with the number of bytes that it would take.

@@ -105,7 +105,7 @@ inline Integers parts_of(const Vec3d& point) {
     const double scaled = kWeightOne * point[axis];
     return std::abs(scaled) < 0x1p31 ? static_cast<int>(scaled) : -1;
   };
-  return {part(0), part(1), part(2), 0};
+  return Integers{part(0), part(1), part(2), 0};
 }
 template <int i>
 int small_lane(const Integers& numbers) {
