@@ -22,7 +22,7 @@ using test::Features;
 using test::Random;
 
 /// A corner at a time, relative to where another begins, in extended precision.
-ExtendedPoint placed(const FeaturePair<double>& pair, std::size_t i, Extended time) {
+ExtendedPoint corner_at(const FeaturePair<double>& pair, std::size_t i, Extended time) {
   const ExtendedPoint origin = pair.corners[0].start.cast<Extended>();
   const ExtendedPoint start = pair.corners[i].start.cast<Extended>() - origin;
   const ExtendedPoint end = pair.corners[i].end.cast<Extended>() - origin;
@@ -31,7 +31,7 @@ ExtendedPoint placed(const FeaturePair<double>& pair, std::size_t i, Extended ti
 
 /// By exhaustion, metres.
 Extended true_distance(const FeaturePair<double>& pair, Extended time) {
-  const auto corner = [&](std::size_t i) { return placed(pair, i, time); };
+  const auto corner = [&](std::size_t i) { return corner_at(pair, i, time); };
   const auto edge = [](const ExtendedPoint& from, const ExtendedPoint& to) {
     return Features{{from, to}, {{0, 1}}, {}, {}};
   };
@@ -47,8 +47,8 @@ struct Extent {
   explicit Extent(const FeaturePair<double>& pair) {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const ExtendedPoint start = placed(pair, i, 0) - placed(pair, j, 0);
-        const ExtendedPoint end = placed(pair, i, 1) - placed(pair, j, 1);
+        const ExtendedPoint start = corner_at(pair, i, 0) - corner_at(pair, j, 0);
+        const ExtendedPoint end = corner_at(pair, i, 1) - corner_at(pair, j, 1);
         speed = std::max(speed, (end - start).norm());
         size = std::max({size, start.norm(), end.norm()});
       }
