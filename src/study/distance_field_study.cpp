@@ -39,11 +39,17 @@ struct FieldMethod {
   const char* name;
   FieldInterpolation interpolation;
   bool exact;
+  double smooth = 0;
+
+  FieldSettings settings() const {
+    return {.interpolation = interpolation, .exact = exact, .smooth = smooth};
+  }
 };
 constexpr FieldMethod kFieldMethods[] = {
     {"trilinear", FieldInterpolation::Trilinear, false},
     {"cubic", FieldInterpolation::Cubic, false},
     {"trilinear, exact cells", FieldInterpolation::Trilinear, true},
+    {"cubic, exact where needed", FieldInterpolation::Cubic, true, kSmoothPart},
     {"cubic, exact cells", FieldInterpolation::Cubic, true},
 };
 
@@ -120,7 +126,7 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
        {"build", "How long a field takes to build", "milliseconds", "", 1e-3}});
   results[2].form = results[3].form = trace::StudyForm::Curves;
   for (const FieldMethod& method : kFieldMethods) {
-    FieldSettings settings{.interpolation = method.interpolation, .exact = method.exact};
+    FieldSettings settings = method.settings();
     add_line(results, {method.name, {}, "by cells", "cells along the longest side"}, kFieldCells,
              [&](int cells) {
                settings.cells = cells;
@@ -129,8 +135,8 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
     step(std::string("cells, ") + method.name);
   }
   for (const FieldMethod& method : kFieldMethods) {
-    FieldSettings settings{
-        .cells = kBandCells, .interpolation = method.interpolation, .exact = method.exact};
+    FieldSettings settings = method.settings();
+    settings.cells = kBandCells;
     add_line(results, {method.name, {}, "by band, of 64 cells", "cells on each side"}, kBands,
              [&](int band) {
                settings.band = band;
@@ -238,28 +244,28 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
   std::vector<trace::Study> results{std::move(result)};
   for (const FieldMethod& method : kFieldMethods) {
     if (method.exact && method.interpolation == FieldInterpolation::Trilinear) continue;
-    add_line(
-        results, {method.name, {}, "a plate beside a wall", "cells thick"}, kThicknesses,
-        [&](double thickness) {
-          Measurement measured(1, plates * kPlatePlaces);
-          std::mt19937_64 engine = case_engine(options.seed, 0, thickness, 2);
-          for (int i = 0; i < plates; ++i) {
-            const double height = uniform(engine, -kCell, kCell);
-            const PlacedField field = build_distance_field(
-                wall_with_plate(thickness * kCell, height), {.cells = kPlateCells,
-                                                             .interpolation = method.interpolation,
-                                                             .exact = method.exact});
-            std::vector<Vec3d> places;
-            for (int k = 0; k < kPlatePlaces; ++k)
-              places.emplace_back(uniform(engine, -0.2, 0.4), height, uniform(engine, -0.1, 0.1));
-            const auto lost = [&](int k) {
-              return field.sample(at(places, k)).distance >= 0 ? 1.0 : 0.0;
-            };
-            for (int k = 0; k < kPlatePlaces; ++k) measured.errors[0].add(lost(k));
-            measured.times.measure(kPlatePlaces, lost);
-          }
-          return measured;
-        });
+    add_line(results, {method.name, {}, "a plate beside a wall", "cells thick"}, kThicknesses,
+             [&](double thickness) {
+               Measurement measured(1, plates * kPlatePlaces);
+               std::mt19937_64 engine = case_engine(options.seed, 0, thickness, 2);
+               for (int i = 0; i < plates; ++i) {
+                 const double height = uniform(engine, -kCell, kCell);
+                 FieldSettings settings = method.settings();
+                 settings.cells = kPlateCells;
+                 const PlacedField field =
+                     build_distance_field(wall_with_plate(thickness * kCell, height), settings);
+                 std::vector<Vec3d> places;
+                 for (int k = 0; k < kPlatePlaces; ++k)
+                   places.emplace_back(uniform(engine, -0.2, 0.4), height,
+                                       uniform(engine, -0.1, 0.1));
+                 const auto lost = [&](int k) {
+                   return field.sample(at(places, k)).distance >= 0 ? 1.0 : 0.0;
+                 };
+                 for (int k = 0; k < kPlatePlaces; ++k) measured.errors[0].add(lost(k));
+                 measured.times.measure(kPlatePlaces, lost);
+               }
+               return measured;
+             });
     step(std::string("plates, ") + method.name);
   }
   result = std::move(results.front());
@@ -273,7 +279,7 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
 /// that it looks at. "plate": the share of places in the middle of a thin plate that a field calls outside.
 std::vector<trace::Study> study_distance_field(const StudyOptions& options,
                                                const StudyProgress& progress) {
-  const StudyStep step = counted(progress, 8 + 3 + 3);
+  const StudyStep step = counted(progress, 10 + 3 + 4);
   std::vector<trace::Study> results = study_field_errors(options, step);
   const int cases = options.cases.value_or(kPokeCases);
   std::vector<trace::Study> shares =
