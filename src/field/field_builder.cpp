@@ -70,7 +70,7 @@ DistanceField FieldBuilder::build() {
   Block block;
   for (block.fine = 0; block.fine < count_of(blocks_); ++block.fine) fill_block(block);
   field_.front_ = winding_ < 0 ? -1 : 1;
-  field_.regular_ = one_front_;
+  field_.regular_ = one_front_ && !(fronts_[0] && fronts_[1]);
   ask_triangles();
   return std::move(field_);
 }
