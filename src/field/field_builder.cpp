@@ -117,16 +117,9 @@ void FieldBuilder::fill_coarse() {
           coarse_.push_back(unsigned_node_of_core(point));
           continue;
         }
-        std::array<int, 3> seeds;
-        std::size_t known = 0;
-        const auto seed = [&](int from) {
-          at(seeds, static_cast<int>(known++)) = at(coarse_triangles_, from);
-        };
-        if (x > 0) seed(coarse_number(x - 1, y, z));
-        if (y > 0) seed(coarse_number(x, y - 1, z));
-        if (z > 0) seed(coarse_number(x, y, z - 1));
-        const NearestPoint nearest =
-            field_.triangles_.nearest(point, std::span(seeds).first(known));
+        // The one before: of equally near triangles neighbours then take the same.
+        const NearestPoint nearest = field_.triangles_.nearest(
+            point, std::span(coarse_triangles_).last(coarse_triangles_.empty() ? 0 : 1));
         coarse_triangles_.push_back(nearest.triangle);
         coarse_.push_back(unsigned_node(point, nearest));
       }
