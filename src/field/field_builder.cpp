@@ -1,8 +1,8 @@
 #include "field/field_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/at.h"
@@ -146,13 +146,16 @@ void FieldBuilder::choose_blocks() {
     for (int y = 0; y < ny; ++y) {
       for (int x = 0; x < nx; ++x) {
         // The middle is no nearer to the surface than a corner is, less half a diagonal.
-        std::array<int, 8> seeds{};
-        float most = 0;
+        int seed = 0;
+        float most = 0, least = std::numeric_limits<float>::infinity();
         for (int corner = 0; corner < 8; ++corner) {
           const int node =
               coarse_number(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-          most = std::max(most, std::abs(at(coarse_, node)[0]));
-          if (!field_.core_) at(seeds, corner) = at(coarse_triangles_, node);
+          const float distance = std::abs(at(coarse_, node)[0]);
+          most = std::max(most, distance);
+          if (field_.core_ || distance >= least) continue;
+          least = distance;
+          seed = at(coarse_triangles_, node);
         }
         const bool dense = field_.settings_.band == 0;
         if (!dense && most - kHalfBlock > reach) continue;
@@ -161,7 +164,7 @@ void FieldBuilder::choose_blocks() {
         if (field_.core_)
           nearest.squared = std::pow(field_.by_core(middle).distance, 2);
         else
-          nearest = field_.triangles_.nearest(middle, seeds);
+          nearest = field_.triangles_.nearest(middle, {&seed, 1});
         if (!dense && nearest.squared > reach * reach) continue;
         at(fine_of_block_, block_number(x, y, z)) = count_of(blocks_);
         blocks_.push_back(block_number(x, y, z));
