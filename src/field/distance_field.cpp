@@ -19,13 +19,14 @@ Vec3d unit_or(const Vec3d& v, double length, const Vec3d& otherwise) {
 template <class Visit>
 void DistanceField::for_nodes(const Place& place, const Visit& visit) const {
   const NodeLayout& layout = *place.layout;
-  const double side = 1 << layout.side_bits;
-  for (int i = 0; i < 8; ++i) {
-    const int x = i & 1, y = i >> 1 & 1, z = i >> 2;
-    if (!visit(place.corner() + side * Vec3d(x, y, z),
-               double{layout.step} *
-                   at(place.first[y * layout.next_y + z * layout.next_z].distance, x)))
-      return;
+  const double side = 1 << layout.side_bits, step = double{layout.step};
+  const Vec3d corner = place.corner();
+  for (int i = 0; i < 4; ++i) {
+    const int y = i & 1, z = i >> 1;
+    const auto& distances = place.first[y * layout.next_y + z * layout.next_z].distance;
+    const Vec3d node(corner.x(), corner.y() + side * y, corner.z() + side * z);
+    if (!visit(node, step * distances[0])) return;
+    if (!visit(Vec3d(node.x() + side, node.y(), node.z()), step * distances[1])) return;
   }
 }
 
@@ -114,8 +115,9 @@ FieldSample DistanceField::exact(const Vec3d& point) const {
 FieldBounds DistanceField::bounds_by_nodes(const Place& place, const Vec3d& inside) const {
   FieldBounds bounds{-std::numeric_limits<double>::infinity(),
                      std::numeric_limits<double>::infinity()};
+  const double rounding = slack(place);
   for_nodes(place, [&](const Vec3d& node, double value) {
-    const double way = (node - inside).norm() + slack(place);
+    const double way = (node - inside).norm() + rounding;
     bounds.lower = std::max(bounds.lower, value - way);
     bounds.upper = std::min(bounds.upper, value + way);
     return true;

@@ -1,8 +1,8 @@
 #include "field/field_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/at.h"
@@ -70,7 +70,7 @@ DistanceField FieldBuilder::build() {
   Block block;
   for (block.fine = 0; block.fine < count_of(blocks_); ++block.fine) fill_block(block);
   field_.front_ = winding_ < 0 ? -1 : 1;
-  field_.regular_ = one_front_;
+  field_.regular_ = one_front_ && !(fronts_[0] && fronts_[1]);
   ask_triangles();
   return std::move(field_);
 }
@@ -117,16 +117,9 @@ void FieldBuilder::fill_coarse() {
           coarse_.push_back(unsigned_node_of_core(point));
           continue;
         }
-        std::array<int, 3> seeds;
-        std::size_t known = 0;
-        const auto seed = [&](int from) {
-          at(seeds, static_cast<int>(known++)) = at(coarse_triangles_, from);
-        };
-        if (x > 0) seed(coarse_number(x - 1, y, z));
-        if (y > 0) seed(coarse_number(x, y - 1, z));
-        if (z > 0) seed(coarse_number(x, y, z - 1));
-        const NearestPoint nearest =
-            field_.triangles_.nearest(point, std::span(seeds).first(known));
+        // The one before: of equally near triangles neighbours then take the same.
+        const NearestPoint nearest = field_.triangles_.nearest(
+            point, std::span(coarse_triangles_).last(coarse_triangles_.empty() ? 0 : 1));
         coarse_triangles_.push_back(nearest.triangle);
         coarse_.push_back(unsigned_node(point, nearest));
       }
@@ -153,13 +146,16 @@ void FieldBuilder::choose_blocks() {
     for (int y = 0; y < ny; ++y) {
       for (int x = 0; x < nx; ++x) {
         // The middle is no nearer to the surface than a corner is, less half a diagonal.
-        std::array<int, 8> seeds{};
-        float most = 0;
+        int seed = 0;
+        float most = 0, least = std::numeric_limits<float>::infinity();
         for (int corner = 0; corner < 8; ++corner) {
           const int node =
               coarse_number(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-          most = std::max(most, std::abs(at(coarse_, node)[0]));
-          if (!field_.core_) at(seeds, corner) = at(coarse_triangles_, node);
+          const float distance = std::abs(at(coarse_, node)[0]);
+          most = std::max(most, distance);
+          if (field_.core_ || distance >= least) continue;
+          least = distance;
+          seed = at(coarse_triangles_, node);
         }
         const bool dense = field_.settings_.band == 0;
         if (!dense && most - kHalfBlock > reach) continue;
@@ -168,7 +164,7 @@ void FieldBuilder::choose_blocks() {
         if (field_.core_)
           nearest.squared = std::pow(field_.by_core(middle).distance, 2);
         else
-          nearest = field_.triangles_.nearest(middle, seeds);
+          nearest = field_.triangles_.nearest(middle, {&seed, 1});
         if (!dense && nearest.squared > reach * reach) continue;
         at(fine_of_block_, block_number(x, y, z)) = count_of(blocks_);
         blocks_.push_back(block_number(x, y, z));

@@ -34,6 +34,8 @@ class FieldBuilder {
     std::span<Node> nodes;  // without signs, until all are known
     std::array<NodeSign, kNodes> signs{};
     std::array<bool, kNodes> known{};
+    std::array<signed char, kNodes>
+        side{};  // 1: in front of the face that is nearest, -1: behind it
     std::array<std::vector<int>, kCells> triangles;
   };
 
@@ -47,6 +49,7 @@ class FieldBuilder {
   void fill_by_core(Block& block);
   void fill_by_triangles(Block& block);
   void fill_part(Block& block, const std::array<int, 3>& first);
+  void compare_sides(const Block& block);
   void find_triangles(Block& block, const std::array<int, 3>& cell);
   void ask_triangles();
   bool is_smooth(const Vec3d& corner, std::span<const int> triangles);
@@ -84,8 +87,9 @@ class FieldBuilder {
   std::vector<int> blocks_;             // that have fine nodes, by number
   std::vector<NearestPoint> middles_;   // nearest to the middles of those blocks
   TriangleSieve::List of_block_, of_part_, of_cell_;
-  bool one_front_ = true;  // no point was found around which the surface goes in two ways
-  int winding_ = 0;        // around points inside; 0: none was asked yet
+  bool one_front_ = true;         // no point was found around which the surface goes in two ways
+  int winding_ = 0;               // around points inside; 0: none was asked yet
+  std::array<bool, 2> fronts_{};  // whether a front was found inside, outside
 };
 
 }  // namespace contactscope

@@ -17,6 +17,7 @@ void FieldBuilder::fill_block(Block& block) {
     fill_by_triangles(block);
   spread_signs({kSide, kSide, kSide}, 1, block.nodes, block.signs,
                [&](int x, int y, int z) { return is_inside(block.corner + Vec3d(x, y, z)); });
+  compare_sides(block);
   for (int i = 0; i < kNodes; ++i)
     if (at(block.signs, i) == NodeSign::Inside) at(block.nodes, i) = -at(block.nodes, i);
   add_pairs(block.nodes, kSide, field_.layouts_[1].step);
@@ -34,6 +35,7 @@ void FieldBuilder::copy_known(Block& block) {
   const auto [bx, by, bz] = block_at(at(blocks_, block.fine));
   block.signs.fill(NodeSign::Unknown);
   block.known.fill(false);
+  block.side.fill(0);
   const auto take = [&](int here, const Node& node) {
     const bool inside = std::signbit(node[0]);
     at(block.signs, here) = inside ? NodeSign::Inside : NodeSign::Outside;
@@ -56,6 +58,16 @@ void FieldBuilder::copy_known(Block& block) {
   take_face(bx - 1, by, bz, [](int u, int v, int w) { return node_in_block(w, u, v); });
   take_face(bx, by - 1, bz, [](int u, int v, int w) { return node_in_block(u, w, v); });
   take_face(bx, by, bz - 1, [](int u, int v, int w) { return node_in_block(u, v, w); });
+}
+
+/// Finds out whether fronts are outside: not everywhere, where the surface crosses itself, or parts of it
+/// are inside out.
+void FieldBuilder::compare_sides(const Block& block) {
+  for (int i = 0; i < kNodes; ++i) {
+    if (at(block.side, i) == 0) continue;
+    const bool outside = at(block.signs, i) == NodeSign::Outside;
+    fronts_[outside == (at(block.side, i) > 0) ? 1 : 0] = true;
+  }
 }
 
 void FieldBuilder::fill_by_core(Block& block) {
@@ -97,8 +109,11 @@ void FieldBuilder::fill_part(Block& block, const std::array<int, 3>& first) {
         const int here = node_in_block(i, j, k);
         if (at(block.known, here)) continue;
         at(block.known, here) = true;
-        at(block.nodes, here) =
-            unsigned_node(point(i, j, k), sieve_->nearest(of_part_, point(i, j, k)));
+        const NearestPoint nearest = sieve_->nearest(of_part_, point(i, j, k));
+        at(block.nodes, here) = unsigned_node(point(i, j, k), nearest);
+        if (nearest.on_face && nearest.squared > kSignSlack * kSignSlack)
+          at(block.side, here) =
+              field_.triangles_.height_over(nearest.triangle, point(i, j, k)) > 0 ? 1 : -1;
       }
     }
   }

@@ -1,16 +1,23 @@
 // Continuous collision: nanoseconds a query, what was missed, what was called a hit when shapes were
 // inside of each other already, and how far off the times were. Two hulls of 32 vertices, a sphere and a
-// triangle, moving vertices, edges and faces. Beside them other libraries where they are installed.
+// triangle, moving vertices, edges and faces, sheets that deform. Beside them other libraries where they
+// are installed.
 //
 //   impact_bench [queries [repetitions]]
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "continuous/feature_pair.h"
+#include "continuous/impact_of_meshes.h"
 #include "continuous/swept_convex.h"
+#include "core/at.h"
 #include "study/impact_cases.h"
 #include "study/study.h"
 #ifdef CONTACTSCOPE_PEERS
@@ -129,6 +136,78 @@ void bench_features(const char* title, int queries, int repetitions,
       worst / 1000, counts[0], counts[1], counts[2], counts[3], steps / queries, most_steps);
 }
 
+/// A square of a metre in 22 by 22 quads, turned about its upright, with waves across it, and other
+/// waves at the end of the step.
+struct Sheet {
+  Sheet(test::Random& random, double height, double fall) {
+    constexpr int kQuads = 22;
+    const auto wavy = [](const Vec3d& phase, const Vec3d& number, double x, double y) {
+      return 0.05 * std::sin(number.x() * x + phase.x()) * std::cos(number.y() * y + phase.y());
+    };
+    const Vec3d phase = random.vector(0, 6), number = random.vector(4, 12);
+    const double angle = random.uniform(0, 6);
+    const Vec3d along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
+    std::vector<Vec3d> vertices;
+    for (int j = 0; j <= kQuads; ++j) {
+      for (int i = 0; i <= kQuads; ++i) {
+        Vec3d vertex = (static_cast<double>(i) / kQuads - 0.5) * along +
+                       (static_cast<double>(j) / kQuads - 0.5) * across;
+        vertex.z() = height + wavy(phase, number, vertex.x(), vertex.y());
+        vertices.push_back(vertex);
+      }
+    }
+    std::vector<std::array<int, 3>> triangles;
+    for (int j = 0; j < kQuads; ++j) {
+      for (int i = 0; i < kQuads; ++i) {
+        const int corner = j * (kQuads + 1) + i, above = corner + kQuads + 1;
+        triangles.push_back({corner, corner + 1, above + 1});
+        triangles.push_back({corner, above + 1, above});
+      }
+    }
+    start = build_mesh(vertices, triangles);
+    const Vec3d phase_after = random.vector(0, 6), number_after = random.vector(4, 12);
+    for (const Vec3d& vertex : start.vertices) {
+      const double wave = wavy(phase_after, number_after, vertex.x(), vertex.y());
+      end.emplace_back(vertex.x(), vertex.y(), height - fall + wave);
+    }
+  }
+
+  Mesh<double> start;
+  std::vector<Vec3d> end;
+};
+
+void bench_sheets(int queries, int repetitions) {
+  test::Random random(10);
+  std::vector<std::pair<Sheet, Sheet>> pairs;
+  for (int i = 0; i < queries; ++i) {
+    const Sheet lower(random, 0, 0);
+    const double fall = random.uniform(0.05, 0.6);
+    pairs.emplace_back(lower, Sheet(random, 0.25, fall));
+  }
+  const auto impact = [&](int i) {
+    const auto& [lower, upper] = at(pairs, i);
+    return impact_of_meshes<double>({lower.start, lower.end}, {upper.start, upper.end});
+  };
+  PassTimes times;
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+    times.measure(queries, [&](int i) { return impact(i).impact.begin; });
+  int counts[4] = {};
+  double triangle_pairs = 0, feature_pairs = 0;
+  for (int i = 0; i < queries; ++i) {
+    const MeshImpact found = impact(i);
+    ++counts[static_cast<int>(found.impact.status)];
+    triangle_pairs += static_cast<double>(found.counts.triangle_pairs);
+    feature_pairs += static_cast<double>(found.counts.feature_pairs);
+  }
+  std::printf("\nsheets of %d triangles that deform, %d pairs\n",
+              pairs.front().first.start.triangle_count(), queries);
+  print_time("moving meshes", times);
+  std::printf(
+      "  separated %d, hit %d, near %d, overlapping %d; triangle pairs %.0f, feature pairs %.0f\n",
+      counts[0], counts[1], counts[2], counts[3], triangle_pairs / queries,
+      feature_pairs / queries);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -148,5 +227,6 @@ int main(int argc, char** argv) {
     double time;
     return test::exact_feature_hit(random, random.chance(0.5), time);
   });
+  bench_sheets(std::max(queries / 32, 1), repetitions);
   return 0;
 }

@@ -127,6 +127,41 @@ TEST(DistanceField, SlowAgreesWithExhaustionOnMeshesUnderAnyMotion) {
   }
 }
 
+TEST(DistanceField, SlowSurfacesThatCrossThemselvesAreInsideWhereTheyGoAroundAPoint) {
+  Random random(28);
+  for (int i = 0; i < 16; ++i) {
+    // A ball and a thin fin through its skin, which end in each other, watertight both.
+    const double size = random.decade(-4, 4);
+    const Pose<double> pose = random.pose(size);
+    test::SphereMesh surface = test::sphere_mesh(0.4 * size, 20, 13, 0.1);
+    const Hull<double> fin =
+        make_box(size * Vec3d(0.25, 0.5 * random.decade(-3, -1), random.uniform(0.02, 0.2)));
+    const int first = count_of(surface.vertices);
+    for (const Vec3d& vertex : fin.vertices)
+      surface.vertices.emplace_back(vertex + size * Vec3d(0.45, 0, 0));
+    for (Vec3d& vertex : surface.vertices) vertex = pose.transform(vertex);
+    for (int face = 0; face < fin.face_count(); ++face) {
+      const std::vector<int> around = face_vertices(fin, face);
+      for (int k = 2; k < count_of(around); ++k)
+        surface.triangles.push_back(
+            {first + around[0], first + at(around, k - 1), first + at(around, k)});
+    }
+    const SurfaceOracle oracle(surface.vertices, surface.triangles);
+    const PlacedField field = build_distance_field(
+        test::built(surface), {.cells = 16 + 3 * i, .smooth = i % 2 == 0 ? 0 : kSmoothPart});
+    for (int k = 0; k < 300; ++k) {
+      const Vec3d spread(0.3, 0.03, 0.2);
+      const Vec3d p =
+          pose.transform(size * (Vec3d(0.4, 0, 0) + spread.cwiseProduct(random.vector(-1, 1))));
+      const auto truth = static_cast<double>(oracle.signed_distance(p));
+      ASSERT_NEAR(field.exact(p).distance, truth, 1e-13 * size) << i;
+      const FieldBounds bounds = field.bounds(p);
+      ASSERT_LE(bounds.lower, truth + 1e-13 * size) << i;
+      ASSERT_GE(bounds.upper, truth - 1e-13 * size) << i;
+    }
+  }
+}
+
 TEST(DistanceField, GradientsPointAwayFromTheSurface) {
   const test::SphereMesh sphere = test::sphere_mesh(1, 40, 19, 0.1);
   const PlacedField field = build_distance_field(test::built(sphere), {.cells = 32});
