@@ -82,10 +82,9 @@ Extent gather(const trace::Header& header, const std::vector<trace::Frame>& fram
   for (const trace::Frame& frame : frames) {
     const std::vector<PlacedShape> placed = place_shapes(meshes, frame);
     std::vector<Vec3d> points = extent_points(placed), chosen;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-      const PlacedShape& shape = placed[i];
+    for (const PlacedShape& shape : placed) {
       if (const auto& plane = shape.traced().half_space)
-        planes.try_emplace(i, *plane, shape.pose, up_axis(header))
+        planes.try_emplace(shape.place, *plane, shape.pose, up_axis(header))
             .first->second.add(shape.pose, points);
       if (any_round ? is_round(*shape.mesh) : shape.mesh->radius <= kLargeShape * smallest)
         append(chosen, extent_points(shape));

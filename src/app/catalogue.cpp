@@ -66,7 +66,7 @@ using Paths = std::map<std::string, std::string>;
 bool is_new(const std::string& name, const std::string& file, Paths& paths) {
   const auto [known, added] = paths.emplace(name, file);
   if (added) return true;
-  if (fs::equivalent(known->second, file)) return false;
+  if (known->second == file || fs::equivalent(known->second, file)) return false;
   throw InputError(file, 0, 0,
                    "its name " + name + " is also that of " + known->second +
                        ", and their pictures would overwrite each other; move one to another "

@@ -33,10 +33,11 @@ struct Input {
 std::vector<Input> load_inputs(const Options& options);
 
 /// Whether a file is a trace and no scenario: it is named *.jsonl, or begins with '{', as no TOML
-/// does. False where there is no such file.
+/// does; "-", the standard input, is one. False where there is no such file.
 bool is_trace_file(const std::string& path);
 
-/// Reads a trace to draw it, ours or another engine's. Throws InputError, with the line and what
+/// Reads a trace to draw it, ours or another engine's; of "-" from the standard input. Hulls without faces
+/// get those of the convex hull of their vertices. Throws InputError, with the line and what
 /// would be right, where it cannot be read or does not fit together: a shape without vertices, a
 /// frame without a pose for each shape, a pair of shapes that are not there, a normal that is no
 /// unit vector, an index beyond a shape's faces.

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 
 #include "app/table.h"
 #include "core/at.h"
 #include "core/input_error.h"
+#include "geometry/hull_builder.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/store.h"
 
@@ -16,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kStandardInput = "-";
 constexpr const char* kBlank = " \t\r\n";
 // Of lengths that should be one: numbers written with three digits pass.
 constexpr double kUnitTolerance = 2e-3;
@@ -49,6 +53,32 @@ void check_shape(const trace::Shape& shape) {
     require(face.size() >= 3, name + " has a face of fewer than three vertices; leave it out");
 }
 
+/// Faces of a convex shape that was written without them: those of the hull of its vertices, which may
+/// leave some of them inside.
+void give_faces(trace::Shape& shape) {
+  const bool is_round = shape.type == "sphere" || shape.type == "capsule" || shape.radius > 0;
+  if (!shape.faces.empty() || is_round || shape.half_space || shape.vertices.empty()) return;
+  if (shape.type == "mesh" || shape.type == "sdf")
+    throw Wrong{"shape '" + shape.name + "' is a " + shape.type +
+                " without 'faces'; give its triangles, three vertex indices each"};
+  try {
+    const Hull<double> hull =
+        build_hull(shape.vertices, {.weld_duplicates = true, .allow_flat = true});
+    const auto index_of = [&](const Vec3d& vertex) {
+      return static_cast<int>(std::ranges::find(shape.vertices, vertex) - shape.vertices.begin());
+    };
+    for (int f = 0; f < hull.face_count(); ++f) {
+      std::vector<int>& face = shape.faces.emplace_back();
+      for (const int corner : face_vertices(hull, f))
+        face.push_back(index_of(at(hull.vertices, corner)));
+    }
+  } catch (const ShapeError& error) {
+    throw Wrong{"shape '" + shape.name +
+                "' has no 'faces', and none can be made of its 'vertices': " + error.what()};
+  }
+  if (shape.edges.empty()) trace::Shape::edges_from_faces(shape);
+}
+
 void check_header(const trace::Header& header) {
   try {
     snapshot::scenario_folder("", header.scenario);
@@ -56,10 +86,17 @@ void check_header(const trace::Header& header) {
     throw Wrong{"'scenario' is '" + header.scenario +
                 "'; write it as GROUP/IDEA, which is where its pictures go"};
   }
+  require(header.poses_at.empty() || header.poses_at == "before_step" ||
+              header.poses_at == "after_step",
+          "'poses_at' is '" + header.poses_at + "'; it may be 'before_step' or 'after_step'");
   require(header.up == "y" || header.up == "z",
           "'up' is '" + header.up + "'; it may be 'y' or 'z'");
   require(!header.shapes.empty(), "'shapes' is empty; there is nothing to draw");
-  for (const trace::Shape& shape : header.shapes) check_shape(shape);
+  for (const trace::Shape& shape : header.shapes) {
+    check_shape(shape);
+    require(&*std::ranges::find(header.shapes, shape.name, &trace::Shape::name) == &shape,
+            "there are two shapes '" + shape.name + "'; give each a name of its own");
+  }
 }
 
 const trace::Shape& named(const trace::Header& header, const std::string& place,
@@ -121,12 +158,6 @@ void check_frame(const trace::Header& header, const trace::Frame& frame, int bef
     require(is_unit(length), "poses." + name + ": 'quat_wxyz' has length " +
                                  spelled("%.4g", length) + "; it must be 1");
   }
-  for (const trace::Shape& shape : header.shapes) {
-    require(
-        std::ranges::find(frame.poses, shape.name, &trace::Placement::first) != frame.poses.end(),
-        "'poses' has no '" + shape.name +
-            "'; each frame gives the 'position' and 'quat_wxyz' of each shape");
-  }
   for (const trace::Deformed& now : frame.deformed) {
     const std::size_t count = named(header, "deformed", now.name).vertices.size();
     require(now.vertices.size() == count,
@@ -140,13 +171,22 @@ void check_frame(const trace::Header& header, const trace::Frame& frame, int bef
                 " 'distances', which is no number of rows of " + std::to_string(slice.columns) +
                 " 'columns'; give each row all of its values");
   }
-  for (std::size_t i = 0; i < frame.pairs.size(); ++i)
-    check_pair(header, "pairs[" + std::to_string(i) + "]", frame.pairs[i]);
+  for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
+    const trace::Pair& pair = frame.pairs[i];
+    const std::string place = "pairs[" + std::to_string(i) + "]";
+    check_pair(header, place, pair);
+    for (const auto& [key, name] : {std::pair(".a", &pair.a), std::pair(".b", &pair.b)})
+      require(
+          std::ranges::find(frame.poses, *name, &trace::Placement::first) != frame.poses.end(),
+          place + key + " is '" + *name +
+              "', which has no pose in this frame; a shape that is there has its 'position' and "
+              "'quat_wxyz' in 'poses'");
+  }
 }
 
 /// Number of the line that holds the header, for 0, or frame `index` - 1: blank lines count.
-int line_of(const std::string& path, std::size_t index) {
-  std::ifstream in(path, std::ios::binary);
+int line_of(const std::string& text, std::size_t index) {
+  std::istringstream in(text);
   std::string line;
   std::size_t seen = 0;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -156,9 +196,22 @@ int line_of(const std::string& path, std::size_t index) {
   return 1;
 }
 
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  if (path == kStandardInput) {
+    text << std::cin.rdbuf();
+    return text.str();
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
+  text << in.rdbuf();
+  return text.str();
+}
+
 }  // namespace
 
 bool is_trace_file(const std::string& path) {
+  if (path == kStandardInput) return true;
   if (!fs::is_regular_file(path)) return false;
   if (fs::path(path).extension() == ".jsonl") return true;
   std::ifstream in(path, std::ios::binary);
@@ -168,11 +221,17 @@ bool is_trace_file(const std::string& path) {
 }
 
 trace::Trace load_trace(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
-  trace::Trace trace = trace::read_trace(in, path);
+  const std::string text = text_of(path);
+  const std::string name = path == kStandardInput ? "standard input" : path;
+  std::istringstream in(text);
+  trace::Trace trace = trace::read_trace(in, name);
   std::size_t line = 0;  // of those that are not blank
   try {
+    for (trace::Frame& frame : trace.frames) {
+      for (trace::Shape& shape : frame.shapes) trace.header.shapes.push_back(std::move(shape));
+      frame.shapes.clear();
+    }
+    for (trace::Shape& shape : trace.header.shapes) give_faces(shape);
     check_header(trace.header);
     require(!trace.frames.empty(), "the header is all there is; each frame is a line after it");
     int before = -1;
@@ -182,7 +241,7 @@ trace::Trace load_trace(const std::string& path) {
       before = frame.frame;
     }
   } catch (const Wrong& wrong) {
-    throw InputError(path, line_of(path, line), 1, wrong.text);
+    throw InputError(name, line_of(text, line), 1, wrong.text);
   }
   return trace;
 }

@@ -157,8 +157,8 @@ void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S
     trace::PersistentPoint& persists = told.points.emplace_back();
     persists.point = {point(standing.position()), static_cast<double>(standing.separation),
                       to_string(standing.kept.id)};
-    persists.on_a = point(standing.on_a);
-    persists.on_b = point(standing.on_b);
+    persists.point.on_a = point(standing.on_a);
+    persists.point.on_b = point(standing.on_b);
     persists.state = state;
     persists.reason = reason;
     persists.age = standing.kept.age;

@@ -49,26 +49,32 @@ struct Point {
   std::string id;  // "a:e3 b:e7"
   std::optional<Impulse> impulse{};
   std::optional<RelativeVelocity> relative_velocity{};  // where there is an impulse
+  // Of engines that tell them: the point on the surface of either shape, world.
+  std::optional<Vec3d> on_a{}, on_b{};
+  bool active = true;  // false: a speculative point that the solver did not act on
 
   static constexpr auto fields() {
     return std::tuple(field::position("position", &Point::position).says(""),
                       field::length("separation", &Point::separation),
                       field::exact("id", &Point::id).optional().mirror(Mirrored::IdFlipped).finds(),
                       field::fact("impulse", &Point::impulse),
-                      field::fact("relative_velocity", &Point::relative_velocity));
+                      field::fact("relative_velocity", &Point::relative_velocity),
+                      field::position("on_a", &Point::on_a).swaps(&Point::on_b).says("place on a"),
+                      field::position("on_b", &Point::on_b).says("place on b"),
+                      field::exact("active", &Point::active).where_set().called("idle", "active"));
   }
 };
 
 struct Manifold {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
-  std::string axis;              // "face_a", "face_b", "edge_edge", "closest_points"
-  std::optional<int> triangle;   // mesh triangle that the manifold belongs to
+  std::string axis;  // "face_a", "face_b", "edge_edge", "closest_points"; empty: not told
+  std::optional<int> triangle;  // mesh triangle that the manifold belongs to
   std::vector<Point> points;
   std::string type{};  // "point-face", ...: which features touch, the simpler one first
 
   static constexpr auto fields() {
     return std::tuple(field::direction_to_b("normal", &Manifold::normal),
-                      field::axis("axis", &Manifold::axis),
+                      field::axis("axis", &Manifold::axis).optional(),
                       field::exact("type", &Manifold::type).where_set(),
                       field::exact("triangle", &Manifold::triangle).or_null().finds(),
                       field::facts("points", &Manifold::points).entries("point"));

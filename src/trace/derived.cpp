@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "trace/trace.h"
@@ -82,6 +85,31 @@ void Shape::edges_from_faces(Shape& shape) {
       if (seen.insert({std::min(from, to), std::max(from, to)}).second)
         shape.edges.push_back({from, to});
     }
+}
+
+namespace {
+
+/// As pairs call a shape: whatever has faces and is convex is a hull.
+std::string kind_of(const std::vector<Shape>& shapes, const std::string& name) {
+  const auto shape = std::ranges::find(shapes, name, &Shape::name);
+  if (shape == shapes.end()) return "unknown";
+  const bool is_named = std::ranges::any_of(std::array{"sphere", "capsule", "mesh", "plane", "sdf"},
+                                            [&](const char* type) { return shape->type == type; });
+  return is_named ? shape->type : "hull";
+}
+
+}  // namespace
+
+void complete(const std::vector<Shape>& shapes, Frame& frame) {
+  for (Pair& pair : frame.pairs) {
+    if (pair.kind.empty()) pair.kind = kind_of(shapes, pair.a) + "-" + kind_of(shapes, pair.b);
+    double deepest = std::numeric_limits<double>::infinity();
+    for (const Manifold& manifold : pair.manifolds)
+      for (const Point& point : manifold.points) deepest = std::min(deepest, point.separation);
+    const bool has_points = std::isfinite(deepest);
+    if (pair.state.empty()) pair.state = has_points ? "touching" : "separated";
+    if (std::isnan(pair.separation)) pair.separation = has_points ? deepest : 0;
+  }
 }
 
 Totals totals_of(const Frame& frame) {

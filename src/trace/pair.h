@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -92,19 +93,17 @@ struct Cache {
 
 /// A point of an incremental manifold, and what became of it in this frame.
 struct PersistentPoint {
-  Point point;
-  Vec3d on_a = Vec3d::Zero();  // the places of both shapes that met when it was found
-  Vec3d on_b = Vec3d::Zero();
+  Point point;         // with the places of both shapes that met when it was found
   std::string state;   // "new", "persisted", "broken"
   std::string reason;  // of "broken": "apart", "slid", "other features", "replaced", "reduced"
   int age = 0;         // frames since it was found
 
+  Vec3d on_a() const { return point.on_a.value_or(point.position); }
+  Vec3d on_b() const { return point.on_b.value_or(point.position); }
+
   static constexpr auto fields() {
     using P = PersistentPoint;
-    return std::tuple(field::merged(&P::point),
-                      field::position("on_a", &P::on_a).swaps(&P::on_b).says("place on a"),
-                      field::position("on_b", &P::on_b).says("place on b"),
-                      field::exact("state", &P::state),
+    return std::tuple(field::merged(&P::point), field::exact("state", &P::state),
                       field::exact("reason", &P::reason).where_set(), field::exact("age", &P::age));
   }
 };
@@ -255,14 +254,17 @@ struct Pair {
   std::optional<Impact> impact{};             // where the pair is asked when it meets
   std::optional<FieldProbes> field_probes{};  // with a distance field, where a view shows it
 
+  /// A trace may leave the separation out; see complete().
+  static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }
+
   static constexpr auto fields() {
     return std::tuple(
         field::exact("a", &Pair::a).swaps(&Pair::b).names(), field::exact("b", &Pair::b).names(),
         field::exact("label", &Pair::label).where_set().names(),
-        field::exact("kind", &Pair::kind).mirror(Mirrored::KindTurned),
-        field::exact("state", &Pair::state).says(""),
+        field::exact("kind", &Pair::kind).optional().mirror(Mirrored::KindTurned),
+        field::exact("state", &Pair::state).optional().says(""),
         // It mostly repeats what a point says.
-        field::length("separation", &Pair::separation).told_last(),
+        field::length("separation", &Pair::separation).otherwise_by(&Pair::not_told).told_last(),
         field::facts("manifolds", &Pair::manifolds).entries("manifold"),  //
         field::fact("sat", &Pair::sat).apart("sat"),                      //
         field::fact("clip", &Pair::clip).apart("clip"),

@@ -208,6 +208,7 @@ Header read_header(const Node& node) {
 
 Trace read_trace(std::istream& in, const std::string& name) {
   Trace trace;
+  std::vector<Shape> shapes;  // of the header and of all frames up to here
   bool has_header = false;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -216,9 +217,12 @@ Trace read_trace(std::istream& in, const std::string& name) {
       const Json json = Json::parse(line);
       const Node node(json, "");
       if (has_header) {
-        trace.frames.push_back(read<Frame>(node, nullptr));
+        Frame& frame = trace.frames.emplace_back(read<Frame>(node, nullptr));
+        shapes.insert(shapes.end(), frame.shapes.begin(), frame.shapes.end());
+        complete(shapes, frame);
       } else {
         trace.header = read_header(node);
+        shapes = trace.header.shapes;
         has_header = true;
       }
     } catch (const nlohmann::json::parse_error& error) {
@@ -236,6 +240,8 @@ Trace read_trace(std::istream& in, const std::string& name) {
                      std::string("the trace is empty; its first line must be a header with "
                                  "\"schema\":\"") +
                          kSchema + "\"");
+  if (trace.header.frames == 0 && !trace.frames.empty())
+    trace.header.frames = trace.frames.back().frame + 1;
   return trace;
 }
 

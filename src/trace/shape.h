@@ -46,7 +46,7 @@ struct Shape {
         field::name(&Shape::name),  //
         field::exact("type", &Shape::type).optional(),
         field::position("vertices", &Shape::vertices).says(""),
-        field::exact("faces", &Shape::faces).into("vertices").says("face"),
+        field::exact("faces", &Shape::faces).into("vertices").optional().says("face"),
         field::exact("edges", &Shape::edges)
             .into("vertices")
             .otherwise_by(&Shape::edges_from_faces)
@@ -65,6 +65,12 @@ struct Header {
   std::string up;      // "y" or "z"
   int frames = 0;      // frames of the scenario, also when fewer were asked for
   std::vector<Shape> shapes;
+  // Of another engine's trace:
+  std::string engine{};   // "Bullet", ...; empty: this program
+  std::string version{};  // its own
+  std::string
+      poses_at{};  // "before_step", "after_step": the moment of the poses, where contacts are
+                   // of the step between
 
   static constexpr auto fields() {
     return std::tuple(field::exact("scenario", &Header::scenario),
@@ -72,8 +78,11 @@ struct Header {
                       field::exact("source", &Header::source).optional(),
                       field::exact("scalar", &Header::scalar),  //
                       field::exact("up", &Header::up),          //
-                      field::exact("frames", &Header::frames),  //
-                      field::facts("shapes", &Header::shapes).entries("shape"));
+                      field::exact("frames", &Header::frames).optional(),
+                      field::facts("shapes", &Header::shapes).entries("shape"),
+                      field::exact("engine", &Header::engine).where_set(),
+                      field::exact("version", &Header::version).where_set(),
+                      field::exact("poses_at", &Header::poses_at).where_set());
   }
 };
 

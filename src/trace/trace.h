@@ -29,8 +29,8 @@ struct Body {
         field::position("center_of_mass", &Body::center_of_mass).says("centre of mass"),
         field::velocity("velocity", &Body::velocity),
         field::spin("angular_velocity", &Body::angular_velocity),
-        field::energy("kinetic_energy", &Body::kinetic_energy),
-        field::energy("potential_energy", &Body::potential_energy));
+        field::energy("kinetic_energy", &Body::kinetic_energy).optional(),
+        field::energy("potential_energy", &Body::potential_energy).optional());
   }
   friend bool operator==(const Body&, const Body&) = default;
 };
@@ -65,10 +65,10 @@ struct Solver {
 
   static constexpr auto fields() {
     return std::tuple(
-        field::exact("position_correction", &Solver::position_correction),
-        field::exact("iterations", &Solver::iterations),
-        field::exact("substeps", &Solver::substeps).says("sub-steps"),
-        field::exact("warm_start", &Solver::warm_start).called("off", "on"),
+        field::exact("position_correction", &Solver::position_correction).optional(),
+        field::exact("iterations", &Solver::iterations).optional(),
+        field::exact("substeps", &Solver::substeps).optional().says("sub-steps"),
+        field::exact("warm_start", &Solver::warm_start).optional().called("off", "on"),
         field::exact("slop", &Solver::slop).optional(),
         field::exact("speculative_margin", &Solver::speculative_margin).optional(),
         field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"),
@@ -218,6 +218,7 @@ struct Frame {
   std::optional<BroadPhase> broad_phase{};  // where one chose the pairs
   std::optional<Solver> solver{};
   std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
+  std::vector<Shape> shapes{};     // that were in no frame before
 
   static constexpr auto fields() {
     // The time is a product of two numbers of the file, which every processor rounds alike.
@@ -233,11 +234,17 @@ struct Frame {
                           .entries("slice through a field", "slices through fields"),
                       field::fact("broad_phase", &Frame::broad_phase).apart("broad phase"),
                       field::fact("solver", &Frame::solver).apart("solver"),
-                      field::fact("totals", &Frame::totals).apart("totals"));
+                      field::fact("totals", &Frame::totals).apart("totals"),
+                      field::facts("shapes", &Frame::shapes).where_set().entries("new shape"));
   }
 };
 
 /// Of what else the frame holds.
 Totals totals_of(const Frame& frame);
+
+/// What a trace may leave out of a pair, from the rest of it: its `kind` from the types of its shapes, which
+/// are among `shapes`, `state` ("touching" where it has points), and the `separation` of the deepest point,
+/// 0 of none.
+void complete(const std::vector<Shape>& shapes, Frame& frame);
 
 }  // namespace contactscope::trace

@@ -10,20 +10,21 @@ namespace {
 
 /// The exit code of the program, run in the source folder; -1 where it did not exit.
 int exit_code_of(const std::string& environment, const std::string& arguments,
-                 const std::string& redirections) {
+                 const std::string& redirections, const std::string& input = "/dev/null") {
   const std::string command = "cd '" CONTACTSCOPE_SOURCE_DIR "' && " + environment +
                               " '" CONTACTSCOPE_BINARY_DIR "/contactscope' " + arguments + " " +
-                              redirections + " </dev/null";
+                              redirections + " <'" + input + "'";
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
 
-ProgramRun run(const std::string& arguments, const std::string& environment) {
+ProgramRun run(const std::string& arguments, const std::string& environment,
+               const std::string& input) {
   const TemporaryFolder folder;
-  const int exit_code = exit_code_of(environment, arguments,
-                                     ">'" + (folder / "out") + "' 2>'" + (folder / "err") + "'");
+  const int exit_code = exit_code_of(
+      environment, arguments, ">'" + (folder / "out") + "' 2>'" + (folder / "err") + "'", input);
   return {exit_code, read_text(folder / "out"), read_text(folder / "err")};
 }
 

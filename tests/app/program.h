@@ -14,8 +14,9 @@ struct ProgramRun {
 };
 
 /// Runs the built program through the shell, in the source folder. `environment` is put before it:
-/// "CI=true". Standard input is empty.
-ProgramRun run(const std::string& arguments, const std::string& environment = "");
+/// "CI=true". Standard input is the file `input`; empty by default.
+ProgramRun run(const std::string& arguments, const std::string& environment = "",
+               const std::string& input = "/dev/null");
 
 /// The exit code of the program with a standard output that takes nothing.
 int run_on_full_disk(const std::string& arguments);

@@ -63,8 +63,8 @@ struct CrateOnSlab {
     const auto add = [&](const Vec3d& at, const char* state, const char* reason, int age) {
       trace::PersistentPoint point;
       point.point.position = at;
-      point.on_a = at + Vec3d(0.01, 0, 0);
-      point.on_b = at - Vec3d(0.01, 0, 0);
+      point.point.on_a = at + Vec3d(0.01, 0, 0);
+      point.point.on_b = at - Vec3d(0.01, 0, 0);
       point.state = state;
       point.reason = reason;
       point.age = age;

@@ -57,10 +57,10 @@ TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHide
   CrateOnSlab scene;
   scene.persist();
   for (trace::PersistentPoint& point : scene.pair().incremental->points) {
-    point.on_a = point.on_b = point.point.position;
+    point.point.on_a = point.point.on_b = point.point.position;
   }
   trace::PersistentPoint& drifted = scene.pair().incremental->points[0];
-  drifted.on_a.x() += 0.002;
+  drifted.point.on_a->x() += 0.002;
   scene.view.layers = {Layer::Persistent};
   const Staging staging = scene.staged();
   EXPECT_GT(staging.scales.drift, 1);
@@ -137,8 +137,8 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   scene.pair().incremental->query = "sat";
   trace::PersistentPoint& deepest = scene.pair().incremental->points[1];
   deepest.point.separation = -0.2;  // of which 0.15 are the margins
-  deepest.on_a = Vec3d(0.5, 0.1, 0.5);
-  deepest.on_b = Vec3d(0.5, -0.1, 0.5);
+  deepest.point.on_a = Vec3d(0.5, 0.1, 0.5);
+  deepest.point.on_b = Vec3d(0.5, -0.1, 0.5);
   scene.view.layers = {Layer::Core};
   const Sketch sketch = scene.sketch();
   EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by sat"));

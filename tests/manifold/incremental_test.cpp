@@ -338,7 +338,7 @@ TEST(IncrementalManifold, TradingTheShapesMirrorsTheRecord) {
   EXPECT_EQ(told.incremental->query, "plane");
   EXPECT_EQ(told.incremental->margin_a, other.incremental->margin_b);
   EXPECT_EQ(told.incremental->margin_a, 0.02);
-  EXPECT_EQ(told.incremental->points.at(0).on_a, other.incremental->points.at(0).on_b);
+  EXPECT_EQ(told.incremental->points.at(0).on_a(), other.incremental->points.at(0).on_b());
   EXPECT_EQ(other.incremental->points[0].point.id.substr(0, 4), "a:f0");
   EXPECT_EQ(other.manifolds.at(0).normal, Vec3d(0, 1, 0));
 }

@@ -228,7 +228,7 @@ TEST(CompareStages, PersistentPoints) {
                 pair.incremental->query = "epa";
                 pair.incremental->points[1].state = "broken";
                 pair.incremental->points[1].reason = "slid";
-                pair.incremental->points[3].on_b.y() -= 0.5;
+                pair.incremental->points[3].point.on_b->y() -= 0.5;
               }),
               ElementsAre("incremental: query gjk -> epa",
                           "persistent point 1 state persisted -> broken, reason (none) -> slid",

@@ -73,8 +73,10 @@ trace::Pair contact() {
   pair.minkowski = trace::Minkowski{patch, {{0, 1, 2}, {0, 2, 3}}};
   trace::Incremental& incremental = pair.incremental.emplace();
   incremental = {"distance", "gjk", 0.01, 0.01, {}};
-  for (const trace::Point& point : manifold.points)
-    incremental.points.push_back({point, point.position, point.position, "persisted", "", 7});
+  for (trace::Point point : manifold.points) {
+    point.on_a = point.on_b = point.position;
+    incremental.points.push_back({point, "persisted", "", 7});
+  }
   pair.stability = trace::Stability{"crate",
                                     Vec3d(0, 1, 0),
                                     Vec3d(0, 0.5, 0),

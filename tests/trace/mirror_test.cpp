@@ -42,7 +42,7 @@ TEST(Mirror, WhatIsOfOneShapeIsOfTheOther) {
   EXPECT_EQ(mirrored.gjk->point_b, pair.gjk->point_a);
   EXPECT_EQ(mirrored.gjk->steps[1][1].a, pair.gjk->steps[1][1].b);
   EXPECT_EQ(mirrored.incremental->margin_a, pair.incremental->margin_b);
-  EXPECT_EQ(mirrored.incremental->points[0].on_b, pair.incremental->points[0].on_a);
+  EXPECT_EQ(mirrored.incremental->points[0].on_b(), pair.incremental->points[0].on_a());
   EXPECT_EQ(mirrored.clip->reference.shape, pair.clip->reference.shape);
   EXPECT_EQ(mirrored.stability->margin, pair.stability->margin);
 }

@@ -71,6 +71,35 @@ TEST(ReadTrace, AMissingKeyIsNamedWithItsPlace) {
   EXPECT_THAT(complaint(frame_without("", "poses")), HasSubstr("has no key 'poses'"));
 }
 
+/// What follows from the rest need not be written.
+TEST(ReadTrace, WhatFollowsFromTheRestIsFilledIn) {
+  std::istringstream in(
+      R"({"schema":"contactscope.trace/1","scenario":"mine/stack","scalar":"float","up":"y","engine":"Mine","version":"2.1",)"
+      R"("poses_at":"after_step","shapes":{"floor":{"type":"plane","vertices":[],"half_space":{"normal":[0,1,0],"offset":0}},)"
+      R"("crate":{"type":"box","vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}}})"
+      "\n"
+      R"({"frame":7,"time":0.1,"poses":{},"pairs":[{"a":"floor","b":"crate","manifolds":[{"normal":[0,1,0],"points":[)"
+      R"({"position":[0,0,0],"separation":-0.25,"on_a":[0,0,0],"on_b":[0,-0.25,0]},{"position":[1,0,0],"separation":0.5,"active":false}]}]},)"
+      R"({"a":"crate","b":"floor","manifolds":[]}]})");
+  const Trace trace = read_trace(in, "run.jsonl");
+  EXPECT_EQ(trace.header.engine, "Mine");
+  EXPECT_EQ(trace.header.version, "2.1");
+  EXPECT_EQ(trace.header.poses_at, "after_step");
+  EXPECT_EQ(trace.header.frames, 8);
+  const Pair& touching = trace.frames.at(0).pairs.at(0);
+  EXPECT_EQ(touching.kind, "plane-hull");
+  EXPECT_EQ(touching.state, "touching");
+  EXPECT_EQ(touching.separation, -0.25);
+  EXPECT_EQ(touching.manifolds.at(0).axis, "");
+  EXPECT_EQ(touching.manifolds[0].points.at(0).on_b.value(), Vec3d(0, -0.25, 0));
+  EXPECT_TRUE(touching.manifolds[0].points[0].active);
+  EXPECT_FALSE(touching.manifolds[0].points.at(1).active);
+  const Pair& apart = trace.frames[0].pairs.at(1);
+  EXPECT_EQ(apart.kind, "hull-plane");
+  EXPECT_EQ(apart.state, "separated");
+  EXPECT_EQ(apart.separation, 0);
+}
+
 TEST(ReadTrace, AWrongTypeIsNamedWithItsPlace) {
   EXPECT_THAT(complaint(frame_with("/pairs/0/sat/face_b/separation", "deep")),
               HasSubstr("'pairs[0].sat.face_b.separation' is of type string; a number"));

@@ -44,6 +44,9 @@ Header sample_header() {
   ground.type = "plane";
   ground.half_space = HalfSpace{{0.6, 0, -0.8}, -0.25};
   header.shapes.push_back(ground);
+  header.engine = "Another";
+  header.version = "3.14";
+  header.poses_at = "after_step";
   return header;
 }
 
@@ -86,6 +89,9 @@ Frame sample_frame() {
                        {{{0, 0, 0}, {1, 1, 1e-300}}, 1, true, false}};
   pair.cache = Cache{true, "features", "face_b", Vec3d(0, -1, -0.0), double(0.0125f)};
   pair.sat->edge_pairs = {{3, 4, -0.125, {0, 0, 1}}, {5, 0, -0.5, {0.6, -0.0, 0.8}}};
+  pair.manifolds[0].points[0].on_a = Vec3d(0.1, 0.2, 0.3);
+  pair.manifolds[0].points[0].on_b = Vec3d(0.1, -0.0, 1e-300);
+  pair.manifolds[0].points[1].active = false;
   pair.manifolds[0].points[1].impulse = Impulse{0.75, {0.125, -0.0, 1e-300}, 0.5};
   pair.penetration = Penetration{
       "epa", "converged", "", 2, double(0.005f), {0, -1, -0.0}, {1, 2, 3}, {4, 5, 6}, {}, {}, {}};
@@ -98,13 +104,17 @@ Frame sample_frame() {
   pair.minkowski = Minkowski{{{0, 0, 0}, {1, 0, 0}, {0, -0.0, 1.0 / 3.0}}, {{0, 1, 2}, {2, 1, 0}}};
   pair.incremental = Incremental{"distance", "gjk", 0.01, 0.02, {}};
   pair.incremental->points = {
-      {{{1, 2, 3}, -0.005, "a:v1 b:f2", Impulse{0.25, {0, 0, 0}, 0}},
-       {7, 8, 9},
-       {4, 5, 6},
+      {{{1, 2, 3},
+        -0.005,
+        "a:v1 b:f2",
+        Impulse{0.25, {0, 0, 0}, 0},
+        {},
+        Vec3d(7, 8, 9),
+        Vec3d(4, 5, 6)},
        "new",
        "",
        0},
-      {{{3, 2, 1}, 0.125, "", {}}, {9, 8, 7}, {6, 5, 4}, "broken", "slid", 17}};
+      {{{3, 2, 1}, 0.125, "", {}, {}, Vec3d(9, 8, 7), Vec3d(6, 5, 4)}, "broken", "slid", 17}};
   pair.stability = Stability{"zebra",
                              {0, 1, 0},
                              {0, 0.5, -0.0},

@@ -160,8 +160,8 @@ std::optional<CorePair> core_pair(const trace::Pair& pair) {
   }
   if (deepest == nullptr) return std::nullopt;
   const double margins = incremental.margin_a + incremental.margin_b;
-  return CorePair{deepest->on_a - incremental.margin_a * normal,
-                  deepest->on_b + incremental.margin_b * normal, normal,
+  return CorePair{deepest->on_a() - incremental.margin_a * normal,
+                  deepest->on_b() + incremental.margin_b * normal, normal,
                   deepest->point.separation + margins};
 }
 

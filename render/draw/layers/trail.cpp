@@ -17,14 +17,15 @@ constexpr Swatch kPastSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.area(kD
 
 void draw_trail(const Scene& scene, Sketch& sketch) {
   if (scene.sequence == nullptr) return;
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const PlacedShape& shape = scene.shapes[i];
+  for (const PlacedShape& shape : scene.shapes) {
     if (shape.is_mesh() || shape.traced().half_space) continue;
     const Vec3d middle = shape.traced().center_of_mass;
     std::vector<Pose<double>> past;
     for (const FramePoses& frame : *scene.sequence) {
       if (frame.frame >= scene.frame.frame) break;
-      past.push_back(frame.poses.at(i).second);
+      const auto then = std::ranges::find(frame.poses, shape.traced().name,
+                                          &std::pair<std::string, Pose<double>>::first);
+      if (then != frame.poses.end()) past.push_back(then->second);
     }
     if (past.size() > kMostSkins) past.erase(past.begin(), past.end() - kMostSkins);
     past.push_back(shape.pose);

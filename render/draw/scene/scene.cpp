@@ -103,7 +103,9 @@ double ShapeMeshes::smallest_radius() const {
 
 const PlacedShape* Scene::find(std::string_view name) const {
   const std::optional<std::size_t> place = meshes.find(name);
-  return place ? &shapes[*place] : nullptr;
+  if (!place) return nullptr;
+  const auto found = std::ranges::lower_bound(shapes, *place, {}, &PlacedShape::place);
+  return found != shapes.end() && found->place == *place ? &*found : nullptr;
 }
 
 std::span<const trace::Body> Scene::bodies() const {
@@ -123,9 +125,16 @@ Vec3d up_axis(const trace::Header& header) {
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame) {
   std::vector<PlacedShape> placed(meshes.size());
   std::vector<bool> has_role(meshes.size(), false);
-  for (std::size_t i = 0; i < meshes.size(); ++i) placed[i].mesh = &meshes[i];
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    placed[i].mesh = &meshes[i];
+    placed[i].place = i;
+  }
+  std::vector<bool> is_here(meshes.size(), false);
   for (const auto& [name, pose] : frame.poses) {
-    if (const auto place = meshes.find(name)) placed[*place].pose = pose;
+    const auto place = meshes.find(name);
+    if (!place) continue;
+    placed[*place].pose = pose;
+    is_here[*place] = true;
   }
   for (const trace::Deformed& now : frame.deformed) {
     const auto place = meshes.find(now.name);
@@ -141,6 +150,7 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
       has_role[*place] = true;
     }
   }
+  std::erase_if(placed, [&](const PlacedShape& shape) { return !is_here[shape.place]; });
   for (PlacedShape& shape : placed) {
     shape.vertices =
         mapped(shape.traced().vertices, [&](const Vec3d& v) { return shape.pose.transform(v); });

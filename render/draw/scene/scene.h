@@ -60,6 +60,7 @@ struct PlacedShape {
   Pose<double> pose;
   std::vector<Vec3d> vertices;  // world
   bool is_a = true;             // colour: the role in the first pair that names it
+  std::size_t place = 0;        // among the header's shapes
   /// Of a shape that deforms: what `mesh` is made of, in this frame alone.
   std::shared_ptr<const trace::Shape> deformed{};
   std::shared_ptr<const ShapeMesh> deformed_mesh{};
@@ -73,7 +74,7 @@ struct PlacedShape {
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
 
-/// The shapes of one frame, in the header's order.
+/// The shapes that are there in one frame, in the header's order.
 std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Frame& frame);
 
 /// How long arrows and overlaps are drawn, the same in a whole sequence. The factors are 1, 2 or 5

@@ -81,7 +81,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
       for (const trace::PersistentPoint& point : pair.incremental->points) {
         if (point.state == "broken") continue;  // it may have come off at any speed
         drift = std::max(drift, camera.pixels_per_metre(point.point.position) *
-                                    (point.on_b - point.on_a).norm());
+                                    (point.on_b() - point.on_a()).norm());
       }
     }
     if (largest > 0) impulses.push_back(largest);

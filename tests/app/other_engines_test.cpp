@@ -1,0 +1,111 @@
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "app/program.h"
+
+/// Traces as other engines write them: with what they know.
+namespace contactscope::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The whole trace in src/trace/README.md, its two lines put together again.
+std::string sample_of_the_reference() {
+  std::istringstream in(read_text(CONTACTSCOPE_SOURCE_DIR "/src/trace/README.md"));
+  std::string trace;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("    ") || (trace.empty() && !line.starts_with("    {\"schema\""))) {
+      if (!trace.empty()) break;
+      continue;
+    }
+    const std::string piece = line.substr(4);
+    trace += (piece.starts_with("{\"frame\"") ? "\n" : "") + piece;
+  }
+  return trace + "\n";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(OtherEngines, TheSampleOfTheReferenceIsDrawnAlsoFromStandardInput) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
+  const std::string to = " --size 640x360 --out '";
+  const ProgramRun from_file = run("render '" + file + "'" + to + (folder / "one") + "'");
+  ASSERT_EQ(from_file.exit_code, 0) << from_file.err;
+  const ProgramRun from_input = run("render -" + to + (folder / "two") + "'", "", file);
+  ASSERT_EQ(from_input.exit_code, 0) << from_input.err;
+  EXPECT_THAT(files_below(folder / "two"), ElementsAre("mine/crate/frame_0000.png"));
+  EXPECT_TRUE(read_text(folder / "one/mine/crate/frame_0000.png") ==
+              read_text(folder / "two/mine/crate/frame_0000.png"));
+  EXPECT_THAT(run("doctor '" + file + "'").out, HasSubstr("ok  trace of mine/crate"));
+}
+
+TEST(OtherEngines, WhatIsWrongOnStandardInputIsNamedByLine) {
+  const TemporaryFolder folder;
+  const std::string bad = folder.write(
+      "bad", replaced(sample_of_the_reference(), "\"a\":\"ground\"", "\"a\":\"grund\""));
+  const ProgramRun result = run("render - --out '" + (folder / "out") + "'", "", bad);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("standard input:2:1: pairs[0].a: the header has no shape"));
+  EXPECT_EQ(run("doctor -").exit_code, 2);  // an empty one
+}
+
+/// A crate falls in frame 1, and the first one is gone in frame 2.
+TEST(OtherEngines, ShapesComeAndGo) {
+  const std::string still = "\"position\":[0,0.98,0],\"quat_wxyz\":[1,0,0,0]}";
+  const std::string trace =
+      sample_of_the_reference() +
+      "{\"frame\":1,\"time\":1,\"shapes\":{\"ball\":{\"type\":\"sphere\",\"vertices\":[[0,0,0]],"
+      "\"radius\":0.5}},\"poses\":{\"crate\":{" +
+      still + ",\"ball\":{" + still +
+      "},\"pairs\":[]}\n"
+      "{\"frame\":2,\"time\":2,\"poses\":{\"ball\":{" +
+      still + "},\"pairs\":[]}\n";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("falls.jsonl", trace);
+  for (const char* layers : {"shapes,contacts,normals", "shapes,trail,ids"}) {
+    const ProgramRun result = run("render '" + file + "' --size 320x180 --layers " + layers +
+                                  " --panels none --out '" + (folder / "out") + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  EXPECT_EQ(files_below(folder / "out").size(), 3u);
+
+  const std::string gone = folder.write(
+      "gone.jsonl", replaced(trace, "{\"position\":[0,0.98,0],\"quat_wxyz\":[1,0,0,0]}", "null"));
+  EXPECT_EQ(run("doctor '" + gone + "'").exit_code, 2);
+  const std::string unplaced = folder.write(
+      "unplaced.jsonl",
+      replaced(trace, "\"ground\":{\"position\":[0,0,0],\"quat_wxyz\":[1,0,0,0]},", ""));
+  EXPECT_THAT(run("doctor '" + unplaced + "'").err,
+              HasSubstr("pairs[0].a is 'ground', which has no pose in this frame"));
+  const std::string twice =
+      folder.write("twice.jsonl", replaced(trace, "\"ball\":{\"type\"", "\"crate\":{\"type\""));
+  EXPECT_THAT(run("doctor '" + twice + "'").err, HasSubstr("there are two shapes 'crate'"));
+}
+
+TEST(OtherEngines, FacesAreMadeOfConvexShapesAlone) {
+  const TemporaryFolder folder;
+  const std::string sample = sample_of_the_reference();
+  const std::string mesh =
+      folder.write("mesh.jsonl", replaced(sample, "\"type\":\"hull\"", "\"type\":\"mesh\""));
+  EXPECT_THAT(run("doctor '" + mesh + "'").err,
+              HasSubstr("mesh.jsonl:1:1: shape 'crate' is a mesh without 'faces'"));
+  const std::string line = folder.write(
+      "line.jsonl",
+      replaced(sample,
+               "[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],[-1,1,1],[1,1,1]",
+               "[0,0,0],[1,0,0],[2,0,0],[3,0,0]"));
+  EXPECT_THAT(run("doctor '" + line + "'").err, HasSubstr("none can be made of its 'vertices'"));
+  const std::string moment =
+      folder.write("moment.jsonl", replaced(sample, "\"engine\":\"mine\"", "\"poses_at\":\"now\""));
+  EXPECT_THAT(run("doctor '" + moment + "'").err, HasSubstr("'before_step' or 'after_step'"));
+}
+
+}  // namespace
+}  // namespace contactscope::test
