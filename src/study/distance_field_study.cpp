@@ -48,9 +48,9 @@ struct FieldMethod {
 constexpr FieldMethod kFieldMethods[] = {
     {"trilinear", FieldInterpolation::Trilinear, false},
     {"cubic", FieldInterpolation::Cubic, false},
-    {"trilinear, exact cells", FieldInterpolation::Trilinear, true},
-    {"cubic, exact where needed", FieldInterpolation::Cubic, true, kSmoothPart},
-    {"cubic, exact cells", FieldInterpolation::Cubic, true},
+    {"trilinear with exact cells", FieldInterpolation::Trilinear, true},
+    {"cubic with exact cells where needed", FieldInterpolation::Cubic, true, kSmoothPart},
+    {"cubic with exact cells", FieldInterpolation::Cubic, true},
 };
 
 /// Measures: metres, degrees, megabytes, milliseconds to build.

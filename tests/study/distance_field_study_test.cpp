@@ -35,7 +35,7 @@ TEST(DistanceFieldStudy, SlowOrdersTheMethodsAsTheyAre) {
           << series.panel << ' ' << point.parameter;
 
   // Of plates thinner than a cell blending loses some, and triangles none.
-  for (const char* method : {"cubic, exact cells", "cubic, exact where needed"})
+  for (const char* method : {"cubic with exact cells", "cubic with exact cells where needed"})
     for (const trace::StudyPoint& point :
          line_of(results[5], "a plate beside a wall", method).points)
       EXPECT_EQ(*point.error, 0) << method << ' ' << point.parameter;
