@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/contours.h"
@@ -10,7 +11,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kMostLines = 8;  // on each side of the surface
+constexpr int kMostLines = 8;          // on each side of the surface
+constexpr double kBetweenProbes = 14;  // pixels
 constexpr Color kOutside = rgb(0x7D8894);
 constexpr Color kInside = rgb(0x6A4C93);
 constexpr LineStyle kOutsideLine{1.2f, kOutside};
@@ -130,11 +132,21 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   }
 }
 
-void draw_probes(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+/// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.
+void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.field_probes) return;
-  for (const trace::FieldProbe& probe : pair.field_probes->probes)
-    sketch.mark(MarkKind::Speck, probe.position, kProbe);
-  if (!pair.field_probes->probes.empty()) sketch.explain(kProbeSwatch, "where the field was asked");
+  const Vec3d right = scene.camera.right(), up = scene.camera.up();
+  std::set<std::pair<double, double>> drawn;
+  for (const trace::FieldProbe& probe : pair.field_probes->probes) {
+    const double cells =
+        scene.camera.pixels_per_metre(probe.position) / (kBetweenProbes * scene.scales.pixel);
+    if (drawn
+            .emplace(std::floor(cells * right.dot(probe.position)),
+                     std::floor(cells * up.dot(probe.position)))
+            .second)
+      sketch.mark(MarkKind::Speck, probe.position, kProbe);
+  }
+  if (!drawn.empty()) sketch.explain(kProbeSwatch, "where the field was asked");
 }
 
 }  // namespace
