@@ -1,6 +1,7 @@
 #include "app/catalogue.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -37,6 +38,38 @@ void require(bool is_right, const std::string& otherwise) {
   if (!is_right) throw Wrong{otherwise};
 }
 
+/// Faces of a convex shape that are listed clockwise: all other vertices are in front of them.
+void check_winding(const trace::Shape& shape) {
+  if (shape.type == "mesh" || shape.type == "sdf" || shape.radius > 0) return;
+  double size = 0;
+  for (const Vec3d& vertex : shape.vertices)
+    size = std::max(size, (vertex - shape.vertices.front()).norm());
+  std::vector<int> wrong;
+  for (int f = 0; f < count_of(shape.faces); ++f) {
+    const std::vector<int>& face = at(shape.faces, f);
+    const auto corner = [&](std::size_t i) { return at(shape.vertices, face[i % face.size()]); };
+    Vec3d normal = Vec3d::Zero();
+    for (std::size_t i = 0; i < face.size(); ++i)
+      normal += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
+    const double length = normal.norm();
+    if (!(length > 0)) continue;
+    double above = 0, below = 0;
+    for (const Vec3d& vertex : shape.vertices) {
+      const double height = normal.dot(vertex - corner(0)) / length;
+      above = std::max(above, height);
+      below = std::max(below, -height);
+    }
+    constexpr double kFlat = 1e-3;  // of the size: what is in front of a face by less lies on it
+    if (above > kFlat * size && below <= kFlat * size) wrong.push_back(f);
+  }
+  if (wrong.empty()) return;
+  const bool all = wrong.size() == shape.faces.size();
+  throw Wrong{
+      "shape '" + shape.name + "': " +
+      (all ? std::string("all faces are") : "face " + std::to_string(wrong.front()) + " is") +
+      " wound inside out; list the vertices of a face counter-clockwise as seen from outside"};
+}
+
 void check_shape(const trace::Shape& shape) {
   const std::string name = "shape '" + shape.name + "'";
   if (shape.half_space) {
@@ -51,6 +84,7 @@ void check_shape(const trace::Shape& shape) {
   require(!(shape.radius < 0), name + ": 'radius' is negative; give metres, or leave it out");
   for (const std::vector<int>& face : shape.faces)
     require(face.size() >= 3, name + " has a face of fewer than three vertices; leave it out");
+  check_winding(shape);
 }
 
 /// Faces of a convex shape that was written without them: those of the hull of its vertices, which may
@@ -108,14 +142,34 @@ const trace::Shape& named(const trace::Header& header, const std::string& place,
               (near.empty() ? "; add it there" : "; did you mean '" + near + "'?")};
 }
 
+/// "hull-mesh": two words for shapes.
+bool is_kind(const std::string& kind) {
+  const std::size_t dash = kind.find('-');
+  const auto is_shape = [](const std::string& word) {
+    return std::ranges::any_of(std::array{"sphere", "capsule", "hull", "mesh", "plane", "sdf"},
+                               [&](const char* known) { return word == known; });
+  };
+  return dash != std::string::npos && is_shape(kind.substr(0, dash)) &&
+         is_shape(kind.substr(dash + 1));
+}
+
 void check_pair(const trace::Header& header, const std::string& place, const trace::Pair& pair) {
   named(header, place + ".a", pair.a);
   named(header, place + ".b", pair.b);
   require(pair.a != pair.b, place + ": 'a' and 'b' are the same shape; a pair needs two");
   require(pair.state == "touching" || pair.state == "separated",
           place + ".state is '" + pair.state + "'; it may be 'touching' or 'separated'");
+  require(is_kind(pair.kind),
+          place + ".kind is '" + pair.kind +
+              "'; it is two of 'sphere', 'capsule', 'hull', 'mesh', 'plane' and "
+              "'sdf' with a dash between them, or may be left out");
   for (std::size_t i = 0; i < pair.manifolds.size(); ++i) {
     const std::string one = place + ".manifolds[" + std::to_string(i) + "]";
+    const std::string& axis = pair.manifolds[i].axis;
+    require(axis.empty() || axis == "face_a" || axis == "face_b" || axis == "edge_edge" ||
+                axis == "closest_points",
+            one + ".axis is '" + axis +
+                "'; it may be 'face_a', 'face_b', 'edge_edge' or 'closest_points', or left out");
     const double length = pair.manifolds[i].normal.norm();
     require(is_unit(length), one + ".normal has length " + spelled("%.4g", length) +
                                  "; it must be 1, and point from a to b");
@@ -238,6 +292,10 @@ trace::Trace load_trace(const std::string& path) {
     for (const trace::Frame& frame : trace.frames) {
       ++line;
       check_frame(trace.header, frame, before);
+      require(frame.frame < trace.header.frames,
+              "'frame' is " + std::to_string(frame.frame) +
+                  ", and the header says that there are " + std::to_string(trace.header.frames) +
+                  " 'frames'; correct it, or leave it out there");
       before = frame.frame;
     }
   } catch (const Wrong& wrong) {

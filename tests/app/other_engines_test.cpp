@@ -107,5 +107,46 @@ TEST(OtherEngines, FacesAreMadeOfConvexShapesAlone) {
   EXPECT_THAT(run("doctor '" + moment + "'").err, HasSubstr("'before_step' or 'after_step'"));
 }
 
+/// Slips of a writer that nothing else would tell.
+TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
+  const TemporaryFolder folder;
+  const std::string sample = sample_of_the_reference();
+  const std::string cube = "\"type\":\"hull\",\"vertices\"";
+  const std::string faces =
+      "\"type\":\"box\",\"faces\":[[0,4,6,2],[1,3,7,5],[0,1,5,4],[2,6,7,3],[0,2,3,1],[4,5,7,6]],"
+      "\"vertices\"";
+  struct Slip {
+    std::string from, to, told;
+  };
+  EXPECT_EQ(
+      run("doctor '" + folder.write("good.jsonl", replaced(sample, cube, faces)) + "'").exit_code,
+      0);
+  for (const Slip& slip :
+       {Slip{cube, replaced(faces, "[2,6,7,3]", "[3,7,6,2]"),
+             "'crate': face 3 is wound inside out"},
+        Slip{cube,
+             "\"type\":\"box\",\"faces\":[[2,6,4,0],[5,7,3,1],[4,5,1,0],[3,7,6,2],[1,3,2,0],[6,7,5,"
+             "4]],"
+             "\"vertices\"",
+             "'crate': all faces are wound inside out"},
+        Slip{"\"b\":\"crate\",", "\"b\":\"crate\",\"kind\":\"box-plane\",",
+             "pairs[0].kind is 'box-plane'"},
+        Slip{"\"normal\":[0,1,0],\"points\"", "\"normal\":[0,1,0],\"axis\":\"faceA\",\"points\"",
+             "manifolds[0].axis is 'faceA'"},
+        Slip{"{\"frame\":0,", "{\"frame\":7,", ""},
+        Slip{"\"engine\":\"mine\"", "\"frames\":0,\"engine\":\"mine\"", ""}}) {
+    const std::string file = folder.write("bad.jsonl", replaced(sample, slip.from, slip.to));
+    const ProgramRun result = run("doctor '" + file + "'");
+    EXPECT_EQ(result.exit_code, slip.told.empty() ? 0 : 2) << slip.to;
+    EXPECT_THAT(result.err, HasSubstr(slip.told));
+  }
+  const std::string seven =
+      replaced(sample, "\"engine\":\"mine\"", "\"frames\":7,\"engine\":\"mine\"");
+  const std::string late =
+      folder.write("late.jsonl", replaced(seven, "{\"frame\":0,", "{\"frame\":7,"));
+  EXPECT_THAT(run("doctor '" + late + "'").err,
+              HasSubstr("the header says that there are 7 'frames'"));
+}
+
 }  // namespace
 }  // namespace contactscope::test
