@@ -11,8 +11,9 @@ namespace contactscope {
 /// nearest there, where that is known without a measurement. `radii`: of both surfaces, metres.
 ///
 /// Polyhedra that do not turn are cast against each other (portal_cast.h). Where one turns, casts by
-/// the speeds of the points that are to meet lead to the impact, as Newton's steps do, and the bound
-/// of safe_fraction() along the axis found there says how much of the way to it is safe. What is round
+/// the speeds of the points that are to meet lead to the impact, as Newton's steps do. Along the axis
+/// found there, balls about the pivots prove mostly that nothing met before; else the bound of
+/// safe_fraction() says how much of the way to it is safe, for two more support points. What is round
 /// stays where it is: its difference has no faces, so that a portal would shrink to a point, and it
 /// costs GJK less than that.
 template <class S>

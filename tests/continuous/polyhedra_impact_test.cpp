@@ -81,16 +81,19 @@ TYPED_TEST(PolyhedraImpact, SlowLongWaysAndPureSpinsAreAsExhaustionSays) {
 TYPED_TEST(PolyhedraImpact, SlowBarsThatSpinAsTheyComeAreNotLate) {
   Random random(30);
   Tally tally;
-  constexpr int kPairs = 60;
+  constexpr int kPairs = 120;
   for (int i = 0; i < kPairs; ++i) {
     MovingPair<double> pair;
     pair.core_a.hull = make_box(Vec3d(1, 1, 0.05));
-    pair.core_b.hull = make_box(Vec3d(0.8, 0.05, 0.05));
+    // Every other one is so far away at the start that balls about the two are apart.
+    const bool is_far = i % 2 == 1;
+    const double length = is_far ? 2 : 0.8, height = is_far ? 6 : 1.5;
+    pair.core_b.hull = make_box(Vec3d(length, 0.05, 0.05));
     pair.motion_a.start.rotation = random.rotation();
     const Quatd frame = pair.motion_a.start.rotation;
-    pair.motion_b.start = {frame * random.rotation(), frame * Vec3d(0.1, 0.2, 1.5)};
-    pair.motion_b.displacement = frame * Vec3d(0, 0, -random.uniform(1, 3));
-    const double angle = random.uniform(3, 9);
+    pair.motion_b.start = {frame * random.rotation(), frame * Vec3d(0.1, 0.2, height)};
+    pair.motion_b.displacement = frame * Vec3d(0, 0, -height * random.uniform(0.7, 2));
+    const double angle = random.uniform(3, is_far ? 15 : 9);
     pair.motion_b.turn = angle * random.unit_vector();
     judge<TypeParam>(&time_of_impact<TypeParam>, pair, tally);
   }
