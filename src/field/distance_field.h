@@ -167,7 +167,8 @@ class DistanceField {
   std::array<NodeLayout, 2> layouts_{};  // of the coarse nodes and of a fine block
   std::vector<NodePair> nodes_;          // the coarse ones, x first, then kPairs of each fine block
   int coarse_count_ = 0;
-  std::vector<int> first_node_of_block_;  // of a coarse one its corner, of a fine one its own first
+  /// Of a coarse one twice the number of its corner, of a fine one twice that of its own first, and 1.
+  std::vector<std::uint32_t> first_node_of_block_;
   Aabb<double> surface_box_;
   std::vector<std::uint32_t> first_triangle_;  // of each cell of the fine blocks, and of the end
   std::vector<int> cell_triangles_;
@@ -183,14 +184,15 @@ inline DistanceField::Place DistanceField::locate(const Integers& parts) const {
   constexpr int kBlockBits = kWeightBits + 2;
   static_assert(kBlock == 1 << (kBlockBits - kWeightBits));
   const Integers block = parts >> kBlockBits, cell = parts >> kWeightBits & (kBlock - 1);
-  const int first =
+  const std::uint32_t entry =
       at(first_node_of_block_, small_lane<2>(block) * blocks_of_layer_ +
                                    small_lane<1>(block) * blocks_[0] + small_lane<0>(block));
+  const int first = static_cast<int>(entry >> 1);
   // Both kinds of blocks without a branch, which nothing could foresee: all bits where it is fine.
-  const int fine = (coarse_count_ - 1 - first) >> 31;
+  const int fine = -static_cast<int>(entry & 1);
   const int in_block =
       (small_lane<2>(cell) * kSide + small_lane<1>(cell)) * kBlock + small_lane<0>(cell);
-  const NodeLayout& layout = layouts_[static_cast<std::size_t>(fine & 1)];
+  const NodeLayout& layout = layouts_[entry & 1];
   return {nodes_.data() + first + (in_block & fine),
           &layout,
           parts >> layout.side_bits & (kWeightOne - 1),

@@ -198,9 +198,10 @@ void FieldBuilder::lay_out() {
     for (int y = 0; y < ny; ++y)
       for (int x = 0; x < nx; ++x) {
         const int fine = at(fine_of_block_, block_number(x, y, z));
-        field_.first_node_of_block_.push_back(fine < 0 ? (z * (ny + 1) + y) * nx + x
-                                                       : field_.coarse_count_ +
-                                                             fine * DistanceField::kPairs);
+        const int first = fine < 0 ? (z * (ny + 1) + y) * nx + x
+                                   : field_.coarse_count_ + fine * DistanceField::kPairs;
+        field_.first_node_of_block_.push_back(2 * static_cast<std::uint32_t>(first) +
+                                              (fine < 0 ? 0 : 1));
       }
   field_.fine_block_count_ = count_of(blocks_);
   // A block takes nodes from blocks of its layer and of the one below: older ones are written over.

@@ -65,12 +65,18 @@ struct NodeLayout {
       : next_y(row),
         next_z(layer),
         step(most / static_cast<float>(kMostSteps)),
-        slope(static_cast<float>(1 << side) / kGradientScale),
-        side_bits(side) {}
+        rise(static_cast<float>(1 << side) / (kGradientScale * step)),
+        side_bits(side) {
+    constexpr float kPart = 1.0F / kWeightOne;
+    counts = lanes::all(kPart / kGradientScale);
+    counts[0] = kPart * step;
+  }
 
+  lanes::Pack<float>
+      counts{};  // what each number of a node counts, once weights are multiplied to it
   std::ptrdiff_t next_y = 0, next_z = 0;
-  float step = 1;   // what a distance counts, cells
-  float slope = 1;  // what a gradient counts from node to node, cells
+  float step = 1;  // what a distance counts, cells
+  float rise = 1;  // what a gradient counts from node to node, steps
   int side_bits = 0;
 };
 
@@ -92,12 +98,15 @@ template <int i>
 int small_lane(const Integers& numbers) {
   return _mm_extract_epi16(reinterpret_cast<__m128i>(numbers), 2 * i);
 }
-/// Numbers of 16 bits, near node and far node in turns.
-using Pairs = __m128i;
-/// near * low + far * high in each lane; both weights have 16 bits.
-inline Floats sums(Pairs pairs, const Integers& low, const Integers& high) {
-  const Integers weights = (high << 16) | (low & 0xffff);
-  return _mm_cvtepi32_ps(_mm_madd_epi16(pairs, reinterpret_cast<__m128i>(weights)));
+/// Of each of the four numbers the weights of the near and of the far node, of 16 bits.
+using PairWeights = __m128i;
+inline PairWeights pair_weights(const Integers& near, const Integers& far) {
+  return reinterpret_cast<__m128i>((far << 16) | (near & 0xffff));
+}
+/// The weighted sums of the two nodes' numbers.
+inline Floats sums(const NodePair& pair, const PairWeights& weights) {
+  const __m128i numbers = _mm_load_si128(reinterpret_cast<const __m128i*>(&pair));
+  return _mm_cvtepi32_ps(_mm_madd_epi16(numbers, weights));
 }
 #else
 inline Integers parts_of(const Vec3d& point) {
@@ -111,55 +120,27 @@ template <int i>
 int small_lane(const Integers& numbers) {
   return numbers[i];
 }
-struct Pairs {
+struct PairWeights {
   Integers near, far;
 };
-inline Floats sums(const Pairs& pairs, const Integers& low, const Integers& high) {
-  return __builtin_convertvector(low * pairs.near + high * pairs.far, Floats);
+inline PairWeights pair_weights(const Integers& near, const Integers& far) {
+  return {near, far};
+}
+inline Floats sums(const NodePair& pair, const PairWeights& weights) {
+  const auto& [distance, gradient] = pair;
+  const Integers near = {distance[0], gradient[0][0], gradient[1][0], gradient[2][0]};
+  const Integers far = {distance[1], gradient[0][1], gradient[1][1], gradient[2][1]};
+  return __builtin_convertvector(weights.near * near + weights.far * far, Floats);
 }
 #endif
-
-/// The eight nodes around a cell, each number by itself: its lanes are the rows along x whose y and z
-/// are near near, far near, near far, far far.
-struct Around {
-  Pairs distance, slope_x, slope_y, slope_z;
-};
-inline Around around(const NodePair* first, const NodeLayout& layout) {
-  const NodePair* far = first + layout.next_z;
-#ifdef __SSE2__
-  const auto load = [](const NodePair* pair) {
-    return _mm_load_si128(reinterpret_cast<const __m128i*>(pair));
-  };
-  const __m128i a = load(first), b = load(first + layout.next_y);
-  const __m128i c = load(far), d = load(far + layout.next_y);
-  const __m128i ab = _mm_unpacklo_epi32(a, b), cd = _mm_unpacklo_epi32(c, d);
-  const __m128i ab_last = _mm_unpackhi_epi32(a, b), cd_last = _mm_unpackhi_epi32(c, d);
-  return {_mm_unpacklo_epi64(ab, cd), _mm_unpackhi_epi64(ab, cd),
-          _mm_unpacklo_epi64(ab_last, cd_last), _mm_unpackhi_epi64(ab_last, cd_last)};
-#else
-  const std::array<const NodePair*, 4> rows = {first, first + layout.next_y, far,
-                                               far + layout.next_y};
-  const auto gathered = [&](const auto& number) {
-    const auto of = [&](std::size_t node) {
-      return Integers{number(*rows[0])[node], number(*rows[1])[node], number(*rows[2])[node],
-                      number(*rows[3])[node]};
-    };
-    return Pairs{of(0), of(1)};
-  };
-  return {gathered([](const NodePair& pair) { return pair.distance; }),
-          gathered([](const NodePair& pair) { return pair.gradient[0]; }),
-          gathered([](const NodePair& pair) { return pair.gradient[1]; }),
-          gathered([](const NodePair& pair) { return pair.gradient[2]; })};
-#endif
-}
 
 template <int i>
 Floats spread(const Floats& pack) {
   return __builtin_shufflevector(pack, pack, i, i, i, i);
 }
-inline float sum_of(const Floats& pack) {
-  const Floats halves = pack + __builtin_shufflevector(pack, pack, 2, 3, 2, 3);
-  return halves[0] + halves[1];
+/// Between `near` and `far`, t of the way.
+inline Floats between(const Floats& near, const Floats& far, const Floats& t) {
+  return near + t * (far - near);
 }
 
 }  // namespace node_blend
@@ -171,6 +152,9 @@ inline float sum_of(const Floats& pack) {
 /// and slope of both nodes, across it linear; what it adds to a linear blend is summed over the axes (a
 /// Boolean sum without its mixed parts, after Gordon 1971). The gradient is the linear blend of the nodes'
 /// gradients.
+///
+/// All four numbers of a node are blended side by side, as they lie in memory: along x pair by pair, then
+/// the four rows along y and z.
 ///
 /// Between two nodes with the distances p and q and the slopes m and n the cubic is, with u = t (1-t) and
 /// v = 1-2t,  (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  So each node's number has one weight,
@@ -184,37 +168,43 @@ template <bool kCubic>
                                                        const lanes::Flags<float>& weights) {
   using namespace node_blend;
   constexpr float kOne = 1.0F / kWeightOne;
-  constexpr Floats kSignsY = {-1, 1, -1, 1}, kSignsZ = {-1, -1, 1, 1};
-  const Around nodes = around(first, layout);
+  const NodePair* far = first + layout.next_z;
+  const std::array<const NodePair*, 4> rows = {first, first + layout.next_y, far,
+                                               far + layout.next_y};
   const Integers x = __builtin_shufflevector(weights, weights, 0, 0, 0, 0);
-  const auto along_x = [&](const Pairs& pairs) { return sums(pairs, kWeightOne - x, x); };
+  const PairWeights by_x = pair_weights(kWeightOne - x, x);
   const Floats t = kOne * __builtin_convertvector(weights, Floats);
-  const Floats by_y = Floats{1, 0, 1, 0} + kSignsY * spread<1>(t);
-  const Floats by_z = Floats{1, 1, 0, 0} + kSignsZ * spread<2>(t);
-  const Floats linear = by_y * by_z;
-  const Floats distances = along_x(nodes.distance);
-  const auto slope = [&](const Pairs& slopes) {
-    return kOne / kGradientScale * sum_of(linear * along_x(slopes));
-  };
-  const float step = kOne * layout.step;
-  float distance;
+  const Floats y = spread<1>(t), z = spread<2>(t);
+  const std::array<Floats, 4> row = {sums(*rows[0], by_x), sums(*rows[1], by_x),
+                                     sums(*rows[2], by_x), sums(*rows[3], by_x)};
+  const Floats near_z = between(row[0], row[1], y), far_z = between(row[2], row[3], y);
+  Floats node = between(near_z, far_z, z);
   if constexpr (kCubic) {
-    const Floats u = t - t * t;
-    const Floats uv = u - (t + t) * u;
-    const Floats of_slopes = lanes::all(kOne * layout.slope) * u;
-    const Floats of_distances =
-        (by_y - kSignsY * spread<1>(uv)) * by_z - by_y * (kSignsZ * spread<2>(uv));
-    constexpr Integers kOnes = {kWeightOne, kWeightOne, kWeightOne, kWeightOne};
-    const Floats rises = sums(nodes.distance, -kOnes, kOnes);
-    const Floats slopes_x = sums(nodes.slope_x, kWeightOne - x, -x);
-    const Floats of_linear =
-        spread<0>(of_slopes) * slopes_x - kSignsY * spread<1>(of_slopes) * along_x(nodes.slope_y) -
-        kSignsZ * spread<2>(of_slopes) * along_x(nodes.slope_z) - step * spread<0>(uv) * rises;
-    distance = sum_of(step * of_distances * distances + linear * of_linear);
-  } else {
-    distance = step * sum_of(linear * distances);
+    // Along x, which needs the nodes by themselves: p - q, and (1-t) m - t n.
+    constexpr Integers kOfDistance = {-1, 0, 0, 0}, kOfSlope = {0, -1, 0, 0};
+    const Integers cubic_near = (kOfDistance & kWeightOne) | (kOfSlope & (kWeightOne - x));
+    const Integers cubic_far = (kOfDistance & -kWeightOne) | (kOfSlope & -x);
+    const PairWeights cubic_by_x = pair_weights(cubic_near, cubic_far);
+    const auto along_x = [&](std::size_t i) { return sums(*rows[i], cubic_by_x); };
+    const Floats of_x =
+        between(between(along_x(0), along_x(1), y), between(along_x(2), along_x(3), y), z);
+    // Along y and z: the distance and the slope of the near side, then of the far one.
+    const Floats near_y = between(row[0], row[2], z), far_y = between(row[1], row[3], z);
+    const Floats near = __builtin_shufflevector(near_y, near_z, 0, 2, 4, 7);
+    const Floats far_side = __builtin_shufflevector(far_y, far_z, 0, 2, 4, 7);
+    const Floats yzx = __builtin_shufflevector(t, t, 1, 2, 0, 3);
+    const Floats u = yzx - yzx * yzx;
+    const Floats uv = u - (yzx + yzx) * u;
+    const Floats slope = lanes::all(layout.rise) * u;
+    const Floats far_slope = slope * yzx;
+    const Floats near_weights = __builtin_shufflevector(uv, slope - far_slope, 0, 4, 1, 5);
+    const Floats far_weights = __builtin_shufflevector(uv, far_slope, 0, 4, 1, 5);
+    const Floats x_weights = __builtin_shufflevector(uv, slope, 2, 6, 3, 7);
+    const Floats added = near * near_weights - far_side * far_weights + of_x * x_weights;
+    const Floats halves = added + __builtin_shufflevector(added, added, 2, 3, 2, 3);
+    node[0] += halves[0] + halves[1];
   }
-  return Floats{distance, slope(nodes.slope_x), slope(nodes.slope_y), slope(nodes.slope_z)};
+  return node * layout.counts;
 }
 
 }  // namespace contactscope
