@@ -48,8 +48,10 @@ class FieldBuilder {
   void copy_known(Block& block);
   void fill_by_core(Block& block);
   void fill_by_triangles(Block& block);
-  void fill_part(Block& block, const std::array<int, 3>& first);
+  void fill_nodes(Block& block, const std::array<int, 3>& group);
   void compare_sides(const Block& block);
+  void find_triangles_of_part(Block& block, const std::array<int, 3>& first);
+  static bool may_have_surface(const Block& block, const std::array<int, 3>& cell);
   void find_triangles(Block& block, const std::array<int, 3>& cell);
   void ask_triangles();
   bool is_smooth(const Vec3d& corner, std::span<const int> triangles);
