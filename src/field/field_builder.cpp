@@ -118,8 +118,8 @@ void FieldBuilder::fill_coarse() {
           continue;
         }
         // The one before: of equally near triangles neighbours then take the same.
-        const NearestPoint nearest = field_.triangles_.nearest(
-            point, std::span(coarse_triangles_).last(coarse_triangles_.empty() ? 0 : 1));
+        const int seed = coarse_triangles_.empty() ? 0 : coarse_triangles_.back();
+        const NearestPoint nearest = sieve_->nearest(point, seed);
         coarse_triangles_.push_back(nearest.triangle);
         coarse_.push_back(unsigned_node(point, nearest));
       }
@@ -164,7 +164,7 @@ void FieldBuilder::choose_blocks() {
         if (field_.core_)
           nearest.squared = std::pow(field_.by_core(middle).distance, 2);
         else
-          nearest = field_.triangles_.nearest(middle, {&seed, 1});
+          nearest = sieve_->nearest(middle, seed);
         if (!dense && nearest.squared > reach * reach) continue;
         at(fine_of_block_, block_number(x, y, z)) = count_of(blocks_);
         blocks_.push_back(block_number(x, y, z));

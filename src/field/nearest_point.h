@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/pack.h"
@@ -34,6 +36,12 @@ class NearestTriangles {
   /// The nearest of all triangles; of equally near ones any. `seeds` are tried first: triangles near by
   /// make the search short.
   NearestPoint nearest(const Vec3d& point, std::span<const int> seeds = {}) const;
+
+  /// Searches the tree for the triangles nearest to a point, near branches first, and leaves out those that
+  /// are beyond `best`. visit(leaf, first, count) looks at `count` triangles, from `first` on in the order
+  /// of the tree, and may replace `best`.
+  template <class Visit>
+  void search(const Vec3d& point, NearestPoint& best, const Visit& visit) const;
 
   /// The nearest of these.
   NearestPoint nearest_of(std::span<const int> triangles, const Vec3d& point) const {
@@ -82,14 +90,65 @@ class NearestTriangles {
     std::array<Vec3d, 3> inward;       // in the plane, at right angles to the edge
     std::array<double, 3> edge_scale;  // 1 / |edge|^2
   };
+  using Floats = lanes::Pack<float>;
   /// A box in single precision, larger by what that rounds.
   struct RoughBox {
-    lanes::Pack<float> lower, upper;
+    Floats lower, upper;
+
+    [[gnu::always_inline]] float squared_distance(const Floats& point) const {
+      const Floats beyond = lanes::larger(lanes::larger(lower - point, point - upper), Floats{});
+      const Floats squares = beyond * beyond;
+      return (squares[0] + squares[1]) + squares[2];
+    }
   };
+  /// x, y and z, and 0.
+  static Floats pack_of_point(const Vec3d& point) {
+    return Floats{static_cast<float>(point.x()), static_cast<float>(point.y()),
+                  static_cast<float>(point.z()), 0};
+  }
+  /// What rounding a point and a box to float, and the arithmetic of their distance, may add to it, as a
+  /// part of the largest number there.
+  static constexpr double kRoughness = 0x1p-20;
+  /// More than the square by what far points are rounded.
+  static float rounded_up(double squared) { return static_cast<float>(squared * (1 + kRoughness)); }
 
   std::shared_ptr<const Mesh<double>> mesh_;
   std::vector<Prism> prisms_;
   std::vector<RoughBox> node_boxes_, triangle_boxes_;  // in the order of the tree
 };
+
+template <class Visit>
+void NearestTriangles::search(const Vec3d& point, NearestPoint& best, const Visit& visit) const {
+  const AabbTree<double>& tree = mesh_->tree;
+  struct Waiting {
+    int node;
+    float squared;
+  };
+  std::array<Waiting, kMaxAabbTreeDepth> stack;
+  std::size_t height = 0;
+  const Floats at_point = pack_of_point(point);
+  float least = rounded_up(best.squared);
+  int i = 0;
+  while (true) {
+    const AabbTree<double>::Node& node = at(tree.nodes, i);
+    if (node.leaf()) {
+      visit(i, node.next, node.count);
+      least = rounded_up(best.squared);
+    } else {
+      Waiting near{i + 1, at(node_boxes_, i + 1).squared_distance(at_point)};
+      const int right = tree.right_of(i);
+      Waiting far{right, at(node_boxes_, right).squared_distance(at_point)};
+      if (far.squared < near.squared) std::swap(near, far);
+      if (far.squared <= least) stack[height++] = far;
+      if (near.squared <= least) {
+        i = near.node;
+        continue;
+      }
+    }
+    while (height > 0 && stack[height - 1].squared > least) --height;
+    if (height == 0) return;
+    i = stack[--height].node;
+  }
+}
 
 }  // namespace contactscope

@@ -34,6 +34,16 @@ TriangleSieve::TriangleSieve(const NearestTriangles& triangles, double size)
   const Mesh<double>& mesh = triangles.mesh();
   flat_.reserve(mesh.triangles.size());
   for (int t = 0; t < mesh.triangle_count(); ++t) flat_.push_back(flat(mesh, t));
+  first_of_leaf_.assign(mesh.tree.nodes.size(), -1);
+  for (int i = 0; i < count_of(mesh.tree.nodes); ++i) {
+    const auto& [box, next, count] = at(mesh.tree.nodes, i);
+    if (count == 0) continue;
+    at(first_of_leaf_, i) = count_of(leaves_);
+    const auto own = std::span(mesh.tree.triangles)
+                         .subspan(static_cast<std::size_t>(next), static_cast<std::size_t>(count));
+    for (std::size_t first = 0; first < own.size(); first += 4)
+      lay_out(own.subspan(first), leaves_.emplace_back());
+  }
 }
 
 TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle) {
@@ -73,28 +83,30 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle) 
 }
 
 void TriangleSieve::lay_out(List& list) const {
-  const std::size_t count = list.triangles_.size();
-  list.fours_.resize((count + 3) / 4);
+  const std::span<const int> triangles = list.triangles_;
+  list.fours_.resize((triangles.size() + 3) / 4);
   list.squared_.resize(list.fours_.size());
-  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    const auto of = [&](std::size_t lane) {
-      // The last one fills up what is left of the last four.
-      return at(flat_, list.triangles_[std::min(4 * i + lane, count - 1)]).data();
-    };
-    const float *a = of(0), *b = of(1), *c = of(2), *d = of(3);
-    for (std::size_t k = 0; k < kNumbers; k += 4) {
-      const Floats one = lanes::load(a + k), two = lanes::load(b + k);
-      const Floats three = lanes::load(c + k), four = lanes::load(d + k);
-      const Floats low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
-      const Floats high = __builtin_shufflevector(one, two, 2, 6, 3, 7);
-      const Floats other_low = __builtin_shufflevector(three, four, 0, 4, 1, 5);
-      const Floats other_high = __builtin_shufflevector(three, four, 2, 6, 3, 7);
-      Floats* to = list.fours_[i].data() + k;
-      to[0] = __builtin_shufflevector(low, other_low, 0, 1, 4, 5);
-      to[1] = __builtin_shufflevector(low, other_low, 2, 3, 6, 7);
-      to[2] = __builtin_shufflevector(high, other_high, 0, 1, 4, 5);
-      to[3] = __builtin_shufflevector(high, other_high, 2, 3, 6, 7);
-    }
+  for (std::size_t i = 0; i < list.fours_.size(); ++i)
+    lay_out(triangles.subspan(4 * i), list.fours_[i]);
+}
+
+void TriangleSieve::lay_out(std::span<const int> triangles, Four& laid_out) const {
+  const auto of = [&](std::size_t lane) {
+    return at(flat_, triangles[std::min(lane, triangles.size() - 1)]).data();
+  };
+  const float *a = of(0), *b = of(1), *c = of(2), *d = of(3);
+  for (std::size_t k = 0; k < kNumbers; k += 4) {
+    const Floats one = lanes::load(a + k), two = lanes::load(b + k);
+    const Floats three = lanes::load(c + k), four = lanes::load(d + k);
+    const Floats low = __builtin_shufflevector(one, two, 0, 4, 1, 5);
+    const Floats high = __builtin_shufflevector(one, two, 2, 6, 3, 7);
+    const Floats other_low = __builtin_shufflevector(three, four, 0, 4, 1, 5);
+    const Floats other_high = __builtin_shufflevector(three, four, 2, 6, 3, 7);
+    Floats* to = laid_out.data() + k;
+    to[0] = __builtin_shufflevector(low, other_low, 0, 1, 4, 5);
+    to[1] = __builtin_shufflevector(low, other_low, 2, 3, 6, 7);
+    to[2] = __builtin_shufflevector(high, other_high, 0, 1, 4, 5);
+    to[3] = __builtin_shufflevector(high, other_high, 2, 3, 6, 7);
   }
 }
 
@@ -131,6 +143,33 @@ void TriangleSieve::lay_out(List& list) const {
   in_frame.x = outside ? in_frame.x : Floats{};
   in_frame.y = outside ? in_frame.y : Floats{};
   return z * z + (outside ? in_plane : Floats{});
+}
+
+NearestPoint TriangleSieve::nearest(const Vec3d& point, int seed) const {
+  NearestPoint best = triangles_.nearest_of({&seed, 1}, point);
+  const std::array<Floats, 3> at_point = in_all_lanes(point);
+  const auto limit = [&] {
+    const double distance = std::sqrt(best.squared) + 2 * slack_;
+    return static_cast<float>(distance * distance * (1 + 0x1p-20));
+  };
+  float most = limit();
+  const std::vector<int>& in_order = triangles_.mesh().tree.triangles;
+  triangles_.search(point, best, [&](int leaf, int first, int count) {
+    for (int k = 0; k < count; k += 4) {
+      InFrame unused;
+      const Floats squared =
+          squared_distance(at(leaves_, at(first_of_leaf_, leaf) + k / 4), at_point, unused);
+      for (std::uint32_t bits = lanes::bits<float>(squared <= lanes::all(most)); bits != 0;
+           bits &= bits - 1) {
+        const int lane = __builtin_ctz(bits);
+        if (k + lane >= count) break;
+        if (squared[lane] > most) continue;
+        triangles_.improve(at(in_order, first + k + lane), point, best);
+        most = limit();
+      }
+    }
+  });
+  return best;
 }
 
 NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {

@@ -57,6 +57,8 @@ class TriangleSieve {
   void append(const List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
               std::vector<int>& found) const;
 
+  /// The nearest of all triangles. `seed`: tried first, a triangle near by makes the search short.
+  NearestPoint nearest(const Vec3d& point, int seed) const;
   /// The nearest of a list.
   NearestPoint nearest(List& list, const Vec3d& point) const;
   /// The distance from the nearest of a list, off by kRoughness of the size at most, negative behind it.
@@ -82,6 +84,8 @@ class TriangleSieve {
 
   static Flat flat(const Mesh<double>& mesh, int triangle);
   void lay_out(List& list) const;
+  /// Four triangles of this many; the last one fills up the others.
+  void lay_out(std::span<const int> triangles, Four& four) const;
   /// From the nearest point of each triangle to a point, in the triangles' frames.
   struct InFrame {
     Floats x, y, height;
@@ -92,7 +96,9 @@ class TriangleSieve {
   const NearestTriangles& triangles_;
   double slack_;  // of a distance
   std::vector<Flat> flat_;
-  mutable std::vector<int> near_;  // fours that may count; a member so that it keeps its memory
+  std::vector<Four> leaves_;        // the triangles of each leaf of the mesh's tree, four by four
+  std::vector<int> first_of_leaf_;  // of `leaves_`; by number of the tree's node
+  mutable std::vector<int> near_;   // fours that may count; a member so that it keeps its memory
 };
 
 }  // namespace contactscope

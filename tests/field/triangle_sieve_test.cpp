@@ -79,6 +79,9 @@ TEST(TriangleSieve, SlowLosesNoTriangleThatIsNearestToAPointOfACube) {
       const Vec3d point = middle + Vec3d(1.5, -2, 0.125);
       ASSERT_NEAR(std::sqrt(sieve.nearest(of_cube, point).squared),
                   static_cast<double>(oracle.distance(point)), 1e-13 * surface.size);
+      const int seed = (7 * k + i) % surface.mesh->triangle_count();
+      ASSERT_NEAR(std::sqrt(sieve.nearest(point, seed).squared),
+                  static_cast<double>(oracle.distance(point)), 1e-13 * surface.size);
       ASSERT_NEAR(std::abs(sieve.rough_distance(of_cube, point)),
                   static_cast<double>(oracle.distance(point)),
                   TriangleSieve::kRoughness * surface.size);
