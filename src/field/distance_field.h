@@ -261,8 +261,8 @@ inline Field<double> field_shape(const PlacedField& placed, const Shape<double>&
 /// cannot pass between; where that does not reach, the winding number decides; 4. blocks that the band
 /// reaches get fine nodes, and 5. their signs in the same way; 6. cells that the surface passes get all
 /// triangles that can be nearest to one of their points; 7. those of them that are not smooth are marked.
-/// In 4 and 6 a block sifts the triangles for its eight parts, and those for their cells
-/// (triangle_sieve.h).
+/// In 4 a block sifts its triangles for groups of eight nodes, in 6 for its eight parts, and those for
+/// their cells (triangle_sieve.h).
 ///
 /// Throws ShapeError for a plane, for a mesh without an inside, and for a field of more bytes than the
 /// settings allow, with the number of bytes that it would take.
