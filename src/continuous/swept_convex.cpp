@@ -22,6 +22,41 @@ bool is_pierced(const std::array<Vec3d, 3>& triangle, const Vec3d& segment) {
   return true;
 }
 
+/// A triangle swept along minus a segment, from `near` to `far`: of its five faces, near, far, and one
+/// for each edge, those that a ball at the origin can meet first on its way.
+///
+/// A solid prism is convex. Beyond the plane of one face the ball is apart from all of it. Where it
+/// first meets it, it comes nearer, so that its way goes against the outward normal of a face there;
+/// and where it overlaps at the start, the nearest point is on a face whose plane it is near. Faces of
+/// neither kind are not asked.
+struct PrismFaces {
+  bool is_solid = false;
+  bool is_apart = false;  // at all times
+  std::array<bool, 5> can_be_first = {true, true, true, true, true};
+
+  PrismFaces(const std::array<Vec3d, 3>& near, const Vec3d& segment, const Vec3d& way,
+             double radius) {
+    // Of a prism as flat as this rounding may hide which side is out.
+    constexpr double kFlat = 1e-12;
+    const Vec3d normal = (near[1] - near[0]).cross(near[2] - near[0]);
+    const double volume = normal.dot(segment);
+    is_solid = std::abs(volume) > kFlat * normal.norm() * segment.norm();
+    if (!is_solid) return;
+    const Vec3d out = volume > 0 ? segment : Vec3d(-segment);
+    const Vec3d upright = volume > 0 ? normal : Vec3d(-normal);
+    const auto look_at = [&](int face, const Vec3d& outward, const Vec3d& point) {
+      const double reach = radius * outward.norm();
+      const double height = -outward.dot(point), toward = -outward.dot(way);
+      is_apart = is_apart || (height > reach && height - reach > toward);
+      at(can_be_first, face) = height >= -reach && (toward >= 0 || height <= reach);
+    };
+    look_at(0, upright, near[0]);
+    look_at(1, -upright, near[0] - segment);
+    for (int i = 0; i < 3; ++i)
+      look_at(2 + i, (at(near, (i + 1) % 3) - at(near, i)).cross(out), at(near, i));
+  }
+};
+
 /// The time in which two intervals on an axis overlap, narrowed axis by axis.
 class OverlapTime {
  public:
@@ -80,23 +115,31 @@ SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S
     at(far, i) = at(near, i) - segment;
   }
   SweptHit first;
+  const PrismFaces faces(near, segment, way, size);
+  if (faces.is_apart) return first;
   if (is_pierced(near, segment)) {
     first.status = SweptStatus::Overlapping;
     first.time = 0;
     return first;
   }
+  bool is_settled = false;
   const auto meet = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    if (first.status == SweptStatus::Overlapping) return;
+    if (is_settled) return;
     const SweptSphereHit hit = sweep_sphere_triangle<double>(Vec3d::Zero(), way, size, {a, b, c});
     const bool is_first = hit.status == SweptStatus::Overlapping ||
                           (hit.status == SweptStatus::Hit &&
                            (first.status == SweptStatus::Separated || hit.time < first.time));
     if (is_first) first = {hit.status, hit.time, hit.normal};
+    // All of the prism is on the other side of the plane of a face that is met inside.
+    is_settled =
+        hit.status == SweptStatus::Overlapping ||
+        (hit.status == SweptStatus::Hit && hit.feature == TriangleFeature::Face && faces.is_solid);
   };
-  meet(near[0], near[1], near[2]);
+  if (faces.can_be_first[0]) meet(near[0], near[1], near[2]);
   if (segment.isZero(0)) return first;
-  meet(far[0], far[1], far[2]);
+  if (faces.can_be_first[1]) meet(far[0], far[1], far[2]);
   for (int i = 0; i < 3; ++i) {
+    if (!at(faces.can_be_first, 2 + i)) continue;
     const int next = (i + 1) % 3;
     meet(at(near, i), at(near, next), at(far, next));
     meet(at(near, i), at(far, next), at(far, i));

@@ -130,6 +130,25 @@ TEST(SweptBox, SlowIsAsMarchingSays) {
   }
 }
 
+TEST(SweptCapsule, OverlapsAtTheStartWhicheverWayItGoesOn) {
+  const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(4, 0, 0), Vec3d(0, 4, 0)};
+  const std::array<Vec3d, 3> turned = {triangle[0], triangle[2], triangle[1]};
+  for (const Vec3d& way : {Vec3d(0, 0, 2), Vec3d(0, 0, -2), Vec3d(3, 0, 0), Vec3d(0, 0, 0)}) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto overlaps = [&](double radius, const std::array<Vec3d, 3>& corners) {
+        const std::array<Vec3d, 2> ends = {Vec3d(1, 1, side * 0.3), Vec3d(1.1, 1, side * 0.6)};
+        const std::array<Vec3d, 2> other_way = {ends[1], ends[0]};
+        const SweptStatus status =
+            sweep_capsule_triangle<double>(ends, way, radius, corners).status;
+        EXPECT_EQ(sweep_capsule_triangle<double>(other_way, way, radius, corners).status, status);
+        return status == SweptStatus::Overlapping;
+      };
+      EXPECT_TRUE(overlaps(0.301, triangle) && overlaps(0.301, turned)) << way.transpose();
+      EXPECT_FALSE(overlaps(0.299, triangle) || overlaps(0.299, turned)) << way.transpose();
+    }
+  }
+}
+
 TEST(SweptConvex, TellsOverlapAtTheStartApartFromAHit) {
   const std::array<Vec3d, 3> triangle = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)};
   const Vec3d down(0, 0, -2);
