@@ -17,7 +17,8 @@ struct SweptHit {
 /// `ends` are those of its segment at time 0, `displacement` its way in the step, metres, all in one
 /// frame. Exact to rounding, as sweep_sphere_triangle() is, by which it is done: what a ball at the one
 /// end must not meet is the triangle swept along the segment, a prism of two triangles and three
-/// parallelograms, of which those that the ball cannot meet first are left out. Flat triangles and segments of no length are fine.
+/// parallelograms, of which those that the ball cannot meet first are left out. Flat triangles and
+/// segments of no length are fine.
 template <class S>
 SweptHit sweep_capsule_triangle(const std::array<Vec3<S>, 2>& ends, const Vec3<S>& displacement,
                                 S radius, const std::array<Vec3<S>, 3>& triangle);
