@@ -49,7 +49,7 @@ double growth(const std::string& name, bool moving) {
   return std::log(static_cast<double>(work[1]) / static_cast<double>(work[0])) / std::log(8.0);
 }
 
-TEST(BroadPhaseWork, GrowsWithTheSquareByBruteForceOnly) {
+TEST(BroadPhaseWork, SlowGrowsWithTheSquareByBruteForceOnly) {
   EXPECT_NEAR(growth("brute_force", false), 2, 0.01);
   EXPECT_LT(growth("grid", false), 1.1);
   EXPECT_LT(growth("octree", false), 1.25) << "n log n, and nodes that reach over each other";

@@ -11,7 +11,7 @@ using test::kPlateCells;
 using test::kPlatePlaces;
 using test::places_lost;
 
-TEST(ThinPlate, ExactAndSmoothCellsLoseNoPlaceOfAPlateOfHalfACell) {
+TEST(ThinPlate, SlowExactAndSmoothCellsLoseNoPlaceOfAPlateOfHalfACell) {
   for (const auto interpolation : {FieldInterpolation::Trilinear, FieldInterpolation::Cubic})
     for (const double smooth : {0.0, kSmoothPart, 1.0 / 8})
       for (int i = 0; i < 5; ++i)

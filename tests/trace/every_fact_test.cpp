@@ -65,7 +65,7 @@ TEST(EveryFact, ComesBackFromItsLine) {
   EXPECT_EQ(lines(read), lines(trace));
 }
 
-TEST(EveryFact, ChangesItsLine) {
+TEST(EveryFact, SlowChangesItsLine) {
   Trace trace = filled_trace();
   const std::string before = lines(trace);
   int changes = 0;
@@ -123,7 +123,7 @@ class EveryKey : public testing::Test {
   ordered_json frame_ = ordered_json::parse(to_json_line(filled_trace().frames[0]));
 };
 
-TEST_F(EveryKey, ThatIsNeededIsMissed) {
+TEST_F(EveryKey, SlowThatIsNeededIsMissed) {
   ASSERT_EQ(complaint(), "no complaint");
   each([&](ordered_json& object, const std::string& key, bool needed) {
     const ordered_json before = object;
