@@ -170,16 +170,14 @@ template <class S>
 std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,
                                  const Sweep<S>& sweep_b, const ShapeImpact<S>& found, int count) {
   const auto triangle_of = [](const Shape<S>& shape, int triangle) {
-    std::array<Vec3<S>, 3> corners;
-    for (int k = 0; k < 3; ++k) at(corners, k) = std::get<Mesh<S>>(shape).corner(triangle, k);
-    return corners;
+    return corners_of(std::get<Mesh<S>>(shape), triangle);
   };
   if (found.triangle_of_b >= 0) {
     const auto first = triangle_of(surface_of(a), found.triangle),
                second = triangle_of(surface_of(b), found.triangle_of_b);
-    return measured<S>(Approach<S>({{first.data(), 3, nullptr}, sweep_a, 0},
-                                   {{second.data(), 3, nullptr}, sweep_b, 0}),
-                       S(0), count);
+    return measured<S>(
+        Approach<S>(moving_triangle(first, sweep_a), moving_triangle(second, sweep_b)), S(0),
+        count);
   }
   if (kind_of(surface_of(a)) == ShapeKind::Mesh && kind_of(surface_of(b)) == ShapeKind::Mesh)
     return {};
@@ -192,7 +190,7 @@ std::vector<S> distances_through(const Shape<S>& a, const Sweep<S>& sweep_a, con
   if (kind_of(pair.first) == ShapeKind::Mesh) {
     if (found.triangle < 0) return {};
     corners = triangle_of(pair.first, found.triangle);
-    first = {{corners.data(), 3, nullptr}, pair.of_first, 0};
+    first = moving_triangle(corners, pair.of_first);
   } else {
     first = moving(pair.first, pair.of_first, pair.centre);
   }

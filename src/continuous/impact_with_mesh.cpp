@@ -73,17 +73,6 @@ ImpactResult<S> ball_against(const std::array<Vec3<S>, 3>& corners, const Sweep<
   return result;
 }
 
-template <class S>
-std::array<Vec3<S>, 3> corners_of(const Mesh<S>& mesh, int triangle) {
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
-}
-
-/// Refers to the corners.
-template <class S>
-MovingShape<S> moving_triangle(const std::array<Vec3<S>, 3>& corners, const Sweep<S>& motion) {
-  return {{corners.data(), 3, nullptr}, motion, 0};
-}
-
 /// Calls visit(triangle) for each triangle of `b` that may come near one of `a`, until it returns true.
 template <class S, class Visit>
 void visit_near(const Mesh<S>& a, const Sweep<S>& of_a, const Mesh<S>& b, const Sweep<S>& of_b,

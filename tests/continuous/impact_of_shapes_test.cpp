@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "continuous/impact_with_mesh.h"
 #include "field/distance_field.h"
 #include "field/surface_of.h"
 #include "geometry/hull_builder.h"
@@ -58,6 +59,14 @@ Sweep<double> random_motion(Random& random, double size, bool turns) {
   return motion;
 }
 
+/// Each triangle as a flat hull.
+std::vector<Shape<double>> triangles_of(const Mesh<double>& mesh) {
+  std::vector<Shape<double>> hulls;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    hulls.push_back(build_hull(corners_of(mesh, t), {.allow_flat = true}));
+  return hulls;
+}
+
 /// A mesh is met when the first of its triangles is, each asked by itself as a flat hull.
 template <class S>
 void meshes_are_met_as_their_triangles_are() {
@@ -78,11 +87,8 @@ void meshes_are_met_as_their_triangles_are() {
     for (const ImpactMethod method : kImpactMethods) {
       const ShapeImpact<S> found = impact_of_shapes(a, motion_a, b, motion_b, method);
       double first = 2;
-      for (int t = 0; t < mesh.triangle_count(); ++t) {
-        const std::array<Vec3d, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1),
-                                              mesh.corner(t, 2)};
-        const Shape<S> triangle =
-            shape_cast<S>(Shape<double>(build_hull(corners, {.allow_flat = true})));
+      for (const Shape<double>& hull : triangles_of(mesh)) {
+        const Shape<S> triangle = shape_cast<S>(hull);
         const ShapeImpact<S> one = impact_of_shapes(triangle, motion_a, b, motion_b, method);
         if (one.result.status == ImpactStatus::Hit)
           first = std::min(first, static_cast<double>(one.result.time));
@@ -176,15 +182,6 @@ TEST(ImpactOfShapes, SlowTwoMeshesMeetAsTheirTrianglesDo) {
     of_b.displacement += random.uniform(0.5, 2) * (aim - of_b.start.position);
     const ShapeImpact<double> found =
         impact_of_shapes<double>(a, of_a, b, of_b, ImpactMethod::TimeOfImpact);
-    const auto triangles_of = [](const Mesh<double>& mesh) {
-      std::vector<Shape<double>> hulls;
-      for (int t = 0; t < mesh.triangle_count(); ++t) {
-        const std::array<Vec3d, 3> corners = {mesh.corner(t, 0), mesh.corner(t, 1),
-                                              mesh.corner(t, 2)};
-        hulls.push_back(build_hull(corners, {.allow_flat = true}));
-      }
-      return hulls;
-    };
     double first = 2;
     const std::vector<Shape<double>> of_mesh_b = triangles_of(b);
     for (const Shape<double>& one : triangles_of(a)) {
