@@ -155,8 +155,9 @@ bool add_point_over_face(const TouchingPair<S>& pair, const CapsuleTouch<S>& tou
 }
 
 /// Beyond the talk: a capsule that lies along an edge, outside of every face's prism, would rock on
-/// one point. Along the normal edge and segment keep their distance, so both ends of the stretch
-/// beside each other are as deep; where the segment rises from one end, that end is the deepest.
+/// one point. Along the normal of an edge, edge and segment keep their distance, so both ends of the
+/// stretch beside each other are as deep; where the segment rises from one end, that end is the deepest.
+/// From a vertex the edge may fall away, and the far end is as much less deep.
 template <class S>
 void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& touch, S reach,
                            CorePoints<S>& result) {
@@ -166,13 +167,19 @@ void add_point_beside_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& t
   if (clipped.empty() || pair.are_one(clipped.parameters[0], clipped.parameters[1])) return;
 
   const S rise = touch.normal.dot(pair.along);
+  const Vec3<S> corner = pair.hull.origin(edge);
+  const Vec3<S> along_edge = pair.hull.target(edge) - corner;
+  const bool at_vertex = touch.feature.kind == FeatureKind::Vertex;
+  const S fall = at_vertex ? touch.normal.dot(along_edge) / along_edge.squaredNorm() : S(0);
   CorePoint<S> stretch[2];
   for (const int end : {0, 1}) {
     const S parameter = clipped.parameters[end];
     const int cut_by = clipped.edges[end];
     const int vertex = cut_by < 0 ? 0 : at(pair.hull.half_edges, cut_by).origin;
+    const S of_edge =
+        fall * along_edge.dot(segment_point(pair.ends, parameter) - corner);  // m, never above it
     const S distance =
-        std::max(touch.distance + (parameter - touch.parameter) * rise, touch.distance);
+        std::max(touch.distance + (parameter - touch.parameter) * rise - of_edge, touch.distance);
     stretch[end] = {
         parameter, distance,
         clip_id(end, cut_by, edge_ref(Owner::B, edge / 2), vertex_ref(Owner::B, vertex))};

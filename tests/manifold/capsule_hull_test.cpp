@@ -168,6 +168,25 @@ TYPED_TEST(CapsuleHull, AlongAnEdgeHasTwoPointsOutsideOfEveryFacesPrism) {
   }
 }
 
+// The segment is nearest to a vertex, and lies along an edge that falls away from it by two degrees: the far
+// point is on the edge, and as much less deep as the edge is lower there.
+TYPED_TEST(CapsuleHull, AlongAnEdgeThatFallsAwayTheFarPointIsLessDeep) {
+  const double turn = 2 * kDegree, sine = std::sin(turn), cosine = std::cos(turn);
+  const double half = std::sqrt(0.5);
+  const Vec3d vertex(1, 0, 1), out(sine, half * cosine, half * cosine);
+  const Vec3d along(cosine, -half * sine, -half * sine);
+  const Vec3d over = vertex + 0.05 * out;
+  const auto manifold = this->collide(on_box(over - 1.5 * along, over + 0.5 * along, 0.15));
+  ASSERT_EQ(manifold.points.size(), 2u);
+  EXPECT_LT((this->normal(manifold) + out).norm(), 32 * this->kEpsilon);
+  EXPECT_NEAR(this->deepest(manifold), 0.05 - 0.15, 16 * this->kEpsilon);
+  const double place = 1 + 0.05 * sine - 1.5 * cosine;  // below the segment's end, on the edge
+  EXPECT_NEAR(manifold.points[1].separation, 0.05 + (1 - place) * sine - 0.15, 32 * this->kEpsilon);
+  const Vec3d off = this->position(manifold, 1) - Vec3d(place, 0, 1);
+  EXPECT_LT(std::hypot(off.y(), off.z()),
+            2e-3);  // the segment leans out of the plane of edge and normal
+}
+
 TYPED_TEST(CapsuleHull, EndOverAVertexIsPointOnPoint) {
   const Vec3d outward = Vec3d(1, 1, 1).normalized();
   const Vec3d end = Vec3d(1, 0, 1) + 0.05 * outward;
