@@ -184,6 +184,7 @@ std::vector<Input> load_inputs(const Options& options) {
     trace::Trace trace = load_trace(file);
     if (is_new(trace.header.scenario, file, paths))
       inputs.push_back(input_of(std::move(trace), options));
+    inputs.back().file = file == "-" ? "standard input" : file;
   }
   for (Input& input : inputs) override_views(input.scenario.views, options);
   return inputs;

@@ -26,6 +26,7 @@ struct Input {
   Scenario scenario;
   std::vector<int> frames{};            // to draw, by number
   std::optional<trace::Trace> trace{};  // else the scenario is run
+  std::string file{};                   // of a trace, as messages name it
 };
 
 /// The same of files that may be traces too, which have one view: fitted, with the default layers

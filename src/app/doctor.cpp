@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/catalogue.h"
+#include "app/lint.h"
 #include "app/verbs.h"
 #include "image/font.h"
 
@@ -55,15 +55,25 @@ std::string looked_through(const Input& input) {
 
 // What each route to OpenGL answers, and what to do where one does not.
 ExitCode run_doctor(const Options& options) {
-  std::vector<std::string> files;
+  std::vector<std::string> files, wrong;
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const std::string& argument : options.scenarios) {
     Options one = options;  // each by itself: here two may have one name
     one.scenarios = {argument};
-    for (const Input& input : load_inputs(one)) files.push_back(looked_through(input));
+    for (const Input& input : load_inputs(one)) {
+      files.push_back(looked_through(input));
+      if (!input.trace) continue;  // of a scenario nothing is known until it is run
+      for (const lint::Finding& finding : lint_input(input)) {
+        wrong.push_back(told(input.file, finding));
+        findings.push_back(to_json(finding));
+      }
+    }
   }
   const std::vector<gl::RouteReport> routes = gl::probe_routes();
   const bool any = std::ranges::any_of(routes, &gl::RouteReport::works);
   const std::size_t font_bytes = font_data(FontWeight::Regular).size();
+  const ExitCode code =
+      !any ? ExitCode::Trouble : (wrong.empty() ? ExitCode::Same : ExitCode::Different);
   if (options.json) {
     nlohmann::ordered_json json{{"version", CONTACTSCOPE_VERSION},
                                 {"compiler", compiler()},
@@ -81,11 +91,14 @@ ExitCode run_doctor(const Options& options) {
       json["routes"].push_back(entry);
     }
     if (!files.empty()) json["files"] = files;
+    if (!findings.empty()) json["findings"] = findings;
     std::cout << json.dump() << '\n';
-    return any ? ExitCode::Same : ExitCode::Trouble;
+    return code;
   }
-  if (options.quiet && any) return ExitCode::Same;
-  for (const std::string& file : files) std::cout << "ok  " << file << '\n';
+  for (const std::string& one : wrong) std::cout << one << '\n';
+  if (options.quiet && any) return code;
+  for (const std::string& file : files)
+    std::cout << (wrong.empty() ? "ok  " : "read  ") << file << '\n';
   std::cout << "contactscope " << CONTACTSCOPE_VERSION << "\n"
             << "  compiler  " << compiler() << "\n"
             << "  Eigen     " << eigen_version() << "\n"
@@ -97,7 +110,7 @@ ExitCode run_doctor(const Options& options) {
   std::cout
       << (any ? "Pictures can be rendered.\n"
               : "No route to OpenGL works, so nothing can be rendered; `trace` needs none.\n");
-  return any ? ExitCode::Same : ExitCode::Trouble;
+  return code;
 }
 
 }  // namespace
@@ -108,8 +121,8 @@ Verb doctor_verb() {
           &run_doctor,
           "[FILE...] --json",
           {{"FILE",
-            "Scenarios and traces to look through as well: what they hold, or what is wrong with "
-            "them"}}};
+            "Scenarios and traces to look through as well: what they hold, and what `lint` finds "
+            "wrong with traces"}}};
 }
 
 }  // namespace contactscope::app

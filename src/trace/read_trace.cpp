@@ -220,6 +220,7 @@ Trace read_trace(std::istream& in, const std::string& name) {
         Frame& frame = trace.frames.emplace_back(read<Frame>(node, nullptr));
         shapes.insert(shapes.end(), frame.shapes.begin(), frame.shapes.end());
         complete(shapes, frame);
+        frame.line = number;
       } else {
         trace.header = read_header(node);
         shapes = trace.header.shapes;

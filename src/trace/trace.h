@@ -219,6 +219,7 @@ struct Frame {
   std::optional<Solver> solver{};
   std::optional<Totals> totals{};  // where there is a solver, or a view shows plots
   std::vector<Shape> shapes{};     // that were in no frame before
+  int line = 0;                    // of the file that it was read from, from 1; else 0
 
   static constexpr auto fields() {
     // The time is a product of two numbers of the file, which every processor rounds alike.

@@ -1,0 +1,99 @@
+#include "app/lint.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/verbs.h"
+#include "scenario/run.h"
+
+namespace contactscope::app {
+
+std::vector<lint::Finding> lint_input(const Input& input) {
+  if (input.trace) return lint::lint(*input.trace);
+  trace::Stages stages = trace::Stages::none();
+  stages.reduction = true;  // whether a point was dropped on purpose
+  Runner runner(input.scenario, stages);
+  lint::Linter linter(runner.header());
+  for (const int frame : input.frames) {
+    trace::Frame facts = runner.frame(frame);
+    facts.line = frame + 2;
+    linter.frame(std::move(facts));
+  }
+  return linter.findings();
+}
+
+std::string told(const std::string& file, const lint::Finding& finding) {
+  std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) + ":1: " + finding.what;
+  if (finding.of > 0)
+    text += ", " + std::to_string(finding.count) + " of " + std::to_string(finding.of);
+  else if (finding.count > 1)
+    text += ", " + std::to_string(finding.count) + " times";
+  text += " [" + finding.cause + "]";
+  if (!finding.a.empty()) {
+    text += "\n  frame " + std::to_string(finding.frame) + ", " + finding.a +
+            (finding.b.empty() ? "" : "-" + finding.b);
+    if (!finding.said.empty()) text += ": " + finding.said;
+    if (!finding.is.empty()) text += "; " + finding.is;
+  }
+  return text + "\n  " + finding.remedy;
+}
+
+nlohmann::ordered_json to_json(const lint::Finding& finding) {
+  nlohmann::ordered_json json{{"cause", finding.cause},
+                              {"what", finding.what},
+                              {"remedy", finding.remedy},
+                              {"count", finding.count}};
+  if (finding.of > 0) json["of"] = finding.of;
+  if (finding.line > 0) json["line"] = finding.line;
+  if (!finding.a.empty()) {
+    json["frame"] = finding.frame;
+    json["a"] = finding.a;
+    if (!finding.b.empty()) json["b"] = finding.b;
+    if (!finding.said.empty()) json["said"] = finding.said;
+    if (!finding.is.empty()) json["is"] = finding.is;
+  }
+  return json;
+}
+
+namespace {
+
+ExitCode run_lint(const Options& options) {
+  bool clean = true;
+  nlohmann::ordered_json json{{"schema", "contactscope.lint/1"},
+                              {"files", nlohmann::ordered_json::array()}};
+  std::vector<Input> inputs;
+  for (const std::string& argument : options.scenarios) {
+    Options one = options;  // each by itself: traces of one name are no mistake here
+    one.scenarios = {argument};
+    std::ranges::move(load_inputs(one), std::back_inserter(inputs));
+  }
+  for (const Input& input : inputs) {
+    const std::vector<lint::Finding> findings = lint_input(input);
+    const std::string& file = input.trace ? input.file : input.scenario.path;
+    clean = clean && findings.empty();
+    nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
+    for (const lint::Finding& finding : findings) {
+      one["findings"].push_back(to_json(finding));
+      if (!options.json) std::cout << told(file, finding) << '\n';
+    }
+    json["files"].push_back(one);
+    if (findings.empty() && !options.json && !options.quiet) std::cout << "ok  " << file << '\n';
+  }
+  if (options.json) std::cout << json.dump() << '\n';
+  return clean ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace
+
+Verb lint_verb() {
+  return {"lint",
+          "Hold what a trace claims of its contacts against its own shapes and poses",
+          &run_lint,
+          "FILE... --json --frames",
+          {{"FILE", "Traces of any engine, - for the standard input; or scenarios, which are run"},
+           {"--json", "Print the findings as JSON"}}};
+}
+
+}  // namespace contactscope::app

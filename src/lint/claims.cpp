@@ -1,0 +1,202 @@
+#include "lint/claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/at.h"
+#include "core/input_error.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// Of the smaller shape's size. Engines round, weld, and keep points for some frames while bodies move on.
+constexpr double kTolerance = 2e-3;
+/// Coordinates are mostly computed in single precision: some roundings of the largest.
+constexpr double kRounding = 1e-6;
+/// A normal may have more overlap along it than the best one: engines prefer faces (Catto 2007, "Feature
+/// Flip-Flop"), and keep a normal while a body turns.
+constexpr double kNormalShare = 0.1, kNormalTolerances = 4;
+/// The same of points that 'on_a' and 'on_b' are told of.
+constexpr double kSideTolerances = 4;
+
+const Pose<double>* pose_of(const trace::Frame& frame, const std::string& name) {
+  const auto found = std::ranges::find(frame.poses, name, &trace::Placement::first);
+  return found == frame.poses.end() ? nullptr : &found->second;
+}
+
+Quat<double> read(const Quat<double>& told, Rotation how) {
+  if (how == Rotation::Inverse) return told.conjugate();
+  if (how == Rotation::Wxyz) return told;
+  // The numbers as written are w, x, y, z; they are meant as x, y, z, w.
+  return {told.z(), told.w(), told.x(), told.y()};
+}
+
+Vec3d in_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& point) {
+  if (frame == Frame::World) return point;
+  return (frame == Frame::OfA ? a : b).pose.transform(point);
+}
+Vec3d turned_to_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& direction) {
+  if (frame == Frame::World) return direction;
+  return (frame == Frame::OfA ? a : b).pose.rotate(direction);
+}
+
+/// Collects what is wrong: of the kind that comes first in Wrong what is farthest off.
+class Court {
+ public:
+  explicit Court(Verdict& verdict) : verdict_(verdict) {}
+
+  void claim(const Problem& problem, double off, double allowed) {
+    ++verdict_.claims;
+    if (off <= allowed) return;  // what is not a number is wrong
+    ++verdict_.wrong;
+    const bool is_first = !verdict_.worst || problem.kind < verdict_.worst->kind;
+    const bool is_farther =
+        !is_first && problem.kind == verdict_.worst->kind && off > verdict_.farthest;
+    if (!is_first && !is_farther) return;
+    verdict_.worst = problem;
+    verdict_.farthest = off;
+  }
+
+ private:
+  Verdict& verdict_;
+};
+
+/// A point seen from one of the solids, metres.
+struct Measured {
+  double off = 0;  // how much farther from the surface it is than its separation
+  std::optional<double> exit;
+  double more_by_core = 0;  // what the other measure of a leaning capsule says more than `exit`
+};
+
+Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, double said) {
+  Measured measured;
+  measured.exit = solid.exit(point, outward);
+  const double distance = solid.distance(point);
+  measured.off = std::abs(distance) - std::abs(said);
+  const std::optional<double> by_core = solid.exit_by_core(point, outward);
+  if (!measured.exit || !by_core) return measured;
+  measured.more_by_core = *by_core - *measured.exit;
+  if (distance < 0) measured.off = std::min(measured.off, std::abs(*by_core) - std::abs(said));
+  return measured;
+}
+
+}  // namespace
+
+void Solids::add(const trace::Shape& shape) {
+  try {
+    solids_.insert_or_assign(shape.name, Solid(shape));
+    if (shape.type == "mesh") meshes_[shape.name] = shape;
+  } catch (const ShapeError& error) {
+    refused[shape.name] = error.what();
+  }
+}
+
+void Solids::deform(const std::vector<trace::Deformed>& now) {
+  deformed_.clear();
+  for (const trace::Deformed& one : now) {
+    const auto found = meshes_.find(one.name);
+    if (found == meshes_.end()) continue;
+    trace::Shape shape = found->second;
+    shape.vertices = one.vertices;
+    try {
+      deformed_.insert_or_assign(one.name, Solid(shape));
+    } catch (const ShapeError&) {
+      deformed_.erase(one.name);  // crushed to nothing; the header's is worse than none
+    }
+  }
+}
+
+const Solid* Solids::find(const std::string& name) const {
+  if (const auto found = deformed_.find(name); found != deformed_.end()) return &found->second;
+  const auto found = solids_.find(name);
+  return found == solids_.end() ? nullptr : &found->second;
+}
+
+double tolerance_of(const Placed& a, const Placed& b, double reach) {
+  return kTolerance * std::min(a.size(), b.size()) + kRounding * reach + a.solid->vagueness() +
+         b.solid->vagueness();
+}
+
+std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
+                            const std::string& name, const Reading& reading) {
+  const Solid* const solid = solids.find(name);
+  if (solid == nullptr || frame == nullptr) return std::nullopt;
+  const Pose<double>* const told = pose_of(*frame, name);
+  if (told == nullptr) return std::nullopt;
+  Placed placed{solid, *told, solid->is_plane() ? 1.0 : reading.shape_scale};
+  placed.pose.rotation = read(told->rotation, reading.rotation);
+  if (reading.at_center_of_mass)
+    placed.pose.position -= placed.pose.rotate(solid->center_of_mass());
+  return placed;
+}
+
+std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                             const Reading& reading) {
+  const trace::Frame* const frame = reading.moment == Moment::OfFrame       ? frames.now
+                                    : reading.moment == Moment::FrameBefore ? frames.before
+                                                                            : frames.after;
+  const std::optional<Placed> a = place(solids, frame, pair.a, reading);
+  const std::optional<Placed> b = place(solids, frame, pair.b, reading);
+  if (!a || !b) return std::nullopt;
+  std::optional<double> best;
+  if (reading.shape_scale == 1) best = best_separation(*a, *b);
+  double reach =
+      std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
+  Verdict verdict;
+  verdict.tolerance = tolerance_of(*a, *b, reach);
+  const double tolerance = verdict.tolerance;
+  Court court(verdict);
+  for (int m = 0; m < count_of(pair.manifolds); ++m) {
+    const trace::Manifold& manifold = at(pair.manifolds, m);
+    Vec3d normal = turned_to_world(reading.normals, *a, *b, manifold.normal).normalized();
+    if (reading.normals_flipped) normal = -normal;
+    double deepest = std::numeric_limits<double>::infinity();
+    for (int p = 0; p < count_of(manifold.points); ++p) {
+      const trace::Point& point = at(manifold.points, p);
+      const Vec3d position = in_world(reading.points, *a, *b, reading.point_scale * point.position);
+      const double said =
+          (reading.separations_negated ? -1 : 1) * reading.separation_scale * point.separation;
+      deepest = std::min(deepest, said);
+      const Measured of_a = measure(*a, position, normal, said);
+      const Measured of_b = measure(*b, position, -normal, said);
+      const double off = std::max(of_a.off, of_b.off);
+      court.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
+                   of_a.off > of_b.off ? pair.a : pair.b},
+                  off, tolerance);
+      if (of_a.exit && of_b.exit && off <= tolerance) {
+        // Of what is between the two measures of a leaning capsule all is right.
+        const double most = -*of_a.exit - *of_b.exit;
+        const double least = most - of_a.more_by_core - of_b.more_by_core;
+        const double is = std::clamp(said, std::min(least, most), std::max(least, most));
+        verdict.deeper.push_back(is - said);
+        verdict.separations.push_back(is);
+        court.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
+                    std::max(tolerance, kNormalShare * std::abs(is)));
+      } else if (!of_a.exit || !of_b.exit) {  // the normal does not leave a plane
+        court.claim({Wrong::Normal, m, p, said, best.value_or(0)}, 1, 0);
+      }
+      const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
+      const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
+      const auto on_its_surface = [&](const std::optional<Vec3d>& told, const Placed& solid,
+                                      const std::string& name) {
+        if (!told) return;
+        const Vec3d where = in_world(reading.points, *a, *b, reading.point_scale * *told);
+        const double beside = std::abs(solid.distance(where));
+        court.claim({Wrong::Side, m, p, 0, beside, name}, beside, kSideTolerances * tolerance);
+      };
+      on_its_surface(on_a, *a, pair.a);
+      on_its_surface(on_b, *b, pair.b);
+    }
+    if (!best || pair.degenerate || manifold.points.empty() || pair.manifolds.size() > 1) continue;
+    const double along = separation_along(*a, *b, normal);
+    court.claim({Wrong::Normal, m, 0, along, *best}, *best - along,
+                std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(*best)));
+    if (!pair.reduction)
+      court.claim({Wrong::Deepest, m, 0, deepest, along}, deepest - along,
+                  std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(along)));
+  }
+  return verdict;
+}
+
+}  // namespace contactscope::lint

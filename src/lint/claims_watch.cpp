@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+
+#include "core/at.h"
+#include "lint/watch.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// Of wrong pairs, those that every explanation is tried on. What they have in common is what the others have.
+constexpr std::size_t kTried = 1000;
+/// What few pairs are off by little is how engines approximate: capsules that lean, corners that are cut,
+/// points that are kept while bodies turn. It is told where it is this often, or this many tolerances.
+constexpr double kOften = 0.02, kGross = 15;
+constexpr double kFewLeft = 0.25;
+/// Room for all explanations.
+constexpr std::size_t kMostExplanations = 512;
+
+struct WrongPair {
+  int line = 0, frame = 0;
+  std::string a, b;
+  Problem problem;
+  std::string said, is;
+  double deeper = 0;  // metres of more overlap than there is, where all points say the same; else 0
+  std::bitset<kMostExplanations> explained_by;
+  bool gross = false;  // beyond what an engine's approximations can be
+  bool told = false;
+};
+
+/// The same amount at every point, beyond the tolerance; else 0.
+double common_depth(const Verdict& verdict) {
+  if (verdict.deeper.empty()) return 0;
+  const auto [least, most] = std::ranges::minmax(verdict.deeper);
+  const double middle = (least + most) / 2;
+  const bool is_common = most - least <= std::max(verdict.tolerance, 0.1 * std::abs(middle));
+  return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
+}
+
+std::string point_name(const Problem& problem) {
+  return "point " + std::to_string(problem.point) +
+         (problem.manifold > 0 ? " of manifold " + std::to_string(problem.manifold) : "");
+}
+
+void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
+  const Problem& problem = wrong.problem;
+  const trace::Manifold& manifold = at(pair.manifolds, problem.manifold);
+  switch (problem.kind) {
+    case Wrong::Separation:
+      wrong.said = point_name(problem) + ": separation " +
+                   metres(at(manifold.points, problem.point).separation) + ", normal " +
+                   spelled(manifold.normal);
+      wrong.is = "the surfaces are " + metres(problem.is) + " apart there along the normal";
+      break;
+    case Wrong::Surface:
+      wrong.said = point_name(problem) + ": position " +
+                   spelled(at(manifold.points, problem.point).position) + ", separation " +
+                   metres(at(manifold.points, problem.point).separation);
+      wrong.is = "that is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
+      break;
+    case Wrong::Side:
+      wrong.said = point_name(problem) + ": a place on the surface of '" + problem.shape + "'";
+      wrong.is = "it is " + metres(problem.is) + " off that surface";
+      break;
+    case Wrong::Normal:
+      wrong.said = "normal " + spelled(manifold.normal);
+      wrong.is = "along it the shapes are " + metres(problem.said) +
+                 " apart (negative: overlap), along the best one " + metres(problem.is);
+      break;
+    case Wrong::Deepest:
+      wrong.said = "deepest point: " + metres(problem.said);
+      wrong.is = "the shapes are " + metres(problem.is) + " apart along the normal";
+      break;
+  }
+}
+
+struct Words {
+  const char *cause, *what, *remedy;
+};
+constexpr Words kUnexplained[kWrongs] = {
+    {"separation", "separations are not those of the shapes",
+     "a separation is how far the surface of b is from that of a along the normal, at the point; "
+     "check the "
+     "shapes' sizes, and the moment of the poses"},
+    {"surface", "points are off the surfaces that they are on",
+     "a point lies on a surface, or between the two; check its frame and unit, and the shapes' "
+     "sizes"},
+    {"side", "'on_a' or 'on_b' is off its surface",
+     "'on_a' is on the surface of a, 'on_b' on that of b, both in the world"},
+    {"normal", "normals are not those of the least overlap",
+     "moving b along the normal by the overlap parts the shapes; look at the test that chose the "
+     "axis"},
+    {"deepest", "no point is as deep as the shapes are",
+     "the deepest point has to be kept: look at what clips and reduces the points"},
+};
+
+class ClaimsWatch final : public Watch {
+ public:
+  explicit ClaimsWatch(const trace::Header& header)
+      : after_step_(header.poses_at == "after_step"), has_moment_(!header.poses_at.empty()) {}
+
+  void see(const Solids& solids, const Moments& frames) override {
+    for (const trace::Pair& pair : frames.now->pairs) {
+      if (pair.manifolds.empty()) continue;
+      see_pair(solids, frames, pair);
+    }
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    tell_small_depths(findings);
+    while (tell_best_explanation(findings)) continue;
+    // Where a cause is found for nearly all, the others mostly have it as well, and something else beside.
+    const auto left = std::ranges::count(wrong_, false, &WrongPair::told);
+    if (static_cast<double>(left) < kFewLeft * static_cast<double>(wrong_.size())) return;
+    tell_margin(findings);
+    for (int kind = 0; kind < kWrongs; ++kind) tell_unexplained(static_cast<Wrong>(kind), findings);
+  }
+
+ private:
+  void see_pair(const Solids& solids, const Moments& frames, const trace::Pair& pair) {
+    if (after_step_ && frames.before == nullptr) return;  // where they were before is not told
+    std::optional<Verdict> verdict = judge(solids, frames, pair, {});
+    if (!verdict || verdict->claims == 0) return;
+    if (after_step_ && verdict->wrong > 0) {
+      Reading before;
+      before.moment = Moment::FrameBefore;
+      if (auto then = judge(solids, frames, pair, before); then) verdict = std::move(then);
+    }
+    ++judged_;
+    if (verdict->wrong == 0) return count_small_depths(*verdict);
+    WrongPair& wrong = wrong_.emplace_back();
+    wrong.line = frames.now->line;
+    wrong.frame = frames.now->frame;
+    wrong.a = pair.a;
+    wrong.b = pair.b;
+    wrong.problem = *verdict->worst;
+    wrong.deeper = common_depth(*verdict);
+    wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
+    put_in_words(pair, wrong);
+    const std::vector<Explanation>& all = explanations();
+    for (std::size_t e = 0; e < std::min(all.size(), kMostExplanations); ++e) {
+      if (wrong_.size() > kTried && !has_explained_.test(e)) continue;
+      if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
+      const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
+      wrong.explained_by.set(e, then && then->wrong == 0);
+    }
+    has_explained_ |= wrong.explained_by;
+  }
+
+  // Overlaps of a millimetre are within the tolerance whatever is said of them; that all of them are told
+  // as half is no accident.
+  void count_small_depths(const Verdict& verdict) {
+    for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
+      const double is = verdict.separations[i], said = is - verdict.deeper[i];
+      constexpr double kSmallest = 0.05;  // of the tolerance; what is less says nothing
+      if (!(is < -kSmallest * verdict.tolerance)) continue;
+      ++small_;
+      for (std::size_t f = 0; f < std::size(kFactors); ++f)
+        small_by_[f] += std::abs(said - kFactors[f] * is) <= 0.03 * std::abs(is);
+    }
+  }
+
+  void tell_small_depths(std::vector<Finding>& findings) const {
+    constexpr int kEnough = 8;
+    constexpr const char* kNames[] = {"positive_depths", "half_depths", "double_depths"};
+    if (small_ < kEnough) return;
+    for (std::size_t f = 0; f < std::size(kFactors); ++f) {
+      if (small_by_[f] < 0.9 * small_) continue;
+      const auto mistake = std::ranges::find(mistakes(), std::string(kNames[f]), &Mistake::name);
+      findings.push_back({mistake->name, mistake->what, mistake->remedy, small_by_[f], small_});
+    }
+  }
+
+  Finding finding(const std::string& cause, const std::string& what, const std::string& remedy,
+                  int count, const WrongPair& first) const {
+    return {cause,       what,    remedy,  count,      judged_, first.line,
+            first.frame, first.a, first.b, first.said, first.is};
+  }
+
+  /// What most of the wrong pairs that are left would be right under: of several the first, which is the
+  /// simplest.
+  bool tell_best_explanation(std::vector<Finding>& findings) {
+    const std::vector<Explanation>& all = explanations();
+    std::vector<int> counts(all.size());
+    for (const WrongPair& wrong : wrong_)
+      for (std::size_t e = 0; e < all.size() && !wrong.told; ++e)
+        counts[e] += wrong.explained_by.test(e);
+    const auto most = std::ranges::max_element(counts);
+    // One cause has many effects: what a few of many wrong pairs would be right under is chance.
+    const auto left = std::ranges::count(wrong_, false, &WrongPair::told);
+    constexpr double kOfWrong = 0.3;
+    if (most == counts.end() || *most == 0 || *most < kOfWrong * static_cast<double>(left))
+      return false;
+    // A simple one that explains nearly as many is the likelier.
+    const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
+    const auto e = static_cast<std::size_t>(chosen - counts.begin());
+    const WrongPair* first = nullptr;
+    for (const WrongPair& wrong : wrong_) {
+      if (wrong.told || !wrong.explained_by.test(e)) continue;
+      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
+    }
+    if (!first->gross && *chosen < kOften * judged_) return false;
+    for (WrongPair& wrong : wrong_) wrong.told = wrong.told || wrong.explained_by.test(e);
+    for (const Mistake* mistake : all[e].made) {
+      Finding one = finding(mistake->name, mistake->what, mistake->remedy, *chosen, *first);
+      const auto same = std::ranges::find(findings, one.cause, &Finding::cause);
+      if (same == findings.end()) {
+        findings.push_back(std::move(one));
+      } else if (same->line > 0) {
+        same->count += one.count;
+      }
+    }
+    return true;
+  }
+
+  void tell_margin(std::vector<Finding>& findings) {
+    std::vector<double> depths;
+    for (const WrongPair& wrong : wrong_)
+      if (!wrong.told && wrong.deeper != 0) depths.push_back(wrong.deeper);
+    if (depths.empty()) return;
+    std::ranges::nth_element(depths,
+                             depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2));
+    const double margin = depths[depths.size() / 2];
+    std::vector<WrongPair*> same;
+    for (WrongPair& wrong : wrong_)
+      if (!wrong.told && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin))
+        same.push_back(&wrong);
+    for (WrongPair* wrong : same) wrong->told = true;
+    const bool larger = margin > 0;
+    findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
+                               "contacts are those of shapes that are together " +
+                                   metres(std::abs(margin)) + (larger ? " m larger" : " m smaller"),
+                               larger
+                                   ? "a margin or radius that the engine adds: write the shapes "
+                                     "with it (a hull may have a "
+                                     "'radius' as well), or find where it is added once too often"
+                                   : "a margin that the engine takes off, or a shape that it "
+                                     "shrank: write the shapes as they "
+                                     "collide",
+                               count_of(same), *same.front()));
+  }
+
+  void tell_unexplained(Wrong kind, std::vector<Finding>& findings) {
+    int count = 0;
+    const WrongPair* first = nullptr;
+    for (const WrongPair& wrong : wrong_) {
+      if (wrong.told || wrong.problem.kind != kind) continue;
+      ++count;
+      if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
+    }
+    if (first == nullptr || (!first->gross && count < kOften * judged_)) return;
+    const Words& words = kUnexplained[static_cast<int>(kind)];
+    findings.push_back(finding(words.cause, words.what, words.remedy, count, *first));
+  }
+
+  static constexpr double kFactors[] = {-1, 0.5, 2};
+  bool after_step_, has_moment_;
+  int judged_ = 0;
+  int small_ = 0;
+  int small_by_[std::size(kFactors)] = {};
+  std::vector<WrongPair> wrong_;
+  std::bitset<kMostExplanations> has_explained_;
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_claims(const trace::Header& header) {
+  return std::make_unique<ClaimsWatch>(header);
+}
+
+}  // namespace contactscope::lint

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "lint/watch.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// Names of the points of a pair: of a mesh with the triangle.
+std::multiset<std::string> ids_of(const trace::Pair& pair) {
+  std::multiset<std::string> ids;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points)
+      if (!point.id.empty())
+        ids.insert(std::to_string(manifold.triangle.value_or(-1)) + " " + point.id);
+  return ids;
+}
+
+/// Whether every point of one has one of the other within `near` metres.
+bool same_places(const trace::Pair& one, const trace::Pair& other, double near) {
+  for (const trace::Manifold& manifold : one.manifolds)
+    for (const trace::Point& point : manifold.points) {
+      bool found = false;
+      for (const trace::Manifold& then : other.manifolds)
+        for (const trace::Point& candidate : then.points)
+          found = found || (candidate.position - point.position).norm() <= near;
+      if (!found) return false;
+    }
+  return true;
+}
+
+class IdsWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    if (frames.before == nullptr) return;
+    for (const trace::Pair& pair : frames.now->pairs) {
+      const auto before = std::ranges::find_if(frames.before->pairs, [&](const trace::Pair& other) {
+        return other.a == pair.a && other.b == pair.b && other.label == pair.label;
+      });
+      if (before == frames.before->pairs.end()) continue;
+      const std::multiset<std::string> ids = ids_of(pair), old = ids_of(*before);
+      if (ids.empty() || ids.size() != old.size() || !stands_still(solids, frames, pair)) continue;
+      const std::optional<Placed> a = place(solids, frames.now, pair.a, {});
+      const std::optional<Placed> b = place(solids, frames.now, pair.b, {});
+      constexpr double kSamePlace = 1e-3;  // of the smaller shape
+      const double near = kSamePlace * std::min(a->size(), b->size());
+      if (!same_places(pair, *before, near)) continue;
+      ++still_;
+      if (ids == old) continue;
+      ++changed_;
+      if (changed_ > 1) continue;
+      first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
+      std::vector<std::string> now, then;
+      std::ranges::set_difference(ids, old, std::back_inserter(now));
+      std::ranges::set_difference(old, ids, std::back_inserter(then));
+      first_.said = "'" + now.front().substr(now.front().find(' ') + 1) + "'";
+      first_.is = "in the frame before the point there was '" +
+                  then.front().substr(then.front().find(' ') + 1) + "'";
+    }
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    constexpr int kFewest = 3;
+    constexpr double kShare = 0.2;
+    if (changed_ < kFewest || changed_ < kShare * still_) return;
+    Finding finding = first_;
+    finding.cause = "ids_change";
+    finding.what = "ids change while nothing moves";
+    finding.remedy =
+        "name a point by the features that make it, not by its place in a list or in memory: "
+        "solvers start "
+        "from the impulse of the point with the same id";
+    finding.count = changed_;
+    finding.of = still_;
+    findings.push_back(finding);
+  }
+
+ private:
+  static bool stands_still(const Solids& solids, const Moments& frames, const trace::Pair& pair) {
+    for (const std::string& name : {pair.a, pair.b}) {
+      const std::optional<Placed> now = place(solids, frames.now, name, {});
+      const std::optional<Placed> then = place(solids, frames.before, name, {});
+      if (!now || !then) return false;
+      constexpr double kStill = 1e-4;  // of its size, and of a full turn
+      const double size = std::min(now->size(), 1e6);
+      if ((now->pose.position - then->pose.position).norm() > kStill * size) return false;
+      if (now->pose.rotation.angularDistance(then->pose.rotation) > kStill) return false;
+    }
+    return true;
+  }
+
+  int still_ = 0, changed_ = 0;
+  Finding first_;
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_ids() {
+  return std::make_unique<IdsWatch>();
+}
+
+}  // namespace contactscope::lint

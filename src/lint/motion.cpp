@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/at.h"
+#include "lint/watch.h"
+
+namespace contactscope::lint {
+namespace {
+
+constexpr double kGravity = 9.81;  // metres a second squared
+constexpr int kEnough = 5;         // samples, before anything is said of them
+constexpr double kAlike = 0.1;     // they differ by no more than this share
+
+/// One number of many frames or bodies.
+struct Samples {
+  std::vector<double> values;
+  int line = 0, frame = 0;
+  std::string name;  // of the first
+
+  void add(double value, int at_line, int at_frame, const std::string& of) {
+    if (values.empty()) line = at_line, frame = at_frame, name = of;
+    values.push_back(value);
+  }
+  /// The middle one, where most are like it.
+  std::optional<double> common() const {
+    if (values.size() < kEnough) return std::nullopt;
+    std::vector<double> sorted = values;
+    std::ranges::sort(sorted);
+    const double middle = sorted[sorted.size() / 2];
+    const auto alike = std::ranges::count_if(
+        sorted, [&](double v) { return std::abs(v - middle) <= kAlike * std::abs(middle); });
+    return alike >= 0.8 * static_cast<double>(sorted.size()) ? std::optional(middle) : std::nullopt;
+  }
+};
+
+bool is_near(double value, double target) {
+  return std::abs(value - target) <= kAlike * std::abs(target);
+}
+
+const trace::Body* body_of(const trace::Frame& frame, const std::string& name) {
+  if (!frame.solver) return nullptr;
+  const auto found = std::ranges::find(frame.solver->bodies, name, &trace::Body::name);
+  return found == frame.solver->bodies.end() ? nullptr : &*found;
+}
+
+/// What the contacts of a frame give a body, N s; empty where a point that acts has no impulse.
+std::optional<Vec3d> impulse_on(const trace::Frame& frame, const std::string& name) {
+  Vec3d sum = Vec3d::Zero();
+  bool any = false;
+  for (const trace::Pair& pair : frame.pairs) {
+    const double sign = pair.b == name ? 1 : (pair.a == name ? -1 : 0);
+    if (sign == 0) continue;
+    for (const trace::Manifold& manifold : pair.manifolds)
+      for (const trace::Point& point : manifold.points) {
+        if (!point.active) continue;
+        if (!point.impulse) return std::nullopt;
+        any = true;
+        sum += sign * (point.impulse->normal * manifold.normal + point.impulse->friction);
+      }
+  }
+  return any ? std::optional(sum) : std::nullopt;
+}
+
+class MotionWatch final : public Watch {
+ public:
+  explicit MotionWatch(const trace::Header& header)
+      : up_(header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY()), up_name_(header.up) {}
+
+  void see(const Solids& solids, const Moments& frames) override {
+    if (frames.after == nullptr) return;
+    const double step = frames.after->time - frames.now->time;
+    if (!(step > 0)) return;
+    if (frames.before != nullptr) see_falls(solids, frames, step);
+    see_rests(frames, step);
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    tell_axis(findings);
+    tell_unit(findings);
+    tell_impulses(findings);
+  }
+
+ private:
+  static constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+
+  /// A shape without contacts from the frame before to the one after falls, or flies on.
+  void see_falls(const Solids& solids, const Moments& frames, double step) {
+    std::set<std::string> touched;
+    for (const trace::Frame* frame : {frames.before, frames.now, frames.after})
+      for (const trace::Pair& pair : frame->pairs)
+        if (!pair.manifolds.empty()) touched.insert(pair.a), touched.insert(pair.b);
+    for (const trace::Placement& one : frames.now->poses) {
+      if (touched.contains(one.first)) continue;
+      const auto before = place(solids, frames.before, one.first, {});
+      const auto now = place(solids, frames.now, one.first, {});
+      const auto after = place(solids, frames.after, one.first, {});
+      if (!before || !now || !after || now->solid->is_plane()) continue;
+      const auto middle = [](const Placed& placed) {
+        return placed.pose.transform(placed.solid->center_of_mass());
+      };
+      const Vec3d bend = middle(*after) - 2 * middle(*now) + middle(*before);
+      const double moved = (middle(*after) - middle(*before)).norm();
+      if (!(bend.norm() > 1e-6 * moved)) continue;  // straight on
+      const Vec3d acceleration = bend / (step * step);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(acceleration[axis]) < 0.95 * acceleration.norm()) continue;
+        at(falls_, axis).add(acceleration[axis], frames.now->line, frames.now->frame, one.first);
+      }
+    }
+  }
+
+  /// A body that rests has its weight borne by its contacts.
+  void see_rests(const Moments& frames, double step) {
+    if (!frames.now->solver) return;
+    for (const trace::Body& body : frames.now->solver->bodies) {
+      const trace::Body* const after = body_of(*frames.after, body.name);
+      if (after == nullptr || !(body.mass > 0) || !std::isfinite(body.mass)) continue;
+      const double in_a_step = kGravity * step;  // what gravity adds to a velocity
+      if (body.velocity.norm() > in_a_step ||
+          (after->velocity - body.velocity).norm() > kAlike * in_a_step)
+        continue;
+      const std::optional<Vec3d> impulse = impulse_on(*frames.now, body.name);
+      if (!impulse) continue;
+      const Vec3d weights = *impulse / (body.mass * in_a_step);
+      for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(weights[axis]) > 0.95 * weights.norm())
+          at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
+      weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
+      steps_ = frames.now->solver->substeps;
+      step_ = step;
+    }
+  }
+
+  void tell_axis(std::vector<Finding>& findings) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (up_[axis] != 0) continue;
+      const std::optional<double> fall = at(falls_, axis).common();
+      const std::optional<double> rest = at(rests_, axis).common();
+      const bool falls = fall && *fall < -0.5;
+      const bool rests = rest && *rest > 0.1;
+      const int along = up_name_ == "z" ? 2 : 1;
+      if ((!falls && !rests) || !at(falls_, along).values.empty() ||
+          !at(rests_, along).values.empty())
+        continue;
+      const Samples& samples = at(falls ? falls_ : rests_, axis);
+      findings.push_back(
+          {"up_axis", std::string("what is up is ") + at(kAxes, axis) + ", not " + up_name_,
+           std::string("write \"up\":\"") + at(kAxes, axis) + "\" in the header, or turn the world",
+           count_of(samples.values), count_of(samples.values), samples.line, samples.frame,
+           samples.name, "", "\"up\":\"" + up_name_ + "\"",
+           falls ? std::string("it falls along -") + at(kAxes, axis)
+                 : std::string("its contacts bear it along ") + at(kAxes, axis)});
+    }
+  }
+
+  void tell_unit(std::vector<Finding>& findings) const {
+    for (const Samples& samples : falls_) {
+      const std::optional<double> fall = samples.common();
+      if (!fall) continue;
+      for (const auto& [unit, factor] :
+           {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
+        if (!is_near(std::abs(*fall), factor * kGravity)) continue;
+        findings.push_back({std::string("world_in_") + unit, std::string("lengths are in ") + unit,
+                            "divide all lengths by " + metres(factor) + ": a trace is in metres",
+                            count_of(samples.values), count_of(samples.values), samples.line,
+                            samples.frame, samples.name, "",
+                            "it falls with " + metres(std::abs(*fall)) + " a second squared",
+                            "in metres it would be 9.81"});
+      }
+    }
+  }
+
+  void tell_impulses(std::vector<Finding>& findings) const {
+    const std::optional<double> share = weights_.common();
+    if (!share) return;
+    const auto say = [&](const char* cause, const char* what, const char* remedy) {
+      findings.push_back({cause, what, remedy, count_of(weights_.values), count_of(weights_.values),
+                          weights_.line, weights_.frame, weights_.name, "",
+                          "its contacts bear " + metres(*share) + " of its weight",
+                          "it rests, so that they bear all of it"});
+    };
+    if (is_near(*share, -1))
+      return say("impulses_on_a", "impulses are those on a", "negate them: an impulse acts on b");
+    if (is_near(*share, 1 / step_))
+      return say("impulses_are_forces", "impulses are forces, in newtons",
+                 "multiply each by the time of the step: an impulse is in newton seconds");
+    if (steps_ > 1 && is_near(*share, 1.0 / steps_))
+      return say("impulses_of_a_substep", "impulses are those of one sub-step",
+                 "add up those of all sub-steps: an impulse is that of the whole step");
+    if (is_near(*share, 0.5))
+      return say(
+          "impulses_halved", "impulses bear half of the weight",
+          "maybe the points of one of two manifolds are missing, or steps are counted as frames");
+    if (is_near(*share, 2))
+      return say("impulses_doubled", "impulses bear twice the weight",
+                 "maybe each is told of both bodies, or added up twice");
+  }
+
+  Vec3d up_;
+  std::string up_name_;
+  std::array<Samples, 3> falls_, rests_;
+  Samples weights_;
+  int steps_ = 0;
+  double step_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_motion(const trace::Header& header) {
+  return std::make_unique<MotionWatch>(header);
+}
+
+}  // namespace contactscope::lint

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/at.h"
+#include "lint/watch.h"
+#include "manifold/dispatch.h"
+
+namespace contactscope::lint {
+namespace {
+
+using Names = std::pair<std::string, std::string>;
+
+Names in_order(const std::string& a, const std::string& b) {
+  return a < b ? Names{a, b} : Names{b, a};
+}
+
+/// Corners of a placed solid's box, the world.
+Aabb<double> box_of(const Placed& placed) {
+  const Vec3d middle = (placed.solid->lower() + placed.solid->upper()) / 2;
+  const Vec3d half = (placed.solid->upper() - placed.solid->lower()) / 2;
+  const Vec3d reach = placed.pose.rotation.toRotationMatrix().cwiseAbs() * half;
+  const Vec3d center = placed.pose.transform(middle);
+  return {center - reach, center + reach};
+}
+
+/// Metres of overlap, 0 where there is none or nobody knows.
+double overlap_of(const Placed& a, const Placed& b) {
+  if (const std::optional<double> best = best_separation(a, b)) return std::max(-*best, 0.0);
+  if (!can_collide(kind_of(a.solid->shape()), kind_of(b.solid->shape()))) return 0;
+  Manifolds<double> manifolds;
+  CollideOptions options;
+  options.margin = 0;
+  collide(a.solid->shape(), a.pose, b.solid->shape(), b.pose, options, manifolds);
+  double deepest = 0;
+  for (const Manifold<double>& manifold : manifolds)
+    for (const ContactPoint<double>& point : manifold.points)
+      deepest = std::max(deepest, -point.separation);
+  return deepest;
+}
+
+struct Missing {
+  int count = 0;
+  int line = 0, frame = 0;
+  double deepest = 0;
+};
+
+class OverlapsWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    std::set<Names> told;
+    for (const trace::Pair& pair : frames.now->pairs) {
+      const Names names = in_order(pair.a, pair.b);
+      told.insert(names);
+      if (!pair.manifolds.empty()) with_contacts_.insert(names);
+      if (pair.manifolds.empty() && !pair.query && pair.state == "separated" && !pair.degenerate)
+        look(solids, frames, names, apart_);
+    }
+    std::vector<std::pair<Aabb<double>, const std::string*>> boxes;
+    for (const trace::Placement& one : frames.now->poses) {
+      const std::optional<Placed> placed = place(solids, frames.now, one.first, {});
+      if (!placed) continue;
+      // A plane meets everything.
+      const Vec3d all = Vec3d::Constant(std::numeric_limits<double>::infinity());
+      boxes.emplace_back(placed->solid->is_plane() ? Aabb<double>{-all, all} : box_of(*placed),
+                         &one.first);
+    }
+    std::ranges::sort(boxes, {}, [](const auto& box) { return box.first.lower.x(); });
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+        if (boxes[j].first.lower.x() > boxes[i].first.upper.x()) break;
+        if (!overlaps(boxes[i].first, boxes[j].first)) continue;
+        const Names names = in_order(*boxes[i].second, *boxes[j].second);
+        if (!told.contains(names)) look(solids, frames, names, untold_);
+      }
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    for (const Finding& finding : findings)
+      if (moves_shapes(finding.cause)) return;
+    tell_of("overlap_told_apart", "shapes that overlap are told to be apart",
+            "look at the test that finds them apart, and at the poses", apart_, findings);
+    std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
+    tell_of("overlap_without_contact", "shapes overlap, and no contact of them is told",
+            "in other frames they have contacts: look at the broad phase, and at what is left out "
+            "when a frame "
+            "is written",
+            untold_, findings);
+  }
+
+ private:
+  using List = std::map<Names, Missing>;
+
+  static void look(const Solids& solids, const Moments& frames, const Names& names, List& list) {
+    const std::optional<Placed> a = place(solids, frames.now, names.first, {});
+    const std::optional<Placed> b = place(solids, frames.now, names.second, {});
+    if (!a || !b) return;
+    const double reach =
+        std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
+    const double overlap = overlap_of(*a, *b);
+    if (overlap <= 4 * tolerance_of(*a, *b, reach)) return;
+    Missing& missing = list[names];
+    ++missing.count;
+    if (overlap <= missing.deepest) return;
+    missing.deepest = overlap;
+    missing.line = frames.now->line;
+    missing.frame = frames.now->frame;
+  }
+
+  static void tell_of(const char* cause, const char* what, const char* remedy, const List& list,
+                      std::vector<Finding>& findings) {
+    const auto deepest =
+        std::ranges::max_element(list, {}, [](const auto& one) { return one.second.deepest; });
+    if (deepest == list.end()) return;
+    int count = 0;
+    for (const auto& one : list) count += one.second.count;
+    findings.push_back({cause, what, remedy, count, 0, deepest->second.line, deepest->second.frame,
+                        deepest->first.first, deepest->first.second, "no contact",
+                        "they are " + metres(deepest->second.deepest) + " m in each other"});
+  }
+
+  std::set<Names> with_contacts_;
+  List apart_, untold_;
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_overlaps() {
+  return std::make_unique<OverlapsWatch>();
+}
+
+}  // namespace contactscope::lint

@@ -1,0 +1,130 @@
+#include "lint/reading.h"
+
+namespace contactscope::lint {
+
+const std::vector<Mistake>& mistakes() {
+  static const std::vector<Mistake> kMistakes = {
+      {"flipped_normals", "normals point from b to a",
+       "negate each normal, or let a and b trade their names; Bullet's m_normalWorldOnB, and the "
+       "normals of "
+       "ODE, DART and PhysX, point to the first shape",
+       [](Reading& r) { r.normals_flipped = true; }},
+      {"positive_depths", "separations have the sign of a depth",
+       "negate each separation: it is negative in overlap; ODE and FCL tell depths",
+       [](Reading& r) { r.separations_negated = true; }},
+      {"half_depths", "separations are half of the overlap",
+       "double them; where they are measured from the middle of the overlap, add the other half "
+       "(MuJoCo "
+       "before 3.4 tells half of the overlap of two boxes)",
+       [](Reading& r) { r.separation_scale = 2; }},
+      {"double_depths", "separations are twice the overlap",
+       "halve them; maybe the overlap was added for a and for b",
+       [](Reading& r) { r.separation_scale = 0.5; }},
+      {"poses_of_frame_before", "contacts are those of the poses one frame before",
+       "write the poses that the contacts were found at, before bodies are moved, or say "
+       "\"poses_at\":\"after_step\" in the header",
+       [](Reading& r) { r.moment = Moment::FrameBefore; }},
+      {"poses_of_frame_after", "contacts are those of the poses one frame after",
+       "write contacts and the poses that they were found at into the same frame",
+       [](Reading& r) { r.moment = Moment::FrameAfter; }},
+      {"quaternions_xyzw", "quaternions stand in the order x, y, z, w",
+       "write w first, as 'quat_wxyz' says", [](Reading& r) { r.rotation = Rotation::Xyzw; }},
+      {"inverse_rotations", "rotations are inverted: from the world to the shape",
+       "negate x, y and z of each quaternion; maybe a matrix was read by rows instead of columns",
+       [](Reading& r) { r.rotation = Rotation::Inverse; }},
+      {"points_in_frame_of_a", "points are in the frame of a",
+       "transform each by the pose of a: 'position' is in the world",
+       [](Reading& r) { r.points = Frame::OfA; }},
+      {"points_in_frame_of_b", "points are in the frame of b",
+       "transform each by the pose of b: 'position' is in the world",
+       [](Reading& r) { r.points = Frame::OfB; }},
+      {"normals_in_frame_of_a", "normals are in the frame of a", "rotate each by the pose of a",
+       [](Reading& r) { r.normals = Frame::OfA; }},
+      {"normals_in_frame_of_b", "normals are in the frame of b", "rotate each by the pose of b",
+       [](Reading& r) { r.normals = Frame::OfB; }},
+      {"sides_swapped", "'on_a' is on b, and 'on_b' on a",
+       "let them trade places; maybe the engine calls the shapes in the other order",
+       [](Reading& r) { r.sides_swapped = true; }},
+      {"poses_of_center_of_mass", "positions are those of the centres of mass",
+       "write where the shape's own origin is: the position less the rotated centre of mass",
+       [](Reading& r) { r.at_center_of_mass = true; }},
+      {"shapes_half_as_large", "shapes are half as large as what collided",
+       "double their vertices; maybe half extents were taken for whole ones",
+       [](Reading& r) { r.shape_scale = 2; }},
+      {"shapes_twice_as_large", "shapes are twice as large as what collided",
+       "halve their vertices; maybe whole extents were taken for half ones, or a diameter for a "
+       "radius",
+       [](Reading& r) { r.shape_scale = 0.5; }},
+      {"depths_in_centimetres", "separations are in centimetres", "divide them by 100",
+       [](Reading& r) { r.separation_scale = 0.01; }},
+      {"depths_in_millimetres", "separations are in millimetres", "divide them by 1000",
+       [](Reading& r) { r.separation_scale = 0.001; }},
+      {"points_in_centimetres", "points are in centimetres", "divide them by 100",
+       [](Reading& r) { r.point_scale = 0.01; }},
+      {"points_in_millimetres", "points are in millimetres", "divide them by 1000",
+       [](Reading& r) { r.point_scale = 0.001; }},
+      {"points_in_metres", "points are in metres, and the rest in centimetres",
+       "write all lengths in metres", [](Reading& r) { r.point_scale = 100; }},
+      {"shapes_in_centimetres", "shapes are in centimetres", "divide their vertices by 100",
+       [](Reading& r) { r.shape_scale = 0.01; }},
+      {"shapes_in_millimetres", "shapes are in millimetres", "divide their vertices by 1000",
+       [](Reading& r) { r.shape_scale = 0.001; }},
+      {"shapes_in_metres", "shapes are in metres, and the rest in centimetres",
+       "write all lengths in metres", [](Reading& r) { r.shape_scale = 100; }},
+  };
+  return kMistakes;
+}
+
+namespace {
+
+/// Two mistakes can be made at once where they are about different things.
+bool go_together(const Mistake& one, const Mistake& other) {
+  Reading first, second;
+  one.apply(first);
+  other.apply(second);
+  const auto apart = [&](auto member) {
+    const Reading plain;
+    return first.*member == plain.*member || second.*member == plain.*member;
+  };
+  return apart(&Reading::normals) && apart(&Reading::normals_flipped) &&
+         apart(&Reading::separations_negated) && apart(&Reading::separation_scale) &&
+         apart(&Reading::points) && apart(&Reading::point_scale) && apart(&Reading::moment) &&
+         apart(&Reading::rotation) && apart(&Reading::shape_scale);
+}
+
+std::vector<Explanation> all_explanations() {
+  std::vector<Explanation> all;
+  const std::vector<Mistake>& known = mistakes();
+  for (const Mistake& mistake : known) {
+    Explanation& one = all.emplace_back();
+    one.made = {&mistake};
+    mistake.apply(one.reading);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (std::size_t j = i + 1; j < known.size(); ++j) {
+      if (!go_together(known[i], known[j])) continue;
+      Explanation& two = all.emplace_back();
+      two.made = {&known[i], &known[j]};
+      known[i].apply(two.reading);
+      known[j].apply(two.reading);
+    }
+  return all;
+}
+
+}  // namespace
+
+bool moves_shapes(const std::string& cause) {
+  for (const Mistake& mistake : mistakes()) {
+    Reading reading;
+    mistake.apply(reading);
+    if (cause == mistake.name) return reading.moves_shapes();
+  }
+  return false;
+}
+
+const std::vector<Explanation>& explanations() {
+  static const std::vector<Explanation> kAll = all_explanations();
+  return kAll;
+}
+
+}  // namespace contactscope::lint

@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kHeader =
+    R"({"schema":"contactscope.trace/1","scenario":"mine/crate","scalar":"float","up":"y","shapes":{)"
+    R"("ground":{"type":"plane","vertices":[],"half_space":{"normal":[0,1,0],"offset":0}},)"
+    R"("crate":{"type":"hull","vertices":[[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],)"
+    R"([-1,1,1],[1,1,1]]}}})";
+
+/// A crate 20 mm deep in the ground, with what its writer claims.
+std::string crate(const std::string& normal, const std::string& separation) {
+  std::string points;
+  for (const char* place : {"-1,-0.02,-1", "1,-0.02,-1", "-1,-0.02,1", "1,-0.02,1"})
+    points += std::string(points.empty() ? "" : ",") + R"({"position":[)" + place +
+              R"(],"separation":)" + separation + "}";
+  return std::string(kHeader) + "\n" +
+         R"({"frame":0,"time":0,"poses":{"ground":{"position":[0,0,0],"quat_wxyz":[1,0,0,0]},)" +
+         R"("crate":{"position":[0,0.98,0],"quat_wxyz":[1,0,0,0]}},"pairs":[{"a":"ground","b":"crate",)" +
+         R"("manifolds":[{"normal":[)" + normal + R"(],"points":[)" + points + "]}]}]}\n";
+}
+
+TEST(LintVerb, SaysOkOfATraceThatIsRight) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("right.jsonl", crate("0,1,0", "-0.02"));
+  const ProgramRun result = run("lint '" + file + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("ok  " + file));
+}
+
+TEST(LintVerb, NamesTheCauseWithLineAndRemedy) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("flipped.jsonl", crate("0,-1,0", "-0.02"));
+  const ProgramRun result = run("lint '" + file + "'");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr(file + ":2:1: normals point from b to a, 1 of 1"));
+  EXPECT_THAT(result.out, HasSubstr("frame 0, ground-crate"));
+  EXPECT_THAT(result.out, HasSubstr("negate each normal"));
+  const ProgramRun doctor = run("doctor '" + file + "'");
+  EXPECT_EQ(doctor.exit_code, 1);
+  EXPECT_THAT(doctor.out, HasSubstr("normals point from b to a"));
+  EXPECT_THAT(doctor.out, Not(HasSubstr("ok  trace")));
+}
+
+TEST(LintVerb, PrintsJson) {
+  const TemporaryFolder folder;
+  const std::string right = folder.write("right.jsonl", crate("0,1,0", "-0.02"));
+  const std::string half = folder.write("half.jsonl", crate("0,1,0", "-0.01"));
+  const ProgramRun result = run("lint --json '" + right + "' '" + half + "'");
+  EXPECT_EQ(result.exit_code, 1);
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["schema"], "contactscope.lint/1");
+  ASSERT_EQ(json["files"].size(), 2u);
+  EXPECT_TRUE(json["files"][0]["findings"].empty());
+  ASSERT_EQ(json["files"][1]["findings"].size(), 1u);
+  const auto& finding = json["files"][1]["findings"][0];
+  EXPECT_EQ(finding["cause"], "half_depths");
+  EXPECT_EQ(finding["line"], 2);
+  EXPECT_EQ(finding["a"], "ground");
+}
+
+TEST(LintVerb, WhatCannotBeReadIsTrouble) {
+  const TemporaryFolder folder;
+  const std::string torn = folder.write("torn.jsonl", std::string(kHeader) + "\n{\"frame\":");
+  EXPECT_EQ(run("lint '" + torn + "'").exit_code, 2);
+  EXPECT_EQ(run("lint").exit_code, 2);
+}
+
+/// What contactscope computes itself is right but where a scenario shows how something goes wrong.
+TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
+  const ProgramRun result = run("lint --json scenarios");
+  const auto json = nlohmann::json::parse(result.out);
+  std::vector<std::string> told;
+  for (const auto& file : json["files"])
+    if (!file["findings"].empty()) told.push_back(file["file"]);
+  EXPECT_GT(json["files"].size(), 100u);
+  EXPECT_THAT(told, testing::UnorderedElementsAre(
+                        "scenarios/field/plate_that_vanishes.toml",  // a field without exact cells
+                        "scenarios/field/sampling_misses.toml",      // sampled too coarsely
+                        "scenarios/incremental/margin.toml",         // a core too thin
+                        "scenarios/incremental/rotating_out.toml",   // one point a frame
+                        "scenarios/mesh/sliding_over_edges.toml"));  // internal edges
+}
+
+}  // namespace
+}  // namespace contactscope::test
