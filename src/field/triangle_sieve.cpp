@@ -195,17 +195,17 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   }
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
-  near_.resize(list.fours_.size());
+  list.near_.resize(list.fours_.size());
   std::size_t near_count = 0;
   for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    near_[near_count] = static_cast<int>(i);
+    list.near_[near_count] = static_cast<int>(i);
     near_count += lanes::bits<float>(list.squared_[i] <= most) != 0 ? 1 : 0;
   }
   NearestPoint best;
   for (std::size_t n = 0; n < near_count; ++n) {
-    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, near_[n]) <= most); bits != 0;
-         bits &= bits - 1) {
-      const int triangle = 4 * near_[n] + __builtin_ctz(bits);
+    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, list.near_[n]) <= most);
+         bits != 0; bits &= bits - 1) {
+      const int triangle = 4 * list.near_[n] + __builtin_ctz(bits);
       if (triangle >= count_of(list.triangles_)) break;
       triangles_.improve(at(list.triangles_, triangle), point, best);
     }
@@ -272,10 +272,10 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
 
 /// |x-q|_1 is no larger than at the farthest corner of the triangle's box: that leaves out most. No branch
 /// depends on whether a triangle is kept: nothing could foresee it.
-void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
+void TriangleSieve::append(List& from, const Vec3d& middle, double half_side,
                            const NearestPoint& nearest, std::vector<int>& found) const {
   const Cube asked = cube(middle, half_side, nearest);
-  near_.resize(from.fours_.size());
+  from.near_.resize(from.fours_.size());
   std::size_t near_count = 0;
   for (std::size_t i = 0; i < from.fours_.size(); ++i) {
     const Four& four = from.fours_[i];
@@ -284,15 +284,15 @@ void TriangleSieve::append(const List& from, const Vec3d& middle, double half_si
       sum += magnitude(four[kMiddle + axis] - asked.nearest[axis]);
     const auto can_be =
         from.squared_[i] <= lanes::smaller(asked.most, asked.by_corner + asked.rise * sum);
-    near_[near_count] = static_cast<int>(i);
+    from.near_[near_count] = static_cast<int>(i);
     near_count += lanes::bits<float>(can_be) != 0 ? 1 : 0;
   }
   std::size_t count = found.size();
   found.resize(count + 4 * near_count);
   for (std::size_t n = 0; n < near_count; ++n) {
-    const std::uint32_t kept = can_be_nearest(at(from.fours_, near_[n]), asked);
+    const std::uint32_t kept = can_be_nearest(at(from.fours_, from.near_[n]), asked);
     for (int lane = 0; lane < 4; ++lane) {
-      const int triangle = 4 * near_[n] + lane;
+      const int triangle = 4 * from.near_[n] + lane;
       found[count] = at(from.triangles_, std::min(triangle, count_of(from.triangles_) - 1));
       count += (kept >> lane & 1U) != 0 && triangle < count_of(from.triangles_) ? 1 : 0;
     }
@@ -321,7 +321,7 @@ void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Nea
   lay_out(list);
 }
 
-void TriangleSieve::fill_within(const List& from, const Vec3d& middle, double half_side,
+void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_side,
                                 const NearestPoint& nearest, List& list) const {
   list.triangles_.clear();
   append(from, middle, half_side, nearest, list.triangles_);

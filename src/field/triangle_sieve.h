@@ -43,6 +43,7 @@ class TriangleSieve {
     std::vector<int> triangles_;
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
+    std::vector<int> near_;        // fours that may count; a member so that it keeps its memory
   };
 
   // Lists are filled, and not returned, so that they keep their memory. What is asked about a cube needs
@@ -53,10 +54,10 @@ class TriangleSieve {
   void fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
                    List& list) const;
   /// The same among those of a list.
-  void fill_within(const List& from, const Vec3d& middle, double half_side,
-                   const NearestPoint& nearest, List& list) const;
+  void fill_within(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                   List& list) const;
   /// The same, appended to `found`.
-  void append(const List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+  void append(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
               std::vector<int>& found) const;
 
   /// The nearest of all triangles. `seed`: tried first, a triangle near by makes the search short.
@@ -114,7 +115,6 @@ class TriangleSieve {
   std::vector<Flat> flat_;
   std::vector<Four> leaves_;        // the triangles of each leaf of the mesh's tree, four by four
   std::vector<int> first_of_leaf_;  // of `leaves_`; by number of the tree's node
-  mutable std::vector<int> near_;   // fours that may count; a member so that it keeps its memory
 };
 
 }  // namespace contactscope
