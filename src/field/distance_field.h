@@ -48,6 +48,9 @@ struct FieldSettings {
   /// of these cells are answered by their triangles; kSmoothPart: queries take a fifth of the time.
   double smooth = 0;
   std::size_t most_bytes = std::size_t{1} << 30;  // a larger field is refused
+  /// Threads that build the field, which is the same whatever their number. 0: as many as the processor
+  /// runs at once, and fewer for a small field.
+  int threads = 0;
 
   friend bool operator==(const FieldSettings&, const FieldSettings&) = default;
 };
@@ -110,6 +113,7 @@ class DistanceField {
 
  private:
   friend class FieldBuilder;
+  friend class BlockFiller;
 
   /// Where a point of the lattice is.
   struct Place {

@@ -7,10 +7,16 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "field/block_filler.h"
 #include "query/winding.h"
 
 namespace contactscope {
 namespace {
+
+/// So many layers of blocks are filled at once: nodes that are not rounded are kept of no more.
+constexpr int kLayersAtOnce = 16;
+/// Blocks, with fine nodes or without, that are worth a thread.
+constexpr int kBlocksOfThread = 256;
 
 std::string in_mebibytes(double bytes) {
   return std::to_string(std::llround(std::ceil(bytes / 0x1p20))) + " MiB";
@@ -19,8 +25,8 @@ std::string in_mebibytes(double bytes) {
 }  // namespace
 
 FieldBuilder::FieldBuilder(std::shared_ptr<const Mesh<double>> surface, bool watertight,
-                           const Vec3d& size, const FieldSettings& settings)
-    : one_front_(watertight) {
+                           const Vec3d& size, const FieldSettings& settings) {
+  fronts_.one = watertight;
   field_.settings_ = settings;
   field_.size_ = size;
   field_.surface_box_ = surface->tree.bounds();
@@ -56,23 +62,38 @@ void FieldBuilder::check_bytes(double fine_blocks) const {
                      " are allowed; give fewer 'cells', or a narrower 'band'");
 }
 
+int FieldBuilder::thread_count() const {
+  if (field_.settings_.threads > 0) return field_.settings_.threads;
+  const int blocks = field_.blocks_[0] * field_.blocks_[1] * field_.blocks_[2];
+  return std::clamp(blocks / kBlocksOfThread, 1, hardware_threads());
+}
+
 DistanceField FieldBuilder::build() {
   for (std::size_t i = 0; i < 3; ++i)
     field_.blocks_[i] = static_cast<int>(field_.size_[static_cast<int>(i)]) / kBlock;
   const bool dense = field_.settings_.band == 0;
   const double all_blocks = double{1} * field_.blocks_[0] * field_.blocks_[1] * field_.blocks_[2];
   check_bytes(dense ? all_blocks : 0);
+  workers_.emplace(thread_count());
   fill_coarse();
   sign_coarse();
   choose_blocks();
   check_bytes(count_of(blocks_));
   lay_out();
-  Block block;
-  for (block.fine = 0; block.fine < count_of(blocks_); ++block.fine) fill_block(block);
-  field_.front_ = winding_ < 0 ? -1 : 1;
-  field_.regular_ = one_front_ && !(fronts_[0] && fronts_[1]);
-  ask_triangles();
+  fill_blocks();
   return std::move(field_);
+}
+
+void FieldBuilder::Fronts::add_winding(int number) {
+  if (number == 0) return;
+  if ((winding != 0 && number != winding) || std::abs(number) != 1) one = false;
+  winding = number;
+}
+
+void FieldBuilder::Fronts::add(const Fronts& other) {
+  one = one && other.one;
+  add_winding(other.winding);
+  for (std::size_t side = 0; side < 2; ++side) seen[side] = seen[side] || other.seen[side];
 }
 
 FieldBuilder::Node FieldBuilder::unsigned_node(const Vec3d& point,
@@ -91,87 +112,90 @@ FieldBuilder::Node FieldBuilder::unsigned_node_of_core(const Vec3d& point) const
   return sample.distance < 0 ? -node : node;
 }
 
-bool FieldBuilder::is_inside(const Vec3d& point) {
+bool FieldBuilder::is_inside(const Vec3d& point, Fronts& fronts) const {
   if (field_.core_) return field_.by_core(point).distance < 0;
   const Winding winding = winding_number(field_.triangles_.mesh(), point);
   if (winding.on_surface) return false;
-  if (winding.number != 0) {
-    if (winding_ != 0 && winding.number != winding_) one_front_ = false;
-    if (std::abs(winding.number) != 1) one_front_ = false;
-    winding_ = winding.number;
-  }
+  fronts.add_winding(winding.number);
   return winding.number != 0;
 }
 
 void FieldBuilder::fill_coarse() {
   const auto [nx, ny, nz] = field_.blocks_;
-  const std::size_t count = static_cast<std::size_t>(nx + 1) * static_cast<std::size_t>(ny + 1) *
-                            static_cast<std::size_t>(nz + 1);
-  coarse_.reserve(count);
-  coarse_triangles_.reserve(count);
-  for (int z = 0; z <= nz; ++z) {
-    for (int y = 0; y <= ny; ++y) {
-      for (int x = 0; x <= nx; ++x) {
-        const Vec3d point = kBlock * Vec3d(x, y, z);
-        if (field_.core_) {
-          coarse_.push_back(unsigned_node_of_core(point));
-          continue;
-        }
-        // The one before: of equally near triangles neighbours then take the same.
-        const int seed = coarse_triangles_.empty() ? 0 : coarse_triangles_.back();
-        const NearestPoint nearest = sieve_->nearest(point, seed);
-        coarse_triangles_.push_back(nearest.triangle);
-        coarse_.push_back(unsigned_node(point, nearest));
+  const int of_plane = (nx + 1) * (ny + 1);
+  coarse_.resize(static_cast<std::size_t>(of_plane) * static_cast<std::size_t>(nz + 1));
+  coarse_triangles_.resize(coarse_.size());
+  workers_->for_each(nz + 1, [&, nx = nx](int z, int) {
+    // The one before: of equally near triangles neighbours then take the same.
+    int seed = 0;
+    for (int i = 0; i < of_plane; ++i) {
+      const Vec3d point = kBlock * Vec3d(i % (nx + 1), i / (nx + 1), z);
+      Node& node = at(coarse_, z * of_plane + i);
+      if (field_.core_) {
+        node = unsigned_node_of_core(point);
+        continue;
       }
+      const NearestPoint nearest = sieve_->nearest(point, seed);
+      seed = at(coarse_triangles_, z * of_plane + i) = nearest.triangle;
+      node = unsigned_node(point, nearest);
     }
-  }
+  });
 }
 
 void FieldBuilder::sign_coarse() {
   std::vector<NodeSign> signs(coarse_.size(), NodeSign::Unknown);
   const auto [nx, ny, nz] = field_.blocks_;
   spread_signs({nx + 1, ny + 1, nz + 1}, kBlock, coarse_, signs,
-               [&](int x, int y, int z) { return is_inside(kBlock * Vec3d(x, y, z)); });
+               [&](int x, int y, int z) { return is_inside(kBlock * Vec3d(x, y, z), fronts_); });
   for (std::size_t i = 0; i < signs.size(); ++i)
     if (signs[i] == NodeSign::Inside) coarse_[i] = -coarse_[i];
 }
 
 void FieldBuilder::choose_blocks() {
   const auto [nx, ny, nz] = field_.blocks_;
-  const double reach = field_.settings_.band + kHalfBlock + kSignSlack;
-  fine_of_block_.assign(
-      static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz),
-      -1);
-  for (int z = 0; z < nz; ++z) {
-    for (int y = 0; y < ny; ++y) {
-      for (int x = 0; x < nx; ++x) {
-        // The middle is no nearer to the surface than a corner is, less half a diagonal.
-        int seed = 0;
-        float most = 0, least = std::numeric_limits<float>::infinity();
-        for (int corner = 0; corner < 8; ++corner) {
-          const int node =
-              coarse_number(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-          const float distance = std::abs(at(coarse_, node)[0]);
-          most = std::max(most, distance);
-          if (field_.core_ || distance >= least) continue;
-          least = distance;
-          seed = at(coarse_triangles_, node);
-        }
-        const bool dense = field_.settings_.band == 0;
-        if (!dense && most - kHalfBlock > reach) continue;
-        const Vec3d middle = kBlock * Vec3d(x + 0.5, y + 0.5, z + 0.5);
-        NearestPoint nearest;
-        if (field_.core_)
-          nearest.squared = std::pow(field_.by_core(middle).distance, 2);
-        else
-          nearest = sieve_->nearest(middle, seed);
-        if (!dense && nearest.squared > reach * reach) continue;
-        at(fine_of_block_, block_number(x, y, z)) = count_of(blocks_);
-        blocks_.push_back(block_number(x, y, z));
-        middles_.push_back(nearest);
-      }
+  std::vector<std::optional<NearestPoint>> found(
+      static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
+  rows_.resize(static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
+  workers_->for_each(count_of(rows_), [&, nx = nx, ny = ny](int row, int) {
+    for (int x = 0; x < nx; ++x)
+      at(found, row * nx + x) = middle_near_surface(x, row % ny, row / ny);
+  });
+  for (int row = 0; row < count_of(rows_); ++row) {
+    at(rows_, row).first = count_of(blocks_);
+    for (int block = row * nx; block < (row + 1) * nx; ++block) {
+      fine_of_block_.push_back(at(found, block) ? count_of(blocks_) : -1);
+      if (!at(found, block)) continue;
+      blocks_.push_back(block);
+      middles_.push_back(*at(found, block));
     }
+    at(rows_, row).end = count_of(blocks_);
   }
+}
+
+/// What is nearest to the middle of a block, if the band reaches the block.
+std::optional<NearestPoint> FieldBuilder::middle_near_surface(int x, int y, int z) const {
+  const double reach = field_.settings_.band + kHalfBlock + kSignSlack;
+  const bool dense = field_.settings_.band == 0;
+  // The middle is no nearer to the surface than a corner is, less half a diagonal.
+  int seed = 0;
+  float most = 0, least = std::numeric_limits<float>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    const int node = coarse_number(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
+    const float distance = std::abs(at(coarse_, node)[0]);
+    most = std::max(most, distance);
+    if (distance >= least) continue;
+    least = distance;
+    seed = at(coarse_triangles_, node);
+  }
+  if (!dense && most - kHalfBlock > reach) return {};
+  const Vec3d middle = kBlock * Vec3d(x + 0.5, y + 0.5, z + 0.5);
+  NearestPoint nearest;
+  if (field_.core_)
+    nearest.squared = std::pow(field_.by_core(middle).distance, 2);
+  else
+    nearest = sieve_->nearest(middle, seed);
+  if (!dense && nearest.squared > reach * reach) return {};
+  return nearest;
 }
 
 /// Chooses the steps of the distances, so that all fit, and where the nodes of each block are.
@@ -191,9 +215,9 @@ void FieldBuilder::lay_out() {
   for (int i = 0; i < 3; ++i) --field_.last_part_[i];
   const std::size_t coarse_pairs = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny + 1) *
                                    static_cast<std::size_t>(nz + 1);
-  field_.nodes_.reserve(coarse_pairs + blocks_.size() * DistanceField::kPairs);
-  add_pairs(coarse_, nx + 1, field_.layouts_[0].step);
-  field_.coarse_count_ = count_of(field_.nodes_);
+  field_.nodes_.resize(coarse_pairs + blocks_.size() * DistanceField::kPairs);
+  write_pairs(coarse_, nx + 1, field_.layouts_[0].step, field_.nodes_.data());
+  field_.coarse_count_ = static_cast<int>(coarse_pairs);
   for (int z = 0; z < nz; ++z)
     for (int y = 0; y < ny; ++y)
       for (int x = 0; x < nx; ++x) {
@@ -204,22 +228,73 @@ void FieldBuilder::lay_out() {
                                               (fine < 0 ? 0 : 1));
       }
   field_.fine_block_count_ = count_of(blocks_);
-  // A block takes nodes from blocks of its layer and of the one below: older ones are written over.
-  std::vector<int> of_layer(static_cast<std::size_t>(nz), 0);
-  for (const int block : blocks_) ++at(of_layer, block_at(block)[2]);
-  kept_blocks_ = 1;
-  for (int z = 0; z < nz; ++z)
-    kept_blocks_ = std::max(kept_blocks_, at(of_layer, z) + (z > 0 ? at(of_layer, z - 1) : 0));
-  fine_.resize(static_cast<std::size_t>(kept_blocks_) * kNodes);
-  if (field_.settings_.exact) field_.first_triangle_.push_back(0);
 }
 
-void FieldBuilder::add_pairs(std::span<const Node> nodes, int row, float step) {
+/// Makes room for the nodes of the layers that are filled at once, and of the one before.
+void FieldBuilder::keep_layers() {
+  const auto [nx, ny, nz] = field_.blocks_;
+  const auto first_of_layer = [&](int z) {
+    return z < field_.blocks_[2] ? at(rows_, z * field_.blocks_[1]).first : count_of(blocks_);
+  };
+  kept_blocks_ = 1;
+  for (int z = 0; z < nz; z += kLayersAtOnce)
+    kept_blocks_ = std::max(kept_blocks_,
+                            first_of_layer(z + kLayersAtOnce) - first_of_layer(std::max(z - 1, 0)));
+  fine_.resize(static_cast<std::size_t>(kept_blocks_) * kNodes);
+  filled_.assign(blocks_.size(), 0);
+}
+
+void FieldBuilder::fill_blocks() {
+  keep_layers();
+  const auto [nx, ny, nz] = field_.blocks_;
+  std::vector<BlockFiller> fillers(static_cast<std::size_t>(workers_->count()), BlockFiller(*this));
+  const auto for_blocks = [&](const std::vector<int>& rows, const auto& visit) {
+    workers_->for_each(count_of(rows), [&](int i, int worker) {
+      Row& row = at(rows_, at(rows, i));
+      for (int fine = row.first; fine < row.end; ++fine) visit(at(fillers, worker), fine, row);
+    });
+  };
+  std::vector<int> rows, all;
+  for (int from = 0; from < nz; from += kLayersAtOnce) {
+    for (const auto& [odd_z, odd_y] : {std::pair(0, 0), {0, 1}, {1, 0}, {1, 1}}) {
+      rows.clear();
+      for (int z = from + odd_z; z < std::min(nz, from + kLayersAtOnce); z += 2)
+        for (int y = odd_y; y < ny; y += 2)
+          if (const Row& row = at(rows_, z * ny + y); row.first < row.end)
+            rows.push_back(z * ny + y);
+      for_blocks(rows, [](BlockFiller& filler, int fine, Row& row) { filler.fill(fine, row); });
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+  }
+  for (const Row& row : rows_) fronts_.add(row.fronts);
+  field_.front_ = fronts_.winding < 0 ? -1 : 1;
+  field_.regular_ = fronts_.one && !(fronts_.seen[0] && fronts_.seen[1]);
+  if (!field_.settings_.exact) return;
+  gather_triangles();
+  for_blocks(all, [](BlockFiller& filler, int fine, Row&) { filler.ask_triangles(fine); });
+}
+
+void FieldBuilder::gather_triangles() {
+  std::size_t all = 0;
+  for (const Row& row : rows_) all += row.triangles.size();
+  field_.cell_triangles_.reserve(all);
+  field_.first_triangle_.reserve(blocks_.size() * kCells + 1);
+  std::uint32_t first = 0;
+  field_.first_triangle_.push_back(first);
+  for (Row& row : rows_) {
+    for (const std::uint32_t count : row.counts) field_.first_triangle_.push_back(first += count);
+    field_.cell_triangles_.insert(field_.cell_triangles_.end(), row.triangles.begin(),
+                                  row.triangles.end());
+    row.triangles = {};
+  }
+}
+
+void FieldBuilder::write_pairs(std::span<const Node> nodes, int row, float step, NodePair* to) {
   for (std::size_t first = 0; first < nodes.size(); first += static_cast<std::size_t>(row)) {
     FieldNode near = rounded_node(nodes[first], 1 / step);
     for (std::size_t i = 1; i < static_cast<std::size_t>(row); ++i) {
       const FieldNode far = rounded_node(nodes[first + i], 1 / step);
-      field_.nodes_.emplace_back(near, far);
+      *to++ = NodePair(near, far);
       near = far;
     }
   }

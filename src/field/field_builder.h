@@ -1,12 +1,17 @@
 #pragma once
 
+#include "core/workers.h"
 #include "field/distance_field.h"
-#include "field/node_signs.h"
 #include "field/triangle_sieve.h"
 
 namespace contactscope {
 
 /// Fills a DistanceField in the order of the steps of build_distance_field().
+///
+/// Several threads do so together: planes of coarse nodes, and rows of blocks, are pieces of work (Workers).
+/// A block takes the nodes of its faces from blocks that are filled. Which ones those are does not
+/// depend on the threads: first come the rows of even y and z, then those of odd y, then of odd z, then of
+/// both, so that neighbouring rows are never filled at a time.
 class FieldBuilder {
  public:
   /// A surface without holes in the frame of the lattice; `watertight`: no hole had to be closed.
@@ -17,6 +22,8 @@ class FieldBuilder {
   DistanceField build();
 
  private:
+  friend class BlockFiller;
+
   static constexpr int kBlock = DistanceField::kBlock;
   static constexpr int kSide = DistanceField::kSide;
   static constexpr int kNodes = DistanceField::kNodes;
@@ -27,44 +34,42 @@ class FieldBuilder {
 
   /// Distance, then its gradient.
   using Node = lanes::Pack<float>;
-  /// A block while it is filled.
-  struct Block {
-    int fine;  // its number
-    Vec3d corner;
-    std::span<Node> nodes;  // without signs, until all are known
-    std::array<NodeSign, kNodes> signs{};
-    std::array<bool, kNodes> known{};
-    std::array<signed char, kNodes>
-        side{};  // 1: in front of the face that is nearest, -1: behind it
-    std::array<std::vector<int>, kCells> triangles;
+
+  /// Which sides the fronts of the surface are found on.
+  struct Fronts {
+    bool one = true;             // no point was found around which the surface goes in two ways
+    int winding = 0;             // around points inside; 0: none was asked yet
+    std::array<bool, 2> seen{};  // whether a front was found inside, outside
+
+    void add_winding(int number);
+    void add(const Fronts& other);
+  };
+  /// Blocks with fine nodes of one y and z, by number: those of `blocks_` from `first` on, before `end`.
+  struct Row {
+    int first = 0, end = 0;
+    Fronts fronts;
+    std::vector<std::uint32_t> counts;  // of the triangles of each cell
+    std::vector<int> triangles;
   };
 
+  int thread_count() const;
   void check_bytes(double fine_blocks) const;
   void fill_coarse();
   void sign_coarse();
   void choose_blocks();
+  std::optional<NearestPoint> middle_near_surface(int x, int y, int z) const;
   void lay_out();
-  void fill_block(Block& block);
-  void copy_known(Block& block);
-  void fill_by_core(Block& block);
-  void fill_by_triangles(Block& block);
-  void fill_nodes(Block& block, const std::array<int, 3>& group);
-  void compare_sides(const Block& block);
-  void find_triangles_of_part(Block& block, const std::array<int, 3>& first);
-  static bool may_have_surface(const Block& block, const std::array<int, 3>& cell);
-  void find_triangles(Block& block, const std::array<int, 3>& cell);
-  void ask_triangles();
-  bool is_smooth(const Vec3d& corner, std::span<const int> triangles);
-  bool blends_well(const Vec3d& corner);
+  void keep_layers();
+  void fill_blocks();
+  void gather_triangles();
 
   /// Nearest point of the surface: its distance, and the gradient as if the point were outside.
   Node unsigned_node(const Vec3d& point, const NearestPoint& nearest) const;
   Node unsigned_node_of_core(const Vec3d& point) const;
-  bool is_inside(const Vec3d& point);
+  bool is_inside(const Vec3d& point, Fronts& fronts) const;
 
-  /// Appends pairs of the nodes of each row, rounded. A row has `row` nodes.
-  void add_pairs(std::span<const Node> nodes, int row, float step);
-  static constexpr int node_in_block(int i, int j, int k) { return (k * kSide + j) * kSide + i; }
+  /// Writes pairs of the nodes of each row, rounded. A row has `row` nodes.
+  static void write_pairs(std::span<const Node> nodes, int row, float step, NodePair* to);
   int block_number(int x, int y, int z) const {
     return (z * field_.blocks_[1] + y) * field_.blocks_[0] + x;
   }
@@ -82,16 +87,16 @@ class FieldBuilder {
 
   DistanceField field_;
   std::optional<TriangleSieve> sieve_;  // none of a core
-  std::vector<Node> coarse_, fine_;     // not rounded; fine ones of the last blocks only
-  int kept_blocks_ = 0;                 // so many
-  std::vector<int> coarse_triangles_;   // the nearest one of each coarse node
-  std::vector<int> fine_of_block_;      // -1: none
-  std::vector<int> blocks_;             // that have fine nodes, by number
-  std::vector<NearestPoint> middles_;   // nearest to the middles of those blocks
-  TriangleSieve::List of_block_, of_part_, of_cell_;
-  bool one_front_ = true;         // no point was found around which the surface goes in two ways
-  int winding_ = 0;               // around points inside; 0: none was asked yet
-  std::array<bool, 2> fronts_{};  // whether a front was found inside, outside
+  std::optional<Workers> workers_;
+  std::vector<Node> coarse_, fine_;    // not rounded; fine ones of the last blocks only
+  int kept_blocks_ = 0;                // so many
+  std::vector<int> coarse_triangles_;  // the nearest one of each coarse node
+  std::vector<int> fine_of_block_;     // -1: none
+  std::vector<int> blocks_;            // that have fine nodes, by number
+  std::vector<NearestPoint> middles_;  // nearest to the middles of those blocks
+  std::vector<char> filled_;           // whether those blocks are
+  std::vector<Row> rows_;              // y first
+  Fronts fronts_;
 };
 
 }  // namespace contactscope

@@ -41,34 +41,6 @@ NearestPoint NearestTriangles::nearest(const Vec3d& point, std::span<const int> 
   return best;
 }
 
-void NearestTriangles::around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
-                              std::vector<int>& found) const {
-  const AabbTree<double>& tree = mesh_->tree;
-  const Floats at_middle = pack_of_point(middle), at_nearest = pack_of_point(nearest.point);
-  const double diagonal = 2 * 1.7320508075688774 * half_side;
-  const double by_distance = std::sqrt(nearest.squared) + diagonal;
-  const auto most = static_cast<float>(by_distance * by_distance * (1 + kRoughness));
-  const auto base = static_cast<float>(nearest.squared * (1 + kRoughness));
-  const auto rise = static_cast<float>(2 * half_side * (1 + kRoughness));
-  const auto can_be = [&](const RoughBox& box) {
-    const Floats below = box.lower - at_nearest, above = box.upper - at_nearest;
-    const Floats sides = lanes::larger(lanes::larger(below, -below), lanes::larger(above, -above));
-    const float farthest = (sides[0] + sides[1]) + sides[2];
-    return box.squared_distance(at_middle) <= std::min(most, base + rise * farthest);
-  };
-  const int node_count = count_of(tree.nodes);
-  int i = 0;
-  while (i < node_count) {
-    const AabbTree<double>::Node& node = at(tree.nodes, i);
-    const bool hit = can_be(at(node_boxes_, i));
-    if (hit && node.leaf()) {
-      for (int k = node.next; k < node.next + node.count; ++k)
-        if (can_be(at(triangle_boxes_, k))) found.push_back(at(tree.triangles, k));
-    }
-    i = hit || node.leaf() ? i + 1 : node.next;
-  }
-}
-
 std::size_t NearestTriangles::bytes() const {
   return prisms_.size() * (sizeof(Prism) + sizeof(RoughBox) + sizeof(Aabb<double>) + sizeof(int)) +
          mesh_->tree.nodes.size() * (sizeof(AabbTree<double>::Node) + sizeof(RoughBox));

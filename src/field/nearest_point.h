@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <span>
@@ -50,10 +52,11 @@ class NearestTriangles {
     return best;
   }
 
-  /// Appends all triangles that can be nearest to a point of a cube, and some others, in the order of
-  /// the tree. `nearest`: of all to the middle. See TriangleSieve.
+  /// Calls visit(leaf, first, count) for all leaves of the tree with triangles that can be nearest to a
+  /// point of a cube, and some others. `nearest`: of all to the middle. See TriangleSieve.
+  template <class Visit>
   void around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
-              std::vector<int>& found) const;
+              const Visit& visit) const;
 
   /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
   double height_over(int triangle, const Vec3d& point) const {
@@ -116,6 +119,30 @@ class NearestTriangles {
   std::vector<Prism> prisms_;
   std::vector<RoughBox> node_boxes_, triangle_boxes_;  // in the order of the tree
 };
+
+template <class Visit>
+void NearestTriangles::around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                              const Visit& visit) const {
+  const AabbTree<double>& tree = mesh_->tree;
+  const Floats at_middle = pack_of_point(middle), at_nearest = pack_of_point(nearest.point);
+  const double diagonal = 2 * 1.7320508075688774 * half_side;
+  const double by_distance = std::sqrt(nearest.squared) + diagonal;
+  const auto most = static_cast<float>(by_distance * by_distance * (1 + kRoughness));
+  const auto base = static_cast<float>(nearest.squared * (1 + kRoughness));
+  const auto rise = static_cast<float>(2 * half_side * (1 + kRoughness));
+  const int node_count = count_of(tree.nodes);
+  int i = 0;
+  while (i < node_count) {
+    const AabbTree<double>::Node& node = at(tree.nodes, i);
+    const RoughBox& box = at(node_boxes_, i);
+    const Floats below = box.lower - at_nearest, above = box.upper - at_nearest;
+    const Floats sides = lanes::larger(lanes::larger(below, -below), lanes::larger(above, -above));
+    const float farthest = (sides[0] + sides[1]) + sides[2];
+    const bool hit = box.squared_distance(at_middle) <= std::min(most, base + rise * farthest);
+    if (hit && node.leaf()) visit(i, node.next, node.count);
+    i = hit || node.leaf() ? i + 1 : node.next;
+  }
+}
 
 template <class Visit>
 void NearestTriangles::search(const Vec3d& point, NearestPoint& best, const Visit& visit) const {

@@ -1,28 +1,24 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "field/field_builder.h"
+#include "field/block_filler.h"
 
 namespace contactscope {
 
-/// Marks the cells of the surface whose samples ask their triangles: those that are not smooth.
-void FieldBuilder::ask_triangles() {
-  if (field_.first_triangle_.empty()) return;
-  std::vector<NodePair*> marked;
-  for (int fine = 0; fine < count_of(blocks_); ++fine) {
-    const auto [x, y, z] = block_at(at(blocks_, fine));
-    for (int cell = 0; cell < kCells; ++cell) {
-      const std::uint32_t* range = &at(field_.first_triangle_, fine * kCells + cell);
-      if (range[0] == range[1]) continue;
-      const int i = cell % kBlock, j = cell / kBlock % kBlock, k = cell / (kBlock * kBlock);
-      const std::span<const int> triangles =
-          std::span(field_.cell_triangles_).subspan(range[0], range[1] - range[0]);
-      if (!is_smooth(kBlock * Vec3d(x, y, z) + Vec3d(i, j, k), triangles))
-        marked.push_back(&at(field_.nodes_, field_.coarse_count_ + fine * DistanceField::kPairs +
-                                                (k * kSide + j) * kBlock + i));
-    }
+void BlockFiller::ask_triangles(int fine) {
+  const auto [x, y, z] = shared_.block_at(at(shared_.blocks_, fine));
+  for (int cell = 0; cell < kCells; ++cell) {
+    const std::uint32_t* range = &at(field_.first_triangle_, fine * kCells + cell);
+    if (range[0] == range[1]) continue;
+    const int i = cell % kBlock, j = cell / kBlock % kBlock, k = cell / (kBlock * kBlock);
+    const std::span<const int> triangles =
+        std::span(field_.cell_triangles_).subspan(range[0], range[1] - range[0]);
+    if (!is_smooth(kBlock * Vec3d(x, y, z) + Vec3d(i, j, k), triangles))
+      asking_.push_back(&pairs_of(fine)[(k * kSide + j) * kBlock + i]);
   }
-  for (NodePair* pair : marked) pair->ask_triangles();
+  // Not before all are judged: the mark is in a gradient that cells beside this one have, too.
+  for (NodePair* pair : asking_) pair->ask_triangles();
+  asking_.clear();
 }
 
 /// Whether nothing thin can be in a cell, and its blend is good.
@@ -30,7 +26,7 @@ void FieldBuilder::ask_triangles() {
 /// If the normals of all triangles there are within less than 90 degrees of one direction, then each line
 /// along it crosses the surface in the cell from inside to outside only: so a line crosses it once at
 /// most, and no plate or gap can begin and end in the cell.
-bool FieldBuilder::is_smooth(const Vec3d& corner, std::span<const int> triangles) {
+bool BlockFiller::is_smooth(const Vec3d& corner, std::span<const int> triangles) {
   if (!(field_.settings_.smooth > 0)) return false;
   constexpr double kSameSide = 0.5;  // cosine of 60 degrees
   if (field_.core_) {
@@ -48,7 +44,7 @@ bool FieldBuilder::is_smooth(const Vec3d& corner, std::span<const int> triangles
 
 /// Compares the blend with the distance in the middle of a cell and in those of four of its eight parts, no
 /// two of which share a face.
-bool FieldBuilder::blends_well(const Vec3d& corner) {
+bool BlockFiller::blends_well(const Vec3d& corner) const {
   const auto is_good = [&](const Vec3d& point) {
     const double truth = field_.core_ ? field_.by_core(point).distance
                                       : field_.front_ * sieve_->rough_distance(of_cell_, point);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/at.h"
+#include "field/lean.h"
 
 namespace contactscope {
 namespace {
@@ -30,10 +31,11 @@ constexpr double kDiagonal = 1.7320508075688774;  // of a unit cube, rounded up
 }  // namespace
 
 TriangleSieve::TriangleSieve(const NearestTriangles& triangles, double size)
-    : triangles_(triangles), slack_(kRoughness * size) {
+    : triangles_(triangles), size_(size), slack_(kRoughness * size) {
   const Mesh<double>& mesh = triangles.mesh();
+  const std::vector<float> leans = largest_leans(mesh);
   flat_.reserve(mesh.triangles.size());
-  for (int t = 0; t < mesh.triangle_count(); ++t) flat_.push_back(flat(mesh, t));
+  for (int t = 0; t < mesh.triangle_count(); ++t) flat_.push_back(flat(mesh, t, at(leans, t)));
   first_of_leaf_.assign(mesh.tree.nodes.size(), -1);
   for (int i = 0; i < count_of(mesh.tree.nodes); ++i) {
     const auto& [box, next, count] = at(mesh.tree.nodes, i);
@@ -46,7 +48,7 @@ TriangleSieve::TriangleSieve(const NearestTriangles& triangles, double size)
   }
 }
 
-TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle) {
+TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle, float lean) const {
   int longest = 0;
   double length = 0;
   for (int k = 0; k < 3; ++k) {
@@ -79,6 +81,17 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle) 
   numbers[kThird + 2] = static_cast<float>(tip.norm());
   set(kMiddle, box.center());
   numbers[kExtent] = static_cast<float>(0.5 * box.extent().sum() * (1 + 0x1p-20));
+  // The normal of a sliver is as uncertain as its corners are rounded.
+  const double rounding = 0x1p-48 * size_ / tip.y();
+  numbers[kLean] = rounding < 1 ? static_cast<float>(lean + rounding) : kAnyLean;
+  const auto sum_of = [](const Vec3d& direction) {
+    return static_cast<float>(direction.lpNorm<1>() * (1 + 0x1p-20));
+  };
+  numbers[kInward] = sum_of(second_axis);
+  const Eigen::Vector2d second_way = second.normalized(), third_way = tip.normalized();
+  numbers[kInward + 1] = sum_of(second_way.x() * second_axis - second_way.y() * first_axis);
+  numbers[kInward + 2] = sum_of(third_way.y() * first_axis - third_way.x() * second_axis);
+  numbers[kNormal] = sum_of(normal);
   return numbers;
 }
 
@@ -131,7 +144,7 @@ void TriangleSieve::lay_out(std::span<const int> triangles, Four& laid_out) cons
   const Floats of_third = third_beyond * third_beyond + third * third;
   const Floats in_plane = lanes::smaller(of_first, lanes::smaller(of_second, of_third));
   const auto outside = (y < 0) | (second < 0) | (third < 0);
-  in_frame = {first_beyond, y, z};
+  in_frame = {first_beyond, y, z, {y, second, third}};
   const auto by_second = of_second == in_plane;
   const auto by_third = of_third == in_plane;
   in_frame.x =
@@ -182,17 +195,17 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   }
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
-  near_.resize(list.fours_.size());
+  list.near_.resize(list.fours_.size());
   std::size_t near_count = 0;
   for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    near_[near_count] = static_cast<int>(i);
+    list.near_[near_count] = static_cast<int>(i);
     near_count += lanes::bits<float>(list.squared_[i] <= most) != 0 ? 1 : 0;
   }
   NearestPoint best;
   for (std::size_t n = 0; n < near_count; ++n) {
-    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, near_[n]) <= most); bits != 0;
-         bits &= bits - 1) {
-      const int triangle = 4 * near_[n] + __builtin_ctz(bits);
+    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, list.near_[n]) <= most);
+         bits != 0; bits &= bits - 1) {
+      const int triangle = 4 * list.near_[n] + __builtin_ctz(bits);
       if (triangle >= count_of(list.triangles_)) break;
       triangles_.improve(at(list.triangles_, triangle), point, best);
     }
@@ -216,13 +229,8 @@ float TriangleSieve::rough_distance(const List& list, const Vec3d& point) const 
   return std::copysign(std::sqrt(least[lane]), height_of_least[lane]);
 }
 
-/// See the class: |x-q|_1 is no larger than at the farthest corner of the triangle's box; and with x*, the
-/// triangle's point that is nearest to c, and r = |x-x*|,
-///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
-/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h. No branch depends on
-/// whether a triangle is kept: nothing could foresee it.
-void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
-                           const NearestPoint& nearest, std::vector<int>& found) const {
+TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
+                                        const NearestPoint& nearest) const {
   // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: the rounding of a distance, as of a square.
   constexpr double kShare = 0x1p-8;
   const double by_distance = std::sqrt(nearest.squared) + 2 * kDiagonal * half_side;
@@ -230,39 +238,61 @@ void TriangleSieve::append(const List& from, const Vec3d& middle, double half_si
   const auto limit_of = [&](double squared) {
     return lanes::all(static_cast<float>((1 + kShare) * squared + slack));
   };
-  const Floats most = limit_of(by_distance * by_distance);
   const double squared = nearest.squared + 8 * half_side * slack_;
-  const Floats by_corner = limit_of(squared);
-  const Floats by_nearest = limit_of(squared + 3 * half_side * half_side);
-  const Floats rise = lanes::all(static_cast<float>((1 + kShare) * 2 * half_side));
-  const std::array<Floats, 3> at_nearest = in_all_lanes(nearest.point);
-  const std::array<Floats, 3> at_middle = in_all_lanes(middle);
-  near_.resize(from.fours_.size());
+  return {in_all_lanes(middle),
+          in_all_lanes(nearest.point),
+          limit_of(by_distance * by_distance),
+          limit_of(squared),
+          limit_of(squared + 3 * half_side * half_side),
+          lanes::all(static_cast<float>((1 + kShare) * 2 * half_side)),
+          lanes::all(static_cast<float>(half_side)),
+          lanes::all(static_cast<float>(2 * slack_))};
+}
+
+/// See the class: with x*, the triangle's point that is nearest to c, and r = |x-x*|,
+///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
+/// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h.
+[[gnu::always_inline]] inline std::uint32_t TriangleSieve::can_be_nearest(const Four& four,
+                                                                          const Cube& cube) {
+  InFrame offset;
+  const Floats own = squared_distance(four, cube.middle, offset);
+  Floats sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    sum += magnitude((cube.middle[axis] - cube.nearest[axis]) -
+                     (four[kAxes + axis] * offset.x + four[kAxes + 3 + axis] * offset.y +
+                      four[kAxes + 6 + axis] * offset.height));
+  auto can_be = own <= lanes::smaller(cube.most, cube.by_nearest + cube.rise * sum);
+  // The farthest that a point of the cube may be on the outer side of an edge.
+  const Floats out = cube.slack + four[kLean] * (magnitude(offset.height) +
+                                                 cube.half_side * four[kNormal] + cube.slack);
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    can_be &= offset.inner[edge] + cube.half_side * four[kInward + edge] >= -out;
+  return lanes::bits<float>(can_be);
+}
+
+/// |x-q|_1 is no larger than at the farthest corner of the triangle's box: that leaves out most. No branch
+/// depends on whether a triangle is kept: nothing could foresee it.
+void TriangleSieve::append(List& from, const Vec3d& middle, double half_side,
+                           const NearestPoint& nearest, std::vector<int>& found) const {
+  const Cube asked = cube(middle, half_side, nearest);
+  from.near_.resize(from.fours_.size());
   std::size_t near_count = 0;
   for (std::size_t i = 0; i < from.fours_.size(); ++i) {
     const Four& four = from.fours_[i];
     Floats sum = four[kExtent];
     for (std::size_t axis = 0; axis < 3; ++axis)
-      sum += magnitude(four[kMiddle + axis] - at_nearest[axis]);
-    const auto can_be = from.squared_[i] <= lanes::smaller(most, by_corner + rise * sum);
-    near_[near_count] = static_cast<int>(i);
+      sum += magnitude(four[kMiddle + axis] - asked.nearest[axis]);
+    const auto can_be =
+        from.squared_[i] <= lanes::smaller(asked.most, asked.by_corner + asked.rise * sum);
+    from.near_[near_count] = static_cast<int>(i);
     near_count += lanes::bits<float>(can_be) != 0 ? 1 : 0;
   }
   std::size_t count = found.size();
   found.resize(count + 4 * near_count);
   for (std::size_t n = 0; n < near_count; ++n) {
-    const Four& four = at(from.fours_, near_[n]);
-    InFrame offset;
-    const Floats own = squared_distance(four, at_middle, offset);
-    Floats sum{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum += magnitude((at_middle[axis] - at_nearest[axis]) -
-                       (four[kAxes + axis] * offset.x + four[kAxes + 3 + axis] * offset.y +
-                        four[kAxes + 6 + axis] * offset.height));
-    const std::uint32_t kept =
-        lanes::bits<float>(own <= lanes::smaller(most, by_nearest + rise * sum));
+    const std::uint32_t kept = can_be_nearest(at(from.fours_, from.near_[n]), asked);
     for (int lane = 0; lane < 4; ++lane) {
-      const int triangle = 4 * near_[n] + lane;
+      const int triangle = 4 * from.near_[n] + lane;
       found[count] = at(from.triangles_, std::min(triangle, count_of(from.triangles_) - 1));
       count += (kept >> lane & 1U) != 0 && triangle < count_of(from.triangles_) ? 1 : 0;
     }
@@ -278,11 +308,20 @@ void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
 void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
                                 List& list) const {
   list.triangles_.clear();
-  triangles_.around(middle, half_side, nearest, list.triangles_);
+  const Cube asked = cube(middle, half_side, nearest);
+  const std::vector<int>& in_order = triangles_.mesh().tree.triangles;
+  triangles_.around(middle, half_side, nearest, [&](int leaf, int first, int count) {
+    for (int k = 0; k < count; k += 4) {
+      const std::uint32_t kept =
+          can_be_nearest(at(leaves_, at(first_of_leaf_, leaf) + k / 4), asked);
+      for (int lane = 0; lane < std::min(4, count - k); ++lane)
+        if ((kept >> lane & 1U) != 0) list.triangles_.push_back(at(in_order, first + k + lane));
+    }
+  });
   lay_out(list);
 }
 
-void TriangleSieve::fill_within(const List& from, const Vec3d& middle, double half_side,
+void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_side,
                                 const NearestPoint& nearest, List& list) const {
   list.triangles_.clear();
   append(from, middle, half_side, nearest, list.triangles_);

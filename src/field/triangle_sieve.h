@@ -21,11 +21,13 @@ namespace contactscope {
 ///     |c-x|^2  <=  |c-q|^2 + 2 h |x-q|_1        h: half the side of the cube; |.|_1: sum of the axes
 ///
 /// holds for each such x. On a flat surface that leaves a disc about q whose radius is some three h,
-/// however far from the surface the cube is.
+/// however far from the surface the cube is. And x is where the way from p to it leans little from the
+/// triangle's normal (lean.h): the cube must meet the prism over the triangle, its sides tilted outward
+/// so much. That leaves little more than the shadow of the cube.
 class TriangleSieve {
   using Floats = lanes::Pack<float>;
   /// The numbers of four triangles side by side (Number).
-  using Four = std::array<Floats, 24>;
+  using Four = std::array<Floats, 28>;
 
  public:
   /// `size`: the largest coordinate, of points and of triangles. Keeps a reference to `triangles`.
@@ -41,6 +43,7 @@ class TriangleSieve {
     std::vector<int> triangles_;
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
+    std::vector<int> near_;        // fours that may count; a member so that it keeps its memory
   };
 
   // Lists are filled, and not returned, so that they keep their memory. What is asked about a cube needs
@@ -51,10 +54,10 @@ class TriangleSieve {
   void fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
                    List& list) const;
   /// The same among those of a list.
-  void fill_within(const List& from, const Vec3d& middle, double half_side,
-                   const NearestPoint& nearest, List& list) const;
+  void fill_within(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+                   List& list) const;
   /// The same, appended to `found`.
-  void append(const List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+  void append(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
               std::vector<int>& found) const;
 
   /// The nearest of all triangles. `seed`: tried first, a triangle near by makes the search short.
@@ -78,27 +81,40 @@ class TriangleSieve {
     kThird = 16,   // direction from the origin to the third corner, and its length
     kMiddle = 19,  // of its box
     kExtent = 22,  // half the sum of the sides of its box, rounded up
-    kNumbers = 24
+    kLean = 23,    // lean.h
+    kInward = 24,  // of each edge, in the order above: |.|_1 of the direction inward
+    kNormal = 27,  // the same of the normal
+    kNumbers = 28
   };
   using Flat = std::array<float, kNumbers>;
 
-  static Flat flat(const Mesh<double>& mesh, int triangle);
+  Flat flat(const Mesh<double>& mesh, int triangle, float lean) const;
   void lay_out(List& list) const;
   /// Four triangles of this many; the last one fills up the others.
   void lay_out(std::span<const int> triangles, Four& four) const;
-  /// From the nearest point of each triangle to a point, in the triangles' frames.
+  /// From the nearest point of each triangle to a point, in the triangles' frames; and how far the point
+  /// is on the inner side of each edge.
   struct InFrame {
     Floats x, y, height;
+    std::array<Floats, 3> inner;
   };
+  /// A cube as triangles are asked about it.
+  struct Cube {
+    std::array<Floats, 3> middle, nearest;  // points, the latter on the surface
+    Floats most, by_corner, by_nearest, rise;
+    Floats half_side, slack;
+  };
+  Cube cube(const Vec3d& middle, double half_side, const NearestPoint& nearest) const;
+  /// A bit for each that can be nearest to a point of the cube.
+  static std::uint32_t can_be_nearest(const Four& four, const Cube& cube);
   static Floats squared_distance(const Four& four, const std::array<Floats, 3>& point,
                                  InFrame& offset);
 
   const NearestTriangles& triangles_;
-  double slack_;  // of a distance
+  double size_, slack_;  // the latter of a distance
   std::vector<Flat> flat_;
   std::vector<Four> leaves_;        // the triangles of each leaf of the mesh's tree, four by four
   std::vector<int> first_of_leaf_;  // of `leaves_`; by number of the tree's node
-  mutable std::vector<int> near_;   // fours that may count; a member so that it keeps its memory
 };
 
 }  // namespace contactscope

@@ -42,7 +42,8 @@ struct FieldMethod {
   double smooth = 0;
 
   FieldSettings settings() const {
-    return {.interpolation = interpolation, .exact = exact, .smooth = smooth};
+    // Times are of one thread.
+    return {.interpolation = interpolation, .exact = exact, .smooth = smooth, .threads = 1};
   }
 };
 constexpr FieldMethod kFieldMethods[] = {

@@ -112,7 +112,7 @@ TEST(TriangleSieve, LeavesADiscOfAFlatSurface) {
     const NearestPoint nearest = sieve.nearest(of_cube, middle);
     sieve.fill_within(of_cube, middle, 0.5, nearest, of_cell);
     EXPECT_GE(of_cell.triangles().size(), 2U);
-    EXPECT_LE(of_cell.triangles().size(), 40U) << height;
+    EXPECT_LE(of_cell.triangles().size(), 20U) << height;
   }
 }
 

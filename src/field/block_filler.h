@@ -1,0 +1,58 @@
+#pragma once
+
+#include "field/field_builder.h"
+#include "field/node_signs.h"
+
+namespace contactscope {
+
+/// Fills blocks of a field, one after the other. Each thread has its own.
+class BlockFiller {
+ public:
+  explicit BlockFiller(FieldBuilder& shared)
+      : shared_(shared), field_(shared.field_), sieve_(shared.sieve_ ? &*shared.sieve_ : nullptr) {}
+
+  /// The nodes of a block, and the triangles of its cells, which are appended to its row.
+  void fill(int fine, FieldBuilder::Row& row);
+  /// Marks the cells of the surface whose samples ask their triangles: those that are not smooth.
+  void ask_triangles(int fine);
+
+ private:
+  using Node = FieldBuilder::Node;
+  static constexpr int kBlock = DistanceField::kBlock;
+  static constexpr int kSide = DistanceField::kSide;
+  static constexpr int kNodes = DistanceField::kNodes;
+  static constexpr int kCells = DistanceField::kCells;
+  static constexpr double kHalfCell = FieldBuilder::kHalfCell;
+
+  void copy_known(int fine);
+  void fill_by_core();
+  void fill_by_triangles(const NearestPoint& nearest_to_middle);
+  void fill_nodes(const std::array<int, 3>& group);
+  void compare_sides(FieldBuilder::Fronts& fronts) const;
+  void find_triangles_of_part(const std::array<int, 3>& first);
+  bool may_have_surface(const std::array<int, 3>& cell) const;
+  void find_triangles(const std::array<int, 3>& cell);
+  bool is_smooth(const Vec3d& corner, std::span<const int> triangles);
+  bool blends_well(const Vec3d& corner) const;
+
+  NodePair* pairs_of(int fine) const {
+    return &at(field_.nodes_, field_.coarse_count_ + fine * DistanceField::kPairs);
+  }
+  static constexpr int node_in_block(int i, int j, int k) { return (k * kSide + j) * kSide + i; }
+
+  FieldBuilder& shared_;
+  DistanceField& field_;
+  const TriangleSieve* sieve_;  // none of a core
+  TriangleSieve::List of_block_, of_part_, of_cell_;
+  // Of the block that is filled or judged:
+  std::vector<NodePair*> asking_;
+  Vec3d corner_ = Vec3d::Zero();
+  std::span<Node> nodes_;  // without signs, until all are known
+  std::array<NodeSign, kNodes> signs_{};
+  std::array<bool, kNodes> known_{};
+  std::array<signed char, kNodes>
+      side_{};  // 1: in front of the face that is nearest, -1: behind it
+  std::array<std::vector<int>, kCells> triangles_;
+};
+
+}  // namespace contactscope
