@@ -44,6 +44,9 @@ bool is_trace_file(const std::string& path);
 /// unit vector, an index beyond a shape's faces.
 trace::Trace load_trace(const std::string& path);
 
+/// The same of text that was read already. `name`: of where it is from, in messages.
+trace::Trace parse_trace(const std::string& text, const std::string& name);
+
 /// The views that --view leaves.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 

@@ -150,6 +150,12 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.jobs, "Encoder threads; 0: one a processor")->check(CLI::Range(0, 256));
   if (name == "--scenarios")
     return value_with_default(to.scenario_root, "Folder where scenario names are looked up");
+  if (name == "--engines")
+    return value(to.engines, "Engines, as contactscope,bullet; default: all that are found")
+        ->delimiter(',');
+  if (name == "--time-limit")
+    return value_with_default(to.time_limit, "Seconds that an engine's program may take")
+        ->check(CLI::Range(0.01, 1e6));
   if (name == "--quiet") return flag(to.quiet, "Print results and errors only");
   if (name == "--verbose")
     return flag(to.verbose, "Say what ran, how long it took, and what was left out");

@@ -275,8 +275,10 @@ bool is_trace_file(const std::string& path) {
 }
 
 trace::Trace load_trace(const std::string& path) {
-  const std::string text = text_of(path);
-  const std::string name = path == kStandardInput ? "standard input" : path;
+  return parse_trace(text_of(path), path == kStandardInput ? "standard input" : path);
+}
+
+trace::Trace parse_trace(const std::string& text, const std::string& name) {
   std::istringstream in(text);
   trace::Trace trace = trace::read_trace(in, name);
   std::size_t line = 0;  // of those that are not blank

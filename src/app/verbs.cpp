@@ -11,11 +11,12 @@ namespace contactscope::app {
 
 // Each is in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
-    list_verb(), lint_verb();
+    list_verb(), lint_verb(), versus_verb();
 
 const std::vector<Verb>& verbs() {
-  static const std::vector<Verb> all = {render_verb(), trace_verb(), check_verb(),  explore_verb(),
-                                        study_verb(),  lint_verb(),  doctor_verb(), list_verb()};
+  static const std::vector<Verb> all = {render_verb(),  trace_verb(),  check_verb(),
+                                        explore_verb(), study_verb(),  lint_verb(),
+                                        versus_verb(),  doctor_verb(), list_verb()};
   return all;
 }
 

@@ -53,6 +53,8 @@ struct Options {
   std::optional<FrameRange> frames;
   std::string view;
   std::string reducer;
+  std::vector<std::string> engines;          // of `versus`; none: all that are found
+  double time_limit = 60;                    // seconds, of an engine's program
   std::optional<std::vector<Layer>> layers;  // of every view, instead of its own
   std::optional<std::vector<Panel>> panels;
   std::string what;  // of `list`

@@ -1,0 +1,319 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/lint.h"
+#include "app/progress.h"
+#include "app/studio.h"
+#include "app/table.h"
+#include "core/input_error.h"
+#include "draw/insets/contact_cells.h"
+#include "draw/scene/quantity.h"
+#include "scenario/run.h"
+#include "snapshot/store.h"
+#include "versus/comparison.h"
+#include "versus/engine.h"
+#include "versus/own.h"
+#include "versus/reference.h"
+#include "versus/request.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+using versus::Contender;
+using versus::Score;
+
+constexpr const char* kOwn = "contactscope";
+
+/// Where the engines' programs are that were built with this one.
+std::vector<std::string> engine_folders() {
+  std::error_code unknown;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
+  if (unknown) return {};
+  return {(self.parent_path() / "engines").string(), self.parent_path().string()};
+}
+
+/// What is asked, and what stands beforehand.
+struct Match {
+  std::string name;  // "group/idea"
+  std::string title, source;
+  trace::Trace request;
+  std::vector<Contender> contenders{};
+};
+
+trace::Trace run_whole(const Input& input) {
+  trace::Trace whole;
+  Runner runner(input.scenario, trace::Stages::none());
+  whole.header = runner.header();
+  for (const int frame : input.frames) {
+    trace::Frame& facts = whole.frames.emplace_back(runner.frame(frame));
+    // A pair may be there several times, with different settings: the first one takes part.
+    std::set<std::pair<std::string, std::string>> seen;
+    std::erase_if(facts.pairs, [&](const trace::Pair& pair) {
+      return pair.query || !seen.emplace(pair.a, pair.b).second;
+    });
+  }
+  return whole;
+}
+
+/// The trace's own contacts, or this program's for a scenario, are the first contender where they are asked.
+Match match_of(Input input, const std::vector<std::string>& engines) {
+  const bool wants_own = std::ranges::count(engines, kOwn) > 0;
+  trace::Trace whole = input.trace ? std::move(*input.trace) : run_whole(input);
+  std::erase_if(whole.frames, [&](const trace::Frame& frame) {
+    return std::ranges::count(input.frames, frame.frame) == 0;
+  });
+  Match match{input.scenario.name, whole.header.title, whole.header.source,
+              versus::request_of(whole)};
+  const bool is_own = whole.header.engine.empty();
+  if (input.trace && !is_own) {
+    const std::string name = whole.header.engine + ", as recorded";
+    match.contenders.push_back({name, whole.header.engine, whole.header.version, "", whole});
+  }
+  if (wants_own) {
+    trace::Trace own = is_own ? std::move(whole) : versus::own_contacts(match.request);
+    match.contenders.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", std::move(own)});
+  }
+  return match;
+}
+
+Contender ask(const std::string& name, const std::string& program, const Match& match,
+              double limit) {
+  Contender contender{name, "", "", "", {}};
+  versus::Answer answer =
+      versus::run_program(program, {"contacts"}, versus::to_text(match.request), limit);
+  contender.seconds = answer.seconds;
+  contender.failure = answer.failure;
+  try {
+    // Of a program that died, the frames that it got to.
+    if (!answer.failure.empty() && !answer.out.empty())
+      answer.out.erase(answer.out.find_last_of('\n') + 1);
+    if (answer.failure.empty() || !answer.out.empty())
+      contender.trace = parse_trace(answer.out, name + "'s answer");
+    contender.engine = contender.trace.header.engine;
+    contender.version = contender.trace.header.version;
+  } catch (const InputError& error) {
+    if (contender.failure.empty()) contender.failure = error.what();
+  }
+  // What it says of the shapes is not what it was asked about.
+  contender.trace.header.shapes = match.request.header.shapes;
+  const std::size_t asked = match.request.frames.size(), told = contender.trace.frames.size();
+  if (contender.failure.empty() && told < asked)
+    contender.failure =
+        "it answered " + std::to_string(told) + " of " + std::to_string(asked) + " frames";
+  return contender;
+}
+
+std::string millimetres(double length) {
+  return spelled("%.3g", 1000 * length);
+}
+
+Table table_of(const std::vector<Score>& scores) {
+  Table table = {{"engine", "pairs", "missed", "invented", "depth error mm", "worst",
+                  "normal costs mm", "points", "area %", "ids kept %", "lint"}};
+  for (const Score& score : scores) {
+    const bool touched = score.touching > 0;
+    std::string causes;
+    for (const lint::Finding& finding : score.findings)
+      causes += (causes.empty() ? "" : ",") + finding.cause;
+    table.push_back({score.name, std::to_string(score.pairs), std::to_string(score.missed),
+                     std::to_string(score.invented),
+                     touched ? millimetres(score.mean_depth_error) : "-",
+                     touched ? millimetres(score.worst_depth_error) : "-",
+                     touched ? millimetres(score.worst_normal) : "-",
+                     touched ? spelled("%.1f", score.points) : "-",
+                     score.patches > 0 ? spelled("%.0f", 100 * score.area) : "-",
+                     score.id_frames > 0 ? spelled("%.0f", 100 * score.ids_kept) : "-",
+                     causes.empty() ? "-" : causes});
+  }
+  return table;
+}
+
+nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
+  nlohmann::ordered_json json{{"name", score.name}};
+  if (!contender.engine.empty()) json["engine"] = contender.engine;
+  if (!contender.version.empty()) json["version"] = contender.version;
+  if (!score.failure.empty()) json["failure"] = score.failure;
+  json["pairs"] = score.pairs;
+  json["missed"] = score.missed;
+  json["invented"] = score.invented;
+  json["touching"] = score.touching;
+  if (score.touching > 0) {
+    json["depth_error"] = {{"mean", score.mean_depth_error}, {"worst", score.worst_depth_error}};
+    json["normal_costs"] = score.worst_normal;
+    json["points"] = score.points;
+  }
+  if (score.patches > 0) json["area_ratio"] = score.area;
+  if (score.id_frames > 0) json["ids_kept"] = score.ids_kept;
+  json["findings"] = nlohmann::ordered_json::array();
+  for (const lint::Finding& finding : score.findings) json["findings"].push_back(to_json(finding));
+  return json;
+}
+
+/// What the table has no room for: why an engine did not answer, where it was off most, what lint says.
+void print_notes(const std::vector<Score>& scores, std::ostream& out) {
+  for (const Score& score : scores) {
+    if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
+    for (const lint::Finding& finding : score.findings) out << told(score.name, finding) << '\n';
+  }
+}
+
+using Names = std::pair<std::string, std::string>;
+
+/// Pairs of which any contender has contacts, in their order.
+std::vector<Names> touching_pairs(const Match& match) {
+  std::vector<Names> pairs;
+  for (const Contender& contender : match.contenders)
+    for (const trace::Frame& frame : contender.trace.frames)
+      for (const trace::Pair& pair : frame.pairs) {
+        const bool known = std::ranges::any_of(pairs, [&](const Names& names) {
+          return names == Names{pair.a, pair.b} || names == Names{pair.b, pair.a};
+        });
+        if (!known && !pair.manifolds.empty()) pairs.emplace_back(pair.a, pair.b);
+      }
+  return pairs;
+}
+
+draw::ContactCell cell_of(const Contender& contender, const trace::Frame* frame,
+                          const Names& names) {
+  draw::ContactCell cell;
+  cell.name = contender.name;
+  const std::optional<trace::Pair> pair =
+      frame == nullptr ? std::nullopt : versus::pair_of(*frame, names.first, names.second);
+  if (!pair || pair->manifolds.empty()) {
+    if (frame == nullptr) cell.rows.push_back({"no answer", "", "no answer", true});
+    return cell;
+  }
+  cell.normal = pair->manifolds.front().normal;
+  double deepest = pair->manifolds.front().points.front().separation;
+  for (const trace::Manifold& manifold : pair->manifolds)
+    for (const trace::Point& point : manifold.points) {
+      cell.kept.push_back(count_of(cell.points));
+      cell.points.push_back(point);
+      deepest = std::min(deepest, point.separation);
+    }
+  const std::string points =
+      std::to_string(cell.points.size()) + (cell.points.size() == 1 ? " point" : " points");
+  cell.rows.push_back({points, "", points});
+  const std::string depth = draw::spell_length(deepest);
+  cell.rows.push_back({"deepest " + depth, "", depth});
+  return cell;
+}
+
+void write_pictures(const Match& match, const Options& options, Studio& studio) {
+  const std::vector<Names> pairs = touching_pairs(match);
+  const Size size = options.size.value_or(roomy_size(match.contenders.size()));
+  EncoderPool encoders(options.jobs);
+  int pictures = 0;
+  const fs::path root = fs::path(options.out) / "versus" / match.name;
+  for (const Names& names : pairs) {
+    std::vector<draw::ContactMoment> moments;
+    for (const trace::Frame& asked : match.request.frames) {
+      draw::ContactMoment& moment = moments.emplace_back();
+      moment.frame = asked.frame;
+      moment.caption =
+          names.first + " and " + names.second + ", frame " + std::to_string(asked.frame);
+      for (const Contender& contender : match.contenders) {
+        const auto& frames = contender.trace.frames;
+        const auto frame = std::ranges::find(frames, asked.frame, &trace::Frame::frame);
+        moment.cells.push_back(
+            cell_of(contender, frame == frames.end() ? nullptr : &*frame, names));
+      }
+    }
+    const draw::ContactCells cells(match.title, match.source, match.request.header.up, moments, 0,
+                                   size.width, size.height);
+    const fs::path folder = pairs.size() > 1 ? root / (names.first + "-" + names.second) : root;
+    fs::create_directories(folder);
+    for (const trace::Frame& asked : match.request.frames) {
+      const std::string name = snapshot::frame_stem(asked.frame) + ".png";
+      encoders.submit((folder / name).string(), studio.paint(cells.frame(asked.frame)));
+      ++pictures;
+    }
+  }
+  encoders.finish();
+  if (!options.quiet)
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << root.string()
+              << '\n';
+}
+
+std::map<std::string, std::string> programs_of(const std::vector<std::string>& engines) {
+  std::map<std::string, std::string> programs;
+  for (const std::string& name : engines) {
+    if (name == kOwn) continue;
+    const std::optional<std::string> program = versus::find_engine(name, engine_folders());
+    if (!program) {
+      std::vector<std::string> known = versus::engines_found(engine_folders());
+      known.insert(known.begin(), kOwn);
+      const std::vector<std::string_view> views(known.begin(), known.end());
+      throw UsageError("--engines '" + name + "': there is no program contactscope-engine-" + name +
+                       " beside contactscope or in $PATH; found are " + quoted_list(views));
+    }
+    programs[name] = *program;
+  }
+  return programs;
+}
+
+ExitCode run_versus(const Options& options) {
+  note_interrupts();
+  std::vector<std::string> engines = options.engines;
+  if (engines.empty()) {
+    engines = versus::engines_found(engine_folders());
+    engines.insert(engines.begin(), kOwn);
+  }
+  const std::map<std::string, std::string> programs = programs_of(engines);
+  Ledger ledger;
+  std::optional<Studio> studio;
+  if (!options.tables_only) studio.emplace(options.backend, ledger);
+  nlohmann::ordered_json json{{"schema", "contactscope.versus/1"},
+                              {"matches", nlohmann::ordered_json::array()}};
+  bool all_right = true;
+  for (Input& input : load_inputs(options)) {
+    Match match = match_of(std::move(input), engines);
+    for (const std::string& name : engines)
+      if (programs.contains(name))
+        match.contenders.push_back(ask(name, programs.at(name), match, options.time_limit));
+    std::vector<Score> scores;
+    nlohmann::ordered_json one{{"scenario", match.name},
+                               {"engines", nlohmann::ordered_json::array()}};
+    for (const Contender& contender : match.contenders) {
+      const Score score = versus::judge(match.request, contender);
+      one["engines"].push_back(json_of(score, contender));
+      all_right = all_right && score.failure.empty() && score.missed == 0 && score.invented == 0 &&
+                  score.findings.empty();
+      scores.push_back(score);
+    }
+    json["matches"].push_back(one);
+    if (!options.json) {
+      std::cout << match.name << '\n';
+      print(table_of(scores), std::cout);
+      print_notes(scores, std::cout);
+    }
+    if (studio) write_pictures(match, options, *studio);
+  }
+  if (options.json) std::cout << json.dump() << '\n';
+  return all_right ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace
+
+Verb versus_verb() {
+  return {
+      "versus",
+      "Ask several engines for the contacts of the same shapes, and judge them",
+      &run_versus,
+      "SCENARIO... --engines --time-limit --size --table --json --frames --out --backend --jobs",
+      {{"SCENARIO", "Files, folders or names; or traces, whose own contacts take part"},
+       {"--json", "Print what was found as JSON"}},
+      R"(pairs: judged, each in each frame. missed: they overlap, and no contact is told; invented: they are
+apart, and an overlap is told. depth error: of the deepest point, from the least overlap of the shapes.
+normal costs: how much more overlap there is along the engine's normal than along the best. area: of
+the patch that all points would span. ids kept: from the frame before. lint: what `contactscope lint`
+says of the engine's answer.
+An engine is any program contactscope-engine-NAME, see src/versus/README.md. Exit code 1 where one is
+wrong or does not answer.)"};
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,166 @@
+#include "versus/comparison.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "core/at.h"
+#include "versus/reference.h"
+
+namespace contactscope::versus {
+namespace {
+
+const trace::Frame* frame_of(const trace::Trace& trace, int number) {
+  const auto found = std::ranges::find(trace.frames, number, &trace::Frame::frame);
+  return found == trace.frames.end() ? nullptr : &*found;
+}
+
+const trace::Point* deepest_of(const trace::Pair& pair) {
+  const trace::Point* deepest = nullptr;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points)
+      if (deepest == nullptr || point.separation < deepest->separation) deepest = &point;
+  return deepest;
+}
+
+std::set<std::string> ids_of(const trace::Pair& pair) {
+  std::set<std::string> ids;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points)
+      if (!point.id.empty())
+        ids.insert(std::to_string(manifold.triangle.value_or(-1)) + " " + point.id);
+  return ids;
+}
+
+/// Sums, of which a score has the means.
+class Scorer {
+ public:
+  Scorer(const trace::Trace& request, const Contender& contender)
+      : request_(request), contender_(contender) {
+    score_.name = contender.name;
+    score_.failure = contender.failure;
+    for (const trace::Shape& shape : request.header.shapes) solids_.add(shape);
+  }
+
+  Score score() {
+    for (const trace::Frame& asked : request_.frames) {
+      for (const trace::Shape& shape : asked.shapes) solids_.add(shape);
+      const trace::Frame* const told = frame_of(contender_.trace, asked.frame);
+      if (told == nullptr) continue;
+      solids_.deform(asked.deformed);
+      for (const Truth& truth : truths_of(solids_, asked)) judge_pair(asked, *told, truth);
+    }
+    finish();
+    return score_;
+  }
+
+ private:
+  void judge_pair(const trace::Frame& asked, const trace::Frame& told, const Truth& truth) {
+    const std::optional<trace::Pair> pair = pair_of(told, truth.a, truth.b);
+    if (!truth.separation) return;
+    ++score_.pairs;
+    const trace::Point* const deepest = pair ? deepest_of(*pair) : nullptr;
+    if (deepest == nullptr) {
+      score_.missed += truth.touches();
+      return;
+    }
+    if (truth.is_apart()) {
+      score_.invented += deepest->separation < -truth.tolerance;
+      return;
+    }
+    if (!truth.touches()) return;
+    ++score_.touching;
+    const double error = std::abs(deepest->separation - *truth.separation);
+    score_.mean_depth_error += error;
+    if (!(error <= score_.worst_depth_error)) {
+      score_.worst_depth_error = error;
+      score_.worst_place = "frame " + std::to_string(asked.frame) + ", " + truth.a + "-" + truth.b;
+    }
+    for (const trace::Manifold& manifold : pair->manifolds)
+      score_.points += static_cast<double>(manifold.points.size());
+    judge_normal(asked, *pair, truth);
+    if (truth.area > 0) {
+      ++score_.patches;
+      double area = 0;  // engines may tell a patch in several manifolds
+      trace::Manifold all = pair->manifolds.front();
+      all.points.clear();
+      for (const trace::Manifold& manifold : pair->manifolds)
+        all.points.insert(all.points.end(), manifold.points.begin(), manifold.points.end());
+      area = area_of(all);
+      score_.area += area / truth.area;
+    }
+    judge_ids(asked, *pair);
+  }
+
+  void judge_normal(const trace::Frame& asked, const trace::Pair& pair, const Truth& truth) {
+    const auto a = lint::place(solids_, &asked, pair.a, {});
+    const auto b = lint::place(solids_, &asked, pair.b, {});
+    const auto has_end = [](const lint::Placed& placed) {
+      return placed.solid->is_convex() || placed.solid->is_plane();
+    };
+    if (!has_end(*a) || !has_end(*b)) return;
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      const double along = separation_along(*a, *b, manifold.normal.normalized());
+      // Of a plane no other direction than its normal has an end.
+      if (std::isfinite(along))
+        score_.worst_normal = std::max(score_.worst_normal, *truth.separation - along);
+    }
+  }
+
+  void judge_ids(const trace::Frame& asked, const trace::Pair& pair) {
+    const std::set<std::string> ids = ids_of(pair);
+    auto& [frame, before] = last_ids_[{pair.a, pair.b}];
+    if (!ids.empty() && !before.empty() && frame + 1 == asked.frame) {
+      std::size_t kept = 0;
+      for (const std::string& id : ids) kept += before.count(id);
+      score_.ids_kept += static_cast<double>(kept) / static_cast<double>(ids.size());
+      ++score_.id_frames;
+    }
+    frame = asked.frame;
+    before = ids;
+  }
+
+  void finish() {
+    const auto mean = [](double& sum, int count) {
+      if (count > 0) sum /= count;
+    };
+    mean(score_.mean_depth_error, score_.touching);
+    mean(score_.points, score_.touching);
+    mean(score_.area, score_.patches);
+    mean(score_.ids_kept, score_.id_frames);
+    if (!contender_.trace.frames.empty()) score_.findings = lint::lint(contender_.trace);
+  }
+
+  const trace::Trace& request_;
+  const Contender& contender_;
+  lint::Solids solids_;
+  std::map<std::pair<std::string, std::string>, std::pair<int, std::set<std::string>>> last_ids_;
+  Score score_;
+};
+
+}  // namespace
+
+std::optional<trace::Pair> pair_of(const trace::Frame& frame, const std::string& a,
+                                   const std::string& b) {
+  std::optional<trace::Pair> whole;
+  for (const trace::Pair& pair : frame.pairs) {
+    const bool is_same = pair.a == a && pair.b == b;
+    if (!is_same && !(pair.a == b && pair.b == a)) continue;
+    trace::Pair turned = pair;
+    if (!is_same) trace::mirror(turned);
+    if (!whole) {
+      whole = std::move(turned);
+    } else {
+      whole->manifolds.insert(whole->manifolds.end(), turned.manifolds.begin(),
+                              turned.manifolds.end());
+    }
+  }
+  return whole;
+}
+
+Score judge(const trace::Trace& request, const Contender& contender) {
+  return Scorer(request, contender).score();
+}
+
+}  // namespace contactscope::versus

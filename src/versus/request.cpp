@@ -1,0 +1,36 @@
+#include "versus/request.h"
+
+#include <set>
+
+namespace contactscope::versus {
+
+trace::Trace request_of(const trace::Trace& whole) {
+  trace::Trace request;
+  request.header = whole.header;
+  for (const trace::Frame& frame : whole.frames) {
+    trace::Frame& asked = request.frames.emplace_back();
+    asked.frame = frame.frame;
+    asked.time = frame.time;
+    asked.poses = frame.poses;
+    asked.deformed = frame.deformed;
+    asked.shapes = frame.shapes;
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const trace::Pair& pair : frame.pairs) {
+      if (pair.query || !seen.emplace(pair.a, pair.b).second) continue;
+      trace::Pair& one = asked.pairs.emplace_back();
+      one.a = pair.a;
+      one.b = pair.b;
+      one.kind = pair.kind;
+      one.state = "separated";
+    }
+  }
+  return request;
+}
+
+std::string to_text(const trace::Trace& trace) {
+  std::string text = trace::to_json_line(trace.header) + "\n";
+  for (const trace::Frame& frame : trace.frames) text += trace::to_json_line(frame) + "\n";
+  return text;
+}
+
+}  // namespace contactscope::versus

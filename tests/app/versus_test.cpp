@@ -1,0 +1,136 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// Programs that answer in ways of their own, in a folder that $PATH names.
+class Versus : public testing::Test {
+ protected:
+  void engine(const std::string& name, const std::string& script) {
+    const std::string file =
+        folder_.write("contactscope-engine-" + name, "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+  ProgramRun versus(const std::string& arguments) {
+    return run("versus --out '" + (folder_ / "out") + "' " + arguments,
+               "PATH='" + folder_.path().string() + "':\"$PATH\"");
+  }
+  /// The entry of an engine for the first scenario.
+  static Json entry(const ProgramRun& run, const std::string& name) {
+    const Json json = Json::parse(run.out);
+    for (const Json& engine : json["matches"][0]["engines"])
+      if (engine["name"] == name) return engine;
+    ADD_FAILURE() << name << " is not in " << run.out;
+    return {};
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kScenario = "hull/eight_points_to_four --frames 0:8:4 --table --json";
+
+TEST_F(Versus, OurOwnContactsAreRight) {
+  const ProgramRun result = versus(std::string(kScenario) + " --engines contactscope");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const Json own = entry(result, "contactscope");
+  EXPECT_EQ(own["pairs"], 3);
+  EXPECT_EQ(own["missed"], 0);
+  EXPECT_LT(own["depth_error"]["worst"], 1e-6);
+  EXPECT_EQ(own["points"], 4);
+  EXPECT_GT(own["area_ratio"], 0.5);
+  EXPECT_LT(own["area_ratio"], 1);
+}
+
+/// It answers with what it was asked: shapes, poses and pairs, and no contacts.
+TEST_F(Versus, AnEngineThatFindsNothingMissesAll) {
+  engine("blind", "cat");
+  const ProgramRun result = versus(std::string(kScenario) + " --engines blind");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(entry(result, "blind")["missed"], 3);
+  EXPECT_EQ(entry(result, "blind")["pairs"], 3);
+}
+
+TEST_F(Versus, EnginesThatHangCrashOrTalkNonsenseStopNoOther) {
+  engine("crash", "head -c 4000; kill -SEGV $$");
+  engine("hang", "sleep 60");
+  engine("nonsense", "echo nonsense");
+  engine("sorry", "echo no licence >&2; exit 3");
+  engine("deaf", "exit 0");  // reads nothing
+  const ProgramRun result =
+      versus(std::string(kScenario) +
+             " --time-limit 0.5 --engines crash,hang,nonsense,sorry,deaf,contactscope");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const auto failure = [&](const char* name) {
+    return entry(result, name)["failure"].get<std::string>();
+  };
+  EXPECT_THAT(failure("crash"), HasSubstr("signal 11"));
+  EXPECT_THAT(failure("hang"), HasSubstr("stopped after"));
+  EXPECT_THAT(failure("nonsense"), HasSubstr("no JSON"));
+  EXPECT_THAT(failure("sorry"), HasSubstr("exit code 3: no licence"));
+  EXPECT_THAT(failure("deaf"), HasSubstr("empty"));
+  EXPECT_EQ(entry(result, "contactscope")["missed"], 0);
+}
+
+/// A program that answers half of the frames is judged on those.
+TEST_F(Versus, FramesThatAreMissingAreTold) {
+  engine("short", "head -n 2");
+  const ProgramRun result = versus(std::string(kScenario) + " --engines short");
+  EXPECT_EQ(entry(result, "short")["pairs"], 1);
+  EXPECT_THAT(entry(result, "short")["failure"].get<std::string>(), HasSubstr("1 of 3 frames"));
+}
+
+/// An answer that is flipped, in the other order, is named by the cause that lint finds.
+TEST_F(Versus, WhatAnEngineDoesWrongIsNamed) {
+  const std::string own = run("trace hull/eight_points_to_four --frames 0:8:4").out;
+  std::string half = own;
+  for (std::size_t at = 0;
+       (at = half.find("\"normal\":[0.0,1.0,0.0],\"axis\"", at)) != std::string::npos; ++at)
+    half.replace(at, 22, "\"normal\":[0.0,-1.0,0.0]");
+  ASSERT_NE(half, own);
+  engine("flipped", "cat '" + folder_.write("answer.jsonl", half) + "'");
+  const ProgramRun result = versus(std::string(kScenario) + " --engines flipped");
+  EXPECT_EQ(result.exit_code, 1);
+  const Json flipped = entry(result, "flipped");
+  ASSERT_FALSE(flipped["findings"].empty()) << result.out;
+  EXPECT_EQ(flipped["findings"][0]["cause"], "flipped_normals");
+  EXPECT_GT(flipped["normal_costs"], 0.1);
+}
+
+TEST_F(Versus, ATraceTakesPartWithItsOwnContacts) {
+  std::string trace = run("trace hull/eight_points_to_four --frames 0").out;
+  trace.insert(1, "\"engine\":\"mine\",\"version\":\"7\",");
+  const std::string file = folder_.write("mine.jsonl", trace);
+  const ProgramRun result = versus("'" + file + "' --table --json --engines contactscope");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(entry(result, "mine, as recorded")["version"], "7");
+  EXPECT_LT(entry(result, "contactscope")["depth_error"]["worst"], 1e-6);
+}
+
+TEST_F(Versus, WritesAPictureAFrameAndATable) {
+  engine("blind", "cat");
+  const ProgramRun result =
+      versus("hull/eight_points_to_four --frames 0:4:4 --engines contactscope,blind");
+  EXPECT_THAT(result.out, HasSubstr("engine"));
+  EXPECT_THAT(result.out, HasSubstr("blind"));
+  EXPECT_THAT(files_below(folder_ / "out"),
+              ElementsAre("versus/hull/eight_points_to_four/frame_0000.png",
+                          "versus/hull/eight_points_to_four/frame_0004.png"));
+}
+
+TEST_F(Versus, AnEngineThatIsNotThereIsTrouble) {
+  const ProgramRun result = versus(std::string(kScenario) + " --engines havok");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("contactscope-engine-havok"));
+}
+
+}  // namespace
+}  // namespace contactscope::test
