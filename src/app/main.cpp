@@ -121,10 +121,12 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
   if (name == "--layers")
     return value(to.layer_names,
                  "Layers to draw instead of the views' own, as shapes,contacts; or none")
+        ->allow_extra_args(false)
         ->delimiter(',');
   if (name == "--panels")
     return value(to.panel_names,
                  "Panels to draw instead of the views' own, as summary,contact_plane; or none")
+        ->allow_extra_args(false)
         ->delimiter(',');
   if (name == "--timing")
     return flag(to.timing, "Show the measured time of the pipeline in the summary panel");
@@ -152,6 +154,7 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value_with_default(to.scenario_root, "Folder where scenario names are looked up");
   if (name == "--engines")
     return value(to.engines, "Engines, as contactscope,bullet; default: all that are found")
+        ->allow_extra_args(false)
         ->delimiter(',');
   if (name == "--time-limit")
     return value_with_default(to.time_limit, "Seconds that an engine's program may take")

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "app/lint.h"
 #include "app/progress.h"
@@ -27,6 +28,7 @@ using versus::Contender;
 using versus::Score;
 
 constexpr const char* kOwn = "contactscope";
+constexpr int kMostNotes = 5;  // lines of an engine's own words
 
 /// Where the engines' programs are that were built with this one.
 std::vector<std::string> engine_folders() {
@@ -71,22 +73,23 @@ Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool is_own = whole.header.engine.empty();
   if (input.trace && !is_own) {
     const std::string name = whole.header.engine + ", as recorded";
-    match.contenders.push_back({name, whole.header.engine, whole.header.version, "", whole});
+    match.contenders.push_back({name, whole.header.engine, whole.header.version, "", "", whole});
   }
   if (wants_own) {
     trace::Trace own = is_own ? std::move(whole) : versus::own_contacts(match.request);
-    match.contenders.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", std::move(own)});
+    match.contenders.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", std::move(own)});
   }
   return match;
 }
 
 Contender ask(const std::string& name, const std::string& program, const Match& match,
               double limit) {
-  Contender contender{name, "", "", "", {}};
+  Contender contender{name, "", "", "", "", {}};
   versus::Answer answer =
       versus::run_program(program, {"contacts"}, versus::to_text(match.request), limit);
   contender.seconds = answer.seconds;
   contender.failure = answer.failure;
+  contender.notes = answer.said;
   try {
     // Of a program that died, the frames that it got to.
     if (!answer.failure.empty() && !answer.out.empty())
@@ -137,6 +140,7 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
   if (!contender.engine.empty()) json["engine"] = contender.engine;
   if (!contender.version.empty()) json["version"] = contender.version;
   if (!score.failure.empty()) json["failure"] = score.failure;
+  if (!contender.notes.empty()) json["said"] = contender.notes;
   json["pairs"] = score.pairs;
   json["missed"] = score.missed;
   json["invented"] = score.invented;
@@ -154,8 +158,14 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
 }
 
 /// What the table has no room for: why an engine did not answer, where it was off most, what lint says.
-void print_notes(const std::vector<Score>& scores, std::ostream& out) {
+void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
+    const Contender& contender =
+        *std::ranges::find(match.contenders, score.name, &Contender::name);
+    std::istringstream lines(contender.notes);
+    int left = kMostNotes;
+    for (std::string line; std::getline(lines, line) && left-- > 0;)
+      out << score.name << " says: " << line << '\n';
     if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
     for (const lint::Finding& finding : score.findings) out << told(score.name, finding) << '\n';
   }
@@ -289,7 +299,7 @@ ExitCode run_versus(const Options& options) {
     if (!options.json) {
       std::cout << match.name << '\n';
       print(table_of(scores), std::cout);
-      print_notes(scores, std::cout);
+      print_notes(match, scores, std::cout);
     }
     if (studio) write_pictures(match, options, *studio);
   }

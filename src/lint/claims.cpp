@@ -17,6 +17,11 @@ constexpr double kRounding = 1e-6;
 /// A normal may have more overlap along it than the best one: engines prefer faces (Catto 2007, "Feature
 /// Flip-Flop"), and keep a normal while a body turns.
 constexpr double kNormalShare = 0.1, kNormalTolerances = 4;
+/// Cosine: nearer to the best one than two degrees it is that one, though a long plate may have much more
+/// overlap along it.
+constexpr double kSameNormal = 0.9994;
+/// What is farther than touching is only kept for the next step, and measured roughly: a share of it.
+constexpr double kSpeculativeShare = 0.25;
 /// The same of points that 'on_a' and 'on_b' are told of.
 constexpr double kSideTolerances = 4;
 
@@ -139,7 +144,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   const std::optional<Placed> a = place(solids, frame, pair.a, reading);
   const std::optional<Placed> b = place(solids, frame, pair.b, reading);
   if (!a || !b) return std::nullopt;
-  std::optional<double> best;
+  std::optional<Separation> best;
   if (reading.shape_scale == 1) best = best_separation(*a, *b);
   double reach =
       std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
@@ -161,10 +166,11 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
       const Measured of_a = measure(*a, position, normal, said);
       const Measured of_b = measure(*b, position, -normal, said);
       const double off = std::max(of_a.off, of_b.off);
+      const double roughly = tolerance + kSpeculativeShare * std::max(said, 0.0);
       court.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
                    of_a.off > of_b.off ? pair.a : pair.b},
-                  off, tolerance);
-      if (of_a.exit && of_b.exit && off <= tolerance) {
+                  off, roughly);
+      if (of_a.exit && of_b.exit && off <= roughly) {
         // Of what is between the two measures of a leaning capsule all is right.
         const double most = -*of_a.exit - *of_b.exit;
         const double least = most - of_a.more_by_core - of_b.more_by_core;
@@ -172,9 +178,9 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
         verdict.deeper.push_back(is - said);
         verdict.separations.push_back(is);
         court.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
-                    std::max(tolerance, kNormalShare * std::abs(is)));
+                    std::max(roughly, kNormalShare * std::abs(is)));
       } else if (!of_a.exit || !of_b.exit) {  // the normal does not leave a plane
-        court.claim({Wrong::Normal, m, p, said, best.value_or(0)}, 1, 0);
+        court.claim({Wrong::Normal, m, p, said, best ? best->distance : 0}, 1, 0);
       }
       const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
       const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
@@ -190,11 +196,14 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     }
     if (!best || pair.degenerate || manifold.points.empty() || pair.manifolds.size() > 1) continue;
     const double along = separation_along(*a, *b, normal);
-    court.claim({Wrong::Normal, m, 0, along, *best}, *best - along,
-                std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(*best)));
-    if (!pair.reduction)
-      court.claim({Wrong::Deepest, m, 0, deepest, along}, deepest - along,
-                  std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(along)));
+    const bool is_near = normal.dot(best->normal) >= kSameNormal;
+    court.claim({Wrong::Normal, m, 0, along, best->distance}, is_near ? 0 : best->distance - along,
+                std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(best->distance)));
+    // Of long shapes what overlaps most along a normal that is off by little is beside the patch.
+    const double depth = is_near ? best->distance : along;
+    if (!pair.reduction && std::isfinite(depth))
+      court.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth,
+                  std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(depth)));
   }
   return verdict;
 }

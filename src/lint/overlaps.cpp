@@ -26,7 +26,8 @@ Aabb<double> box_of(const Placed& placed) {
 
 /// Metres of overlap, 0 where there is none or nobody knows.
 double overlap_of(const Placed& a, const Placed& b) {
-  if (const std::optional<double> best = best_separation(a, b)) return std::max(-*best, 0.0);
+  if (const std::optional<Separation> best = best_separation(a, b))
+    return std::max(-best->distance, 0.0);
   if (!can_collide(kind_of(a.solid->shape()), kind_of(b.solid->shape()))) return 0;
   Manifolds<double> manifolds;
   CollideOptions options;

@@ -207,20 +207,25 @@ double separation_along(const Placed& a, const Placed& b, const Vec3d& normal) {
   return -b.extent(-normal) - a.extent(normal);
 }
 
-std::optional<double> best_separation(const Placed& a, const Placed& b) {
+std::optional<Separation> best_separation(const Placed& a, const Placed& b) {
+  const auto along = [&](const Vec3d& normal) {
+    return Separation{separation_along(a, b, normal), normal};
+  };
   if (a.solid->is_plane() && b.solid->is_convex())
-    return separation_along(a, b, a.pose.rotate(a.solid->plane().normal));
+    return along(a.pose.rotate(a.solid->plane().normal));
   if (b.solid->is_plane() && a.solid->is_convex())
-    return separation_along(a, b, -b.pose.rotate(b.solid->plane().normal));
+    return along(-b.pose.rotate(b.solid->plane().normal));
   if (!a.solid->is_convex() || !b.solid->is_convex()) return std::nullopt;
   const double radii = a.solid->radius() + b.solid->radius();
   const SupportSet<double> core_a = a.solid->core(), core_b = b.solid->core();
   const Pose<double> b_in_a = relative_pose(a.pose, b.pose);
   const GjkResult<double> gap = gjk(core_a, core_b, b_in_a);
-  if (!may_overlap(gap, core_a, core_b, b_in_a)) return gap.distance - radii;
+  const Separation apart{gap.distance - radii, a.pose.rotate(gap.normal)};
+  if (!may_overlap(gap, core_a, core_b, b_in_a)) return apart;
   const PenetrationResult<double> deep = penetration(PenetrationMethod::Epa, core_a, core_b, b_in_a,
                                                      PenetrationOptions<double>{}, &gap.simplex);
-  return has_depth(deep.status) ? -deep.depth - radii : gap.distance - radii;
+  if (!has_depth(deep.status)) return apart;
+  return Separation{-deep.depth - radii, a.pose.rotate(deep.normal)};
 }
 
 }  // namespace contactscope::lint

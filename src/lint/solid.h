@@ -94,8 +94,13 @@ struct Placed {
 /// moved along it until a plane across it parts them, with the sign turned.
 double separation_along(const Placed& a, const Placed& b, const Vec3d& normal);
 
+struct Separation {
+  double distance = 0;           // metres, negative in overlap
+  Vec3d normal = Vec3d::Zero();  // unit, world, from a to b: along which it is
+};
+
 /// The largest of these: the distance of two solids that are apart, or how deep they are in each other. Of
 /// convex solids and planes at their own scale; empty of others, and of two planes.
-std::optional<double> best_separation(const Placed& a, const Placed& b);
+std::optional<Separation> best_separation(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

@@ -13,6 +13,7 @@ struct Contender {
   std::string name;
   std::string engine, version;  // as its trace says
   std::string failure;          // why there is no trace, or less than was asked; empty: none
+  std::string notes{};          // what its program said
   trace::Trace trace{};
   double seconds = 0;  // its program, from start to end
 };

@@ -194,6 +194,7 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
   }
   if (!stopped.empty()) waitpid(child, &status, 0);
   answer.seconds = seconds();
+  answer.said = errors;
   answer.failure = stopped.empty() ? ending_of(status, errors) : stopped;
   return answer;
 }

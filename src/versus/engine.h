@@ -12,6 +12,7 @@ namespace contactscope::versus {
 /// What a program wrote, or why it is of no use.
 struct Answer {
   std::string out;
+  std::string said;     // on its standard error
   std::string failure;  // "it was stopped after 10 s"; empty: it ended with exit code 0
   double seconds = 0;
 };

@@ -33,7 +33,8 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     const double reach =
         std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
     truth.tolerance = lint::tolerance_of(*a, *b, reach);
-    truth.separation = best_separation(*a, *b);
+    if (const std::optional<lint::Separation> best = best_separation(*a, *b))
+      truth.separation = best->distance;
     const Shape<double>&one = a->solid->shape(), &other = b->solid->shape();
     if (!can_collide(kind_of(one), kind_of(other))) continue;
     Manifolds<double> manifolds;

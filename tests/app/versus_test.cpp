@@ -126,6 +126,13 @@ TEST_F(Versus, WritesAPictureAFrameAndATable) {
                           "versus/hull/eight_points_to_four/frame_0004.png"));
 }
 
+TEST_F(Versus, ScenariosMayStandBehindTheEngines) {
+  const ProgramRun result =
+      versus("--table --json --engines contactscope hull/eight_points_to_four --frames 0:8:4");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(entry(result, "contactscope")["pairs"], 3);
+}
+
 TEST_F(Versus, AnEngineThatIsNotThereIsTrouble) {
   const ProgramRun result = versus(std::string(kScenario) + " --engines havok");
   EXPECT_EQ(result.exit_code, 2);

@@ -66,9 +66,10 @@ TEST(Solid, BestSeparationOfBoxesIsAlongTheNearestFaces) {
   const Solid one(box({1, 1, 1})), other(box({0.5, 0.5, 0.5}));
   Placed a{&one}, b{&other};
   b.pose.position = {0.3, 1.4, 0};
-  EXPECT_NEAR(*best_separation(a, b), -0.1, 1e-12);
+  EXPECT_NEAR(best_separation(a, b)->distance, -0.1, 1e-12);
+  EXPECT_LT((best_separation(a, b)->normal - Vec3d::UnitY()).norm(), 1e-9);
   b.pose.position = {4.5, 5.5, 0};  // 3 and 4 apart
-  EXPECT_NEAR(*best_separation(a, b), 5, 1e-12);
+  EXPECT_NEAR(best_separation(a, b)->distance, 5, 1e-12);
   EXPECT_NEAR(separation_along(a, b, {0, 1, 0}), 4, 1e-12);
 }
 
