@@ -185,10 +185,14 @@ class ClaimsWatch final : public Watch {
     for (const WrongPair& wrong : wrong_)
       for (std::size_t e = 0; e < all.size() && !wrong.told; ++e)
         counts[e] += wrong.explained_by.test(e);
-    // Two mistakes at once explain a few pairs by chance.
+    // Two mistakes at once explain a few pairs by chance, but for the two that are about signs.
     constexpr int kFewest = 3;
-    for (std::size_t e = 0; e < all.size(); ++e)
-      if (all[e].made.size() > 1 && counts[e] < std::min(kFewest, judged_)) counts[e] = 0;
+    for (std::size_t e = 0; e < all.size(); ++e) {
+      Reading signs;
+      signs.normals_flipped = signs.separations_negated = true;
+      const bool by_chance = all[e].made.size() > 1 && !(all[e].reading == signs);
+      if (by_chance && counts[e] < kFewest) counts[e] = 0;
+    }
     const auto most = std::ranges::max_element(counts);
     // One cause has many effects: what a few of many wrong pairs would be right under is chance.
     const auto left = std::ranges::count(wrong_, false, &WrongPair::told);

@@ -114,12 +114,15 @@ void write_some(Descriptor& to, const std::string& text, std::size_t& written) {
   if (failed || written == text.size()) to.close();
 }
 
-/// The last line that says something.
+/// The line that names an error, as interpreters do before they say more; else the last that says something.
 std::string last_line(const std::string& text) {
   std::istringstream lines(text);
   std::string line, last;
-  while (std::getline(lines, line))
-    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  while (std::getline(lines, line)) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line.substr(0, line.find(' ')).ends_with("Error:")) return line;
+    last = line;
+  }
   return last;
 }
 

@@ -1,0 +1,95 @@
+// Havok: a world is made of each frame, and each event of its step is a point with a place and an outward
+// normal on either body. Its bodies are kept apart by a little more than they say.
+
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { answer, dot, halfExtents, isAsked, leftOut, scaled, sub, triangles, versionOf } from "./trace.mjs";
+
+const load = createRequire(import.meta.url)("@babylonjs/havok");
+const hk = await load({
+  wasmBinary: readFileSync(new URL("node_modules/@babylonjs/havok/lib/umd/HavokPhysics.wasm", import.meta.url)),
+});
+const kHalf = 1000;  // metres that a plane reaches, which Havok has none of
+const eventTypes = hk.EventType.COLLISION_STARTED.value | hk.EventType.COLLISION_CONTINUED.value;
+
+function inMemory(numbers, view) {
+  const at = hk._malloc(numbers.length * 4);
+  new view(hk.HEAPU8.buffer, at, numbers.length).set(numbers);
+  return at;
+}
+
+function shapeOf(shape) {
+  switch (shape.type) {
+    case "sphere":
+      return hk.HP_Shape_CreateSphere(shape.vertices[0], shape.radius)[1];
+    case "capsule":
+      return hk.HP_Shape_CreateCapsule(shape.vertices[0], shape.vertices[1], shape.radius)[1];
+    case "plane": {  // a box below it
+      const { normal: [x, y, z], offset } = shape.half_space;
+      const w = 1 + y, length = Math.hypot(z, x, w);
+      const turn = w < 1e-9 ? [1, 0, 0, 0] : [z / length, 0, -x / length, w / length];
+      return hk.HP_Shape_CreateBox(scaled([x, y, z], offset - kHalf), turn, [2 * kHalf, 2 * kHalf, 2 * kHalf])[1];
+    }
+    case "mesh": {
+      const corners = triangles(shape).flat();
+      return hk.HP_Shape_CreateMesh(inMemory(shape.vertices.flat(), Float32Array), shape.vertices.length,
+                                    inMemory(corners, Int32Array), corners.length / 3)[1];
+    }
+    case "box": {
+      const { half, middle } = halfExtents(shape);
+      return hk.HP_Shape_CreateBox(middle, [0, 0, 0, 1], scaled(half, 2))[1];
+    }
+  }
+  if (shape.type === "sdf" || (shape.radius ?? 0) > 0) return null;
+  return hk.HP_Shape_CreateConvexHull(inMemory(shape.vertices.flat(), Float32Array), shape.vertices.length)[1];
+}
+
+const known = new Map();
+function knownShape(name, shape) {
+  if (!known.has(name)) {
+    known.set(name, shapeOf(shape));
+    if (known.get(name) === null) leftOut(name, `Havok has no ${shape.type} like it`);
+  }
+  return known.get(name);
+}
+
+await answer("Havok", versionOf("@babylonjs/havok"), (frame, shapes, asked) => {
+  const world = hk.HP_World_Create()[1];
+  hk.HP_World_SetGravity(world, [0, 0, 0]);
+  const names = new Map(), bodies = [];
+  for (const [name, pose] of Object.entries(frame.poses)) {
+    const shape = knownShape(name, shapes[name]);
+    if (shape === null) continue;
+    const body = hk.HP_Body_Create()[1];
+    const stands = ["mesh", "plane"].includes(shapes[name].type);
+    const [w, x, y, z] = pose.quat_wxyz;
+    hk.HP_Body_SetShape(body, shape);
+    hk.HP_Body_SetMotionType(body, stands ? hk.MotionType.STATIC : hk.MotionType.DYNAMIC);
+    hk.HP_Body_SetQTransform(body, [pose.position, [x, y, z, w]]);
+    hk.HP_Body_SetMassProperties(body, [[0, 0, 0], stands ? 0 : 1, [1, 1, 1], [0, 0, 0, 1]]);
+    hk.HP_Body_SetEventMask(body, eventTypes);
+    hk.HP_World_AddBody(world, body, false);
+    names.set(body[0], name);
+    bodies.push(body);
+  }
+  hk.HP_World_Step(world, 1 / 60);
+  const manifolds = [];
+  for (let event = hk.HP_World_GetCollisionEvents(world)[1]; event;
+       event = hk.HP_World_GetNextCollisionEvent(Number(world[0]), event)) {
+    const [, one, other] = hk.HP_Event_AsCollision(event)[1];
+    const a = names.get(one[0][0]), b = names.get(other[0][0]);
+    if (!isAsked(asked, a, b)) continue;
+    const normal = one[4];
+    const same = manifolds.find((m) => m.a === a && m.b === b && dot(m.normal, normal) > 0.99999);
+    const manifold = same ?? { a, b, normal, points: [] };
+    if (same === undefined) manifolds.push(manifold);
+    const [on_a, on_b] = [one[3], other[3]];
+    manifold.points.push({ position: on_b, separation: dot(normal, sub(on_b, on_a)), on_a, on_b });
+  }
+  for (const body of bodies) {
+    hk.HP_World_RemoveBody(world, body);
+    hk.HP_Body_Release(body);
+  }
+  hk.HP_World_Release(world);
+  return manifolds;
+});
