@@ -132,7 +132,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
   add(any_cell([](const ContactCell& cell) { return cell.best.size() > 2; }), kBestPolygonSwatch,
       "best polygon");
   add(any_cell(by_extremes), kAxesBoxSwatch, "box along the axes");
-  add(moments_.size() > 1, kKeptIdsSwatch, "ids kept, over the frames");
+  add(!ids_.empty(), kKeptIdsSwatch, "ids kept, over the frames");
   return entries;
 }
 

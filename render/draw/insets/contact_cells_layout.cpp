@@ -104,14 +104,17 @@ void ContactCells::gather_ids() {
   if (moments_.size() < 2) return;
   std::map<std::string, std::size_t> known;  // rows, in the order of appearance
   for (const ContactCell& cell : all_cells()) {
-    for (const trace::Point& point : cell.points) known.try_emplace(point.id, known.size());
+    for (const trace::Point& point : cell.points)
+      if (!point.id.empty()) known.try_emplace(point.id, known.size());
   }
+  if (known.empty()) return;  // an engine may have no names for its points
   const std::vector<IdState> absent(moments_.size(), IdState::Absent);
   for (std::size_t cell = 0; cell < cell_count(); ++cell) {
     std::vector<std::vector<IdState>> rows(known.size(), absent);
     for (std::size_t m = 0; m < moments_.size(); ++m) {
       const ContactCell& now = moments_[m].cells[cell];
       for (std::size_t i = now.points.size(); i-- > 0;) {  // of equal ids the first one counts
+        if (now.points[i].id.empty()) continue;
         const bool kept = std::ranges::find(now.kept, static_cast<int>(i)) != now.kept.end();
         rows[known[now.points[i].id]][m] = kept ? IdState::Kept : IdState::Dropped;
       }
