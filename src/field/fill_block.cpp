@@ -134,7 +134,7 @@ void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
       for (int i = first(0); i <= last[0]; ++i)
         if (!at(known_, node_in_block(i, j, k))) open[count++] = {i, j, k};
   if (count == 0) return;
-  TriangleSieve::List* list = &triangles_of_part();
+  TriangleSieve::List* list = of_block_.leaning() ? &of_block_ : &triangles_of_part();
   // To sift them costs as much as to ask them for three nodes.
   if (count > 3) {
     const Vec3d middle = corner_ + Vec3d(last[0], last[1], last[2]) - Vec3d::Constant(0.5);

@@ -98,8 +98,12 @@ void TriangleSieve::lay_out(List& list) const {
   const std::span<const int> triangles = list.triangles_;
   list.fours_.resize((triangles.size() + 3) / 4);
   list.squared_.resize(list.fours_.size());
-  for (std::size_t i = 0; i < list.fours_.size(); ++i)
+  std::size_t leaning = 0;
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
     lay_out(triangles.subspan(4 * i), list.fours_[i]);
+    leaning += lanes::bits<float>(list.fours_[i][kLean] >= lanes::all(kTrustedLean)) != 0 ? 1 : 0;
+  }
+  list.leaning_ = 2 * leaning > list.fours_.size();
 }
 
 void TriangleSieve::lay_out(std::span<const int> triangles, Four& laid_out) const {
@@ -283,16 +287,13 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
 }
 
 /// No branch depends on whether a triangle is kept: nothing could foresee it.
-void TriangleSieve::append(const List& from, const Cube& cube, float trusted_lean,
-                           std::vector<int>& found) {
-  const Floats trusted = lanes::all(trusted_lean);
+template <class Sift>
+void TriangleSieve::append_if(const List& from, std::vector<int>& found, const Sift& sift) {
   const std::size_t before = found.size(), all = from.triangles_.size();
   found.resize(before + all + 4);
   int* to = found.data() + before;
   for (std::size_t i = 0; i < from.fours_.size(); ++i) {
-    const Four& four = from.fours_[i];
-    std::uint32_t kept = over_triangles(four, cube);
-    if ((kept & lanes::bits<float>(four[kLean] >= trusted)) != 0) kept &= near_enough(four, cube);
+    std::uint32_t kept = sift(i);
     if (4 * i + 4 > all) kept &= (1U << (all - 4 * i)) - 1;
     for (std::size_t lane = 0; lane < 4; ++lane) {
       *to = from.triangles_[std::min(4 * i + lane, all - 1)];
@@ -304,7 +305,11 @@ void TriangleSieve::append(const List& from, const Cube& cube, float trusted_lea
 
 void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
                            const Vec3d& near, std::vector<int>& found) const {
-  append(from, cube(middle, half_side, near), 0, found);
+  const Cube asked = cube(middle, half_side, near);
+  append_if(from, found, [&](std::size_t i) {
+    const std::uint32_t over = over_triangles(from.fours_[i], asked);
+    return over == 0 ? 0 : over & near_enough(from.fours_[i], asked);
+  });
 }
 
 void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
@@ -330,10 +335,25 @@ void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Vec
   lay_out(list);
 }
 
-void TriangleSieve::fill_within(const List& from, const Vec3d& middle, double half_side,
+void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_side,
                                 const Vec3d& near, List& list) const {
   list.triangles_.clear();
-  append(from, cube(middle, half_side, near), kTrustedLean, list.triangles_);
+  if (from.leaning_) {
+    // Distances decide, for which the nearest point itself is worth its search.
+    const Cube asked = cube(middle, half_side, nearest(from, middle).point);
+    append_if(from, list.triangles_, [&](std::size_t i) {
+      const std::uint32_t in_reach = lanes::bits<float>(from.squared_[i] <= asked.most);
+      return in_reach == 0 ? 0 : in_reach & near_enough(from.fours_[i], asked);
+    });
+  } else {
+    const Cube asked = cube(middle, half_side, near);
+    append_if(from, list.triangles_, [&](std::size_t i) {
+      const Four& four = from.fours_[i];
+      const std::uint32_t over = over_triangles(four, asked);
+      const auto leaning = lanes::bits<float>(four[kLean] >= lanes::all(kTrustedLean));
+      return (over & leaning) == 0 ? over : over & near_enough(four, asked);
+    });
+  }
   lay_out(list);
 }
 

@@ -38,13 +38,16 @@ class TriangleSieve {
   class List {
    public:
     std::span<const int> triangles() const { return triangles_; }
+    /// Most of them have no small lean: to sift them is dear.
+    bool leaning() const { return leaning_; }
 
    private:
     friend class TriangleSieve;
     std::vector<int> triangles_;
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
-    std::vector<int> near_;        // fours that may count; a member so that it keeps its memory
+    bool leaning_ = false;
+    std::vector<int> near_;  // fours that may count; a member so that it keeps its memory
   };
 
   // Lists are filled, and not returned, so that they keep their memory.
@@ -54,7 +57,7 @@ class TriangleSieve {
   /// one that is nearest to the cube's middle.
   void fill_around(const Vec3d& middle, double half_side, const Vec3d& near, List& list) const;
   /// The same among those of a list, and some others.
-  void fill_within(const List& from, const Vec3d& middle, double half_side, const Vec3d& near,
+  void fill_within(List& from, const Vec3d& middle, double half_side, const Vec3d& near,
                    List& list) const;
   /// Without the others, appended to `found`.
   void append(const List& from, const Vec3d& middle, double half_side, const Vec3d& near,
@@ -105,10 +108,9 @@ class TriangleSieve {
   static std::uint32_t over_triangles(const Four& four, const Cube& cube);
   /// A bit for each that is near enough.
   static std::uint32_t near_enough(const Four& four, const Cube& cube);
-  /// Appends those that the cube is over; they must be near enough, too, where one of a four leans by
-  /// `trusted_lean` or more.
-  static void append(const List& from, const Cube& cube, float trusted_lean,
-                     std::vector<int>& found);
+  /// Appends the triangles of each four i for which sift(i) has a bit.
+  template <class Sift>
+  static void append_if(const List& from, std::vector<int>& found, const Sift& sift);
   static Floats squared_distance(const Four& four, const std::array<Floats, 3>& point,
                                  InFrame& offset);
 
