@@ -198,19 +198,17 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   }
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
-  list.near_.resize(list.fours_.size());
-  std::size_t near_count = 0;
-  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    list.near_[near_count] = static_cast<int>(i);
-    near_count += lanes::bits<float>(list.squared_[i] <= most) != 0 ? 1 : 0;
-  }
   NearestPoint best;
-  for (std::size_t n = 0; n < near_count; ++n) {
-    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, list.near_[n]) <= most);
-         bits != 0; bits &= bits - 1) {
-      const int triangle = 4 * list.near_[n] + __builtin_ctz(bits);
-      if (triangle >= count_of(list.triangles_)) break;
-      triangles_.improve(at(list.triangles_, triangle), point, best);
+  constexpr int kFours = 16;  // whose bits one number has
+  const int all = count_of(list.fours_);
+  for (int first = 0; first < all; first += kFours) {
+    std::uint64_t near = 0;
+    for (int i = first; i < std::min(first + kFours, all); ++i)
+      near |= std::uint64_t{lanes::bits<float>(at(list.squared_, i) <= most)} << 4 * (i - first);
+    for (; near != 0; near &= near - 1) {
+      const int triangle = 4 * first + __builtin_ctzll(near);
+      if (triangle < count_of(list.triangles_))
+        triangles_.improve(at(list.triangles_, triangle), point, best);
     }
   }
   return best;

@@ -47,7 +47,6 @@ class TriangleSieve {
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
     bool leaning_ = false;
-    std::vector<int> near_;  // fours that may count; a member so that it keeps its memory
   };
 
   // Lists are filled, and not returned, so that they keep their memory.
