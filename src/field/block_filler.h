@@ -11,8 +11,8 @@ class BlockFiller {
   explicit BlockFiller(FieldBuilder& shared)
       : shared_(shared), field_(shared.field_), sieve_(shared.sieve_ ? &*shared.sieve_ : nullptr) {}
 
-  /// The nodes of a block, and the triangles of its cells, which are appended to its row.
-  void fill(int fine, FieldBuilder::Row& row);
+  /// The nodes of a block, and the triangles of its cells, which are appended to its layer.
+  void fill(int fine, FieldBuilder::Layer& layer);
   /// Marks the cells of the surface whose samples ask their triangles: those that are not smooth.
   void ask_triangles(int fine);
 
@@ -26,14 +26,15 @@ class BlockFiller {
 
   void copy_known(int fine);
   void fill_by_core();
-  void fill_by_triangles(const NearestPoint& nearest_to_middle);
+  void fill_by_triangles(const FieldBuilder::NearBlock& near);
+  void fill_part(const std::array<int, 3>& part);
+  TriangleSieve::List& triangles_of_part();
   void fill_nodes(const std::array<int, 3>& group);
   void compare_sides(FieldBuilder::Fronts& fronts) const;
-  void find_triangles_of_part(const std::array<int, 3>& first);
   bool may_have_surface(const std::array<int, 3>& cell) const;
   void find_triangles(const std::array<int, 3>& cell);
-  bool is_smooth(const Vec3d& corner, std::span<const int> triangles);
-  bool blends_well(const Vec3d& corner) const;
+  bool is_smooth(const Vec3d& corner, const NodePair* first, std::span<const int> triangles);
+  bool blends_well(const Vec3d& corner, const NodePair* first) const;
 
   NodePair* pairs_of(int fine) const {
     return &at(field_.nodes_, field_.coarse_count_ + fine * DistanceField::kPairs);
@@ -43,7 +44,7 @@ class BlockFiller {
   FieldBuilder& shared_;
   DistanceField& field_;
   const TriangleSieve* sieve_;  // none of a core
-  TriangleSieve::List of_block_, of_part_, of_cell_;
+  TriangleSieve::List of_block_, of_part_, of_group_, of_cell_;
   // Of the block that is filled or judged:
   std::vector<NodePair*> asking_;
   Vec3d corner_ = Vec3d::Zero();
@@ -53,6 +54,9 @@ class BlockFiller {
   std::array<signed char, kNodes>
       side_{};  // 1: in front of the face that is nearest, -1: behind it
   std::array<std::vector<int>, kCells> triangles_;
+  Vec3d last_ = Vec3d::Zero();  // nearest to the node that was asked last
+  Vec3d part_middle_ = Vec3d::Zero();
+  bool part_sifted_ = false;  // whether of_part_ is of the part that is filled
 };
 
 }  // namespace contactscope

@@ -36,7 +36,8 @@ PlacedField build_on_mesh(const Mesh<double>& mesh, const FieldSettings& setting
   const bool watertight = closed.mesh.triangle_count() == closed.own_triangles;
   auto surface = std::make_shared<Mesh<double>>(std::move(closed.mesh));
   for (Vec3d& vertex : surface->vertices) vertex = (vertex - lattice.origin) / lattice.cell;
-  refit(*surface);
+  // Normals are what they were.
+  surface->tree.refit(surface->vertices, surface->triangles);
   FieldBuilder builder(std::move(surface), watertight, lattice.size, settings);
   return {std::make_shared<const DistanceField>(builder.build()), lattice.origin, lattice.cell};
 }

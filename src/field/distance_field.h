@@ -260,13 +260,14 @@ inline Field<double> field_shape(const PlacedField& placed, const Shape<double>&
 
 /// Builds the field of a shape: a sphere, a capsule, a hull or a mesh.
 ///
-/// Steps: 1. the surface is closed (closed_surface.h); 2. distances at the coarse nodes; 3. their signs:
-/// nodes whose distances together are larger than the way between them have one sign, as the surface
-/// cannot pass between; where that does not reach, the winding number decides; 4. blocks that the band
-/// reaches get fine nodes, and 5. their signs in the same way; 6. cells that the surface passes get all
-/// triangles that can be nearest to one of their points; 7. those of them that are not smooth are marked.
-/// In 4 a block sifts its triangles for groups of eight nodes, in 6 for its eight parts, and those for
-/// their cells (triangle_sieve.h).
+/// Steps: 1. the surface is closed (closed_surface.h); 2. distances at the coarse nodes, and which blocks
+/// the band reaches (survey_blocks.cpp); 3. signs of the coarse nodes: nodes whose distances together are
+/// larger than the way between them have one sign, as the surface cannot pass between; where that does
+/// not reach, the winding number decides; 4. blocks that the band reaches get fine nodes, and 5. their
+/// signs in the same way; 6. cells that the surface passes get all triangles that can be nearest to one of
+/// their points; 7. those of them that are not smooth are marked. Triangles are sifted (triangle_sieve.h):
+/// in 2 for eight blocks together and each of them, in 4 for the eight parts of a block and groups of eight
+/// nodes, in 6 for cells. Several threads do 2, 4 to 6 and 7 (field_builder.h).
 ///
 /// Throws ShapeError for a plane, for a mesh without an inside, and for a field of more bytes than the
 /// settings allow, with the number of bytes that it would take.

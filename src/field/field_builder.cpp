@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/at.h"
@@ -13,8 +12,6 @@
 namespace contactscope {
 namespace {
 
-/// So many layers of blocks are filled at once: nodes that are not rounded are kept of no more.
-constexpr int kLayersAtOnce = 16;
 /// Blocks, with fine nodes or without, that are worth a thread.
 constexpr int kBlocksOfThread = 256;
 
@@ -31,7 +28,7 @@ FieldBuilder::FieldBuilder(std::shared_ptr<const Mesh<double>> surface, bool wat
   field_.size_ = size;
   field_.surface_box_ = surface->tree.bounds();
   field_.triangles_ = NearestTriangles(std::move(surface));
-  sieve_.emplace(field_.triangles_, size.maxCoeff());
+  sieve_.emplace(field_.triangles_, size.maxCoeff() + 2 * kBlock);
 }
 
 FieldBuilder::FieldBuilder(const Capsule<double>& core, const Vec3d& size,
@@ -75,9 +72,9 @@ DistanceField FieldBuilder::build() {
   const double all_blocks = double{1} * field_.blocks_[0] * field_.blocks_[1] * field_.blocks_[2];
   check_bytes(dense ? all_blocks : 0);
   workers_.emplace(thread_count());
-  fill_coarse();
+  survey();
   sign_coarse();
-  choose_blocks();
+  number_blocks();
   check_bytes(count_of(blocks_));
   lay_out();
   fill_blocks();
@@ -120,28 +117,6 @@ bool FieldBuilder::is_inside(const Vec3d& point, Fronts& fronts) const {
   return winding.number != 0;
 }
 
-void FieldBuilder::fill_coarse() {
-  const auto [nx, ny, nz] = field_.blocks_;
-  const int of_plane = (nx + 1) * (ny + 1);
-  coarse_.resize(static_cast<std::size_t>(of_plane) * static_cast<std::size_t>(nz + 1));
-  coarse_triangles_.resize(coarse_.size());
-  workers_->for_each(nz + 1, [&, nx = nx](int z, int) {
-    // The one before: of equally near triangles neighbours then take the same.
-    int seed = 0;
-    for (int i = 0; i < of_plane; ++i) {
-      const Vec3d point = kBlock * Vec3d(i % (nx + 1), i / (nx + 1), z);
-      Node& node = at(coarse_, z * of_plane + i);
-      if (field_.core_) {
-        node = unsigned_node_of_core(point);
-        continue;
-      }
-      const NearestPoint nearest = sieve_->nearest(point, seed);
-      seed = at(coarse_triangles_, z * of_plane + i) = nearest.triangle;
-      node = unsigned_node(point, nearest);
-    }
-  });
-}
-
 void FieldBuilder::sign_coarse() {
   std::vector<NodeSign> signs(coarse_.size(), NodeSign::Unknown);
   const auto [nx, ny, nz] = field_.blocks_;
@@ -151,51 +126,17 @@ void FieldBuilder::sign_coarse() {
     if (signs[i] == NodeSign::Inside) coarse_[i] = -coarse_[i];
 }
 
-void FieldBuilder::choose_blocks() {
-  const auto [nx, ny, nz] = field_.blocks_;
-  std::vector<std::optional<NearestPoint>> found(
-      static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
-  rows_.resize(static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
-  workers_->for_each(count_of(rows_), [&, nx = nx, ny = ny](int row, int) {
-    for (int x = 0; x < nx; ++x)
-      at(found, row * nx + x) = middle_near_surface(x, row % ny, row / ny);
-  });
-  for (int row = 0; row < count_of(rows_); ++row) {
-    at(rows_, row).first = count_of(blocks_);
-    for (int block = row * nx; block < (row + 1) * nx; ++block) {
-      fine_of_block_.push_back(at(found, block) ? count_of(blocks_) : -1);
-      if (!at(found, block)) continue;
-      blocks_.push_back(block);
-      middles_.push_back(*at(found, block));
+void FieldBuilder::number_blocks() {
+  const int of_layer = field_.blocks_[0] * field_.blocks_[1];
+  layers_ = std::vector<Layer>(static_cast<std::size_t>(field_.blocks_[2]));
+  for (int z = 0; z < count_of(layers_); ++z) {
+    at(layers_, z).first = count_of(blocks_);
+    for (int block = z * of_layer; block < (z + 1) * of_layer; ++block) {
+      fine_of_block_.push_back(at(near_, block) ? count_of(blocks_) : -1);
+      if (at(near_, block)) blocks_.push_back(block);
     }
-    at(rows_, row).end = count_of(blocks_);
+    at(layers_, z).end = count_of(blocks_);
   }
-}
-
-/// What is nearest to the middle of a block, if the band reaches the block.
-std::optional<NearestPoint> FieldBuilder::middle_near_surface(int x, int y, int z) const {
-  const double reach = field_.settings_.band + kHalfBlock + kSignSlack;
-  const bool dense = field_.settings_.band == 0;
-  // The middle is no nearer to the surface than a corner is, less half a diagonal.
-  int seed = 0;
-  float most = 0, least = std::numeric_limits<float>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    const int node = coarse_number(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-    const float distance = std::abs(at(coarse_, node)[0]);
-    most = std::max(most, distance);
-    if (distance >= least) continue;
-    least = distance;
-    seed = at(coarse_triangles_, node);
-  }
-  if (!dense && most - kHalfBlock > reach) return {};
-  const Vec3d middle = kBlock * Vec3d(x + 0.5, y + 0.5, z + 0.5);
-  NearestPoint nearest;
-  if (field_.core_)
-    nearest.squared = std::pow(field_.by_core(middle).distance, 2);
-  else
-    nearest = sieve_->nearest(middle, seed);
-  if (!dense && nearest.squared > reach * reach) return {};
-  return nearest;
 }
 
 /// Chooses the steps of the distances, so that all fit, and where the nodes of each block are.
@@ -230,62 +171,72 @@ void FieldBuilder::lay_out() {
   field_.fine_block_count_ = count_of(blocks_);
 }
 
-/// Makes room for the nodes of the layers that are filled at once, and of the one before.
-void FieldBuilder::keep_layers() {
-  const auto [nx, ny, nz] = field_.blocks_;
-  const auto first_of_layer = [&](int z) {
-    return z < field_.blocks_[2] ? at(rows_, z * field_.blocks_[1]).first : count_of(blocks_);
-  };
+/// For nodes that are not rounded: of the layers that are filled at a time, and of the one below.
+void FieldBuilder::make_room() {
   kept_blocks_ = 1;
-  for (int z = 0; z < nz; z += kLayersAtOnce)
-    kept_blocks_ = std::max(kept_blocks_,
-                            first_of_layer(z + kLayersAtOnce) - first_of_layer(std::max(z - 1, 0)));
+  for (int z = 0; z < count_of(layers_); ++z) {
+    const int last = std::min(z + workers_->count(), count_of(layers_) - 1);
+    kept_blocks_ = std::max(kept_blocks_, at(layers_, last).end - at(layers_, z).first);
+  }
   fine_.resize(static_cast<std::size_t>(kept_blocks_) * kNodes);
-  filled_.assign(blocks_.size(), 0);
+}
+
+void FieldBuilder::Layer::fill_rows_to(int y) {
+  filled_rows = y;
+  filled_rows.notify_all();
+}
+
+void FieldBuilder::Layer::wait_for_row(int y) const {
+  for (int filled = filled_rows; filled <= y; filled = filled_rows) filled_rows.wait(filled);
+}
+
+void FieldBuilder::fill_layer(int z, BlockFiller& filler) {
+  Layer& layer = at(layers_, z);
+  int filled = 0;
+  try {
+    for (int fine = layer.first; fine < layer.end; ++fine) {
+      const int y = block_at(at(blocks_, fine))[1];
+      if (y > filled) layer.fill_rows_to(filled = y);
+      if (z > 0) at(layers_, z - 1).wait_for_row(y);
+      filler.fill(fine, layer);
+    }
+  } catch (...) {
+    layer.fill_rows_to(field_.blocks_[1]);  // nobody waits for what does not come
+    throw;
+  }
+  // The one below is no longer needed when this one is filled: its memory may be taken.
+  if (z > 0) at(layers_, z - 1).wait_for_row(field_.blocks_[1] - 1);
+  layer.fill_rows_to(field_.blocks_[1]);
 }
 
 void FieldBuilder::fill_blocks() {
-  keep_layers();
-  const auto [nx, ny, nz] = field_.blocks_;
+  make_room();
   std::vector<BlockFiller> fillers(static_cast<std::size_t>(workers_->count()), BlockFiller(*this));
-  const auto for_blocks = [&](const std::vector<int>& rows, const auto& visit) {
-    workers_->for_each(count_of(rows), [&](int i, int worker) {
-      Row& row = at(rows_, at(rows, i));
-      for (int fine = row.first; fine < row.end; ++fine) visit(at(fillers, worker), fine, row);
-    });
-  };
-  std::vector<int> rows, all;
-  for (int from = 0; from < nz; from += kLayersAtOnce) {
-    for (const auto& [odd_z, odd_y] : {std::pair(0, 0), {0, 1}, {1, 0}, {1, 1}}) {
-      rows.clear();
-      for (int z = from + odd_z; z < std::min(nz, from + kLayersAtOnce); z += 2)
-        for (int y = odd_y; y < ny; y += 2)
-          if (const Row& row = at(rows_, z * ny + y); row.first < row.end)
-            rows.push_back(z * ny + y);
-      for_blocks(rows, [](BlockFiller& filler, int fine, Row& row) { filler.fill(fine, row); });
-      all.insert(all.end(), rows.begin(), rows.end());
-    }
-  }
-  for (const Row& row : rows_) fronts_.add(row.fronts);
+  workers_->for_each(count_of(layers_),
+                     [&](int z, int worker) { fill_layer(z, at(fillers, worker)); });
+  for (const Layer& layer : layers_) fronts_.add(layer.fronts);
   field_.front_ = fronts_.winding < 0 ? -1 : 1;
   field_.regular_ = fronts_.one && !(fronts_.seen[0] && fronts_.seen[1]);
   if (!field_.settings_.exact) return;
   gather_triangles();
-  for_blocks(all, [](BlockFiller& filler, int fine, Row&) { filler.ask_triangles(fine); });
+  workers_->for_each(count_of(layers_), [&](int z, int worker) {
+    for (int fine = at(layers_, z).first; fine < at(layers_, z).end; ++fine)
+      at(fillers, worker).ask_triangles(fine);
+  });
 }
 
 void FieldBuilder::gather_triangles() {
   std::size_t all = 0;
-  for (const Row& row : rows_) all += row.triangles.size();
+  for (const Layer& layer : layers_) all += layer.triangles.size();
   field_.cell_triangles_.reserve(all);
   field_.first_triangle_.reserve(blocks_.size() * kCells + 1);
   std::uint32_t first = 0;
   field_.first_triangle_.push_back(first);
-  for (Row& row : rows_) {
-    for (const std::uint32_t count : row.counts) field_.first_triangle_.push_back(first += count);
-    field_.cell_triangles_.insert(field_.cell_triangles_.end(), row.triangles.begin(),
-                                  row.triangles.end());
-    row.triangles = {};
+  for (Layer& layer : layers_) {
+    for (const std::uint32_t count : layer.counts) field_.first_triangle_.push_back(first += count);
+    field_.cell_triangles_.insert(field_.cell_triangles_.end(), layer.triangles.begin(),
+                                  layer.triangles.end());
+    layer.triangles = {};
   }
 }
 

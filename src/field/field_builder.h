@@ -1,17 +1,20 @@
 #pragma once
 
+#include <atomic>
+
 #include "core/workers.h"
 #include "field/distance_field.h"
 #include "field/triangle_sieve.h"
 
 namespace contactscope {
 
+class BlockFiller;
+
 /// Fills a DistanceField in the order of the steps of build_distance_field().
 ///
-/// Several threads do so together: planes of coarse nodes, and rows of blocks, are pieces of work (Workers).
-/// A block takes the nodes of its faces from blocks that are filled. Which ones those are does not
-/// depend on the threads: first come the rows of even y and z, then those of odd y, then of odd z, then of
-/// both, so that neighbouring rows are never filled at a time.
+/// Several threads do so together (Workers), each with a layer of blocks at a time. A block takes nodes from
+/// those before it along x, y and z, so that a layer begins a row of blocks when the layer below has
+/// filled it. The field does not depend on the threads: each block finds what it would find with one.
 class FieldBuilder {
  public:
   /// A surface without holes in the frame of the lattice; `watertight`: no hole had to be closed.
@@ -44,23 +47,41 @@ class FieldBuilder {
     void add_winding(int number);
     void add(const Fronts& other);
   };
-  /// Blocks with fine nodes of one y and z, by number: those of `blocks_` from `first` on, before `end`.
-  struct Row {
+  /// Blocks with fine nodes of one z: those of `blocks_` from `first` on, before `end`.
+  struct Layer {
     int first = 0, end = 0;
+    std::atomic<int> filled_rows = 0;  // along x
     Fronts fronts;
     std::vector<std::uint32_t> counts;  // of the triangles of each cell
     std::vector<int> triangles;
+
+    void fill_rows_to(int y);
+    void wait_for_row(int y) const;
+  };
+
+  /// A block that the band reaches.
+  struct NearBlock {
+    NearestPoint to_middle;
+    std::vector<int> triangles;  // that can be nearest to one of its points; none of a core
+  };
+  /// Of a thread that surveys.
+  struct SurveyLists {
+    TriangleSieve::List of_group, of_block;
   };
 
   int thread_count() const;
   void check_bytes(double fine_blocks) const;
-  void fill_coarse();
+  void survey();
+  int survey_group(const std::array<int, 3>& group, int seed, SurveyLists& lists);
+  std::optional<NearBlock> survey_block(const Vec3d& middle, SurveyLists& lists,
+                                        const Vec3d& near) const;
+  bool band_reaches(double squared_distance, double half_diagonal) const;
   void sign_coarse();
-  void choose_blocks();
-  std::optional<NearestPoint> middle_near_surface(int x, int y, int z) const;
+  void number_blocks();
   void lay_out();
-  void keep_layers();
+  void make_room();
   void fill_blocks();
+  void fill_layer(int z, BlockFiller& filler);
   void gather_triangles();
 
   /// Nearest point of the surface: its distance, and the gradient as if the point were outside.
@@ -88,14 +109,12 @@ class FieldBuilder {
   DistanceField field_;
   std::optional<TriangleSieve> sieve_;  // none of a core
   std::optional<Workers> workers_;
-  std::vector<Node> coarse_, fine_;    // not rounded; fine ones of the last blocks only
-  int kept_blocks_ = 0;                // so many
-  std::vector<int> coarse_triangles_;  // the nearest one of each coarse node
-  std::vector<int> fine_of_block_;     // -1: none
-  std::vector<int> blocks_;            // that have fine nodes, by number
-  std::vector<NearestPoint> middles_;  // nearest to the middles of those blocks
-  std::vector<char> filled_;           // whether those blocks are
-  std::vector<Row> rows_;              // y first
+  std::vector<Node> coarse_, fine_;             // not rounded; fine ones of the last blocks only
+  int kept_blocks_ = 0;                         // so many
+  std::vector<int> fine_of_block_;              // -1: none
+  std::vector<int> blocks_;                     // that have fine nodes, by number
+  std::vector<std::optional<NearBlock>> near_;  // by number of the block
+  std::vector<Layer> layers_;
   Fronts fronts_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace contactscope {
 
-void BlockFiller::fill(int fine, FieldBuilder::Row& row) {
+void BlockFiller::fill(int fine, FieldBuilder::Layer& layer) {
   const auto [bx, by, bz] = shared_.block_at(at(shared_.blocks_, fine));
   corner_ = kBlock * Vec3d(bx, by, bz);
   nodes_ = shared_.fine_nodes(fine);
@@ -14,25 +14,24 @@ void BlockFiller::fill(int fine, FieldBuilder::Row& row) {
   if (field_.core_)
     fill_by_core();
   else
-    fill_by_triangles(at(shared_.middles_, fine));
+    fill_by_triangles(*at(shared_.near_, at(shared_.blocks_, fine)));
   spread_signs({kSide, kSide, kSide}, 1, nodes_, signs_, [&](int x, int y, int z) {
-    return shared_.is_inside(corner_ + Vec3d(x, y, z), row.fronts);
+    return shared_.is_inside(corner_ + Vec3d(x, y, z), layer.fronts);
   });
-  compare_sides(row.fronts);
+  compare_sides(layer.fronts);
   for (int i = 0; i < kNodes; ++i)
     if (at(signs_, i) == NodeSign::Inside) at(nodes_, i) = -at(nodes_, i);
   FieldBuilder::write_pairs(nodes_, kSide, field_.layouts_[1].step, pairs_of(fine));
-  at(shared_.filled_, fine) = 1;
   if (!field_.settings_.exact) return;
   for (std::vector<int>& triangles : triangles_) {
-    row.counts.push_back(static_cast<std::uint32_t>(triangles.size()));
-    row.triangles.insert(row.triangles.end(), triangles.begin(), triangles.end());
+    layer.counts.push_back(static_cast<std::uint32_t>(triangles.size()));
+    layer.triangles.insert(layer.triangles.end(), triangles.begin(), triangles.end());
     triangles.clear();
   }
 }
 
-/// Copies the nodes that the coarse lattice and the blocks that are filled have in common with a block, and
-/// their signs.
+/// Copies the nodes that the coarse lattice and the blocks before have in common with a block, and their
+/// signs.
 void BlockFiller::copy_known(int fine) {
   const auto [bx, by, bz] = shared_.block_at(at(shared_.blocks_, fine));
   signs_.fill(NodeSign::Unknown);
@@ -51,22 +50,18 @@ void BlockFiller::copy_known(int fine) {
              at(shared_.coarse_,
                 shared_.coarse_number(bx + i / kBlock, by + j / kBlock, bz + k / kBlock)));
   const std::array<int, 3> here = {bx, by, bz};
-  const std::array<int, 3> step = {1, kSide, kSide * kSide};
+  constexpr std::array<int, 3> kStep = {1, kSide, kSide * kSide};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int side : {-1, 1}) {
-      std::array<int, 3> next = here;
-      next[axis] += side;
-      if (next[axis] < 0 || next[axis] == field_.blocks_[axis]) continue;
-      const int other = at(shared_.fine_of_block_, shared_.block_number(next[0], next[1], next[2]));
-      if (other < 0 || at(shared_.filled_, other) == 0) continue;
-      const std::span<const Node> nodes = shared_.fine_nodes(other);
-      const int own_face = side < 0 ? 0 : kBlock * step[axis];
-      const int other_face = kBlock * step[axis] - own_face;
-      const int along = step[(axis + 1) % 3], across = step[(axis + 2) % 3];
-      for (int v = 0; v < kSide; ++v)
-        for (int u = 0; u < kSide; ++u)
-          take(own_face + u * along + v * across, at(nodes, other_face + u * along + v * across));
-    }
+    if (here[axis] == 0) continue;
+    std::array<int, 3> next = here;
+    --next[axis];
+    const int before = at(shared_.fine_of_block_, shared_.block_number(next[0], next[1], next[2]));
+    if (before < 0) continue;
+    const std::span<const Node> nodes = shared_.fine_nodes(before);
+    const int along = kStep[(axis + 1) % 3], across = kStep[(axis + 2) % 3];
+    for (int v = 0; v < kSide; ++v)
+      for (int u = 0; u < kSide; ++u)
+        take(u * along + v * across, at(nodes, kBlock * kStep[axis] + u * along + v * across));
   }
 }
 
@@ -95,28 +90,43 @@ void BlockFiller::fill_by_core() {
   }
 }
 
-/// From the triangles that can be nearest to a point of the block those of small groups of nodes are taken,
-/// and those of its eight parts where cells are to know theirs.
-void BlockFiller::fill_by_triangles(const NearestPoint& nearest_to_middle) {
-  constexpr double kHalf = 0.5 * kBlock;
-  sieve_->fill_around(corner_ + Vec3d::Constant(kHalf), kHalf, nearest_to_middle, of_block_);
-  constexpr int kGroups = kSide / 2 + 1;
-  for (int k = 0; k < kGroups; ++k)
-    for (int j = 0; j < kGroups; ++j)
-      for (int i = 0; i < kGroups; ++i) fill_nodes({i, j, k});
-  if (!field_.settings_.exact) return;
-  constexpr int kPart = kBlock / 2;
-  for (const int k : {0, kPart})
-    for (const int j : {0, kPart})
-      for (const int i : {0, kPart}) find_triangles_of_part({i, j, k});
+void BlockFiller::fill_by_triangles(const FieldBuilder::NearBlock& near) {
+  sieve_->fill(near.triangles, of_block_);
+  last_ = near.to_middle.point;
+  for (const int k : {0, 1})
+    for (const int j : {0, 1})
+      for (const int i : {0, 1}) fill_part({i, j, k});
 }
 
-/// A group has the nodes of a cell, or those of its last face or edge. Along an axis the first group is
-/// the first node, which mostly is known from the block before, the others are pairs.
+/// A part has two cells along each axis. From the triangles that can be nearest to one of its points those
+/// of small groups of nodes, and of cells, are taken.
+void BlockFiller::fill_part(const std::array<int, 3>& part) {
+  const auto [x, y, z] = part;
+  part_middle_ = corner_ + Vec3d(2 * x + 1, 2 * y + 1, 2 * z + 1);
+  part_sifted_ = false;
+  // Groups are numbered along an axis: the first node, which mostly is known from the block before, then
+  // pairs.
+  for (int k = 2 * z; k <= z + 1; ++k)
+    for (int j = 2 * y; j <= y + 1; ++j)
+      for (int i = 2 * x; i <= x + 1; ++i) fill_nodes({i, j, k});
+  if (!field_.settings_.exact) return;
+  for (const int k : {2 * z, 2 * z + 1})
+    for (const int j : {2 * y, 2 * y + 1})
+      for (const int i : {2 * x, 2 * x + 1})
+        if (may_have_surface({i, j, k})) find_triangles({i, j, k});
+}
+
+/// The triangles that can be nearest to a point of the part.
+TriangleSieve::List& BlockFiller::triangles_of_part() {
+  if (!part_sifted_) sieve_->fill_within(of_block_, part_middle_, 1, last_, of_part_);
+  part_sifted_ = true;
+  return of_part_;
+}
+
+/// A group has the nodes of a cell, or those of its last face or edge.
 void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
   const std::array<int, 3> last = {2 * group[0], 2 * group[1], 2 * group[2]};
   const auto first = [&](std::size_t axis) { return std::max(last[axis] - 1, 0); };
-  const Vec3d of_block(last[0], last[1], last[2]);
   std::array<std::array<int, 3>, 8> open;
   std::size_t count = 0;
   for (int k = first(2); k <= last[2]; ++k)
@@ -124,38 +134,22 @@ void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
       for (int i = first(0); i <= last[0]; ++i)
         if (!at(known_, node_in_block(i, j, k))) open[count++] = {i, j, k};
   if (count == 0) return;
-  // To sift the block's triangles costs as much as to ask them for two nodes.
-  TriangleSieve::List& list = count > 2 ? of_part_ : of_block_;
-  if (count > 2) {
-    const Vec3d middle = corner_ + of_block - Vec3d::Constant(0.5);
-    sieve_->fill_within(of_block_, middle, 0.5, sieve_->nearest(of_block_, middle), list);
+  TriangleSieve::List* list = of_block_.leaning() ? &of_block_ : &triangles_of_part();
+  // To sift them costs as much as to ask them for three nodes.
+  if (count > 3) {
+    const Vec3d middle = corner_ + Vec3d(last[0], last[1], last[2]) - Vec3d::Constant(0.5);
+    sieve_->fill_within(*list, middle, 0.5, last_, of_group_);
+    list = &of_group_;
   }
   for (const auto& [i, j, k] : std::span(open).first(count)) {
     const int here = node_in_block(i, j, k);
     const Vec3d point = corner_ + Vec3d(i, j, k);
+    const NearestPoint nearest = sieve_->nearest(*list, point);
+    last_ = nearest.point;
     at(known_, here) = true;
-    const NearestPoint nearest = sieve_->nearest(list, point);
     at(nodes_, here) = shared_.unsigned_node(point, nearest);
     if (nearest.on_face && nearest.squared > kSignSlack * kSignSlack)
       at(side_, here) = field_.triangles_.height_over(nearest.triangle, point) > 0 ? 1 : -1;
-  }
-}
-
-/// A part from a node on: two cells along each axis.
-void BlockFiller::find_triangles_of_part(const std::array<int, 3>& first) {
-  const auto [x, y, z] = first;
-  bool sifted = false;
-  for (int k = z; k < z + 2; ++k) {
-    for (int j = y; j < y + 2; ++j) {
-      for (int i = x; i < x + 2; ++i) {
-        if (!may_have_surface({i, j, k})) continue;
-        const Vec3d middle = corner_ + Vec3d(x + 1, y + 1, z + 1);
-        if (!sifted)
-          sieve_->fill_within(of_block_, middle, 1, sieve_->nearest(of_block_, middle), of_part_);
-        sifted = true;
-        find_triangles({i, j, k});
-      }
-    }
   }
 }
 
@@ -173,9 +167,10 @@ bool BlockFiller::may_have_surface(const std::array<int, 3>& cell) const {
 void BlockFiller::find_triangles(const std::array<int, 3>& cell) {
   const auto [i, j, k] = cell;
   const Vec3d middle = corner_ + Vec3d(i + 0.5, j + 0.5, k + 0.5);
-  const NearestPoint nearest = sieve_->nearest(of_part_, middle);
+  TriangleSieve::List& list = triangles_of_part();
+  const NearestPoint nearest = sieve_->nearest(list, middle);
   if (nearest.squared > kHalfCell * kHalfCell + kSignSlack) return;
-  sieve_->append(of_part_, middle, 0.5, nearest, at(triangles_, (k * kBlock + j) * kBlock + i));
+  sieve_->append(list, middle, 0.5, nearest.point, at(triangles_, (k * kBlock + j) * kBlock + i));
 }
 
 }  // namespace contactscope

@@ -53,10 +53,9 @@ class NearestTriangles {
   }
 
   /// Calls visit(leaf, first, count) for all leaves of the tree with triangles that can be nearest to a
-  /// point of a cube, and some others. `nearest`: of all to the middle. See TriangleSieve.
+  /// point of a cube, and some others. `near`: a point of the surface. See TriangleSieve.
   template <class Visit>
-  void around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
-              const Visit& visit) const;
+  void around(const Vec3d& middle, double half_side, const Vec3d& near, const Visit& visit) const;
 
   /// Which side of the plane of a triangle a point is on, its distance from it: positive in front.
   double height_over(int triangle, const Vec3d& point) const {
@@ -121,21 +120,22 @@ class NearestTriangles {
 };
 
 template <class Visit>
-void NearestTriangles::around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+void NearestTriangles::around(const Vec3d& middle, double half_side, const Vec3d& near,
                               const Visit& visit) const {
   const AabbTree<double>& tree = mesh_->tree;
-  const Floats at_middle = pack_of_point(middle), at_nearest = pack_of_point(nearest.point);
+  const Floats at_middle = pack_of_point(middle), at_near = pack_of_point(near);
+  const double squared = (middle - near).squaredNorm();
   const double diagonal = 2 * 1.7320508075688774 * half_side;
-  const double by_distance = std::sqrt(nearest.squared) + diagonal;
+  const double by_distance = std::sqrt(squared) + diagonal;
   const auto most = static_cast<float>(by_distance * by_distance * (1 + kRoughness));
-  const auto base = static_cast<float>(nearest.squared * (1 + kRoughness));
+  const auto base = static_cast<float>(squared * (1 + kRoughness));
   const auto rise = static_cast<float>(2 * half_side * (1 + kRoughness));
   const int node_count = count_of(tree.nodes);
   int i = 0;
   while (i < node_count) {
     const AabbTree<double>::Node& node = at(tree.nodes, i);
     const RoughBox& box = at(node_boxes_, i);
-    const Floats below = box.lower - at_nearest, above = box.upper - at_nearest;
+    const Floats below = box.lower - at_near, above = box.upper - at_near;
     const Floats sides = lanes::larger(lanes::larger(below, -below), lanes::larger(above, -above));
     const float farthest = (sides[0] + sides[1]) + sides[2];
     const bool hit = box.squared_distance(at_middle) <= std::min(most, base + rise * farthest);

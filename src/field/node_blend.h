@@ -22,19 +22,29 @@ struct FieldNode {
 /// Two nodes beside each other along x, the nearer one first, as a blend reads them.
 struct alignas(16) NodePair {
   NodePair() = default;
-  NodePair(const FieldNode& near, const FieldNode& far)
-      : distance{near.distance, far.distance},
-        gradient{{{near.gradient[0], far.gradient[0]},
-                  {near.gradient[1], far.gradient[1]},
-                  {near.gradient[2], far.gradient[2]}}} {}
+  NodePair(const FieldNode& near, const FieldNode& far) {
+#ifdef __SSE2__
+    _mm_store_si128(reinterpret_cast<__m128i*>(this),
+                    _mm_unpacklo_epi16(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&near)),
+                                       _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&far))));
+#else
+    distance = {near.distance, far.distance};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      gradient[axis] = {near.gradient[axis], far.gradient[axis]};
+#endif
+  }
 
   std::array<std::int16_t, 2> distance;
   /// The last number is odd where the cell of which these two nodes are the first asks its triangles: a
   /// query learns so without a look at other memory.
   std::array<std::array<std::int16_t, 2>, 3> gradient;
 
-  bool asks_triangles() const { return (gradient[2][1] & 1) != 0; }
-  void ask_triangles() { gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1); }
+  bool asks_triangles() const {
+    return (gradient[2][1] & 1) != 0;
+  }
+  void ask_triangles() {
+    gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1);
+  }
 };
 
 inline constexpr float kGradientScale = 32766;
@@ -43,12 +53,25 @@ inline constexpr double kMostSteps = 32767;
 /// Distance, then its gradient, rounded. A distance is off by half a step, and by less than 1/100 of one
 /// that float's rounding may add.
 inline FieldNode rounded_node(const lanes::Pack<float>& node, float steps_per_cell) {
-  const auto rounded = [](float value) { return static_cast<std::int16_t>(std::lrintf(value)); };
-  const auto even = [&](float slope) {
-    return static_cast<std::int16_t>(2 * rounded(0.5F * kGradientScale * slope));
+  lanes::Pack<float> scale = lanes::all(0.5F * kGradientScale);
+  scale[0] = steps_per_cell;
+  const lanes::Pack<float> most = lanes::all(static_cast<float>(kMostSteps));
+  const lanes::Pack<float> scaled = lanes::larger(-most, lanes::smaller(most, node * scale));
+  constexpr lanes::Flags<float> kOfGradient = {0, -1, -1, -1};
+  FieldNode rounded;
+#ifdef __SSE2__
+  const auto whole =
+      reinterpret_cast<lanes::Flags<float>>(_mm_cvtps_epi32(reinterpret_cast<__m128>(scaled)));
+  const auto even = reinterpret_cast<__m128i>(whole + (whole & kOfGradient));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(&rounded), _mm_packs_epi32(even, even));
+#else
+  const auto even = [&](int lane) {
+    const auto whole = static_cast<int>(std::lrintf(scaled[lane]));
+    return static_cast<std::int16_t>(whole + (whole & kOfGradient[lane]));
   };
-  return {rounded(std::clamp(node[0] * steps_per_cell, -32767.0F, 32767.0F)),
-          {even(node[1]), even(node[2]), even(node[3])}};
+  rounded = {even(0), {even(1), even(2), even(3)}};
+#endif
+  return rounded;
 }
 inline constexpr double kNodeRounding = 0.51;  // steps
 

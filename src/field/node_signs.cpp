@@ -21,6 +21,18 @@ class SignSpreader {
   int index(int x, int y, int z) const { return (z * counts_[1] + y) * counts_[0] + x; }
   NodeSign& sign(int i) const { return at(signs_, i); }
 
+  /// Where the surface leaves a way between all neighbours, gives all nodes the sign of any known one.
+  bool one_sign() const {
+    lanes::Pack<float> least = nodes_.front();
+    for (const lanes::Pack<float>& node : nodes_) least = lanes::smaller(least, node);
+    if (!(least[0] + least[0] > ways_[1])) return false;
+    const auto known =
+        std::ranges::find_if(signs_, [](NodeSign own) { return own != NodeSign::Unknown; });
+    if (known == signs_.end()) return false;
+    std::ranges::fill(signs_, *known);
+    return true;
+  }
+
   /// Along axes, in the order of memory and back: that is enough for nearly all nodes.
   bool sweep() const {
     const int last = static_cast<int>(nodes_.size()) - 1;
@@ -28,6 +40,24 @@ class SignSpreader {
     for (int i = 0; i <= last; ++i) take_from_neighbour(i, -1);
     for (int i = last; i >= 0; --i) all &= take_from_neighbour(i, 1);
     return all;
+  }
+
+  /// Whether a node has a neighbour, along diagonals too, whose sign it can take.
+  bool take_from_any(int x, int y, int z) const {
+    const int to = index(x, y, z);
+    for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w) {
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, counts_[0] - 1); ++u) {
+          const int from = index(u, v, w);
+          if (sign(from) == NodeSign::Unknown ||
+              !leaves_way(from, to, (u != x) + (v != y) + (w != z)))
+            continue;
+          sign(to) = sign(from);
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// To all neighbours of the open nodes, and from those on.
@@ -86,16 +116,17 @@ void spread_signs(const std::array<int, 3>& counts, double side,
                   std::span<const lanes::Pack<float>> nodes, std::span<NodeSign> signs,
                   const std::function<bool(int, int, int)>& is_inside) {
   SignSpreader spreader(counts, side, nodes, signs);
-  if (spreader.sweep()) return;
+  if (spreader.one_sign() || spreader.sweep()) return;
   const auto for_nodes = [&](const auto& visit) {
     for (int z = 0; z < counts[2]; ++z)
       for (int y = 0; y < counts[1]; ++y)
         for (int x = 0; x < counts[0]; ++x) visit(x, y, z, spreader.sign(spreader.index(x, y, z)));
   };
   for_nodes([&](int x, int y, int z, NodeSign sign) {
-    if (sign != NodeSign::Unknown) spreader.open(x, y, z);
+    if (sign != NodeSign::Unknown || !spreader.take_from_any(x, y, z)) return;
+    spreader.open(x, y, z);
+    spreader.spread();
   });
-  spreader.spread();
   for_nodes([&](int x, int y, int z, NodeSign& sign) {
     if (sign != NodeSign::Unknown) return;
     sign = is_inside(x, y, z) ? NodeSign::Inside : NodeSign::Outside;

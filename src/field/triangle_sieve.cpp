@@ -26,6 +26,9 @@ SieveFloats beyond(const SieveFloats& along, const SieveFloats& length) {
   return along - lanes::smaller(lanes::larger(along, SieveFloats{}), length);
 }
 
+/// Where triangles lean less, those that a cube is over are few, and distances hardly leave out more.
+constexpr float kTrustedLean = 0.25F;
+
 constexpr double kDiagonal = 1.7320508075688774;  // of a unit cube, rounded up
 
 }  // namespace
@@ -64,8 +67,6 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle, 
   const Vec3d second_axis = normal.cross(first_axis);
   const Eigen::Vector2d tip(third.dot(first_axis), third.dot(second_axis));
   const Eigen::Vector2d second = tip - Eigen::Vector2d(length, 0);
-  Aabb<double> box;
-  for (int k = 0; k < 3; ++k) box.include(mesh.corner(triangle, k));
   Flat numbers{};
   const auto set = [&](int first, const auto& vector) {
     for (int i = 0; i < vector.size(); ++i) at(numbers, first + i) = static_cast<float>(vector[i]);
@@ -79,8 +80,6 @@ TriangleSieve::Flat TriangleSieve::flat(const Mesh<double>& mesh, int triangle, 
   numbers[kSecond + 2] = static_cast<float>(second.norm());
   set(kThird, Eigen::Vector2d(tip.normalized()));
   numbers[kThird + 2] = static_cast<float>(tip.norm());
-  set(kMiddle, box.center());
-  numbers[kExtent] = static_cast<float>(0.5 * box.extent().sum() * (1 + 0x1p-20));
   // The normal of a sliver is as uncertain as its corners are rounded.
   const double rounding = 0x1p-48 * size_ / tip.y();
   numbers[kLean] = rounding < 1 ? static_cast<float>(lean + rounding) : kAnyLean;
@@ -99,8 +98,12 @@ void TriangleSieve::lay_out(List& list) const {
   const std::span<const int> triangles = list.triangles_;
   list.fours_.resize((triangles.size() + 3) / 4);
   list.squared_.resize(list.fours_.size());
-  for (std::size_t i = 0; i < list.fours_.size(); ++i)
+  std::size_t leaning = 0;
+  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
     lay_out(triangles.subspan(4 * i), list.fours_[i]);
+    leaning += lanes::bits<float>(list.fours_[i][kLean] >= lanes::all(kTrustedLean)) != 0 ? 1 : 0;
+  }
+  list.leaning_ = 2 * leaning > list.fours_.size();
 }
 
 void TriangleSieve::lay_out(std::span<const int> triangles, Four& laid_out) const {
@@ -144,7 +147,7 @@ void TriangleSieve::lay_out(std::span<const int> triangles, Four& laid_out) cons
   const Floats of_third = third_beyond * third_beyond + third * third;
   const Floats in_plane = lanes::smaller(of_first, lanes::smaller(of_second, of_third));
   const auto outside = (y < 0) | (second < 0) | (third < 0);
-  in_frame = {first_beyond, y, z, {y, second, third}};
+  in_frame = {first_beyond, y, z};
   const auto by_second = of_second == in_plane;
   const auto by_third = of_third == in_plane;
   in_frame.x =
@@ -195,19 +198,17 @@ NearestPoint TriangleSieve::nearest(List& list, const Vec3d& point) const {
   }
   const double distance = std::sqrt(double{lanes::smallest<float>(least)[0]}) + 2 * slack_;
   const Floats most = lanes::all(static_cast<float>(distance * distance * (1 + 0x1p-20)));
-  list.near_.resize(list.fours_.size());
-  std::size_t near_count = 0;
-  for (std::size_t i = 0; i < list.fours_.size(); ++i) {
-    list.near_[near_count] = static_cast<int>(i);
-    near_count += lanes::bits<float>(list.squared_[i] <= most) != 0 ? 1 : 0;
-  }
   NearestPoint best;
-  for (std::size_t n = 0; n < near_count; ++n) {
-    for (std::uint32_t bits = lanes::bits<float>(at(list.squared_, list.near_[n]) <= most);
-         bits != 0; bits &= bits - 1) {
-      const int triangle = 4 * list.near_[n] + __builtin_ctz(bits);
-      if (triangle >= count_of(list.triangles_)) break;
-      triangles_.improve(at(list.triangles_, triangle), point, best);
+  constexpr int kFours = 16;  // whose bits one number has
+  const int all = count_of(list.fours_);
+  for (int first = 0; first < all; first += kFours) {
+    std::uint64_t near = 0;
+    for (int i = first; i < std::min(first + kFours, all); ++i)
+      near |= std::uint64_t{lanes::bits<float>(at(list.squared_, i) <= most)} << 4 * (i - first);
+    for (; near != 0; near &= near - 1) {
+      const int triangle = 4 * first + __builtin_ctzll(near);
+      if (triangle < count_of(list.triangles_))
+        triangles_.improve(at(list.triangles_, triangle), point, best);
     }
   }
   return best;
@@ -230,30 +231,49 @@ float TriangleSieve::rough_distance(const List& list, const Vec3d& point) const 
 }
 
 TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
-                                        const NearestPoint& nearest) const {
+                                        const Vec3d& near) const {
   // (sqrt(a) + e)^2 <= (1 + t) a + (1 + 1/t) e^2 for any t: the rounding of a distance, as of a square.
   constexpr double kShare = 0x1p-8;
-  const double by_distance = std::sqrt(nearest.squared) + 2 * kDiagonal * half_side;
+  const double own = (middle - near).squaredNorm();
+  const double by_distance = std::sqrt(own) + 2 * kDiagonal * half_side;
   const double slack = (1 + 1 / kShare) * 4 * slack_ * slack_;
   const auto limit_of = [&](double squared) {
     return lanes::all(static_cast<float>((1 + kShare) * squared + slack));
   };
-  const double squared = nearest.squared + 8 * half_side * slack_;
+  const double squared = own + 8 * half_side * slack_;
   return {in_all_lanes(middle),
-          in_all_lanes(nearest.point),
+          in_all_lanes(near),
           limit_of(by_distance * by_distance),
-          limit_of(squared),
           limit_of(squared + 3 * half_side * half_side),
           lanes::all(static_cast<float>((1 + kShare) * 2 * half_side)),
           lanes::all(static_cast<float>(half_side)),
           lanes::all(static_cast<float>(2 * slack_))};
 }
 
+[[gnu::always_inline]] inline std::uint32_t TriangleSieve::over_triangles(const Four& four,
+                                                                          const Cube& cube) {
+  const Floats from_x = cube.middle[0] - four[kOrigin];
+  const Floats from_y = cube.middle[1] - four[kOrigin + 1];
+  const Floats from_z = cube.middle[2] - four[kOrigin + 2];
+  const auto along = [&](std::size_t axis) {
+    return four[axis] * from_x + four[axis + 1] * from_y + four[axis + 2] * from_z;
+  };
+  const Floats x = along(kAxes), y = along(kAxes + 3), height = along(kAxes + 6);
+  // The farthest that a point of the cube may be on the outer side of an edge.
+  const Floats out =
+      cube.slack + four[kLean] * (magnitude(height) + cube.half_side * four[kNormal] + cube.slack);
+  const auto reaches = [&](const Floats& inner, std::size_t edge) {
+    return inner + cube.half_side * four[kInward + edge] >= -out;
+  };
+  return lanes::bits<float>((height * height <= cube.most) & reaches(y, 0) &
+                            reaches(y * four[kSecond] - (x - four[kBase]) * four[kSecond + 1], 1) &
+                            reaches(x * four[kThird + 1] - y * four[kThird], 2));
+}
+
 /// See the class: with x*, the triangle's point that is nearest to c, and r = |x-x*|,
 ///     |c-x|^2 >= |c-x*|^2 + r^2   and   |x-q|_1 <= |x*-q|_1 + sqrt(3) r,
 /// so that |c-x*|^2 <= |c-q|^2 + 2 h |x*-q|_1 + 3 h^2, the worst r being sqrt(3) h.
-[[gnu::always_inline]] inline std::uint32_t TriangleSieve::can_be_nearest(const Four& four,
-                                                                          const Cube& cube) {
+[[gnu::noinline]] std::uint32_t TriangleSieve::near_enough(const Four& four, const Cube& cube) {
   InFrame offset;
   const Floats own = squared_distance(four, cube.middle, offset);
   Floats sum{};
@@ -261,43 +281,33 @@ TriangleSieve::Cube TriangleSieve::cube(const Vec3d& middle, double half_side,
     sum += magnitude((cube.middle[axis] - cube.nearest[axis]) -
                      (four[kAxes + axis] * offset.x + four[kAxes + 3 + axis] * offset.y +
                       four[kAxes + 6 + axis] * offset.height));
-  auto can_be = own <= lanes::smaller(cube.most, cube.by_nearest + cube.rise * sum);
-  // The farthest that a point of the cube may be on the outer side of an edge.
-  const Floats out = cube.slack + four[kLean] * (magnitude(offset.height) +
-                                                 cube.half_side * four[kNormal] + cube.slack);
-  for (std::size_t edge = 0; edge < 3; ++edge)
-    can_be &= offset.inner[edge] + cube.half_side * four[kInward + edge] >= -out;
-  return lanes::bits<float>(can_be);
+  return lanes::bits<float>(own <= lanes::smaller(cube.most, cube.by_nearest + cube.rise * sum));
 }
 
-/// |x-q|_1 is no larger than at the farthest corner of the triangle's box: that leaves out most. No branch
-/// depends on whether a triangle is kept: nothing could foresee it.
-void TriangleSieve::append(List& from, const Vec3d& middle, double half_side,
-                           const NearestPoint& nearest, std::vector<int>& found) const {
-  const Cube asked = cube(middle, half_side, nearest);
-  from.near_.resize(from.fours_.size());
-  std::size_t near_count = 0;
+/// No branch depends on whether a triangle is kept: nothing could foresee it.
+template <class Sift>
+void TriangleSieve::append_if(const List& from, std::vector<int>& found, const Sift& sift) {
+  const std::size_t before = found.size(), all = from.triangles_.size();
+  found.resize(before + all + 4);
+  int* to = found.data() + before;
   for (std::size_t i = 0; i < from.fours_.size(); ++i) {
-    const Four& four = from.fours_[i];
-    Floats sum = four[kExtent];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum += magnitude(four[kMiddle + axis] - asked.nearest[axis]);
-    const auto can_be =
-        from.squared_[i] <= lanes::smaller(asked.most, asked.by_corner + asked.rise * sum);
-    from.near_[near_count] = static_cast<int>(i);
-    near_count += lanes::bits<float>(can_be) != 0 ? 1 : 0;
-  }
-  std::size_t count = found.size();
-  found.resize(count + 4 * near_count);
-  for (std::size_t n = 0; n < near_count; ++n) {
-    const std::uint32_t kept = can_be_nearest(at(from.fours_, from.near_[n]), asked);
-    for (int lane = 0; lane < 4; ++lane) {
-      const int triangle = 4 * from.near_[n] + lane;
-      found[count] = at(from.triangles_, std::min(triangle, count_of(from.triangles_) - 1));
-      count += (kept >> lane & 1U) != 0 && triangle < count_of(from.triangles_) ? 1 : 0;
+    std::uint32_t kept = sift(i);
+    if (4 * i + 4 > all) kept &= (1U << (all - 4 * i)) - 1;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      *to = from.triangles_[std::min(4 * i + lane, all - 1)];
+      to += kept >> lane & 1U;
     }
   }
-  found.resize(count);
+  found.resize(static_cast<std::size_t>(to - found.data()));
+}
+
+void TriangleSieve::append(const List& from, const Vec3d& middle, double half_side,
+                           const Vec3d& near, std::vector<int>& found) const {
+  const Cube asked = cube(middle, half_side, near);
+  append_if(from, found, [&](std::size_t i) {
+    const std::uint32_t over = over_triangles(from.fours_[i], asked);
+    return over == 0 ? 0 : over & near_enough(from.fours_[i], asked);
+  });
 }
 
 void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
@@ -305,15 +315,17 @@ void TriangleSieve::fill(std::span<const int> triangles, List& list) const {
   lay_out(list);
 }
 
-void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Vec3d& near,
                                 List& list) const {
   list.triangles_.clear();
-  const Cube asked = cube(middle, half_side, nearest);
+  const Cube asked = cube(middle, half_side, near);
   const std::vector<int>& in_order = triangles_.mesh().tree.triangles;
-  triangles_.around(middle, half_side, nearest, [&](int leaf, int first, int count) {
+  triangles_.around(middle, half_side, near, [&](int leaf, int first, int count) {
     for (int k = 0; k < count; k += 4) {
-      const std::uint32_t kept =
-          can_be_nearest(at(leaves_, at(first_of_leaf_, leaf) + k / 4), asked);
+      const Four& four = at(leaves_, at(first_of_leaf_, leaf) + k / 4);
+      std::uint32_t kept = over_triangles(four, asked);
+      if (kept == 0) continue;
+      kept &= near_enough(four, asked);
       for (int lane = 0; lane < std::min(4, count - k); ++lane)
         if ((kept >> lane & 1U) != 0) list.triangles_.push_back(at(in_order, first + k + lane));
     }
@@ -322,9 +334,24 @@ void TriangleSieve::fill_around(const Vec3d& middle, double half_side, const Nea
 }
 
 void TriangleSieve::fill_within(List& from, const Vec3d& middle, double half_side,
-                                const NearestPoint& nearest, List& list) const {
+                                const Vec3d& near, List& list) const {
   list.triangles_.clear();
-  append(from, middle, half_side, nearest, list.triangles_);
+  if (from.leaning_) {
+    // Distances decide, for which the nearest point itself is worth its search.
+    const Cube asked = cube(middle, half_side, nearest(from, middle).point);
+    append_if(from, list.triangles_, [&](std::size_t i) {
+      const std::uint32_t in_reach = lanes::bits<float>(from.squared_[i] <= asked.most);
+      return in_reach == 0 ? 0 : in_reach & near_enough(from.fours_[i], asked);
+    });
+  } else {
+    const Cube asked = cube(middle, half_side, near);
+    append_if(from, list.triangles_, [&](std::size_t i) {
+      const Four& four = from.fours_[i];
+      const std::uint32_t over = over_triangles(four, asked);
+      const auto leaning = lanes::bits<float>(four[kLean] >= lanes::all(kTrustedLean));
+      return (over & leaning) == 0 ? over : over & near_enough(four, asked);
+    });
+  }
   lay_out(list);
 }
 

@@ -21,13 +21,14 @@ namespace contactscope {
 ///     |c-x|^2  <=  |c-q|^2 + 2 h |x-q|_1        h: half the side of the cube; |.|_1: sum of the axes
 ///
 /// holds for each such x. On a flat surface that leaves a disc about q whose radius is some three h,
-/// however far from the surface the cube is. And x is where the way from p to it leans little from the
+/// however far from the surface the cube is; any other point of the surface does in the place of q, and
+/// leaves more. And x is where the way from p to it leans little from the
 /// triangle's normal (lean.h): the cube must meet the prism over the triangle, its sides tilted outward
 /// so much. That leaves little more than the shadow of the cube.
 class TriangleSieve {
   using Floats = lanes::Pack<float>;
   /// The numbers of four triangles side by side (Number).
-  using Four = std::array<Floats, 28>;
+  using Four = std::array<Floats, 24>;
 
  public:
   /// `size`: the largest coordinate, of points and of triangles. Keeps a reference to `triangles`.
@@ -37,27 +38,28 @@ class TriangleSieve {
   class List {
    public:
     std::span<const int> triangles() const { return triangles_; }
+    /// Most of them have no small lean: to sift them is dear.
+    bool leaning() const { return leaning_; }
 
    private:
     friend class TriangleSieve;
     std::vector<int> triangles_;
     std::vector<Four> fours_;
     std::vector<Floats> squared_;  // distances from the point that was asked last
-    std::vector<int> near_;        // fours that may count; a member so that it keeps its memory
+    bool leaning_ = false;
   };
 
-  // Lists are filled, and not returned, so that they keep their memory. What is asked about a cube needs
-  // the question nearest() of its middle before it.
+  // Lists are filled, and not returned, so that they keep their memory.
 
   void fill(std::span<const int> triangles, List& list) const;
-  /// All triangles that can be nearest to a point of a cube. `nearest`: of all to its middle.
-  void fill_around(const Vec3d& middle, double half_side, const NearestPoint& nearest,
+  /// All triangles that can be nearest to a point of a cube. `near`: a point of the surface, best the
+  /// one that is nearest to the cube's middle.
+  void fill_around(const Vec3d& middle, double half_side, const Vec3d& near, List& list) const;
+  /// The same among those of a list, and some others.
+  void fill_within(List& from, const Vec3d& middle, double half_side, const Vec3d& near,
                    List& list) const;
-  /// The same among those of a list.
-  void fill_within(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
-                   List& list) const;
-  /// The same, appended to `found`.
-  void append(List& from, const Vec3d& middle, double half_side, const NearestPoint& nearest,
+  /// Without the others, appended to `found`.
+  void append(const List& from, const Vec3d& middle, double half_side, const Vec3d& near,
               std::vector<int>& found) const;
 
   /// The nearest of all triangles. `seed`: tried first, a triangle near by makes the search short.
@@ -79,12 +81,10 @@ class TriangleSieve {
     kBase = 12,    // length of the longest edge
     kSecond = 13,  // direction of the edge after it, two numbers, and its length
     kThird = 16,   // direction from the origin to the third corner, and its length
-    kMiddle = 19,  // of its box
-    kExtent = 22,  // half the sum of the sides of its box, rounded up
-    kLean = 23,    // lean.h
-    kInward = 24,  // of each edge, in the order above: |.|_1 of the direction inward
-    kNormal = 27,  // the same of the normal
-    kNumbers = 28
+    kLean = 19,    // lean.h
+    kInward = 20,  // of each edge, in the order above: |.|_1 of the direction inward
+    kNormal = 23,  // the same of the normal
+    kNumbers = 24
   };
   using Flat = std::array<float, kNumbers>;
 
@@ -92,21 +92,24 @@ class TriangleSieve {
   void lay_out(List& list) const;
   /// Four triangles of this many; the last one fills up the others.
   void lay_out(std::span<const int> triangles, Four& four) const;
-  /// From the nearest point of each triangle to a point, in the triangles' frames; and how far the point
-  /// is on the inner side of each edge.
+  /// From the nearest point of each triangle to a point, in the triangles' frames.
   struct InFrame {
     Floats x, y, height;
-    std::array<Floats, 3> inner;
   };
   /// A cube as triangles are asked about it.
   struct Cube {
     std::array<Floats, 3> middle, nearest;  // points, the latter on the surface
-    Floats most, by_corner, by_nearest, rise;
+    Floats most, by_nearest, rise;
     Floats half_side, slack;
   };
-  Cube cube(const Vec3d& middle, double half_side, const NearestPoint& nearest) const;
-  /// A bit for each that can be nearest to a point of the cube.
-  static std::uint32_t can_be_nearest(const Four& four, const Cube& cube);
+  Cube cube(const Vec3d& middle, double half_side, const Vec3d& near) const;
+  /// A bit for each triangle whose tilted prism meets the cube.
+  static std::uint32_t over_triangles(const Four& four, const Cube& cube);
+  /// A bit for each that is near enough.
+  static std::uint32_t near_enough(const Four& four, const Cube& cube);
+  /// Appends the triangles of each four i for which sift(i) has a bit.
+  template <class Sift>
+  static void append_if(const List& from, std::vector<int>& found, const Sift& sift);
   static Floats squared_distance(const Four& four, const std::array<Floats, 3>& point,
                                  InFrame& offset);
 

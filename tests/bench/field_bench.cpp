@@ -1,22 +1,25 @@
 // Signed distance fields of a wavy ball of 9,680 triangles, 1 m across, double; of a lattice of so many
 // cells:
-//   build      milliseconds, the least of several; bytes
+//   build      milliseconds on one core, the least of several; bytes
 //   query      nanoseconds, the mean of random points of the ball's box, and of points in the band
 //   error      of the distance in millimetres: of the points in the band half, 99 % and all are better
 //   exact      share of the points in the band that triangles answer
 //   plate      places lost of 8,738 in the middle of a plate of half a cell, the worst of eight shifts
 //   bounds     wrong ones among random queries, their mean width in cells in the band
-// Beside them OpenVDB's level set with a band of three cells, where it is installed.
+// Beside them OpenVDB's level set with a band of three cells, where it is installed; and the times of both
+// builds on two cores, four, ... and all.
 // Arguments: cells (64), queries for the bounds (1000000).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "bench/field_judge.h"
 #include "bench/field_openvdb.h"
+#include "core/workers.h"
 #include "field/distance_field.h"
 #include "field/thin_plate.h"
 #include "support/random_geometry.h"
@@ -74,15 +77,40 @@ int most_places_lost(FieldSettings settings) {
   return most;
 }
 
-void measure(const Mesh<double>& mesh, const FieldSettings& settings,
-             const std::vector<Vec3d>& points) {
-  double build = 1e9;
-  PlacedField field;
+/// The least seconds of several builds.
+double seconds_to_build(const Mesh<double>& mesh, const FieldSettings& settings,
+                        PlacedField& field) {
+  double least = 1e9;
   for (int round = 0; round < 5; ++round) {
     const auto start = Clock::now();
     field = build_distance_field(mesh, settings);
-    build = std::min(build, seconds_since(start));
+    least = std::min(least, seconds_since(start));
   }
+  return least;
+}
+
+/// Of so many threads, this field and OpenVDB's in turns: the machine is the same to both.
+void compare_threads(const Mesh<double>& mesh, FieldSettings settings) {
+  const int most = hardware_threads();
+  for (int threads = 1;; threads = std::min(2 * threads, most)) {
+    settings.threads = threads;
+    PlacedField field;
+    double own = 1e9, openvdb = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 3; ++round) {
+      own = std::min(own, seconds_to_build(mesh, settings, field));
+      openvdb = std::min(openvdb, test::seconds_to_build_openvdb(mesh, settings.cells, threads));
+    }
+    std::printf("%d threads: build %.1f ms", threads, 1e3 * own);
+    if (std::isfinite(openvdb)) std::printf(", OpenVDB %.1f ms", 1e3 * openvdb);
+    std::printf("\n");
+    if (threads == most) return;
+  }
+}
+
+void measure(const Mesh<double>& mesh, FieldSettings settings, const std::vector<Vec3d>& points) {
+  settings.threads = 1;
+  PlacedField field;
+  const double build = seconds_to_build(mesh, settings, field);
   std::vector<Vec3d> in_band;
   std::vector<double> errors;
   int exact = 0;
@@ -158,6 +186,9 @@ int main(int argc, char** argv) {
   measure(mesh, {.cells = cells, .band = 1, .smooth = kSmoothPart}, points);
   measure(mesh, {.cells = cells, .band = 0, .smooth = kSmoothPart}, points);
   test::measure_openvdb(mesh, cells, points);
+  compare_threads(
+      mesh,
+      {.cells = cells, .interpolation = FieldInterpolation::Trilinear, .smooth = kSmoothPart});
   // Half of them where the surface's cells know the distance.
   judge_bounds(mesh, {.cells = cells, .exact = false}, queries / 2);
   judge_bounds(mesh, {.cells = cells, .smooth = kSmoothPart}, queries - queries / 2);

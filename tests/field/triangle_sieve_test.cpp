@@ -57,14 +57,16 @@ TEST(TriangleSieve, SlowLosesNoTriangleThatIsNearestToAPointOfACube) {
     for (int k = 0; k < 30; ++k) {
       TriangleSieve::List of_cube, of_part;
       const Vec3d middle = on_eighths(random.vector(0, surface.size));
-      sieve.fill_around(middle, 2, triangles.nearest(middle), of_cube);
+      // Half of the time with a point of the surface that is not the nearest one.
+      const Vec3d aside = k % 2 == 0 ? Vec3d::Zero().eval() : random.vector(-1, 1);
+      sieve.fill_around(middle, 2, triangles.nearest(middle + aside).point, of_cube);
       const Vec3d half = middle + Vec3d(1, -1, 1);
-      const NearestPoint of_half = sieve.nearest(of_cube, half);
-      sieve.fill_within(of_cube, half, 1, of_half, of_part);
+      const NearestPoint of_half = triangles.nearest(half + aside);
+      sieve.fill_within(of_cube, half, 1, of_half.point, of_part);
       const Vec3d quarter = half + Vec3d(-0.5, 0.5, 0.5);
-      const NearestPoint of_quarter = sieve.nearest(of_part, quarter);
+      const NearestPoint of_quarter = triangles.nearest(quarter + aside);
       std::vector<int> of_cell;
-      sieve.append(of_part, quarter, 0.5, of_quarter, of_cell);
+      sieve.append(of_part, quarter, 0.5, of_quarter.point, of_cell);
       const auto expect_nearest = [&](const std::span<const int> among, const Vec3d& point) {
         const auto truth = static_cast<double>(oracle.distance(point));
         ASSERT_NEAR(std::sqrt(triangles.nearest_of(among, point).squared), truth,
@@ -108,9 +110,9 @@ TEST(TriangleSieve, LeavesADiscOfAFlatSurface) {
   for (const double height : {0.5, 3.0, 12.0}) {
     const Vec3d middle(32.5, 31.5, 4 + height);
     TriangleSieve::List of_cube, of_cell;
-    sieve.fill_around(middle, 0.5, triangles.nearest(middle), of_cube);
+    sieve.fill_around(middle, 0.5, triangles.nearest(middle).point, of_cube);
     const NearestPoint nearest = sieve.nearest(of_cube, middle);
-    sieve.fill_within(of_cube, middle, 0.5, nearest, of_cell);
+    sieve.fill_within(of_cube, middle, 0.5, nearest.point, of_cell);
     EXPECT_GE(of_cell.triangles().size(), 2U);
     EXPECT_LE(of_cell.triangles().size(), 20U) << height;
   }

@@ -22,15 +22,20 @@ constexpr LineStyle kGrid{0.7f, with_alpha(kDropped, 0.35f)};
 constexpr Color kExact = rgb(0xF3DFC1, 0.75f);
 constexpr Color kProbe = rgb(0x3F4650);
 
-constexpr Swatch kSurfaceSwatch{LegendGroup::Trees, 20,
-                                [](auto& pen) { pen.level_line(0, 23, 3.2, kNormal); }};
-constexpr Swatch kOutsideSwatch{LegendGroup::Trees, 21,
-                                [](auto& pen) { pen.level_line(0, 23, 1.2, kOutside); }};
-constexpr Swatch kInsideSwatch{LegendGroup::Trees, 22, [](auto& pen) { pen.dashes(1.6, kInside); }};
+constexpr Swatch kOutsideSwatch{LegendGroup::Trees, 20, [](auto& pen) {
+                                  pen.level_line(0, 23, 3.2, kNormal, -3);
+                                  pen.level_line(0, 23, 1.2, kOutside, 3);
+                                }};
+constexpr Swatch kLinesSwatch{LegendGroup::Trees, 21, [](auto& pen) {
+                                pen.level_line(0, 23, 3.2, kNormal, -6);
+                                pen.level_line(0, 23, 1.2, kOutside);
+                                pen.dashes(1.6, kInside, 6);
+                              }};
+constexpr Color kCellBorder = with_alpha(kDropped, 0.5f);
 constexpr Swatch kBandSwatch{LegendGroup::Trees, 23,
-                             [](auto& pen) { pen.box(kWhite, with_alpha(kDropped, 0.5f), 1); }};
+                             [](auto& pen) { pen.box(kWhite, kCellBorder, 1); }};
 constexpr Swatch kExactSwatch{LegendGroup::Trees, 24,
-                              [](auto& pen) { pen.box(kExact, with_alpha(kDropped, 0.5f), 1); }};
+                              [](auto& pen) { pen.box(kExact, kCellBorder, 1); }};
 constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 2.4, kProbe); }};
 
 /// Where cells of a slice are.
@@ -106,16 +111,14 @@ void draw_level(const trace::FieldSlice& slice, double level, const LineStyle& s
   }
 }
 
-/// `spacing`: metres.
-void draw_contours(const trace::FieldSlice& slice, double spacing, Sketch& sketch) {
+/// `spacing`: metres. Whether there are lines inside.
+bool draw_contours(const trace::FieldSlice& slice, double spacing, Sketch& sketch) {
   const auto [least, largest] = std::ranges::minmax(slice.distances);
   const double step = spacing / slice.cell;
   for (int k = 1; k * step < largest; ++k) draw_level(slice, k * step, kOutsideLine, sketch);
   for (int k = 1; - k * step > least; ++k) draw_level(slice, -k * step, kInsideLine, sketch);
   draw_level(slice, 0, kSurface, sketch);
-  sketch.explain(kSurfaceSwatch, "distance 0: the surface");
-  sketch.explain(kOutsideSwatch, "outside, every " + spell_length(spacing));
-  if (-step > least) sketch.explain(kInsideSwatch, "inside, every " + spell_length(spacing));
+  return -step > least;
 }
 
 void draw_slices(const Scene& scene, Sketch& sketch) {
@@ -125,11 +128,15 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
       largest = std::max(largest, slice.cell * std::abs(distance));
   if (!(largest > 0)) return;
   const double spacing = round_down(2 * largest / kMostLines);
+  bool inside = false;
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
-    draw_contours(slice, spacing, sketch);
+    inside |= draw_contours(slice, spacing, sketch);
   }
+  sketch.explain(
+      inside ? kLinesSwatch : kOutsideSwatch,
+      "distance 0, then every " + spell_length(spacing) + (inside ? ", dashed inside" : ""));
 }
 
 /// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.

@@ -49,7 +49,9 @@ std::string in_one_entry(const std::vector<std::string>& names) {
 
 // By name. Where these are many, a role has one entry, and the rest of the legend its room.
 void explain_shapes(const Scene& scene, Legend& legend) {
-  if (scene.frame.broad_phase) return;            // no shape has a role
+  if (scene.frame.broad_phase) return;  // no shape has a role
+  // A slice is about the field, whatever its name, and has enough signs of its own.
+  if (!scene.frame.field_slices.empty()) return;
   std::array<std::vector<std::string>, 2> names;  // of A, of B
   for (const PlacedShape& shape : scene.shapes)
     if (in_view(scene.camera, shape)) names[shape.is_a ? 0 : 1].push_back(shape.traced().name);

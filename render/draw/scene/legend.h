@@ -70,10 +70,12 @@ class SwatchPen : public Pen {
   }
   Point2 middle() const { return at(11); }
 
-  void level_line(double from, double to, double width, const Color& color) const {
-    line(at(from), at(to), width, color);
+  void level_line(double from, double to, double width, const Color& color, double down = 0) const {
+    line(at(from, down), at(to, down), width, color);
   }
-  void dashes(double width, const Color& color) const { line(left_, at(23), width, color, 6, 2.5); }
+  void dashes(double width, const Color& color, double down = 0) const {
+    line(at(0, down), at(23, down), width, color, 6, 2.5);
+  }
   /// A ring, or a disc where `inner` is 0.
   void dot(double inner, double outer, const Color& color) const {
     ring(middle(), inner, outer, color);
