@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/narrow.h"
 #include "core/input_error.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
@@ -80,7 +81,10 @@ Input input_of(trace::Trace&& trace, const Options& options) {
   input.scenario.views = {default_view()};
   input.scenario.views.front().panels = {Panel::Summary};
   input.trace = std::move(trace);
-  require_view(input.scenario, options.view);
+  if (std::vector<View> views = views_of_file(options); !views.empty())
+    input.scenario.views = std::move(views);
+  else
+    require_view(input.scenario, options.view);
   const std::vector<trace::Frame>& frames = input.trace->frames;
   for (const trace::Frame& frame : frames) {
     if (!options.frames || options.frames->names(frame.frame)) input.frames.push_back(frame.frame);
@@ -100,6 +104,7 @@ void override_views(std::vector<View>& views, const Options& options) {
     view.layers = options.layers.value_or(view.layers);
     view.panels = options.panels.value_or(view.panels);
   }
+  place_camera(views, options);
 }
 
 }  // namespace
@@ -121,8 +126,10 @@ std::vector<std::string> scenario_files(const std::string& root) {
 
 std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
   std::vector<View> views = scenario.views;
-  std::erase_if(
-      views, [&](const View& view) { return !options.view.empty() && view.name != options.view; });
+  std::erase_if(views, [&](const View& view) {
+    const bool by_file = options.view.find(".toml") != std::string::npos;
+    return !by_file && !options.view.empty() && view.name != options.view;
+  });
   return views;
 }
 

@@ -147,11 +147,30 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
   if (name == "--out") return value_with_default(to.out, "Folder to write to");
   if (name == "--backend")
     return value(to.backend_text, "auto, egl or osmesa; default: $CONTACTSCOPE_BACKEND, else auto");
-  if (name == "--view") return value(to.view, "Only this view");
+  if (name == "--view")
+    return value(to.view, "Only this view; of a trace FILE.toml, or FILE.toml:NAME, has the views");
   if (name == "--jobs")
     return value(to.jobs, "Encoder threads; 0: one a processor")->check(CLI::Range(0, 256));
   if (name == "--scenarios")
     return value_with_default(to.scenario_root, "Folder where scenario names are looked up");
+  if (name == "--pair")
+    return value(to.pair, "Show two shapes alone, A,B, and what is between them")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  if (name == "--shapes")
+    return value(to.shapes, "Show these shapes alone, as crate,floor")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  if (name == "--eye")
+    return value(to.eye, "Where the camera stands, X,Y,Z in metres")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  if (name == "--target")
+    return value(to.target, "What it looks at, X,Y,Z in metres")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  if (name == "--fov")
+    return value(to.fov_degrees, "Its field of view, degrees")->check(CLI::Range(1.0, 150.0));
   if (name == "--engines")
     return value(to.engines, "Engines, as contactscope,bullet; default: all that are found")
         ->allow_extra_args(false)

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
+#include "app/narrow.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/verbs.h"
@@ -67,6 +68,14 @@ void account_stages(const Scenario& scenario, const trace::Stages& stages, Ledge
     ledger.left_out("solver, for no shape is dynamic");
 }
 
+/// An engine's trace has no data for most layers; who asks for one is told.
+void tell_idle(const std::string& file, const std::vector<std::string>& layers) {
+  std::string names;
+  for (const std::string& layer : layers) names += (names.empty() ? "" : ", ") + layer;
+  std::cerr << file << ": nothing to draw in layer" << (layers.size() == 1 ? " " : "s ") << names
+            << "; src/trace/README.md says what a trace needs for it\n";
+}
+
 // Runs the scenario, or takes the trace.
 Sequence sequence_of(Input& input, const std::vector<View>& views, const Options& options,
                      Ledger& ledger) {
@@ -79,6 +88,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
     sequence = run_sequence(input.scenario, stages, options.timing, ledger);
     account_stages(input.scenario, stages, ledger);
   }
+  narrow(sequence, options);
   account_facts(input.scenario.name, views, sequence, ledger);
   return sequence;
 }
@@ -110,6 +120,11 @@ ExitCode run_render(const Options& options) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
+        const bool asked = options.layers || !views_of_file(options).empty();
+        if (input.trace.has_value() && asked && !options.quiet) {
+          const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
+          if (!idle.empty()) tell_idle(input.file, idle);
+        }
         const std::optional<std::string> folder =
             input.scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt;
         studio.render(staging, sequence.frames, which, sequence.nanoseconds,
@@ -149,7 +164,8 @@ Verb render_verb() {
   return {"render",
           "Write PNG sequences",
           &run_render,
-          "SCENARIO... --size --layers --panels --timing --json --frames --reducer --out --backend "
+          "SCENARIO... --size --layers --panels --pair --shapes --eye --target --fov --timing "
+          "--json --frames --reducer --out --backend "
           "--view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},

@@ -51,7 +51,11 @@ struct Options {
   gl::Backend backend = gl::Backend::Auto;
   std::optional<Size> size;
   std::optional<FrameRange> frames;
-  std::string view;
+  std::string view;                 // a name; of a trace also FILE.toml or FILE.toml:NAME
+  std::vector<std::string> pair;    // two shapes: nothing else is shown
+  std::vector<std::string> shapes;  // those to show; none: all
+  std::vector<double> eye, target;  // of the camera, metres; none: the view's
+  double fov_degrees = 0;           // 0: the view's
   std::string reducer;
   std::vector<std::string> engines;          // of `versus`; none: all that are found
   double time_limit = 60;                    // seconds, of an engine's program

@@ -213,6 +213,14 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   return scenario;
 }
 
+std::vector<View> load_views(const std::string& path) {
+  using namespace scenario_file;
+  const std::string text = read_text(path);
+  check_text(text, path);
+  const toml::table document = parse_document(text, path);
+  return read_views(Value(path, document, "").require("views", "a view as [[views]]"));
+}
+
 Scenario load_scenario(const std::string& path) {
   return parse_scenario(read_text(path), path);
 }

@@ -190,6 +190,9 @@ Scenario load_scenario(const std::string& path);
 /// The same from text already read; `path` serves messages and relative file names.
 Scenario parse_scenario(const std::string& text, const std::string& path);
 
+/// The [[views]] of a scenario file, or of one that has nothing else; the rest is passed over.
+std::vector<View> load_views(const std::string& path);
+
 /// The view of a file that names none: fitted, with the default layers and no panels.
 View default_view();
 

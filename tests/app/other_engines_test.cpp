@@ -148,5 +148,63 @@ TEST(OtherEngines, SlipsAreNamedWithTheirRemedy) {
               HasSubstr("the header says that there are 7 'frames'"));
 }
 
+/// Two crates side by side on the ground.
+std::string two_crates() {
+  std::string trace = sample_of_the_reference();
+  const std::size_t at = trace.find("\"crate\":{\"type\"");
+  const std::string crate = trace.substr(at + 8, trace.find("}}}", at) + 1 - at - 8);
+  trace = replaced(trace, "\"crate\":{\"type\"", "\"other\":" + crate + ",\"crate\":{\"type\"");
+  const std::string pose = "\"quat_wxyz\":[1,0,0,0]}";
+  return replaced(trace, "\"crate\":{\"position\"",
+                  "\"other\":{\"position\":[4,1,0]," + pose + ",\"crate\":{\"position\"");
+}
+
+TEST(OtherEngines, APairAloneIsWhatATraceWithoutTheRestShows) {
+  const TemporaryFolder folder;
+  const std::string both = folder.write("both.jsonl", two_crates());
+  const auto draw = [&](const std::string& file, const std::string& to, const std::string& more) {
+    const ProgramRun result =
+        run("render '" + file + "' --size 320x180 --out '" + (folder / to) + "' " + more);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_text(folder / (to + "/mine/crate/frame_0000.png"));
+  };
+  const std::string whole = draw(both, "whole", "");
+  const std::string pair = draw(both, "pair", "--pair crate,ground");
+  const std::string shapes = draw(both, "shapes", "--shapes crate,ground");
+  EXPECT_TRUE(whole != pair);
+  EXPECT_TRUE(pair == shapes);
+  EXPECT_TRUE(pair == draw(folder.write("one.jsonl", sample_of_the_reference()), "one", ""));
+  EXPECT_TRUE(whole != draw(both, "camera", "--eye 8,3,5 --target 0,0,0 --fov 30"));
+  const ProgramRun unknown =
+      run("render '" + both + "' --pair crate,grund --out '" + (folder / "out") + "'");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'ground'"));
+}
+
+TEST(OtherEngines, ViewsComeFromAFileThatHasNothingElse) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("both.jsonl", two_crates());
+  const std::string views = folder.write("views.toml",
+                                         "[[views]]\nname = \"far\"\neye = [9, 4, 9]\n"
+                                         "[[views]]\nname = \"near\"\neye = [3, 2, 3]\n");
+  const std::string to = "' --size 320x180 --out '" + (folder / "out") + "'";
+  ASSERT_EQ(run("render '" + file + "' --view '" + views + to).exit_code, 0);
+  EXPECT_EQ(files_below(folder / "out").size(), 2u);
+  ASSERT_EQ(run("render '" + file + "' --view '" + views + ":near" + to).exit_code, 0);
+  const ProgramRun unknown = run("render '" + file + "' --view '" + views + ":nearer" + to);
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("it has far, near"));
+}
+
+TEST(OtherEngines, LayersWithoutDataAreTold) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
+  const ProgramRun result = run(
+      "render '" + file + "' --size 320x180 --layers shapes,contacts,sat_axes,impulses --out '" +
+      (folder / "out") + "'");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("nothing to draw in layers sat_axes, impulses"));
+}
+
 }  // namespace
 }  // namespace contactscope::test

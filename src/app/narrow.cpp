@@ -1,0 +1,125 @@
+#include "app/narrow.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/at.h"
+#include "scenario/nearest_word.h"
+
+namespace contactscope::app {
+namespace {
+
+void require_shape(const trace::Header& header, const std::string& option,
+                   const std::string& name) {
+  const std::vector<std::string_view> names = names_in(header.shapes);
+  if (std::ranges::find(names, name) != names.end()) return;
+  throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
+                   "there is " + quoted_list(names));
+}
+
+std::optional<Vec3d> place_named(const std::string& option, const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  if (numbers.size() != 3)
+    throw UsageError(option + " is a place of three numbers, as " + option + "=1,2,3");
+  return Vec3d(numbers[0], numbers[1], numbers[2]);
+}
+
+/// What a layer put into a picture.
+std::size_t drawn_by(const draw::Sketch& sketch) {
+  return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
+         sketch.arrows.size() + sketch.marks.size() + sketch.labels.size() + sketch.bodies.size();
+}
+
+}  // namespace
+
+void narrow(Sequence& sequence, const Options& options) {
+  if (options.pair.empty() && options.shapes.empty()) return;
+  if (!options.pair.empty() && options.pair.size() != 2)
+    throw UsageError("--pair names two shapes, as --pair=crate,floor");
+  std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
+  for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
+  for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
+  shown.insert(options.pair.begin(), options.pair.end());
+  const auto is_pair = [&](const trace::Pair& pair) {
+    return options.pair.empty() || (pair.a == options.pair[0] && pair.b == options.pair[1]) ||
+           (pair.a == options.pair[1] && pair.b == options.pair[0]);
+  };
+  for (trace::Frame& frame : sequence.frames) {
+    std::erase_if(frame.poses,
+                  [&](const trace::Placement& one) { return !shown.contains(one.first); });
+    std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
+      return !is_pair(pair) || !shown.contains(pair.a) || !shown.contains(pair.b);
+    });
+    const auto hidden = [&](const auto& one) { return !shown.contains(one.name); };
+    std::erase_if(frame.deformed, hidden);
+    std::erase_if(frame.field_slices, hidden);
+    if (frame.broad_phase) {
+      std::erase_if(frame.broad_phase->bounds, hidden);
+      std::erase_if(frame.broad_phase->end_swaps, [&](const trace::EndSwap& swap) {
+        return !shown.contains(swap.lower) || !shown.contains(swap.upper);
+      });
+    }
+    if (!frame.solver) continue;
+    std::erase_if(frame.solver->bodies, hidden);
+    std::erase_if(frame.solver->stops, [&](const trace::Stop& stop) {
+      return !shown.contains(stop.a) || !shown.contains(stop.b);
+    });
+  }
+}
+
+void place_camera(std::vector<View>& views, const Options& options) {
+  const std::optional<Vec3d> eye = place_named("--eye", options.eye);
+  const std::optional<Vec3d> target = place_named("--target", options.target);
+  for (View& view : views) {
+    if (view.kind != ViewKind::Scene) continue;
+    if (eye) view.eye = eye;
+    if (target) view.target = target;
+    if (view.eye && view.target && *view.eye == *view.target)
+      throw UsageError("--eye and --target are the same place; move one of them");
+    if (options.fov_degrees > 0) {
+      view.fov_degrees = options.fov_degrees;
+      view.orthographic_height.reset();
+    }
+  }
+}
+
+std::vector<View> views_of_file(const Options& options) {
+  namespace fs = std::filesystem;
+  const std::string& text = options.view;
+  const std::size_t end = text.find(".toml");
+  if (end == std::string::npos) return {};
+  const std::string file = text.substr(0, end + 5);
+  const std::string rest = text.substr(end + 5);
+  if (!fs::exists(file)) throw UsageError("--view '" + text + "': there is no file " + file);
+  std::vector<View> views = load_views(file);
+  if (rest.empty()) return views;
+  const std::string name = rest.substr(1);
+  const std::string all = names_of(views);
+  std::erase_if(views, [&](const View& view) { return rest[0] != ':' || view.name != name; });
+  if (views.empty())
+    throw UsageError("--view '" + text + "' is no view of " + file + "; it has " + all);
+  return views;
+}
+
+std::vector<std::string> idle_layers(const draw::Staging& staging,
+                                     const std::vector<trace::Frame>& frames) {
+  constexpr std::size_t kMostFrames = 50;
+  if (staging.cells != nullptr) return {};  // a contact plane has no layers
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMostFrames);
+  draw::Staging none = staging;
+  none.view.layers.clear();
+  std::vector<std::string> idle;
+  for (const Layer layer : staging.view.layers) {
+    draw::Staging alone = staging;
+    alone.view.layers = {layer};
+    bool draws = false;
+    for (std::size_t f = 0; f < frames.size() && !draws; f += step)
+      draws = drawn_by(draw::sketch_frame(alone, frames[f])) >
+              drawn_by(draw::sketch_frame(none, frames[f]));
+    if (!draws) idle.emplace_back(name_of(layer));
+  }
+  return idle;
+}
+
+}  // namespace contactscope::app
