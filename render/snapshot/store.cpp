@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 
 #include "image/whole_file.h"
@@ -80,6 +81,17 @@ std::vector<std::string> stored_scenarios(const fs::path& root) {
     found.insert(group + "/" + part->string());
   }
   return {found.begin(), found.end()};
+}
+
+std::vector<std::string> stored_of_engines(const fs::path& root) {
+  std::vector<std::string> names = stored_scenarios(root);
+  std::erase_if(names, [&](const std::string& name) {
+    const std::optional<std::string> text = read_stored_trace(root, name);
+    if (!text) return true;
+    std::istringstream header(text->substr(0, text->find('\n')));
+    return trace::read_trace(header, trace_path(root, name).string()).header.engine.empty();
+  });
+  return names;
 }
 
 std::vector<fs::path> stale_files(const fs::path& root, const std::string& scenario,

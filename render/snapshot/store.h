@@ -41,6 +41,9 @@ std::filesystem::path trace_path(const std::filesystem::path& root, const std::s
 /// Scenarios that have a folder with a trace or a picture in it, sorted: "<group>/<idea>".
 std::vector<std::string> stored_scenarios(const std::filesystem::path& root);
 
+/// Those of them that are another engine's: no scenario file describes them.
+std::vector<std::string> stored_of_engines(const std::filesystem::path& root);
+
 /// Stored pictures below the scenario's folder that it does not store any more, sorted: frames not
 /// in `frames`, views not in `views` (empty where the scenario has a single view), and pictures
 /// under a name that is no frame's.

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/narrow.h"
+#include "core/at.h"
 #include "core/input_error.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
@@ -88,6 +89,15 @@ Input input_of(trace::Trace&& trace, const Options& options) {
   const std::vector<trace::Frame>& frames = input.trace->frames;
   for (const trace::Frame& frame : frames) {
     if (!options.frames || options.frames->names(frame.frame)) input.frames.push_back(frame.frame);
+  }
+  if (!input.frames.empty()) {
+    const int count = count_of(input.frames);
+    for (const int i : {0, (count - 1) / 2, count - 1}) {
+      std::vector<int>& stored = input.scenario.snapshots.frames;
+      if (i == 0) stored.clear();
+      if (stored.empty() || stored.back() < at(input.frames, i))
+        stored.push_back(at(input.frames, i));
+    }
   }
   if (input.frames.empty()) {
     throw UsageError("--frames names no frame of " + input.scenario.name + ", which has frames " +

@@ -12,6 +12,7 @@
 #include "scenario/run.h"
 #include "snapshot/check.h"
 #include "snapshot/report.h"
+#include "snapshot/store.h"
 
 namespace contactscope::app {
 namespace {
@@ -33,17 +34,24 @@ class Checker {
         report_(options.out),
         policy_{snapshot::is_ci(std::getenv("CI")), options.update} {}
 
-  Outcome check(const Scenario& scenario) {
+  /// A scenario is run first; of a trace, which expects nothing, its first, middle and last frame are stored.
+  Outcome check(Input& input) {
+    const Scenario& scenario = input.scenario;
     Outcome outcome{scenario.name};
-    const Sequence sequence = run_sequence(scenario, {}, false, ledger_);
-    if (const auto unmet = unmet_expectations(scenario, sequence.frames); !unmet.empty()) {
-      outcome.fails = true;
-      outcome.sentences = unmet;
-      report_.add(scenario.name, unmet);
+    Sequence sequence;
+    if (input.trace) {
+      sequence = {std::move(input.trace->header), std::move(input.trace->frames), {}};
+    } else {
+      sequence = run_sequence(scenario, {}, false, ledger_);
+      if (const auto unmet = unmet_expectations(scenario, sequence.frames); !unmet.empty()) {
+        outcome.fails = true;
+        outcome.sentences = unmet;
+        report_.add(scenario.name, unmet);
+      }
     }
     trace::Trace stored{sequence.header, {}};
-    for (const int frame : scenario.snapshots.frames)
-      stored.frames.push_back(at(sequence.frames, frame));
+    for (const std::size_t index : stored_frames(scenario, sequence))
+      stored.frames.push_back(sequence.frames[index]);
     take(snapshot::check_trace(options_.snapshot_root, stored, policy_), outcome);
     for (const View& view : selected_views(scenario, options_))
       check_pictures(scenario, view, sequence, outcome);
@@ -56,9 +64,13 @@ class Checker {
     return outcome;
   }
 
-  /// Stored scenarios that no file describes any more.
-  std::vector<Outcome> check_orphans(const std::vector<Scenario>& scenarios) {
-    const std::vector<std::string> names = mapped(scenarios, &Scenario::name);
+  /// Stored scenarios that no file describes any more. What was stored of another engine's trace has no
+  /// such file.
+  std::vector<Outcome> check_orphans(const std::vector<Input>& inputs) {
+    std::vector<std::string> names =
+        mapped(inputs, [](const Input& input) { return input.scenario.name; });
+    for (const std::string& name : snapshot::stored_of_engines(options_.snapshot_root))
+      names.push_back(name);
     std::vector<Outcome> outcomes;
     for (const snapshot::Checked& file :
          snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_))
@@ -70,6 +82,16 @@ class Checker {
   const Ledger& ledger() const { return ledger_; }
 
  private:
+  /// Where in the sequence the frames are that are stored.
+  static std::vector<std::size_t> stored_frames(const Scenario& scenario,
+                                                const Sequence& sequence) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i)
+      if (std::ranges::count(scenario.snapshots.frames, sequence.frames[i].frame) > 0)
+        indices.push_back(i);
+    return indices;
+  }
+
   /// `image`: what a picture is now.
   template <class Checked, class... OfPicture>
   void take(const Checked& checked, Outcome& outcome, const OfPicture&... image) {
@@ -84,14 +106,14 @@ class Checker {
                       Outcome& outcome) {
     const draw::Staging staging = draw::stage(sequence.header, sequence.frames, view,
                                               scenario.snapshots.width, scenario.snapshots.height);
-    std::vector<std::size_t> which(scenario.snapshots.frames.begin(),
-                                   scenario.snapshots.frames.end());
-    studio_.render(staging, sequence.frames, which, {}, [&](std::size_t frame, Image image) {
+    const std::vector<std::size_t> which = stored_frames(scenario, sequence);
+    studio_.render(staging, sequence.frames, which, {}, [&](std::size_t index, Image image) {
+      const int frame = sequence.frames[index].frame;
       const Timed timed(ledger_, "compare");
       // A view chosen on the command line stays where it would be among the others.
       const snapshot::PictureKey key{
           scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
-          static_cast<int>(frame)};
+          frame};
       snapshot::CheckedPicture checked =
           snapshot::check_picture(options_.snapshot_root, key, image, policy_);
       const std::string own_frame = " frame " + std::to_string(frame) + ", ";
@@ -145,23 +167,23 @@ void print_outcome(const Outcome& outcome, const Options& options) {
 
 ExitCode run_check(const Options& options) {
   note_interrupts();
-  const std::vector<Scenario> scenarios = load_scenarios(options);
+  std::vector<Input> inputs = load_inputs(options);
   Checker checker(options);
   if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
     std::cerr << "CI=true: nothing is updated; unset CI to accept what changed\n";
   int failed = 0;
   {
-    Progress progress(static_cast<int>(scenarios.size()), options.quiet);
-    for (const Scenario& scenario : scenarios) {
-      const Outcome outcome = checker.check(scenario);
-      progress.advance(scenario.name);
+    Progress progress(count_of(inputs), options.quiet);
+    for (Input& input : inputs) {
+      const Outcome outcome = checker.check(input);
+      progress.advance(input.scenario.name);
       progress.clear();
       failed += outcome.fails;
       print_outcome(outcome, options);
     }
   }
   if (options.scenarios.empty() && options.view.empty()) {
-    for (const Outcome& outcome : checker.check_orphans(scenarios)) {
+    for (const Outcome& outcome : checker.check_orphans(inputs)) {
       failed += outcome.fails;
       print_outcome(outcome, options);
     }
@@ -169,8 +191,8 @@ ExitCode run_check(const Options& options) {
   const std::optional<std::filesystem::path> page = checker.finish();
   if (options.verbose) checker.ledger().print(std::cerr, "check");
   if (!options.quiet) {
-    std::cerr << scenarios.size() << (scenarios.size() == 1 ? " scenario, " : " scenarios, ")
-              << failed << " failed";
+    std::cerr << inputs.size() << (inputs.size() == 1 ? " scenario, " : " scenarios, ") << failed
+              << " failed";
     if (page) std::cerr << "; see " << page->string();
     std::cerr << '\n';
   }
@@ -184,7 +206,8 @@ Verb check_verb() {
           "Compare with the stored snapshots",
           &run_check,
           "[SCENARIO...] --snapshots --update --json --out --backend --view --jobs",
-          {{"SCENARIO", "Default: all scenarios"}, {"--json", "Print the verdicts as JSON"}}};
+          {{"SCENARIO", "Scenarios, or traces of any engine; default: all scenarios"},
+           {"--json", "Print the verdicts as JSON"}}};
 }
 
 }  // namespace contactscope::app

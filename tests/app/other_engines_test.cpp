@@ -206,5 +206,26 @@ TEST(OtherEngines, LayersWithoutDataAreTold) {
   EXPECT_THAT(result.err, HasSubstr("nothing to draw in layers sat_axes, impulses"));
 }
 
+/// The contacts of an engine are a baseline as those of a scenario are.
+TEST(OtherEngines, TracesAreStoredAndCheckedAgainstWhatTheyWere) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("crate.jsonl", sample_of_the_reference());
+  const std::string check =
+      "check --snapshots '" + (folder / "stored") + "' --out '" + (folder / "out") + "' ";
+  ASSERT_EQ(run(check + "--update '" + file + "'", "CI=").exit_code, 0);
+  EXPECT_THAT(files_below(folder / "stored"),
+              ElementsAre("mine/crate/frame_0000.png", "mine/crate/trace.jsonl"));
+  EXPECT_EQ(run(check + "'" + file + "'").exit_code, 0);
+  const std::string moved = folder.write(
+      "moved.jsonl", replaced(sample_of_the_reference(), "[1,-0.02,-1]", "[0.9,-0.02,-1]"));
+  const ProgramRun result = run(check + "'" + moved + "'");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("point 1 moved 100 mm along -x"));
+  // A check of all scenarios leaves it where it is.
+  const std::string all = folder.write("all/one.toml", small_scenario());
+  EXPECT_THAT(run(check + "--scenarios '" + (folder / "all") + "'").out,
+              testing::Not(HasSubstr("mine/crate")));
+}
+
 }  // namespace
 }  // namespace contactscope::test
