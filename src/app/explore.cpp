@@ -42,6 +42,12 @@ int most_points(const Explorations& explorations) {
       mapped(explorations, [](const trace::Exploration& one) { return count_of(one.points); }));
 }
 
+/// How many points are kept of each manifold.
+int most_kept(const Scenario& scenario) {
+  return scenario.pairs.empty() ? ReduceOptions{}.max_points
+                                : scenario.pairs.front().pipeline.max_points;
+}
+
 // What a reader must know about the numbers, once and on standard error.
 void print_note(const Explorations& explorations, const Scenario& scenario) {
   if (explorations.empty()) {
@@ -53,8 +59,7 @@ void print_note(const Explorations& explorations, const Scenario& scenario) {
   std::cerr << scenario.name << ": " << explorations.size()
             << (explorations.size() == 1 ? " manifold" : " manifolds") << " of at most " << most
             << " points";
-  if (most <= scenario.pairs.front().pipeline.max_points)
-    std::cerr << ", which every reducer keeps whole";
+  if (most <= most_kept(scenario)) std::cerr << ", which every reducer keeps whole";
   std::cerr << '\n';
 }
 
@@ -93,8 +98,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   // Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
   // large mesh's are kept whole by all.
   std::erase_if(sequences, [&](const Explorations& sequence) {
-    return sequence.front().triangle &&
-           most_points(sequence) <= scenario.pairs.front().pipeline.max_points;
+    return sequence.front().triangle && most_points(sequence) <= most_kept(scenario);
   });
   std::size_t pictures = 0;
   for (const Explorations& sequence : sequences) pictures += sequence.size();
@@ -134,11 +138,29 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
   std::cerr << "; a larger --size has room for it\n";
 }
 
+/// Of a trace a reducer is not what made it, but what is tried on it.
+Options without_reducer(Options options) {
+  options.reducer.clear();
+  return options;
+}
+
+const std::string& known_reducer(const std::string& name) {
+  if (find_reducer(name) == nullptr && name != "none")
+    throw UsageError("--reducer '" + name + "' is no reducer; known are " + names_of(reducers()));
+  return name;
+}
+
 ExitCode run_explore(const Options& options) {
   note_interrupts();
-  const std::vector<Scenario> scenarios = load_scenarios(options);
-  if (scenarios.size() != 1) throw UsageError("explore takes one scenario");
-  const Scenario& scenario = scenarios.front();
+  const std::vector<Input> inputs = load_inputs(without_reducer(options));
+  if (inputs.size() != 1) throw UsageError("explore takes one scenario, or one trace");
+  const Input& input = inputs.front();
+  Scenario scenario = input.scenario;
+  if (input.trace) {
+    scenario.title = input.trace->header.title;
+    scenario.source = input.trace->header.source;
+    scenario.up = input.trace->header.up;
+  }
   if (!scenario.broad_phase.empty())
     throw InputError(
         scenario.path, 0, 0,
@@ -150,11 +172,11 @@ ExitCode run_explore(const Options& options) {
                      "explore measures how far contacts move beside the bodies, and '" +
                          deforming->name +
                          "' has no such measure, because it deforms; leave out its 'deform'");
-  const std::vector<int> frames = options.selected(scenario.frames);
-
+  const std::vector<int>& frames = input.frames;
   ExploreOptions explore_options;
-  if (!options.reducer.empty()) explore_options.reducers = {options.reducer};
-  Explorations explorations = explore(scenario, frames.back(), explore_options);
+  if (!options.reducer.empty()) explore_options.reducers = {known_reducer(options.reducer)};
+  Explorations explorations = input.trace ? explore(*input.trace, explore_options)
+                                          : explore(scenario, frames.back(), explore_options);
   // Frames before the first one asked for ran too: some reducers go by what they kept there.
   std::erase_if(explorations, [&](const trace::Exploration& exploration) {
     return std::ranges::find(frames, exploration.frame) == frames.end();
@@ -186,7 +208,7 @@ Verb explore_verb() {
       "Compare all reducers on a scenario's manifolds",
       &run_explore,
       "SCENARIO --size --table --json --frames --reducer --out --backend --view --jobs",
-      {{"SCENARIO", "A file or a name"},
+      {{"SCENARIO", "A file or a name; or a trace, of whose points four are kept"},
        {"--size", "WxH, default 1280x720, and 1280x1440 for more than 9 reducers"},
        {"--json", "Print JSON lines, one a frame and pair"}},
       R"(area: of the best that as many points can span. lost arm: how much shorter the lever of the

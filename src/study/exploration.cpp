@@ -206,58 +206,106 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
   }
 }
 
+/// Where a frame has a shape; nullptr where it is not there.
+const Pose<double>* pose_in(const trace::Frame& frame, const std::string& name) {
+  const auto found = std::ranges::find(frame.poses, name, &trace::Placement::first);
+  return found == frame.poses.end() ? nullptr : &found->second;
+}
+
+/// Explorations of frame after frame, whose manifolds have all points.
+template <class S>
+class Explorations {
+ public:
+  Explorations(const trace::Header& header, const std::string& scenario,
+               const ExploreOptions& options)
+      : header_(header), scenario_(scenario), options_(options), names_(options.reducers) {
+    if (!names_.empty()) return;
+    for (const ReducerInfo& info : reducers())
+      if (info.name != "none") names_.push_back(info.name);
+  }
+
+  /// `max_points(i)`: of pair i of the frame.
+  template <class MaxPoints>
+  void add(const trace::Frame& frame, const MaxPoints& max_points) {
+    for (int i = 0; i < count_of(frame.pairs); ++i) {
+      const trace::Pair& pair = at(frame.pairs, i);
+      const std::size_t first = result_.size();
+      for (const trace::Manifold& manifold : pair.manifolds)
+        if (!manifold.points.empty()) add_manifold(frame, pair, manifold, max_points(i));
+      if (result_.size() == first) continue;
+      // The body that is higher up rests on the other one.
+      const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+      const Vec3d a = center(frame, pair.a), b = center(frame, pair.b);
+      find_supported(up, a.dot(up) > b.dot(up) ? a : b, std::span(result_).subspan(first));
+    }
+    before_ = frame;
+  }
+  std::vector<trace::Exploration> take() { return std::move(result_); }
+
+ private:
+  const trace::Shape& shape(const std::string& name) const {
+    return *std::ranges::find(header_.shapes, name, &trace::Shape::name);
+  }
+  Vec3d center(const trace::Frame& frame, const std::string& name) const {
+    return pose_in(frame, name)->transform(shape(name).center_of_mass);
+  }
+
+  void add_manifold(const trace::Frame& frame, const trace::Pair& pair,
+                    const trace::Manifold& manifold, int max_points) {
+    trace::Exploration exploration{.scenario = scenario_,
+                                   .frame = frame.frame,
+                                   .a = pair.a,
+                                   .b = pair.b,
+                                   .label = pair.label,
+                                   .triangle = manifold.triangle,
+                                   .points = manifold.points,
+                                   .normal = manifold.normal};
+    for (const std::string& name : {pair.a, pair.b}) {
+      const Pose<double>* const then = pose_in(before_, name);
+      if (then == nullptr) continue;
+      exploration.bodies_moved =
+          std::max(exploration.bodies_moved,
+                   surface_move(shape(name), *then, *pose_in(frame, name), manifold.points));
+    }
+    const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1));
+    explorers_.try_emplace(name, names_, max_points)
+        .first->second.answer(options_.measure_time, exploration);
+    result_.push_back(std::move(exploration));
+  }
+
+  const trace::Header& header_;
+  const std::string& scenario_;
+  const ExploreOptions& options_;
+  std::vector<std::string> names_;
+  std::map<ManifoldName, Explorer<S>> explorers_;
+  trace::Frame before_;
+  std::vector<trace::Exploration> result_;
+};
+
 template <class S>
 std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_frame,
                                            const ExploreOptions& options) {
-  std::vector<std::string> names = options.reducers;
-  if (names.empty()) {
-    for (const ReducerInfo& info : reducers())
-      if (info.name != "none") names.push_back(info.name);
-  }
   const Scenario source = unreduced(scenario);
   Runner runner(source);
   const trace::Header header = runner.header();
-  std::map<ManifoldName, Explorer<S>> explorers;
-  std::vector<trace::Exploration> result;
-  trace::Frame before;
-  for (int f = 0; f <= last_frame; ++f) {
-    const trace::Frame frame = runner.frame_unrecorded(f);
-    for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
-      const trace::Pair& pair = frame.pairs[i];
-      const std::size_t first = result.size();
-      for (const trace::Manifold& manifold : pair.manifolds) {
-        if (manifold.points.empty()) continue;
-        trace::Exploration exploration{.scenario = scenario.name,
-                                       .frame = f,
-                                       .a = pair.a,
-                                       .b = pair.b,
-                                       .label = pair.label,
-                                       .triangle = manifold.triangle,
-                                       .points = manifold.points,
-                                       .normal = manifold.normal};
-        for (const int body : {source.pairs[i].a, source.pairs[i].b}) {
-          if (f == 0) break;
-          const double moved = surface_move(at(header.shapes, body), at(before.poses, body).second,
-                                            at(frame.poses, body).second, manifold.points);
-          exploration.bodies_moved = std::max(exploration.bodies_moved, moved);
-        }
-        const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1));
-        explorers.try_emplace(name, names, source.pairs[i].pipeline.max_points)
-            .first->second.answer(options.measure_time, exploration);
-        result.push_back(std::move(exploration));
-      }
-      if (result.size() == first) continue;
-      // The body that is higher up rests on the other one.
-      const Vec3d up = header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
-      const auto center = [&](int body) {
-        return at(frame.poses, body).second.transform(at(header.shapes, body).center_of_mass);
-      };
-      const Vec3d a = center(source.pairs[i].a), b = center(source.pairs[i].b);
-      find_supported(up, a.dot(up) > b.dot(up) ? a : b, std::span(result).subspan(first));
-    }
-    before = frame;
+  Explorations<S> explorations(header, scenario.name, options);
+  for (int f = 0; f <= last_frame; ++f)
+    explorations.add(runner.frame_unrecorded(f),
+                     [&](int pair) { return at(source.pairs, pair).pipeline.max_points; });
+  return explorations.take();
+}
+
+template <class S>
+std::vector<trace::Exploration> explore_in(const trace::Trace& trace,
+                                           const ExploreOptions& options) {
+  Explorations<S> explorations(trace.header, trace.header.scenario, options);
+  for (trace::Frame frame : trace.frames) {
+    for (trace::Pair& pair : frame.pairs)
+      if (pair.reduction && pair.manifolds.size() == 1)
+        pair.manifolds.front().points = pair.reduction->points;
+    explorations.add(frame, [](int) { return ReduceOptions{}.max_points; });
   }
-  return result;
+  return explorations.take();
 }
 
 }  // namespace
@@ -266,6 +314,11 @@ std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame
                                         const ExploreOptions& options) {
   return scenario.scalar == Scalar::Double ? explore_in<double>(scenario, last_frame, options)
                                            : explore_in<float>(scenario, last_frame, options);
+}
+
+std::vector<trace::Exploration> explore(const trace::Trace& trace, const ExploreOptions& options) {
+  return trace.header.scalar == "double" ? explore_in<double>(trace, options)
+                                         : explore_in<float>(trace, options);
 }
 
 }  // namespace contactscope

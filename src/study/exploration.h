@@ -8,6 +8,7 @@
 #include "core/manifold.h"
 #include "scenario/scenario.h"
 #include "trace/exploration.h"
+#include "trace/json.h"
 
 namespace contactscope {
 
@@ -49,6 +50,10 @@ struct ExploreOptions {
 /// machine does falls on all of them.
 std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame,
                                         const ExploreOptions& options);
+
+/// The same of a trace, with four points: of a pair whose reduction was recorded all points before it, of
+/// others those that its engine tells.
+std::vector<trace::Exploration> explore(const trace::Trace& trace, const ExploreOptions& options);
 
 /// One row of the table over all frames and pairs.
 struct ReducerSummary {

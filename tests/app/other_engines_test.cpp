@@ -227,5 +227,20 @@ TEST(OtherEngines, TracesAreStoredAndCheckedAgainstWhatTheyWere) {
               testing::Not(HasSubstr("mine/crate")));
 }
 
+/// Reducers on the manifold of an engine that keeps six points of a face.
+TEST(OtherEngines, ReducersAreTriedOnTheirPoints) {
+  const TemporaryFolder folder;
+  const std::string six = replaced(sample_of_the_reference(), "{\"position\":[-1,-0.02,-1]",
+                                   "{\"position\":[0,-0.02,-1],\"separation\":-0.02},"
+                                   "{\"position\":[0,-0.02,1],\"separation\":-0.02},"
+                                   "{\"position\":[-1,-0.02,-1]");
+  const std::string file = folder.write("crate.jsonl", six);
+  const ProgramRun result = run("explore '" + file + "' --table");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("optimal"));
+  EXPECT_THAT(result.err, HasSubstr("1 manifold of at most 6 points"));
+  EXPECT_EQ(run("explore '" + file + "' --table --reducer bets").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace contactscope::test
