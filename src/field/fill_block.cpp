@@ -135,8 +135,8 @@ void BlockFiller::fill_nodes(const std::array<int, 3>& group) {
         if (!at(known_, node_in_block(i, j, k))) open[count++] = {i, j, k};
   if (count == 0) return;
   TriangleSieve::List* list = of_block_.leaning() ? &of_block_ : &triangles_of_part();
-  // To sift them costs as much as to ask them for three nodes.
-  if (count > 3) {
+  // To sift them costs as much as to ask them for four nodes.
+  if (count > 4) {
     const Vec3d middle = corner_ + Vec3d(last[0], last[1], last[2]) - Vec3d::Constant(0.5);
     sieve_->fill_within(*list, middle, 0.5, last_, of_group_);
     list = &of_group_;

@@ -2,6 +2,7 @@
 
 #include "core/at.h"
 #include "field/field_builder.h"
+#include "field/node_signs.h"
 
 namespace contactscope {
 

@@ -22,9 +22,9 @@ namespace contactscope {
 ///
 /// holds for each such x. On a flat surface that leaves a disc about q whose radius is some three h,
 /// however far from the surface the cube is; any other point of the surface does in the place of q, and
-/// leaves more. And x is where the way from p to it leans little from the
-/// triangle's normal (lean.h): the cube must meet the prism over the triangle, its sides tilted outward
-/// so much. That leaves little more than the shadow of the cube.
+/// leaves more. And x is where the way from p to it leans little from the triangle's normal (lean.h): the
+/// cube must meet the prism over the triangle, its sides tilted outward so much. That leaves little more
+/// than the shadow of the cube.
 class TriangleSieve {
   using Floats = lanes::Pack<float>;
   /// The numbers of four triangles side by side (Number).
@@ -87,6 +87,8 @@ class TriangleSieve {
     kNumbers = 24
   };
   using Flat = std::array<float, kNumbers>;
+  /// Where triangles lean less, those that a cube is over are few, and distances hardly leave out more.
+  static constexpr float kTrustedLean = 0.25F;
 
   Flat flat(const Mesh<double>& mesh, int triangle, float lean) const;
   void lay_out(List& list) const;
