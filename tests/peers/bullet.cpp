@@ -195,6 +195,9 @@ class BulletPair : public PeerPair {
 class Bullet : public Peer {
  public:
   const char* name() const override { return "Bullet"; }
+  std::string version() const override {
+    return std::to_string(BT_BULLET_VERSION / 100) + "." + std::to_string(BT_BULLET_VERSION % 100);
+  }
   double epsilon() const override { return std::numeric_limits<btScalar>::epsilon(); }
   std::unique_ptr<PeerPair> pair(const PeerShape& a, const PeerShape& b) override {
     return std::make_unique<BulletPair>(engine_, a, b, meshes_);

@@ -142,6 +142,7 @@ class FclPair : public PeerPair {
 class Fcl : public Peer {
  public:
   const char* name() const override { return "FCL"; }
+  std::string version() const override { return FCL_VERSION; }
   double epsilon() const override { return std::numeric_limits<double>::epsilon(); }
   std::unique_ptr<PeerPair> pair(const PeerShape& a, const PeerShape& b) override {
     return std::make_unique<FclPair>(made(a, meshes_), made(b, meshes_));

@@ -17,8 +17,7 @@ fcl::Transform3d moved_to(const Pose<double>& pose) {
 
 struct AdvancedBody {
   AdvancedBody(const Hull<float>& hull, const Sweep<float>& motion)
-      : from(moved_to(motion.cast<double>().at(0))),
-        to(moved_to(motion.cast<double>().at(1))) {
+      : from(moved_to(motion.cast<double>().at(0))), to(moved_to(motion.cast<double>().at(1))) {
     auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
     for (const Vec3<float>& v : hull.vertices) vertices->push_back(v.cast<double>());
     auto faces = std::make_shared<std::vector<int>>();

@@ -2,6 +2,8 @@
 
 namespace contactscope::peers {
 
-std::vector<PairFinderInfo> embree_broad_phases() { return {}; }
+std::vector<PairFinderInfo> embree_broad_phases() {
+  return {};
+}
 
 }  // namespace contactscope::peers

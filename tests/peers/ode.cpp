@@ -174,6 +174,7 @@ class OdePair : public PeerPair {
 class Ode : public Peer {
  public:
   const char* name() const override { return "ODE"; }
+  std::string version() const override { return dODE_VERSION; }
   double epsilon() const override { return std::numeric_limits<dReal>::epsilon(); }
   std::unique_ptr<PeerPair> pair(const PeerShape& a, const PeerShape& b) override {
     if (unknown(a, b) || unknown(b, a)) return nullptr;

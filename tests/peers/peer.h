@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,7 @@ class Peer {
  public:
   virtual ~Peer() = default;
   virtual const char* name() const = 0;
+  virtual std::string version() const = 0;  // that it was compiled with
   /// The relative error of one operation in the library's scalar.
   virtual double epsilon() const = 0;
   /// Null where the library has no algorithm for these shapes.
