@@ -12,6 +12,7 @@
 #include "core/input_error.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
+#include "scenario/nearest_word.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
 #include "versus/comparison.h"

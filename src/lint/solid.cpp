@@ -30,7 +30,9 @@ std::vector<std::array<int, 3>> fans(const std::vector<std::vector<int>>& faces)
 }  // namespace
 
 Solid::Solid(const trace::Shape& shape)
-    : radius_(shape.radius), center_of_mass_(shape.center_of_mass), vertices_(shape.vertices) {
+    : radius_(shape.radius + shape.margin),
+      center_of_mass_(shape.center_of_mass),
+      vertices_(shape.vertices) {
   if (shape.half_space) {
     kind_ = Kind::Plane;
     plane_ = {shape.half_space->normal.normalized(), shape.half_space->offset};

@@ -92,6 +92,10 @@ int cs_capsule(cs_recorder* r, const char* name, const double from[3], const dou
                double radius);
 /* Its faces are made by the reader: those of the convex hull. Three doubles a vertex. */
 int cs_hull(cs_recorder* r, const char* name, const double* vertices, int vertex_count);
+/* Along axis 0, 1 or 2 (x, y, z), around the origin; a cone's tip is at +half_length. Written as hulls whose rings have
+ * 64 corners on the round surface: the middle of a side is up to 0.12 % of the radius inside of it. */
+int cs_cylinder(cs_recorder* r, const char* name, int axis, double half_length, double radius);
+int cs_cone(cs_recorder* r, const char* name, int axis, double half_length, double radius);
 /* Three indices a triangle, counter-clockwise seen from outside. */
 int cs_mesh(cs_recorder* r, const char* name, const double* vertices, int vertex_count,
             const int* triangles, int triangle_count);
@@ -101,10 +105,16 @@ int cs_plane(cs_recorder* r, const char* name, const double normal[3], double of
  * where z is, each corner `spacing` from the next. */
 int cs_height_field(cs_recorder* r, const char* name, const double* heights, int columns, int rows,
                     double spacing);
+/* Of a hull, cylinder or cone, before the frame that has it first: its surface is so far outside of what was told, and
+ * round where that has edges, as that of an engine is that adds a margin to its hulls. */
+void cs_margin(cs_recorder* r, int shape, double margin);
 /* A body without a form, of whose parts each is a shape that stands still in it; pose the whole. */
 int cs_compound(cs_recorder* r, const char* name);
 void cs_part(cs_recorder* r, int compound, int shape, const double position[3],
              const double quat_wxyz[4]);
+
+/* Says on the standard error what is not recorded, and why: each text once. */
+void cs_note(cs_recorder* r, const char* text);
 
 void cs_begin_frame(cs_recorder* r, double time);
 /* A shape without a pose is not there in this frame. */
@@ -157,6 +167,7 @@ typedef struct cs__shape {
   cs__pose in_compound, pose;
   int posed_in; /* the last frame that has its pose; -1 */
   int is_compound;
+  double margin; /* how far its surface is outside of what its JSON says */
 } cs__shape;
 
 typedef struct cs__manifold {
@@ -176,6 +187,7 @@ struct cs_recorder {
   const char* failure;
   volatile long lock;
   cs__text line, head; /* of the frame; of the header, up to the shapes */
+  cs__text notes;      /* those that were said, each with a line feed before it and one behind */
   int frame, in_frame, has_header, has_solver, solver[3];
   double time;
   cs__shape* shapes;
@@ -366,7 +378,8 @@ static void cs__quoted(cs_recorder* r, cs__text* text, const char* words) {
 /* Takes the text. A name that is taken gets a number. */
 static int cs__add(cs_recorder* r, const char* name, cs__text* json) {
   cs__text quoted = {NULL, 0, 0};
-  cs__shape shape = {NULL, NULL, -1, {{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}}, -1, 0};
+  cs__shape shape = {NULL, NULL, -1, {{0, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}},
+                     -1,   0,    0};
   size_t i = 0;
   int number = 1, id;
   cs__enter(r);
@@ -396,7 +409,7 @@ static int cs__add(cs_recorder* r, const char* name, cs__text* json) {
   return id;
 }
 
-/* Vertices, and what follows them up to the closing brace. */
+/* Vertices, and what follows them. The closing brace comes when it is written: parts of a compound have more. */
 static int cs__solid(cs_recorder* r, const char* name, const char* type, const double* vertices,
                      int count, const char* rest) {
   cs__text json = {NULL, 0, 0};
@@ -407,7 +420,6 @@ static int cs__solid(cs_recorder* r, const char* name, const char* type, const d
   for (i = 0; i < count; ++i) cs__numbers(r, &json, i ? "," : "", vertices + 3 * i, 3);
   cs__put(r, &json, "]");
   cs__put(r, &json, rest);
-  cs__put(r, &json, "}");
   return cs__add(r, name, &json);
 }
 
@@ -445,6 +457,39 @@ int cs_sphere(cs_recorder* r, const char* name, double radius) {
 
 int cs_hull(cs_recorder* r, const char* name, const double* vertices, int vertex_count) {
   return r ? cs__solid(r, name, "hull", vertices, vertex_count, "") : -1;
+}
+
+/* A ring of corners around the axis at -half_length, and one of radius `top` at the other end, or the tip. */
+static int cs__turned(cs_recorder* r, const char* name, const char* type, int axis,
+                      double half_length, double radius, double top) {
+  enum { kCorners = 64 };
+  const double c = 0.99518472667219688624, s = 0.09801714032956060199; /* of a turn by 1/64 */
+  double v[6 * kCorners], x = 1, y = 0;
+  const int rings = top > 0 ? 2 : 1;
+  int i, k;
+  if (!r || axis < 0 || axis > 2) return -1;
+  for (i = 0; i < kCorners; ++i) {
+    const double turned = c * x - s * y;
+    for (k = 0; k < rings; ++k) {
+      double* corner = v + 3 * (k * kCorners + i);
+      corner[axis] = k ? half_length : -half_length;
+      corner[(axis + 1) % 3] = (k ? top : radius) * x;
+      corner[(axis + 2) % 3] = (k ? top : radius) * y;
+    }
+    y = s * x + c * y;
+    x = turned;
+  }
+  if (rings == 2) return cs__solid(r, name, type, v, 2 * kCorners, "");
+  for (k = 0; k < 3; ++k) v[3 * kCorners + k] = k == axis ? half_length : 0;
+  return cs__solid(r, name, type, v, kCorners + 1, "");
+}
+
+int cs_cylinder(cs_recorder* r, const char* name, int axis, double half_length, double radius) {
+  return cs__turned(r, name, "cylinder", axis, half_length, radius, radius);
+}
+
+int cs_cone(cs_recorder* r, const char* name, int axis, double half_length, double radius) {
+  return cs__turned(r, name, "cone", axis, half_length, radius, 0);
 }
 
 int cs_mesh(cs_recorder* r, const char* name, const double* vertices, int vertex_count,
@@ -514,6 +559,32 @@ static int cs__known(const cs_recorder* r, int shape) {
   return r && shape >= 0 && (size_t)shape < r->shape_count;
 }
 
+void cs_margin(cs_recorder* r, int shape, double margin) {
+  if (!cs__known(r, shape)) return;
+  cs__enter(r);
+  r->shapes[shape].margin = margin;
+  cs__leave(r);
+}
+
+void cs_note(cs_recorder* r, const char* text) {
+  size_t said;
+  if (!r) return;
+  cs__enter(r);
+  said = r->notes.size;
+  cs__put(r, &r->notes, "\n");
+  cs__put(r, &r->notes, text);
+  cs__put(r, &r->notes, "\n");
+  if (!r->failure) {
+    if (strstr(r->notes.data, r->notes.data + said) != r->notes.data + said) {
+      r->notes.size = said;
+      r->notes.data[said] = 0;
+    } else {
+      fprintf(stderr, "contactscope: %s\n", text);
+    }
+  }
+  cs__leave(r);
+}
+
 static void cs__set(cs__pose* pose, const double position[3], const double rotation[4]) {
   memcpy(pose->position, position, sizeof pose->position);
   memcpy(pose->rotation, rotation, sizeof pose->rotation);
@@ -568,6 +639,15 @@ static void cs__new_shapes(cs_recorder* r, cs__text* text) {
     cs__put(r, text, r->shapes[i].name);
     cs__put(r, text, ":");
     cs__put(r, text, r->shapes[i].json);
+    if (r->shapes[i].margin > 0) {
+      cs__put(r, text, ",\"margin\":");
+      cs__number(r, text, r->shapes[i].margin);
+    }
+    if (r->shapes[i].compound >= 0) {
+      cs__put(r, text, ",\"body\":");
+      cs__put(r, text, r->shapes[r->shapes[i].compound].name);
+    }
+    cs__put(r, text, "}");
     free(r->shapes[i].json);
     r->shapes[i].json = NULL;
     comma = ",";
@@ -597,6 +677,7 @@ void cs_stop(cs_recorder* r) {
   }
   free(r->line.data);
   free(r->head.data);
+  free(r->notes.data);
   free(r->shapes);
   free(r->manifolds);
   free(r->points);

@@ -37,6 +37,10 @@ struct Shape {
   Vec3d center_of_mass = Vec3d::Zero();
   double radius = 0;  // metres; of a sphere or capsule: everything so near to its vertices and edge
   std::optional<HalfSpace> half_space{};
+  /// Metres; of a convex shape that another engine rounds: everything so near to the hull of its vertices.
+  double margin = 0;
+  /// That it is a part of, where that has several shapes: the solver's bodies have its mass under this name.
+  std::string body{};
 
   /// Undirected edges in the order in which the faces first run along them.
   static void edges_from_faces(Shape& shape);
@@ -53,7 +57,9 @@ struct Shape {
             .says("edge"),
         field::position("center_of_mass", &Shape::center_of_mass).optional().says("centre of mass"),
         field::length("radius", &Shape::radius).where_set(),
-        field::fact("half_space", &Shape::half_space).says("half-space"));
+        field::fact("half_space", &Shape::half_space).says("half-space"),
+        field::length("margin", &Shape::margin).where_set(),
+        field::exact("body", &Shape::body).where_set());
   }
 };
 

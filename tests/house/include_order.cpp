@@ -23,7 +23,7 @@ constexpr Folder kOrder[] = {
     {"reduce", "src"},      {"manifold", "src"}, {"lint", "src"},       {"versus", "src"},
     {"dynamics", "src"},    {"scenario", "src"}, {"study", "src"},      {"image", "render"},
     {"draw", "render"},     {"gl", "render"},    {"overlay", "render"}, {"vector", "render"},
-    {"snapshot", "render"}, {"app", "src"},
+    {"snapshot", "render"}, {"app", "src"},      {"adapters", "src"},
 };
 
 /// The floors of render/draw, each with those that it may use. What lies on none is the top.
@@ -50,6 +50,7 @@ const Folder* find_folder(std::string_view name) {
 bool may_use(const Folder& user, const Folder& used) {
   if (user.name == used.name) return true;
   if (&used > &user) return false;
+  if (user.name == "adapters") return used.name == "recorder";  // who takes one has these two
   if (used.parent == "src" && user.name == "image") return false;
   if (used.parent == "src" && user.name == "draw") {
     return used.name == "core" || used.name == "trace";
@@ -154,8 +155,17 @@ void check_include(const SourceFile& file, int line, const std::string& included
                    std::vector<std::string>& violations) {
   const std::string where = file.path + ":" + std::to_string(line) + ": ";
   // The compiler looks beside the including file first, then in src and render.
-  const std::string beside = file.path.substr(0, file.path.rfind('/') + 1) + included;
-  if (known.contains(beside)) return;
+  const std::string beside = (std::filesystem::path(file.path).parent_path() / included)
+                                 .lexically_normal()
+                                 .generic_string();
+  if (known.contains(beside)) {
+    std::string why;
+    const Folder* used = folder_of(beside, why);
+    if (used && !may_use(folder, *used))
+      violations.push_back(where + std::string(folder.name) + " must not use " +
+                           std::string(used->name));
+    return;
+  }
   if (!known.contains("src/" + included) && !known.contains("render/" + included)) {
     violations.push_back(where + "\"" + included + "\" is no file of src or render");
     return;

@@ -87,6 +87,17 @@ TEST(IncludeOrder, AFileBesideItsUserIsFound) {
       IsEmpty());
 }
 
+TEST(IncludeOrder, AFileOfAFolderBesideIsFoundAndHeldToTheOrder) {
+  const std::vector<SourceFile> files = {
+      {"src/adapters/engine.h",
+       "#include \"../recorder/contactscope.h\"\n#include \"../core/at.h\""},
+      {"src/core/at.h", "#include \"../adapters/engine.h\""},
+      {"src/recorder/contactscope.h", ""}};
+  EXPECT_THAT(include_violations(files),
+              ElementsAre("src/adapters/engine.h:2: adapters must not use core",
+                          "src/core/at.h:1: core must not use adapters"));
+}
+
 TEST(IncludeOrder, AFileOutsideTheFoldersIsCaught) {
   EXPECT_THAT(include_violations({{"src/loose.cpp", ""},
                                   {"src/CMakeLists.txt", ""},

@@ -300,6 +300,70 @@ TEST_F(Recording, PartsOfACompoundGoWithIt) {
   EXPECT_NEAR((pose.rotation * Vec3d::UnitX() + Vec3d::UnitX()).norm(), 0, 1e-7);
 }
 
+/// Parts say whose they are, and a body that is a compound has its mass under that name.
+TEST_F(Recording, PartsNameTheirBody) {
+  cs_recorder* r = start();
+  const int truck = cs_compound(r, "truck"), wheel = cs_sphere(r, "wheel", 0.5),
+            stone = cs_sphere(r, "stone", 0.5);
+  cs_part(r, truck, wheel, kOrigin, kNoTurn);
+  cs_begin_frame(r, 0);
+  cs_pose(r, stone, kOrigin, kNoTurn);
+  cs_pose(r, truck, kOrigin, kNoTurn);
+  cs_body(r, truck, 7, kOrigin, kUp, kUp);
+  cs_stop(r);
+  const trace::Trace trace = read();
+  EXPECT_EQ(trace.header.shapes.at(0).name, "wheel");
+  EXPECT_EQ(trace.header.shapes[0].body, "truck");
+  EXPECT_EQ(trace.header.shapes.at(1).body, "");
+  EXPECT_EQ(trace.frames.at(0).solver->bodies.at(0).name, "truck");
+}
+
+/// Rings of 64 corners on the round surface, faces that the reader makes, and a margin around them.
+TEST_F(Recording, CylindersAndConesStandAlongTheirAxis) {
+  cs_recorder* r = start();
+  for (int axis = 0; axis < 3; ++axis) {
+    cs_cylinder(r, "drum", axis, 2, 0.5);
+    cs_margin(r, cs_cone(r, "cone", axis, 2, 0.5), 0.04);
+  }
+  EXPECT_EQ(cs_cylinder(r, "drum", 3, 2, 0.5), -1);
+  cs_begin_frame(r, 0);
+  cs_stop(r);
+  const trace::Trace trace = read();
+  ASSERT_EQ(trace.header.shapes.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const trace::Shape& shape = trace.header.shapes[i];
+    const int axis = static_cast<int>(i / 2);
+    const bool is_cone = i % 2 == 1;
+    EXPECT_EQ(shape.type, is_cone ? "cone" : "cylinder");
+    EXPECT_NEAR(shape.margin, is_cone ? 0.04 : 0, 1e-9);
+    ASSERT_EQ(shape.vertices.size(), is_cone ? 65u : 128u);
+    int tips = 0;
+    for (const Vec3d& vertex : shape.vertices) {
+      Vec3d across = vertex;
+      across[axis] = 0;
+      EXPECT_NEAR(std::abs(vertex[axis]), 2, 1e-9);
+      if (across.norm() < 1e-9) {
+        ++tips;
+        EXPECT_NEAR(vertex[axis], 2, 1e-9);
+      } else {
+        EXPECT_NEAR(across.norm(), 0.5, 1e-8);
+      }
+    }
+    EXPECT_EQ(tips, is_cone ? 1 : 0);
+  }
+}
+
+TEST_F(Recording, NotesAreSaidOnce) {
+  cs_recorder* r = start();
+  testing::internal::CaptureStderr();
+  for (const char* text : {"a ray is left out", "a ray", "a ray is left out", "a ray", "left out"})
+    cs_note(r, text);
+  cs_note(nullptr, "nobody");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "contactscope: a ray is left out\ncontactscope: a ray\ncontactscope: left out\n");
+  cs_stop(r);
+}
+
 TEST_F(Recording, MeshesAndHeightFieldsFaceUp) {
   for (const bool z_up : {false, true}) {
     cs_settings settings{};

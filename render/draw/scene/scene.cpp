@@ -6,6 +6,7 @@
 
 #include "core/at.h"
 #include "draw/scene/points.h"
+#include "draw/scene/rounded.h"
 
 namespace contactscope::draw {
 namespace {
@@ -84,7 +85,14 @@ std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
 ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
   for (const trace::Shape& shape : shapes) {
     places_.emplace(shape.name, size());
-    push_back(make_mesh(shape));
+    if (!(shape.margin > 0) || shape.faces.empty()) {
+      push_back(make_mesh(shape));
+      continue;
+    }
+    const auto drawn = std::make_shared<const trace::Shape>(rounded(shape));
+    push_back(make_mesh(*drawn));
+    back().rounded = drawn;
+    for (ShapeMesh::Edge& edge : back().edges) edge.smooth = true;  // there are no others on it
   }
 }
 

@@ -36,6 +36,7 @@ struct ShapeMesh {
   std::vector<Vec3d> normals;       // of the faces, local, outward, unit
   double radius = 0;                // metres, about the centre of mass; infinite for a plane
   std::optional<PlanePatch> patch;  // of a plane, once it is fitted to a sequence
+  std::shared_ptr<const trace::Shape> rounded{};  // of a shape with a margin: what `shape` is then
 };
 
 ShapeMesh make_mesh(const trace::Shape& shape);
