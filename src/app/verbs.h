@@ -51,7 +51,7 @@ struct Options {
   gl::Backend backend = gl::Backend::Auto;
   std::optional<Size> size;
   std::optional<FrameRange> frames;
-  std::string view;                 // a name; of a trace also FILE.toml or FILE.toml:NAME
+  std::string view;                 // a name; of a trace also a TOML file, or file:name
   std::vector<std::string> pair;    // two shapes: nothing else is shown
   std::vector<std::string> shapes;  // those to show; none: all
   std::vector<double> eye, target;  // of the camera, metres; none: the view's
