@@ -1,4 +1,5 @@
 #include "study/study.h"
+#include "versus/engine.h"
 
 #include <filesystem>
 #include <iostream>
@@ -31,6 +32,7 @@ std::vector<trace::Study> run_study(const StudyInfo& info, const Options& option
   StudyOptions study_options;
   study_options.seed = options.seed;
   study_options.cases = options.cases;
+  study_options.peer_folders = versus::own_folders();
   std::optional<Progress> progress;
   return info.run(study_options, [&](int /*done*/, int total, const std::string& what) {
     stop_if_interrupted();

@@ -31,14 +31,6 @@ using versus::Score;
 constexpr const char* kOwn = "contactscope";
 constexpr int kMostNotes = 5;  // lines of an engine's own words
 
-/// Where the engines' programs are that were built with this one.
-std::vector<std::string> engine_folders() {
-  std::error_code unknown;
-  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
-  if (unknown) return {};
-  return {(self.parent_path() / "engines").string(), self.parent_path().string()};
-}
-
 /// What is asked, and what stands beforehand.
 struct Match {
   std::string name;  // "group/idea"
@@ -161,8 +153,7 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
 /// What the table has no room for: why an engine did not answer, where it was off most, what lint says.
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
-    const Contender& contender =
-        *std::ranges::find(match.contenders, score.name, &Contender::name);
+    const Contender& contender = *std::ranges::find(match.contenders, score.name, &Contender::name);
     std::istringstream lines(contender.notes);
     int left = kMostNotes;
     for (std::string line; std::getline(lines, line) && left-- > 0;)
@@ -254,9 +245,9 @@ std::map<std::string, std::string> programs_of(const std::vector<std::string>& e
   std::map<std::string, std::string> programs;
   for (const std::string& name : engines) {
     if (name == kOwn) continue;
-    const std::optional<std::string> program = versus::find_engine(name, engine_folders());
+    const std::optional<std::string> program = versus::find_engine(name, versus::own_folders());
     if (!program) {
-      std::vector<std::string> known = versus::engines_found(engine_folders());
+      std::vector<std::string> known = versus::engines_found(versus::own_folders());
       known.insert(known.begin(), kOwn);
       const std::vector<std::string_view> views(known.begin(), known.end());
       throw UsageError("--engines '" + name + "': there is no program contactscope-engine-" + name +
@@ -271,7 +262,7 @@ ExitCode run_versus(const Options& options) {
   note_interrupts();
   std::vector<std::string> engines = options.engines;
   if (engines.empty()) {
-    engines = versus::engines_found(engine_folders());
+    engines = versus::engines_found(versus::own_folders());
     engines.insert(engines.begin(), kOwn);
   }
   const std::map<std::string, std::string> programs = programs_of(engines);

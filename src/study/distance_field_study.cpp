@@ -9,6 +9,7 @@
 #include "field/distance_field.h"
 #include "manifold/field_contact.h"
 #include "study/ball_mesh.h"
+#include "study/field_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 #include "study/surface_truth.h"
@@ -24,6 +25,7 @@ constexpr double kByTheSurface = 0.02;  // metres
 constexpr int kFieldCells[] = {16, 32, 64, 128};
 constexpr int kBands[] = {1, 2, 4, 8, 16};
 constexpr int kBandCells = 64;
+constexpr int kPeerBand = 3;  // cells on each side, as other libraries have it
 
 constexpr double kPokes[] = {0.01, 0.1, 1};        // cells that a sphere goes into a box
 constexpr double kSpacings[] = {0.5, 1, 2, 4, 8};  // cells between points
@@ -54,6 +56,12 @@ constexpr FieldMethod kFieldMethods[] = {
     {"cubic with exact cells", FieldInterpolation::Cubic, true},
 };
 
+/// `gradient` of any length, `truth` unit.
+double degrees_between(const Vec3d& gradient, const Vec3d& truth) {
+  const double cosine = gradient.stableNormalized().dot(truth);
+  return 180 / std::numbers::pi * std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
 /// Measures: metres, degrees, megabytes, milliseconds to build.
 Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& points,
                         const FieldSettings& settings, int repetitions) {
@@ -69,8 +77,7 @@ Measurement judge_field(const Mesh<double>& mesh, const std::vector<TruePoint>& 
   for (const TruePoint& point : points) {
     const FieldSample sample = field.sample(point.place);
     measured.errors[0].add(std::abs(sample.distance - point.distance));
-    const double cosine = sample.gradient.stableNormalized().dot(point.gradient);
-    measured.errors[1].add(180 / std::numbers::pi * std::acos(std::clamp(cosine, -1.0, 1.0)));
+    measured.errors[1].add(degrees_between(sample.gradient, point.gradient));
   }
   measured.errors[2].add(1e-6 * static_cast<double>(field.field->bytes()));
   measured.errors[3].add(1e-6 * build.summary().min);
@@ -107,6 +114,35 @@ std::vector<TruePoint> points_in_box(std::mt19937_64& engine, const Mesh<double>
   return points;
 }
 
+/// OpenVDB, where its program is found: by cells alone, for beyond its band it holds no distances.
+void add_field_peer(const StudyOptions& options, const Mesh<double>& mesh,
+                    const std::vector<TruePoint>& points, int repetitions,
+                    std::vector<trace::Study>& results) {
+  const std::vector<Vec3d> places = mapped(points, &TruePoint::place);
+  std::vector<PeerField> fields;
+  for (const int cells : kFieldCells) {
+    std::optional<PeerField> field = ask_field_peer(options.peer_folders, "openvdb", mesh, cells,
+                                                    kPeerBand, repetitions, places);
+    if (!field) return;
+    fields.push_back(std::move(*field));
+  }
+  std::size_t next = 0;
+  add_line(results, {fields.front().name, {}, "by cells", "cells along the longest side"},
+           kFieldCells, [&](int) {
+             const PeerField& field = fields[next++];
+             Measurement measured(4, count_of(points));
+             for (int i = 0; i < count_of(points); ++i) {
+               const TruePoint& point = at(points, i);
+               measured.errors[0].add(std::abs(at(field.distances, i) - point.distance));
+               measured.errors[1].add(degrees_between(at(field.gradients, i), point.gradient));
+             }
+             measured.errors[2].add(1e-6 * field.bytes);
+             measured.errors[3].add(field.build);
+             for (const double time : field.nanoseconds) measured.times.add(time);
+             return measured;
+           });
+}
+
 std::vector<trace::Study> study_field_errors(const StudyOptions& options, const StudyStep& step) {
   const int count = options.cases.value_or(kFieldPoints);
   const int repetitions = options.repetitions.value_or(kFieldRepetitions);
@@ -135,6 +171,7 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
              });
     step(std::string("cells, ") + method.name);
   }
+  add_field_peer(options, mesh, near_surface, repetitions, results);
   for (const FieldMethod& method : kFieldMethods) {
     FieldSettings settings = method.settings();
     settings.cells = kBandCells;

@@ -18,6 +18,8 @@ struct StudyOptions {
   std::optional<int> cases;        // a point, >= 1; each study has a default of its own
   std::optional<int> repetitions;  // of the passes that are timed, >= 1; likewise
   std::optional<int> frames;  // of what is simulated by the study of the solver, >= 1; likewise
+  std::vector<std::string>
+      peer_folders{};  // of programs of other libraries; $PATH is looked through too
 };
 
 /// Told of each step; may throw to stop the study.

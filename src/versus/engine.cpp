@@ -202,13 +202,25 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
   return answer;
 }
 
-std::optional<std::string> find_engine(const std::string& name,
-                                       const std::vector<std::string>& folders) {
+std::optional<std::string> find_program(const std::string& name,
+                                        const std::vector<std::string>& folders) {
   for (const std::string& folder : with_path(folders)) {
-    const fs::path path = fs::path(folder) / (kPrefix + name);
+    const fs::path path = fs::path(folder) / name;
     if (is_program(path)) return path.string();
   }
   return std::nullopt;
+}
+
+std::optional<std::string> find_engine(const std::string& name,
+                                       const std::vector<std::string>& folders) {
+  return find_program(kPrefix + name, folders);
+}
+
+std::vector<std::string> own_folders() {
+  std::error_code unknown;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
+  if (unknown) return {};
+  return {(self.parent_path() / "engines").string(), self.parent_path().string()};
 }
 
 std::vector<std::string> engines_found(const std::vector<std::string>& folders) {

@@ -24,10 +24,16 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
                    const std::string& input, double limit_seconds,
                    std::size_t limit_bytes = std::size_t{1} << 30);
 
-/// The path of `contactscope-engine-NAME`: in one of `folders`, else in those of $PATH. Empty where it is
-/// not there.
+/// The path of a program: in one of `folders`, else in those of $PATH. Empty where it is not there.
+std::optional<std::string> find_program(const std::string& name,
+                                        const std::vector<std::string>& folders);
+
+/// The same of `contactscope-engine-NAME`.
 std::optional<std::string> find_engine(const std::string& name,
                                        const std::vector<std::string>& folders);
+
+/// Where the programs are that were built with this one: beside it, and in the folder `engines` there.
+std::vector<std::string> own_folders();
 
 /// The names of all of them, sorted.
 std::vector<std::string> engines_found(const std::vector<std::string>& folders);

@@ -265,7 +265,7 @@ TEST(Lint, NothingIsSaidOfTracesThatAreRight) {
     EXPECT_THAT(causes_of(lint(*trace)), IsEmpty()) << trace->header.scenario;
 }
 
-TEST(Lint, EachMistakeIsNamed) {
+TEST(Lint, SlowEachMistakeIsNamed) {
   for (const Seed& seed : seeds()) {
     SCOPED_TRACE(seed.name);
     Trace trace = seed.trace();
