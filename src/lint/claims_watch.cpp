@@ -14,6 +14,9 @@ constexpr std::size_t kTried = 1000;
 /// points that are kept while bodies turn. It is told where it is this often, or this many tolerances.
 constexpr double kOften = 0.02, kGross = 15;
 constexpr double kFewLeft = 0.25;
+/// One wrong claim of so many may have a cause of its own.
+constexpr int kMended = 5;
+constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
 /// Room for all explanations.
 constexpr std::size_t kMostExplanations = 512;
 
@@ -141,8 +144,11 @@ class ClaimsWatch final : public Watch {
     for (std::size_t e = 0; e < std::min(all.size(), kMostExplanations); ++e) {
       if (wrong_.size() > kTried && !has_explained_.test(e)) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
+      // Points that are scaled down come together at the origin, which may be where the shapes touch.
+      const bool are_far = verdict->farthest > kFar * verdict->tolerance;
+      if (all[e].reading.point_scale < 1 && !are_far) continue;
       const std::optional<Verdict> then = judge(solids, frames, pair, all[e].reading);
-      wrong.explained_by.set(e, then && then->wrong == 0);
+      wrong.explained_by.set(e, then && kMended * then->wrong <= verdict->wrong);
     }
     has_explained_ |= wrong.explained_by;
   }

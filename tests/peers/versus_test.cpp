@@ -37,5 +37,24 @@ TEST(VersusPeers, Spheres) {
   }
 }
 
+#ifdef CONTACTSCOPE_HAS_MUJOCO
+/// Fixed in 3.4: of two boxes it told half of the overlap for years.
+TEST(VersusPeers, HalfOverlapsOfMuJoCoAreNamed) {
+  const ProgramRun result =
+      run("versus --table --json --engines mujoco hull/eight_points_to_four plane/box_corners");
+  const Json json = Json::parse(result.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << result.err;
+  const Json& boxes = json["matches"][0]["engines"][0];
+  EXPECT_EQ(boxes["missed"], 0);
+  ASSERT_EQ(boxes["findings"].size(), boxes["version"] < "3.4" ? 1u : 0u) << boxes["findings"];
+  if (!boxes["findings"].empty()) {
+    EXPECT_EQ(boxes["findings"][0]["cause"], "half_depths");
+  }
+  const Json& plane = json["matches"][1]["engines"][0];
+  EXPECT_LT(plane["depth_error"]["worst"], 1e-6);
+  EXPECT_TRUE(plane["findings"].empty());
+}
+#endif
+
 }  // namespace
 }  // namespace contactscope::test

@@ -1,0 +1,207 @@
+// contactscope-engine-mujoco: MuJoCo as a program that `contactscope versus` asks; src/versus/README.md says what
+// it reads and writes. Each shape is a body that floats free, and mj_forward() finds the contacts of the poses.
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "core/at.h"
+#include "core/input_error.h"
+#include "trace/json.h"
+
+namespace contactscope {
+namespace {
+
+constexpr double kAway = 1e6;  // metres: where a shape waits that a frame does not have
+
+void left_out(const std::string& name, const std::string& why) {
+  std::cerr << "'" << name << "' is left out: " << why << '\n';
+}
+
+std::string spelled(const Vec3d& v) {
+  std::ostringstream text;
+  text.precision(17);
+  text << v.x() << ' ' << v.y() << ' ' << v.z();
+  return text.str();
+}
+
+/// The geom of a shape in MuJoCo's XML, after the mesh that it needs; nothing of what it does not have. It
+/// takes every mesh for its convex hull.
+struct Geom {
+  std::string mesh, geom;
+};
+
+std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
+  const std::string name = "name=\"g" + std::to_string(index) + "\" ";
+  std::ostringstream text;
+  text.precision(17);
+  if (shape.half_space) {
+    const Vec3d& normal = shape.half_space->normal;
+    const Quatd turn = Quatd::FromTwoVectors(Vec3d::UnitZ(), normal);
+    text << "<geom " << name << "type=\"plane\" size=\"1 1 1\" pos=\""
+         << spelled(shape.half_space->offset * normal) << "\" quat=\"" << turn.w() << ' '
+         << spelled(turn.vec()) << "\"/>";
+    return Geom{"", text.str()};
+  }
+  if (shape.type == "mesh" || shape.type == "sdf") return std::nullopt;
+  if (shape.radius > 0 && shape.vertices.size() <= 2) {
+    const Vec3d from = shape.vertices.front(), to = shape.vertices.back();
+    if ((to - from).norm() == 0)
+      text << "<geom " << name << "type=\"sphere\" size=\"" << shape.radius << "\" pos=\""
+           << spelled(from) << "\"/>";
+    else
+      text << "<geom " << name << "type=\"capsule\" size=\"" << shape.radius << "\" fromto=\""
+           << spelled(from) << ' ' << spelled(to) << "\"/>";
+    return Geom{"", text.str()};
+  }
+  if (shape.radius > 0 || shape.vertices.size() < 4) return std::nullopt;
+  if (shape.type == "box" && shape.vertices.size() == 8) {
+    Vec3d lower = shape.vertices.front(), upper = lower;
+    for (const Vec3d& vertex : shape.vertices) {
+      lower = lower.cwiseMin(vertex);
+      upper = upper.cwiseMax(vertex);
+    }
+    text << "<geom " << name << "type=\"box\" size=\"" << spelled((upper - lower) / 2)
+         << "\" pos=\"" << spelled((upper + lower) / 2) << "\"/>";
+    return Geom{"", text.str()};
+  }
+  std::string vertices;
+  for (const Vec3d& vertex : shape.vertices) vertices += spelled(vertex) + " ";
+  const std::string mesh = "m" + std::to_string(index);
+  text << "<geom " << name << "type=\"mesh\" mesh=\"" << mesh << "\"/>";
+  return Geom{"<mesh name=\"" + mesh + "\" vertex=\"" + vertices + "\"/>", text.str()};
+}
+
+/// All shapes of a request as bodies that float free.
+class World {
+ public:
+  explicit World(const std::vector<trace::Shape>& shapes) {
+    std::string assets, bodies;
+    for (int i = 0; i < count_of(shapes); ++i) {
+      const trace::Shape& shape = at(shapes, i);
+      names_.push_back(shape.name);
+      const std::optional<Geom> geom = geom_of(shape, i);
+      if (!geom) {
+        left_out(shape.name, "MuJoCo has no " + shape.type + " like it");
+        continue;
+      }
+      assets += geom->mesh;
+      // A plane must be the world's, or a body that is moved by hand.
+      bodies += "<body name=\"b" + std::to_string(i) + "\"" +
+                (shape.half_space ? " mocap=\"true\">" : "><freejoint/>") + geom->geom + "</body>";
+    }
+    const std::string xml = "<mujoco><option gravity=\"0 0 0\"/><asset>" + assets +
+                            "</asset><worldbody>" + bodies + "</worldbody></mujoco>";
+    const auto files = std::make_unique<mjVFS>();
+    mj_defaultVFS(files.get());
+    if (mj_makeEmptyFileVFS(files.get(), "model.xml", static_cast<int>(xml.size())) != 0)
+      throw std::runtime_error("MuJoCo takes no model of " + std::to_string(xml.size()) + " bytes");
+    std::memcpy(files->filedata[mj_findFileVFS(files.get(), "model.xml")], xml.data(), xml.size());
+    char error[1000] = "";
+    model_ = mj_loadXML("model.xml", files.get(), error, sizeof error);
+    mj_deleteVFS(files.get());
+    if (model_ == nullptr) throw std::runtime_error(std::string("MuJoCo: ") + error);
+    data_ = mj_makeData(model_);
+  }
+  ~World() {
+    mj_deleteData(data_);
+    mj_deleteModel(model_);
+  }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// The contacts of a frame, each pair's by its names.
+  std::map<std::pair<std::string, std::string>, std::vector<trace::Manifold>> contacts(
+      const trace::Frame& frame) {
+    for (int i = 0; i < count_of(names_); ++i) place(i, frame);
+    mj_forward(model_, data_);
+    std::map<std::pair<std::string, std::string>, std::vector<trace::Manifold>> found;
+    for (int c = 0; c < data_->ncon; ++c) {
+      const mjContact& contact = data_->contact[c];
+      const Vec3d normal(contact.frame[0], contact.frame[1], contact.frame[2]);
+      auto& manifolds = found[{name_of(contact.geom1), name_of(contact.geom2)}];
+      constexpr double kSame = 1 - 1e-6;  // cosine
+      auto same = std::ranges::find_if(manifolds, [&](const trace::Manifold& manifold) {
+        return manifold.normal.dot(normal) > kSame;
+      });
+      if (same == manifolds.end()) {
+        same = manifolds.emplace(manifolds.end());
+        same->normal = normal.normalized();
+      }
+      const Vec3d position(contact.pos[0], contact.pos[1], contact.pos[2]);
+      same->points.push_back({.position = position, .separation = contact.dist, .id = {}});
+    }
+    return found;
+  }
+
+ private:
+  void place(int shape, const trace::Frame& frame) {
+    const int body = mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(shape)).c_str());
+    if (body < 0) return;
+    const auto placed = std::ranges::find(frame.poses, at(names_, shape), &trace::Placement::first);
+    const Pose<double> pose = placed == frame.poses.end()
+                                  ? Pose<double>{Quatd::Identity(), {kAway * shape, kAway, kAway}}
+                                  : placed->second;
+    const int mocap = model_->body_mocapid[body];
+    double* const position = mocap >= 0
+                                 ? data_->mocap_pos + 3 * mocap
+                                 : data_->qpos + model_->jnt_qposadr[model_->body_jntadr[body]];
+    double* const rotation = mocap >= 0 ? data_->mocap_quat + 4 * mocap : position + 3;
+    for (int k = 0; k < 3; ++k) position[k] = pose.position[k];
+    rotation[0] = pose.rotation.w();
+    for (int k = 0; k < 3; ++k) rotation[1 + k] = pose.rotation.vec()[k];
+  }
+
+  const std::string& name_of(int geom) const {
+    return at(names_, std::atoi(mj_id2name(model_, mjOBJ_GEOM, geom) + 1));
+  }
+
+  std::vector<std::string> names_;
+  mjModel* model_ = nullptr;
+  mjData* data_ = nullptr;
+};
+
+void answer(std::istream& in, std::ostream& out) {
+  trace::Trace request = trace::read_trace(in, "standard input");
+  request.header.engine = "MuJoCo";
+  request.header.version = mj_versionString();
+  out << trace::to_json_line(request.header) << '\n';
+  std::vector<trace::Shape> shapes = request.header.shapes;
+  for (const trace::Frame& frame : request.frames)
+    shapes.insert(shapes.end(), frame.shapes.begin(), frame.shapes.end());
+  World world(shapes);
+  for (trace::Frame& frame : request.frames) {
+    auto found = world.contacts(frame);
+    for (trace::Pair& pair : frame.pairs) {
+      auto contacts = found.find({pair.a, pair.b});
+      if (contacts == found.end()) {
+        contacts = found.find({pair.b, pair.a});
+        if (contacts == found.end()) continue;
+        for (trace::Manifold& manifold : contacts->second) manifold.normal = -manifold.normal;
+      }
+      pair.manifolds = std::move(contacts->second);
+      pair.state = "touching";
+      pair.separation = pair.manifolds.front().points.front().separation;
+    }
+    frame.deformed.clear();
+    out << trace::to_json_line(frame) << '\n';
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
+
+int main() {
+  try {
+    contactscope::answer(std::cin, std::cout);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+  return 0;
+}
