@@ -99,8 +99,8 @@ constexpr Words kUnexplained[kWrongs] = {
 
 class ClaimsWatch final : public Watch {
  public:
-  explicit ClaimsWatch(const trace::Header& header)
-      : after_step_(header.poses_at == "after_step"), has_moment_(!header.poses_at.empty()) {}
+  ClaimsWatch(const trace::Header& header, const LintOptions& options)
+      : after_step_(header.poses_at == "after_step"), options_(options) {}
 
   void see(const Solids& solids, const Moments& frames) override {
     for (const trace::Pair& pair : frames.now->pairs) {
@@ -143,6 +143,7 @@ class ClaimsWatch final : public Watch {
     const std::vector<Explanation>& all = explanations();
     for (std::size_t e = 0; e < std::min(all.size(), kMostExplanations); ++e) {
       if (wrong_.size() > kTried && !has_explained_.test(e)) continue;
+      if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
       // Points that are scaled down come together at the origin, which may be where the shapes touch.
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
@@ -268,7 +269,8 @@ class ClaimsWatch final : public Watch {
   }
 
   static constexpr double kFactors[] = {-1, 0.5, 2};
-  bool after_step_, has_moment_;
+  bool after_step_;
+  LintOptions options_;
   int judged_ = 0;
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
@@ -278,8 +280,8 @@ class ClaimsWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_claims(const trace::Header& header) {
-  return std::make_unique<ClaimsWatch>(header);
+std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options) {
+  return std::make_unique<ClaimsWatch>(header, options);
 }
 
 }  // namespace contactscope::lint

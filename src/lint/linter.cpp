@@ -21,11 +21,12 @@ std::string spelled(const Vec3d& vector) {
 }
 
 struct Linter::State {
-  explicit State(const trace::Header& header) {
+  State(const trace::Header& header, const LintOptions& options) {
     for (const trace::Shape& shape : header.shapes) solids.add(shape);
-    watches.push_back(watch_claims(header));
+    watches.push_back(watch_claims(header, options));
     watches.push_back(watch_overlaps());
     watches.push_back(watch_ids());
+    if (options.shapes_are_given) return;
     watches.push_back(watch_rotations());
     watches.push_back(watch_motion(header));
   }
@@ -51,7 +52,8 @@ struct Linter::State {
   std::optional<trace::Frame> before, now, after;
 };
 
-Linter::Linter(const trace::Header& header) : state_(std::make_unique<State>(header)) {}
+Linter::Linter(const trace::Header& header, const LintOptions& options)
+    : state_(std::make_unique<State>(header, options)) {}
 Linter::~Linter() = default;
 
 void Linter::frame(trace::Frame frame) {
@@ -73,8 +75,8 @@ std::vector<Finding> Linter::findings() {
   return all;
 }
 
-std::vector<Finding> lint(const trace::Trace& trace) {
-  Linter linter(trace.header);
+std::vector<Finding> lint(const trace::Trace& trace, const LintOptions& options) {
+  Linter linter(trace.header, options);
   for (const trace::Frame& frame : trace.frames) linter.frame(frame);
   return linter.findings();
 }

@@ -24,10 +24,15 @@ struct Finding {
   std::string said{}, is{};  // "separation -0.02", "the surfaces are 0.04 m apart"
 };
 
+struct LintOptions {
+  /// Shapes and poses are as they were asked for, so that no mistake of theirs is looked for.
+  bool shapes_are_given = false;
+};
+
 /// Goes through a trace frame by frame; of those before it keeps sums.
 class Linter {
  public:
-  explicit Linter(const trace::Header& header);
+  explicit Linter(const trace::Header& header, const LintOptions& options = {});
   ~Linter();
 
   /// The frames in their order.
@@ -42,6 +47,6 @@ class Linter {
 };
 
 /// The whole of a trace that was read.
-std::vector<Finding> lint(const trace::Trace& trace);
+std::vector<Finding> lint(const trace::Trace& trace, const LintOptions& options = {});
 
 }  // namespace contactscope::lint

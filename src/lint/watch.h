@@ -18,7 +18,7 @@ class Watch {
 };
 
 /// claims_watch.cpp: points, normals and separations against the shapes, and what they would be right under.
-std::unique_ptr<Watch> watch_claims(const trace::Header& header);
+std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options);
 /// overlaps.cpp: shapes that overlap, and no contact is told.
 std::unique_ptr<Watch> watch_overlaps();
 /// ids.cpp: names of points that change while nothing moves.

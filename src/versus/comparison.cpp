@@ -129,7 +129,8 @@ class Scorer {
     mean(score_.points, score_.touching);
     mean(score_.area, score_.patches);
     mean(score_.ids_kept, score_.id_frames);
-    if (!contender_.trace.frames.empty()) score_.findings = lint::lint(contender_.trace);
+    if (!contender_.trace.frames.empty())
+      score_.findings = lint::lint(contender_.trace, {.shapes_are_given = true});
   }
 
   const trace::Trace& request_;

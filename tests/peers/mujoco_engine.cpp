@@ -30,6 +30,20 @@ std::string spelled(const Vec3d& v) {
   return text.str();
 }
 
+/// Whether vertices lie in one plane, within rounding: MuJoCo makes no hull of them.
+bool is_flat(const std::vector<Vec3d>& vertices) {
+  const Vec3d& origin = vertices.front();
+  const auto farthest = [&](const auto& distance) {
+    return *std::ranges::max_element(vertices, {}, distance);
+  };
+  const Vec3d along = farthest([&](const Vec3d& v) { return (v - origin).norm(); }) - origin;
+  const Vec3d across = farthest([&](const Vec3d& v) { return along.cross(v - origin).norm(); });
+  const Vec3d normal = along.cross(across - origin).normalized();
+  const Vec3d above =
+      farthest([&](const Vec3d& v) { return std::abs(normal.dot(v - origin)); }) - origin;
+  return !(std::abs(normal.dot(above)) > 1e-6 * along.norm());
+}
+
 /// The geom of a shape in MuJoCo's XML, after the mesh that it needs; nothing of what it does not have. It
 /// takes every mesh for its convex hull.
 struct Geom {
@@ -59,7 +73,7 @@ std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
            << spelled(from) << ' ' << spelled(to) << "\"/>";
     return Geom{"", text.str()};
   }
-  if (shape.radius > 0 || shape.vertices.size() < 4) return std::nullopt;
+  if (shape.radius > 0 || shape.vertices.size() < 4 || is_flat(shape.vertices)) return std::nullopt;
   if (shape.type == "box" && shape.vertices.size() == 8) {
     Vec3d lower = shape.vertices.front(), upper = lower;
     for (const Vec3d& vertex : shape.vertices) {
