@@ -69,6 +69,7 @@ class MotionWatch final : public Watch {
       : up_(header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY()), up_name_(header.up) {}
 
   void see(const Solids& solids, const Moments& frames) override {
+    see_densities(solids, frames);
     if (frames.after == nullptr) return;
     const double step = frames.after->time - frames.now->time;
     if (!(step > 0)) return;
@@ -79,11 +80,25 @@ class MotionWatch final : public Watch {
   void tell(std::vector<Finding>& findings) override {
     tell_axis(findings);
     tell_unit(findings);
+    tell_densities(findings);
     tell_impulses(findings);
   }
 
  private:
   static constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+
+  /// A crate of a ton that is 1000 "metres" wide is told in millimetres.
+  void see_densities(const Solids& solids, const Moments& frames) {
+    if (!frames.now->solver) return;
+    for (const trace::Body& body : frames.now->solver->bodies) {
+      const Solid* const solid = solids.find(body.name);
+      if (solid == nullptr || solid->is_plane() || !(body.mass > 0) || !std::isfinite(body.mass))
+        continue;
+      const double volume = (solid->upper() - solid->lower()).prod();
+      if (volume > 0)
+        densities_.add(body.mass / volume, frames.now->line, frames.now->frame, body.name);
+    }
+  }
 
   /// A shape without contacts from the frame before to the one after falls, or flies on.
   void see_falls(const Solids& solids, const Moments& frames, double step) {
@@ -172,6 +187,26 @@ class MotionWatch final : public Watch {
     }
   }
 
+  /// Of all bodies the density is that of something solid, if lengths are in a smaller unit.
+  void tell_densities(std::vector<Finding>& findings) const {
+    if (densities_.values.empty()) return;
+    const auto [least, most] = std::ranges::minmax(densities_.values);
+    constexpr double kLightest = 5, kHeaviest = 30'000;  // kilograms a cubic metre: foam, platinum
+    for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
+      const double cube = factor * factor * factor;
+      if (cube * least < kLightest || cube * most > kHeaviest) continue;
+      for (const Finding& finding : findings)
+        if (finding.cause == std::string("world_in_") + unit) return;
+      findings.push_back(
+          {std::string("world_in_") + unit, std::string("lengths are in ") + unit,
+           "divide all lengths by " + metres(factor) + ": a trace is in metres",
+           count_of(densities_.values), count_of(densities_.values), densities_.line,
+           densities_.frame, densities_.name, "",
+           "its box and its mass make " + metres(densities_.values.front()) + " kg a cubic metre",
+           "in metres it would be " + metres(cube * densities_.values.front())});
+    }
+  }
+
   void tell_impulses(std::vector<Finding>& findings) const {
     const std::optional<double> share = weights_.common();
     if (!share) return;
@@ -201,7 +236,7 @@ class MotionWatch final : public Watch {
   Vec3d up_;
   std::string up_name_;
   std::array<Samples, 3> falls_, rests_;
-  Samples weights_;
+  Samples weights_, densities_;
   int steps_ = 0;
   double step_ = 1;
 };

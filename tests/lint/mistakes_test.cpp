@@ -296,6 +296,17 @@ TEST(Lint, ABoxThatFloatsAboveItsPointsIsNamedWithItsFrame) {
   EXPECT_THAT(findings[0].is, HasSubstr("0.0"));
 }
 
+/// Of a single frame, in which nothing falls, masses give the unit away.
+TEST(Lint, AWorldInMillimetresIsKnownByItsMasses) {
+  Trace trace = stack();
+  const std::optional<trace::Solver> solver = trace.frames[3].solver;
+  world_times(1000)(trace);
+  trace.frames = {trace.frames[3]};
+  trace.frames[0].solver = solver;
+  each_point(trace, [](auto&, auto&, trace::Point& point) { point.impulse.reset(); });
+  EXPECT_THAT(causes_of(lint(trace)), testing::ElementsAre("world_in_millimetres"));
+}
+
 TEST(Lint, OneFlippedNormalAmongManyIsNamed) {
   Trace trace = heap();
   trace::Pair& pair = trace.frames[30].pairs[3];
