@@ -180,7 +180,15 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
         court.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
                     std::max(roughly, kNormalShare * std::abs(is)));
       } else if (!of_a.exit || !of_b.exit) {  // the normal does not leave a plane
-        court.claim({Wrong::Normal, m, p, said, best ? best->distance : 0}, 1, 0);
+        const double infinite = -std::numeric_limits<double>::infinity();
+        court.claim({Wrong::Normal,
+                     m,
+                     p,
+                     infinite,
+                     best ? best->distance : 0,
+                     {},
+                     best ? best->normal : Vec3d::Zero()},
+                    1, 0);
       }
       const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
       const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
@@ -197,7 +205,8 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     if (!best || pair.degenerate || manifold.points.empty() || pair.manifolds.size() > 1) continue;
     const double along = separation_along(*a, *b, normal);
     const bool is_near = normal.dot(best->normal) >= kSameNormal;
-    court.claim({Wrong::Normal, m, 0, along, best->distance}, is_near ? 0 : best->distance - along,
+    court.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
+                is_near ? 0 : best->distance - along,
                 std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(best->distance)));
     // Of long shapes what overlaps most along a normal that is off by little is beside the patch.
     const double depth = is_near ? best->distance : along;

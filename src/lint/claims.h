@@ -24,8 +24,9 @@ inline constexpr int kWrongs = 5;
 struct Problem {
   Wrong kind = Wrong::Separation;
   int manifold = 0, point = 0;
-  double said = 0, is = 0;  // metres
-  std::string shape{};      // of Surface and Side
+  double said = 0, is = 0;     // metres
+  std::string shape{};         // of Surface and Side
+  Vec3d best = Vec3d::Zero();  // of Normal: along which the overlap is least
 };
 
 /// A pair's claims held against its shapes.

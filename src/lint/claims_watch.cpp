@@ -67,8 +67,12 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
       break;
     case Wrong::Normal:
       wrong.said = "normal " + spelled(manifold.normal);
-      wrong.is = "along it the shapes are " + metres(problem.said) +
-                 " apart (negative: overlap), along the best one " + metres(problem.is);
+      wrong.is = std::isfinite(problem.said)
+                     ? "along it the shapes are " + metres(problem.said) + " apart"
+                     : "the plane has no end that way";
+      if (!problem.best.isZero())
+        wrong.is += "; along " + spelled(problem.best) + " they are " + metres(problem.is) +
+                    " apart (negative: overlap)";
       break;
     case Wrong::Deepest:
       wrong.said = "deepest point: " + metres(problem.said);
