@@ -52,7 +52,8 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
   add("pair", [&] { return pair.kind; });
   add("state", [&] { return pair.state; });
   if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
-  if (!pair.manifolds.empty()) add("contact", [&] { return types_of(pair); });
+  if (!pair.manifolds.empty() && !types_of(pair).empty())  // other engines tell no types
+    add("contact", [&] { return types_of(pair); });
   add(pair.separation > 0 ? "gap" : "separation", [&] { return spell_length(pair.separation); });
   if (pair.state != "separated") add("points", [&] { return counted(pair); });
   if (pair.incremental) {
