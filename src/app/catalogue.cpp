@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "app/narrow.h"
@@ -137,7 +138,7 @@ std::vector<std::string> scenario_files(const std::string& root) {
 std::vector<View> selected_views(const Scenario& scenario, const Options& options) {
   std::vector<View> views = scenario.views;
   std::erase_if(views, [&](const View& view) {
-    const bool by_file = options.view.find(".toml") != std::string::npos;
+    const bool by_file = views_are_of_file(options);
     return !by_file && !options.view.empty() && view.name != options.view;
   });
   return views;
@@ -204,6 +205,16 @@ std::vector<Input> load_inputs(const Options& options) {
     inputs.back().file = file == "-" ? "standard input" : file;
   }
   for (Input& input : inputs) override_views(input.scenario.views, options);
+  return inputs;
+}
+
+std::vector<Input> load_each(const Options& options) {
+  std::vector<Input> inputs;
+  for (const std::string& argument : options.scenarios) {
+    Options one = options;
+    one.scenarios = {argument};
+    std::ranges::move(load_inputs(one), std::back_inserter(inputs));
+  }
   return inputs;
 }
 

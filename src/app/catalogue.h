@@ -33,6 +33,9 @@ struct Input {
 /// and the summary. Throws UsageError also where an option has no meaning for a trace.
 std::vector<Input> load_inputs(const Options& options);
 
+/// The same of each argument by itself: traces of one name are no mistake where nothing is written.
+std::vector<Input> load_each(const Options& options);
+
 /// Whether a file is a trace and no scenario: it is named *.jsonl, or begins with '{', as no TOML
 /// does; "-", the standard input, is one. False where there is no such file.
 bool is_trace_file(const std::string& path);

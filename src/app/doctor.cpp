@@ -57,16 +57,12 @@ std::string looked_through(const Input& input) {
 ExitCode run_doctor(const Options& options) {
   std::vector<std::string> files, wrong;
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const std::string& argument : options.scenarios) {
-    Options one = options;  // each by itself: here two may have one name
-    one.scenarios = {argument};
-    for (const Input& input : load_inputs(one)) {
-      files.push_back(looked_through(input));
-      if (!input.trace) continue;  // of a scenario nothing is known until it is run
-      for (const lint::Finding& finding : lint_input(input)) {
-        wrong.push_back(told(input.file, finding));
-        findings.push_back(to_json(finding));
-      }
+  for (const Input& input : load_each(options)) {
+    files.push_back(looked_through(input));
+    if (!input.trace) continue;  // of a scenario nothing is known until it is run
+    for (const lint::Finding& finding : lint_input(input)) {
+      wrong.push_back(told(input.file, finding));
+      findings.push_back(to_json(finding));
     }
   }
   const std::vector<gl::RouteReport> routes = gl::probe_routes();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/verbs.h"
@@ -63,13 +62,7 @@ ExitCode run_lint(const Options& options) {
   bool clean = true;
   nlohmann::ordered_json json{{"schema", "contactscope.lint/1"},
                               {"files", nlohmann::ordered_json::array()}};
-  std::vector<Input> inputs;
-  for (const std::string& argument : options.scenarios) {
-    Options one = options;  // each by itself: traces of one name are no mistake here
-    one.scenarios = {argument};
-    std::ranges::move(load_inputs(one), std::back_inserter(inputs));
-  }
-  for (const Input& input : inputs) {
+  for (const Input& input : load_each(options)) {
     const std::vector<lint::Finding> findings = lint_input(input);
     const std::string& file = input.trace ? input.file : input.scenario.path;
     clean = clean && findings.empty();

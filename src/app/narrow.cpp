@@ -10,6 +10,8 @@
 namespace contactscope::app {
 namespace {
 
+constexpr std::string_view kTomlEnd = ".toml";
+
 void require_shape(const trace::Header& header, const std::string& option,
                    const std::string& name) {
   const std::vector<std::string_view> names = names_in(header.shapes);
@@ -84,13 +86,17 @@ void place_camera(std::vector<View>& views, const Options& options) {
   }
 }
 
+bool views_are_of_file(const Options& options) {
+  return options.view.find(kTomlEnd) != std::string::npos;
+}
+
 std::vector<View> views_of_file(const Options& options) {
   namespace fs = std::filesystem;
+  if (!views_are_of_file(options)) return {};
   const std::string& text = options.view;
-  const std::size_t end = text.find(".toml");
-  if (end == std::string::npos) return {};
-  const std::string file = text.substr(0, end + 5);
-  const std::string rest = text.substr(end + 5);
+  const std::size_t end = text.find(kTomlEnd);
+  const std::string file = text.substr(0, end + kTomlEnd.size());
+  const std::string rest = text.substr(end + kTomlEnd.size());
   if (!fs::exists(file)) throw UsageError("--view '" + text + "': there is no file " + file);
   std::vector<View> views = load_views(file);
   if (rest.empty()) return views;

@@ -13,6 +13,9 @@ void narrow(Sequence& sequence, const Options& options);
 /// is not three numbers.
 void place_camera(std::vector<View>& views, const Options& options);
 
+/// Whether --view names a file.
+bool views_are_of_file(const Options& options);
+
 /// The views that --view names by a TOML file, alone or with a colon and the name of one; empty where it names none.
 /// Throws InputError and UsageError.
 std::vector<View> views_of_file(const Options& options);

@@ -120,7 +120,7 @@ ExitCode run_render(const Options& options) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
-        const bool asked = options.layers || !views_of_file(options).empty();
+        const bool asked = options.layers || views_are_of_file(options);
         if (input.trace.has_value() && asked && !options.quiet) {
           const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
           if (!idle.empty()) tell_idle(input.file, idle);

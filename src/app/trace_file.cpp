@@ -14,6 +14,7 @@
 #include "geometry/hull_builder.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/store.h"
+#include "trace/find.h"
 
 namespace contactscope::app {
 namespace {
@@ -231,7 +232,7 @@ void check_frame(const trace::Header& header, const trace::Frame& frame, int bef
     check_pair(header, place, pair);
     for (const auto& [key, name] : {std::pair(".a", &pair.a), std::pair(".b", &pair.b)})
       require(
-          std::ranges::find(frame.poses, *name, &trace::Placement::first) != frame.poses.end(),
+          trace::find_pose(frame, *name) != nullptr,
           place + key + " is '" + *name +
               "', which has no pose in this frame; a shape that is there has its 'position' and "
               "'quat_wxyz' in 'poses'");

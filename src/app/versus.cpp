@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/lint.h"
@@ -15,6 +14,7 @@
 #include "scenario/nearest_word.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
+#include "trace/find.h"
 #include "versus/comparison.h"
 #include "versus/engine.h"
 #include "versus/own.h"
@@ -44,12 +44,8 @@ trace::Trace run_whole(const Input& input) {
   Runner runner(input.scenario, trace::Stages::none());
   whole.header = runner.header();
   for (const int frame : input.frames) {
-    trace::Frame& facts = whole.frames.emplace_back(runner.frame(frame));
-    // A pair may be there several times, with different settings: the first one takes part.
-    std::set<std::pair<std::string, std::string>> seen;
-    std::erase_if(facts.pairs, [&](const trace::Pair& pair) {
-      return pair.query || !seen.emplace(pair.a, pair.b).second;
-    });
+    whole.frames.push_back(runner.frame(frame));
+    versus::keep_asked_pairs(whole.frames.back());
   }
   return whole;
 }
@@ -80,7 +76,6 @@ Contender ask(const std::string& name, const std::string& program, const Match& 
   Contender contender{name, "", "", "", "", {}};
   versus::Answer answer =
       versus::run_program(program, {"contacts"}, versus::to_text(match.request), limit);
-  contender.seconds = answer.seconds;
   contender.failure = answer.failure;
   contender.notes = answer.said;
   try {
@@ -190,17 +185,15 @@ draw::ContactCell cell_of(const Contender& contender, const trace::Frame* frame,
     return cell;
   }
   cell.normal = pair->manifolds.front().normal;
-  double deepest = pair->manifolds.front().points.front().separation;
   for (const trace::Manifold& manifold : pair->manifolds)
     for (const trace::Point& point : manifold.points) {
       cell.kept.push_back(count_of(cell.points));
       cell.points.push_back(point);
-      deepest = std::min(deepest, point.separation);
     }
   const std::string points =
       std::to_string(cell.points.size()) + (cell.points.size() == 1 ? " point" : " points");
   cell.rows.push_back({points, "", points});
-  const std::string depth = draw::spell_length(deepest);
+  const std::string depth = draw::spell_length(trace::deepest_point(*pair)->separation);
   cell.rows.push_back({"deepest " + depth, "", depth});
   return cell;
 }

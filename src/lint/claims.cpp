@@ -6,6 +6,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
@@ -24,11 +25,6 @@ constexpr double kSameNormal = 0.9994;
 constexpr double kSpeculativeShare = 0.25;
 /// The same of points that 'on_a' and 'on_b' are told of.
 constexpr double kSideTolerances = 4;
-
-const Pose<double>* pose_of(const trace::Frame& frame, const std::string& name) {
-  const auto found = std::ranges::find(frame.poses, name, &trace::Placement::first);
-  return found == frame.poses.end() ? nullptr : &found->second;
-}
 
 Quat<double> read(const Quat<double>& told, Rotation how) {
   if (how == Rotation::Inverse) return told.conjugate();
@@ -118,7 +114,9 @@ const Solid* Solids::find(const std::string& name) const {
   return found == solids_.end() ? nullptr : &found->second;
 }
 
-double tolerance_of(const Placed& a, const Placed& b, double reach) {
+double tolerance_of(const Placed& a, const Placed& b) {
+  const double reach =
+      std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
   return kTolerance * std::min(a.size(), b.size()) + kRounding * reach + a.solid->vagueness() +
          b.solid->vagueness();
 }
@@ -127,7 +125,7 @@ std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading) {
   const Solid* const solid = solids.find(name);
   if (solid == nullptr || frame == nullptr) return std::nullopt;
-  const Pose<double>* const told = pose_of(*frame, name);
+  const Pose<double>* const told = trace::find_pose(*frame, name);
   if (told == nullptr) return std::nullopt;
   Placed placed{solid, *told, solid->is_plane() ? 1.0 : reading.shape_scale};
   placed.pose.rotation = read(told->rotation, reading.rotation);
@@ -146,10 +144,8 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   if (!a || !b) return std::nullopt;
   std::optional<Separation> best;
   if (reading.shape_scale == 1) best = best_separation(*a, *b);
-  double reach =
-      std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
   Verdict verdict;
-  verdict.tolerance = tolerance_of(*a, *b, reach);
+  verdict.tolerance = tolerance_of(*a, *b);
   const double tolerance = verdict.tolerance;
   Court court(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {

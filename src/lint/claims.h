@@ -72,7 +72,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
                              const Reading& reading);
 
 /// How far off a claim about two shapes may be, metres: a part of the smaller one, and what single precision
-/// leaves uncertain of coordinates as large as `reach`.
-double tolerance_of(const Placed& a, const Placed& b, double reach);
+/// leaves uncertain of coordinates as large as theirs.
+double tolerance_of(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

@@ -3,19 +3,10 @@
 #include <set>
 
 #include "lint/watch.h"
+#include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
-
-/// Names of the points of a pair: of a mesh with the triangle.
-std::multiset<std::string> ids_of(const trace::Pair& pair) {
-  std::multiset<std::string> ids;
-  for (const trace::Manifold& manifold : pair.manifolds)
-    for (const trace::Point& point : manifold.points)
-      if (!point.id.empty())
-        ids.insert(std::to_string(manifold.triangle.value_or(-1)) + " " + point.id);
-  return ids;
-}
 
 /// Whether every point of one has one of the other within `near` metres.
 bool same_places(const trace::Pair& one, const trace::Pair& other, double near) {
@@ -39,7 +30,8 @@ class IdsWatch final : public Watch {
         return other.a == pair.a && other.b == pair.b && other.label == pair.label;
       });
       if (before == frames.before->pairs.end()) continue;
-      const std::multiset<std::string> ids = ids_of(pair), old = ids_of(*before);
+      const std::multiset<std::string> ids = trace::point_ids(pair),
+                                       old = trace::point_ids(*before);
       if (ids.empty() || ids.size() != old.size() || !stands_still(solids, frames, pair)) continue;
       const std::optional<Placed> a = place(solids, frames.now, pair.a, {});
       const std::optional<Placed> b = place(solids, frames.now, pair.b, {});

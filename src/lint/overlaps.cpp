@@ -96,10 +96,8 @@ class OverlapsWatch final : public Watch {
     const std::optional<Placed> a = place(solids, frames.now, names.first, {});
     const std::optional<Placed> b = place(solids, frames.now, names.second, {});
     if (!a || !b) return;
-    const double reach =
-        std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
     const double overlap = overlap_of(*a, *b);
-    if (overlap <= 4 * tolerance_of(*a, *b, reach)) return;
+    if (overlap <= 4 * tolerance_of(*a, *b)) return;
     Missing& missing = list[names];
     ++missing.count;
     if (overlap <= missing.deepest) return;

@@ -10,6 +10,7 @@
 #include "reduce/reducer.h"
 #include "scenario/run.h"
 #include "study/study.h"
+#include "trace/find.h"
 
 namespace contactscope {
 namespace {
@@ -206,12 +207,6 @@ void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Explora
   }
 }
 
-/// Where a frame has a shape; nullptr where it is not there.
-const Pose<double>* pose_in(const trace::Frame& frame, const std::string& name) {
-  const auto found = std::ranges::find(frame.poses, name, &trace::Placement::first);
-  return found == frame.poses.end() ? nullptr : &found->second;
-}
-
 /// Explorations of frame after frame, whose manifolds have all points.
 template <class S>
 class Explorations {
@@ -247,7 +242,7 @@ class Explorations {
     return *std::ranges::find(header_.shapes, name, &trace::Shape::name);
   }
   Vec3d center(const trace::Frame& frame, const std::string& name) const {
-    return pose_in(frame, name)->transform(shape(name).center_of_mass);
+    return trace::find_pose(frame, name)->transform(shape(name).center_of_mass);
   }
 
   void add_manifold(const trace::Frame& frame, const trace::Pair& pair,
@@ -261,11 +256,11 @@ class Explorations {
                                    .points = manifold.points,
                                    .normal = manifold.normal};
     for (const std::string& name : {pair.a, pair.b}) {
-      const Pose<double>* const then = pose_in(before_, name);
+      const Pose<double>* const then = trace::find_pose(before_, name);
       if (then == nullptr) continue;
-      exploration.bodies_moved =
-          std::max(exploration.bodies_moved,
-                   surface_move(shape(name), *then, *pose_in(frame, name), manifold.points));
+      exploration.bodies_moved = std::max(
+          exploration.bodies_moved,
+          surface_move(shape(name), *then, *trace::find_pose(frame, name), manifold.points));
     }
     const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1));
     explorers_.try_emplace(name, names_, max_points)

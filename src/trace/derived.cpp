@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "trace/find.h"
 #include "trace/trace.h"
 
 namespace contactscope::trace {
@@ -103,12 +104,9 @@ std::string kind_of(const std::vector<Shape>& shapes, const std::string& name) {
 void complete(const std::vector<Shape>& shapes, Frame& frame) {
   for (Pair& pair : frame.pairs) {
     if (pair.kind.empty()) pair.kind = kind_of(shapes, pair.a) + "-" + kind_of(shapes, pair.b);
-    double deepest = std::numeric_limits<double>::infinity();
-    for (const Manifold& manifold : pair.manifolds)
-      for (const Point& point : manifold.points) deepest = std::min(deepest, point.separation);
-    const bool has_points = std::isfinite(deepest);
-    if (pair.state.empty()) pair.state = has_points ? "touching" : "separated";
-    if (std::isnan(pair.separation)) pair.separation = has_points ? deepest : 0;
+    const Point* const deepest = deepest_point(pair);
+    if (pair.state.empty()) pair.state = deepest != nullptr ? "touching" : "separated";
+    if (std::isnan(pair.separation)) pair.separation = deepest != nullptr ? deepest->separation : 0;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/at.h"
+#include "trace/find.h"
 #include "versus/reference.h"
 
 namespace contactscope::versus {
@@ -14,23 +15,6 @@ namespace {
 const trace::Frame* frame_of(const trace::Trace& trace, int number) {
   const auto found = std::ranges::find(trace.frames, number, &trace::Frame::frame);
   return found == trace.frames.end() ? nullptr : &*found;
-}
-
-const trace::Point* deepest_of(const trace::Pair& pair) {
-  const trace::Point* deepest = nullptr;
-  for (const trace::Manifold& manifold : pair.manifolds)
-    for (const trace::Point& point : manifold.points)
-      if (deepest == nullptr || point.separation < deepest->separation) deepest = &point;
-  return deepest;
-}
-
-std::set<std::string> ids_of(const trace::Pair& pair) {
-  std::set<std::string> ids;
-  for (const trace::Manifold& manifold : pair.manifolds)
-    for (const trace::Point& point : manifold.points)
-      if (!point.id.empty())
-        ids.insert(std::to_string(manifold.triangle.value_or(-1)) + " " + point.id);
-  return ids;
 }
 
 /// Sums, of which a score has the means.
@@ -60,7 +44,7 @@ class Scorer {
     const std::optional<trace::Pair> pair = pair_of(told, truth.a, truth.b);
     if (!truth.separation) return;
     ++score_.pairs;
-    const trace::Point* const deepest = pair ? deepest_of(*pair) : nullptr;
+    const trace::Point* const deepest = pair ? trace::deepest_point(*pair) : nullptr;
     if (deepest == nullptr) {
       score_.missed += truth.touches();
       return;
@@ -109,7 +93,8 @@ class Scorer {
   }
 
   void judge_ids(const trace::Frame& asked, const trace::Pair& pair) {
-    const std::set<std::string> ids = ids_of(pair);
+    const std::multiset<std::string> all = trace::point_ids(pair);
+    const std::set<std::string> ids(all.begin(), all.end());
     auto& [frame, before] = last_ids_[{pair.a, pair.b}];
     if (!ids.empty() && !before.empty() && frame + 1 == asked.frame) {
       std::size_t kept = 0;

@@ -15,7 +15,6 @@ struct Contender {
   std::string failure;          // why there is no trace, or less than was asked; empty: none
   std::string notes{};          // what its program said
   trace::Trace trace{};
-  double seconds = 0;  // its program, from start to end
 };
 
 /// How an engine's contacts stand to the truth, over all pairs and frames.

@@ -196,7 +196,6 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
     usleep(1000);
   }
   if (!stopped.empty()) waitpid(child, &status, 0);
-  answer.seconds = seconds();
   answer.said = errors;
   answer.failure = stopped.empty() ? ending_of(status, errors) : stopped;
   return answer;

@@ -14,7 +14,6 @@ struct Answer {
   std::string out;
   std::string said;     // on its standard error
   std::string failure;  // "it was stopped after 10 s"; empty: it ended with exit code 0
-  double seconds = 0;
 };
 
 /// Runs a program with these arguments and this standard input. It is killed after `limit_seconds`, and

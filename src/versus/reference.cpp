@@ -30,9 +30,7 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     const auto a = lint::place(solids, &frame, pair.a, {});
     const auto b = lint::place(solids, &frame, pair.b, {});
     if (!a || !b) continue;
-    const double reach =
-        std::max(a->pose.position.cwiseAbs().maxCoeff(), b->pose.position.cwiseAbs().maxCoeff());
-    truth.tolerance = lint::tolerance_of(*a, *b, reach);
+    truth.tolerance = lint::tolerance_of(*a, *b);
     if (const std::optional<lint::Separation> best = best_separation(*a, *b))
       truth.separation = best->distance;
     const Shape<double>&one = a->solid->shape(), &other = b->solid->shape();

@@ -23,7 +23,7 @@ struct Truth {
   bool is_apart() const { return separation && *separation > tolerance; }
 };
 
-/// Of each pair of a frame, in its order. `frames.now` is that frame.
+/// Of each pair of a frame, in its order.
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame);
 
 /// Of the points of a manifold, seen along its normal.

@@ -4,6 +4,13 @@
 
 namespace contactscope::versus {
 
+void keep_asked_pairs(trace::Frame& frame) {
+  std::set<std::pair<std::string, std::string>> seen;
+  std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
+    return pair.query || !seen.emplace(pair.a, pair.b).second;
+  });
+}
+
 trace::Trace request_of(const trace::Trace& whole) {
   trace::Trace request;
   request.header = whole.header;
@@ -14,14 +21,15 @@ trace::Trace request_of(const trace::Trace& whole) {
     asked.poses = frame.poses;
     asked.deformed = frame.deformed;
     asked.shapes = frame.shapes;
-    std::set<std::pair<std::string, std::string>> seen;
-    for (const trace::Pair& pair : frame.pairs) {
-      if (pair.query || !seen.emplace(pair.a, pair.b).second) continue;
-      trace::Pair& one = asked.pairs.emplace_back();
+    asked.pairs = frame.pairs;
+    keep_asked_pairs(asked);
+    for (trace::Pair& pair : asked.pairs) {
+      trace::Pair one;
       one.a = pair.a;
       one.b = pair.b;
       one.kind = pair.kind;
       one.state = "separated";
+      pair = one;
     }
   }
   return request;

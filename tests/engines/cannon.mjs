@@ -2,7 +2,7 @@
 // the bodies' positions to the points on their surfaces.
 
 import * as CANNON from "cannon-es";
-import { add, answer, dot, halfExtents, isAsked, isCentered, leftOut, sub, triangles, versionOf } from "./trace.mjs";
+import { add, addPoint, answer, dot, halfExtents, isAsked, isCentered, leftOut, sub, triangles, versionOf } from "./trace.mjs";
 
 const vec = ([x, y, z]) => new CANNON.Vec3(x, y, z);
 const numbers = ({ x, y, z }) => [x, y, z];
@@ -61,14 +61,13 @@ await answer("cannon-es", versionOf("cannon-es"), (frame, shapes, asked) => {
   }
   const contacts = [];
   world.narrowphase.getContacts(first, second, world, contacts, [], [], []);
-  const manifolds = new Map();
+  const manifolds = [];
   for (const { bi, bj, ni, ri, rj } of contacts) {
     const [a, b] = [bi.shapeName, bj.shapeName];
     if (!isAsked(asked, a, b)) continue;
-    const normal = numbers(ni), key = `${a} ${b} ${normal.map((x) => x.toFixed(4))}`;
+    const normal = numbers(ni);
     const on_a = add(numbers(bi.position), numbers(ri)), on_b = add(numbers(bj.position), numbers(rj));
-    if (!manifolds.has(key)) manifolds.set(key, { a, b, normal, points: [] });
-    manifolds.get(key).points.push({ position: on_b, separation: dot(normal, sub(on_b, on_a)), on_a, on_b });
+    addPoint(manifolds, a, b, normal, { position: on_b, separation: dot(normal, sub(on_b, on_a)), on_a, on_b });
   }
-  return [...manifolds.values()];
+  return manifolds;
 });

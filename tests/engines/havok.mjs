@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { answer, dot, halfExtents, isAsked, leftOut, scaled, sub, triangles, versionOf } from "./trace.mjs";
+import { addPoint, answer, dot, halfExtents, isAsked, leftOut, scaled, stands, sub, triangles, turnBetween, versionOf } from "./trace.mjs";
 
 const load = createRequire(import.meta.url)("@babylonjs/havok");
 const hk = await load({
@@ -25,10 +25,9 @@ function shapeOf(shape) {
     case "capsule":
       return hk.HP_Shape_CreateCapsule(shape.vertices[0], shape.vertices[1], shape.radius)[1];
     case "plane": {  // a box below it
-      const { normal: [x, y, z], offset } = shape.half_space;
-      const w = 1 + y, length = Math.hypot(z, x, w);
-      const turn = w < 1e-9 ? [1, 0, 0, 0] : [z / length, 0, -x / length, w / length];
-      return hk.HP_Shape_CreateBox(scaled([x, y, z], offset - kHalf), turn, [2 * kHalf, 2 * kHalf, 2 * kHalf])[1];
+      const { normal, offset } = shape.half_space;
+      const [w, x, y, z] = turnBetween([0, 1, 0], normal), side = 2 * kHalf;
+      return hk.HP_Shape_CreateBox(scaled(normal, offset - kHalf), [x, y, z, w], [side, side, side])[1];
     }
     case "mesh": {
       const corners = triangles(shape).flat();
@@ -61,12 +60,12 @@ await answer("Havok", versionOf("@babylonjs/havok"), (frame, shapes, asked) => {
     const shape = knownShape(name, shapes[name]);
     if (shape === null) continue;
     const body = hk.HP_Body_Create()[1];
-    const stands = ["mesh", "plane"].includes(shapes[name].type);
+    const still = stands(shapes[name]);
     const [w, x, y, z] = pose.quat_wxyz;
     hk.HP_Body_SetShape(body, shape);
-    hk.HP_Body_SetMotionType(body, stands ? hk.MotionType.STATIC : hk.MotionType.DYNAMIC);
+    hk.HP_Body_SetMotionType(body, still ? hk.MotionType.STATIC : hk.MotionType.DYNAMIC);
     hk.HP_Body_SetQTransform(body, [pose.position, [x, y, z, w]]);
-    hk.HP_Body_SetMassProperties(body, [[0, 0, 0], stands ? 0 : 1, [1, 1, 1], [0, 0, 0, 1]]);
+    hk.HP_Body_SetMassProperties(body, [[0, 0, 0], still ? 0 : 1, [1, 1, 1], [0, 0, 0, 1]]);
     hk.HP_Body_SetEventMask(body, eventTypes);
     hk.HP_World_AddBody(world, body, false);
     names.set(body[0], name);
@@ -80,11 +79,9 @@ await answer("Havok", versionOf("@babylonjs/havok"), (frame, shapes, asked) => {
     const a = names.get(one[0][0]), b = names.get(other[0][0]);
     if (!isAsked(asked, a, b)) continue;
     const normal = one[4];
-    const same = manifolds.find((m) => m.a === a && m.b === b && dot(m.normal, normal) > 0.99999);
-    const manifold = same ?? { a, b, normal, points: [] };
-    if (same === undefined) manifolds.push(manifold);
     const [on_a, on_b] = [one[3], other[3]];
-    manifold.points.push({ position: on_b, separation: dot(normal, sub(on_b, on_a)), on_a, on_b });
+    addPoint(manifolds, a, b, normal,
+             { position: on_b, separation: dot(normal, sub(on_b, on_a)), on_a, on_b });
   }
   for (const body of bodies) {
     hk.HP_World_RemoveBody(world, body);

@@ -2,7 +2,8 @@
 // from the listener. The normal points from body 1 to body 2; a manifold has points on both surfaces.
 
 import initJolt from "jolt-physics/wasm-compat";
-import { answer, dot, halfExtents, isAsked, isCentered, leftOut, sub, triangles, versionOf } from "./trace.mjs";
+import { answer, dot, halfExtents, isAsked, isCentered, leftOut, segmentOf, stands, sub, triangles, turnBetween,
+         versionOf } from "./trace.mjs";
 
 const Jolt = await initJolt();
 const kMoving = 1, kStanding = 0;  // layers
@@ -30,17 +31,15 @@ const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 const convexRadius = (half) => Math.min(0.05, 0.25 * Math.min(...half));
 
 function shapeSettings(shape) {
-  const { half, middle } = halfExtents(shape.vertices.length > 0 ? shape : { vertices: [[0, 0, 0]] });
+  const { half } = halfExtents(shape.vertices.length > 0 ? shape : { vertices: [[0, 0, 0]] });
   switch (shape.type) {
     case "sphere":
       return new Jolt.SphereShapeSettings(shape.radius);
     case "capsule": {
-      const [from, to] = shape.vertices;
-      const along = sub(to, from), length = Math.sqrt(dot(along, along));
-      const center = from.map((x, i) => (x + to[i]) / 2);
-      const turn = Jolt.Quat.prototype.sFromTo(new Jolt.Vec3(0, 1, 0), vec(length > 0 ? along.map((x) => x / length) : [0, 1, 0]));
+      const { middle: center, length, direction } = segmentOf(shape);
+      const [w, x, y, z] = turnBetween([0, 1, 0], direction);
       return new Jolt.RotatedTranslatedShapeSettings(
-        vec(center), turn, new Jolt.CapsuleShapeSettings(length / 2, shape.radius));
+        vec(center), new Jolt.Quat(x, y, z, w), new Jolt.CapsuleShapeSettings(length / 2, shape.radius));
     }
     case "plane": {
       const { normal, offset } = shape.half_space;
@@ -79,10 +78,10 @@ function bodyOf(name, shape, pose) {
   if (result === null || result.HasError()) {
     leftOut(name, result === null ? `Jolt has no ${shape.type}` : result.GetError().c_str());
   } else {
-    const stands = shape.type === "mesh" || shape.type === "plane";
     const creation = new Jolt.BodyCreationSettings(
       result.Get(), new Jolt.RVec3(...pose.position), new Jolt.Quat(0, 0, 0, 1),
-      stands ? Jolt.EMotionType_Static : Jolt.EMotionType_Dynamic, stands ? kStanding : kMoving);
+      stands(shape) ? Jolt.EMotionType_Static : Jolt.EMotionType_Dynamic,
+      stands(shape) ? kStanding : kMoving);
     creation.mAllowSleeping = false;
     body = bodies.CreateBody(creation);
     bodies.AddBody(body.GetID(), Jolt.EActivation_Activate);

@@ -2,7 +2,8 @@
 // pair to shape 0, and the points are on shape 1.
 
 import { readFileSync } from "node:fs";
-import { add, answer, dot, halfExtents, isAsked, isCentered, leftOut, scaled, sub, triangles, versionOf } from "./trace.mjs";
+import { addPoint, answer, halfExtents, isAsked, isCentered, leftOut, scaled, segmentOf, stands, triangles, turnBetween,
+         versionOf } from "./trace.mjs";
 
 // The module was built for browsers alone, and asks whether it is in one.
 const node = globalThis.process;
@@ -29,13 +30,8 @@ const vec = ([x, y, z]) => new px.PxVec3(x, y, z);
 const numbers = (v) => [v.x, v.y, v.z];
 const transform = (position, [w, x, y, z]) => new px.PxTransform(vec(position), new px.PxQuat(x, y, z, w));
 
-/** w, x, y, z of a turn from +x to a direction: capsules lie along x, and planes look along it. */
-function fromX(to) {
-  const axis = [0, -to[2], to[1]], w = 1 + to[0];
-  if (w < 1e-9) return [0, 0, 1, 0];
-  const length = Math.hypot(...axis, w);
-  return [w, ...axis].map((x) => x / length);
-}
+// Capsules lie along x, and planes look along it.
+const fromX = (to) => turnBetween([1, 0, 0], to);
 
 function pointsOf(shape) {
   const points = new px.PxArray_PxVec3();
@@ -49,10 +45,9 @@ function geometryOf(shape) {
     case "sphere":
       return [new px.PxSphereGeometry(shape.radius), shape.vertices[0], [1, 0, 0, 0]];
     case "capsule": {
-      const [from, to] = shape.vertices, along = sub(to, from), length = Math.sqrt(dot(along, along));
-      if (length === 0) return [new px.PxSphereGeometry(shape.radius), from, [1, 0, 0, 0]];
-      return [new px.PxCapsuleGeometry(shape.radius, length / 2), scaled(add(from, to), 0.5),
-              fromX(scaled(along, 1 / length))];
+      const { middle, length, direction } = segmentOf(shape);
+      if (length === 0) return [new px.PxSphereGeometry(shape.radius), middle, [1, 0, 0, 0]];
+      return [new px.PxCapsuleGeometry(shape.radius, length / 2), middle, fromX(direction)];
     }
     case "plane": {
       const { normal, offset } = shape.half_space;
@@ -106,11 +101,9 @@ events.onContact = (headerPointer, pairsPointer, count) => {
     const [a, b] = [0, 1].map((k) => names.get(pair.get_shapes(k).ptr));
     const found = pair.extractContacts(buffer.begin(), kMostPoints);
     for (let k = 0; k < found; ++k) {
-      const point = buffer.get(k), normal = scaled(numbers(point.normal), -1);
-      const same = manifolds.find((m) => m.a === a && m.b === b && dot(m.normal, normal) > 0.99999);
-      const manifold = same ?? { a, b, normal, points: [] };
-      if (same === undefined) manifolds.push(manifold);
-      manifold.points.push({ position: numbers(point.position), separation: point.separation });
+      const point = buffer.get(k);
+      addPoint(manifolds, a, b, scaled(numbers(point.normal), -1),
+               { position: numbers(point.position), separation: point.separation });
     }
   }
 };
@@ -137,15 +130,15 @@ await answer("PhysX", versionOf("physx-js-webidl"), (frame, shapes, asked) => {
   for (const [name, pose] of Object.entries(frame.poses)) {
     const geometry = knownGeometry(name, shapes[name]);
     if (geometry === null) continue;
-    const stands = ["mesh", "plane"].includes(shapes[name].type);
+    const still = stands(shapes[name]);
     const at = transform(pose.position, pose.quat_wxyz);
-    const actor = stands ? physics.createRigidStatic(at) : physics.createRigidDynamic(at);
+    const actor = still ? physics.createRigidStatic(at) : physics.createRigidDynamic(at);
     const shape = physics.createShape(geometry[0], material, true, flags);
     shape.setLocalPose(transform(geometry[1], geometry[2]));
     shape.setSimulationFilterData(all);
     actor.attachShape(shape);
     names.set(shape.ptr, name);
-    if (!stands) {
+    if (!still) {
       actor.setMass(1);
       actor.setMassSpaceInertiaTensor(new px.PxVec3(1, 1, 1));
     }

@@ -3,18 +3,11 @@
 // first one is the second that was asked for. Points are in the colliders' frames.
 
 import RAPIER from "@dimforge/rapier3d-compat";
-import { add, answer, dot, halfExtents, isCentered, leftOut, placed, scaled, sub, triangles, versionOf } from "./trace.mjs";
+import { add, answer, halfExtents, isCentered, leftOut, placed, scaled, segmentOf, stands, sub, triangles, turnBetween,
+         versionOf } from "./trace.mjs";
 
 await RAPIER.init();
 const numbers = ({ x, y, z }) => [x, y, z];
-
-// A quaternion x, y, z, w that turns +y to a direction.
-function fromY(to) {
-  const axis = [to[2], 0, -to[0]], w = 1 + to[1];
-  if (w < 1e-9) return { x: 1, y: 0, z: 0, w: 0 };
-  const length = Math.hypot(...axis, w);
-  return { x: axis[0] / length, y: 0, z: axis[2] / length, w: w / length };
-}
 
 function colliderOf(shape) {
   const flat = () => new Float32Array(shape.vertices.flat());
@@ -22,10 +15,10 @@ function colliderOf(shape) {
     case "sphere":
       return RAPIER.ColliderDesc.ball(shape.radius).setTranslation(...shape.vertices[0]);
     case "capsule": {
-      const [from, to] = shape.vertices, along = sub(to, from), length = Math.sqrt(dot(along, along));
+      const { middle, length, direction } = segmentOf(shape);
+      const [w, x, y, z] = turnBetween([0, 1, 0], direction);
       return RAPIER.ColliderDesc.capsule(length / 2, shape.radius)
-        .setTranslation(...scaled(add(from, to), 0.5))
-        .setRotation(fromY(length > 0 ? scaled(along, 1 / length) : [0, 1, 0]));
+        .setTranslation(...middle).setRotation({ w, x, y, z });
     }
     case "plane": {  // through the origin of the collider
       const { normal, offset } = shape.half_space;
@@ -66,10 +59,9 @@ await answer("Rapier", versionOf("@dimforge/rapier3d-compat"), (frame, shapes, a
   for (const [name, pose] of Object.entries(frame.poses)) {
     const description = descriptionOf(name, shapes[name]);
     if (description === null) continue;
-    const stands = ["mesh", "plane"].includes(shapes[name].type);
     const [w, x, y, z] = pose.quat_wxyz;
     const body = world.createRigidBody(
-      (stands ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic())
+      (stands(shapes[name]) ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic())
         .setTranslation(...pose.position).setRotation({ w, x, y, z }));
     made.set(name, world.createCollider(description, body));
   }

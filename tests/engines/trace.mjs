@@ -34,6 +34,36 @@ export function halfExtents(shape) {
 
 export const isCentered = (shape) => halfExtents(shape).middle.every((m) => Math.abs(m) < 1e-9);
 
+/** Bodies of these are not moved by any engine. */
+export const stands = (shape) => ["mesh", "plane"].includes(shape.type);
+
+/** The segment of a capsule: its middle, its length and the direction of it, +y where it has none. */
+export function segmentOf(shape) {
+  const [from, to] = shape.vertices, along = sub(to, from), length = Math.sqrt(dot(along, along));
+  const direction = length > 0 ? scaled(along, 1 / length) : [0, 1, 0];
+  return { middle: scaled(add(from, to), 0.5), length, direction };
+}
+
+/** w, x, y, z of the shortest turn from one direction to another, both unit. */
+export function turnBetween(from, to) {
+  const w = 1 + dot(from, to);
+  // Half a turn about anything across.
+  if (w < 1e-9) return Math.abs(from[2]) < 0.9 ? turnBetweenOpposite(from, [0, 0, 1]) : [0, 1, 0, 0];
+  const axis = cross(from, to), length = Math.hypot(w, ...axis);
+  return [w, ...axis].map((x) => x / length);
+}
+const turnBetweenOpposite = (from, across) => {
+  const axis = cross(from, across), length = Math.hypot(...axis);
+  return [0, ...axis.map((x) => x / length)];
+};
+
+/** Adds a point to the manifold of its pair and normal, for engines that tell point by point. */
+export function addPoint(manifolds, a, b, normal, point) {
+  const same = manifolds.find((m) => m.a === a && m.b === b && dot(m.normal, normal) > 0.99999);
+  if (same === undefined) manifolds.push({ a, b, normal, points: [point] });
+  else same.points.push(point);
+}
+
 /** Each face as triangles around its first vertex. */
 export function triangles(shape) {
   return shape.faces.flatMap((f) => f.slice(2).map((last, i) => [f[0], f[i + 1], last]));

@@ -6,6 +6,7 @@
 
 #include "core/input_error.h"
 #include "lint/claims.h"
+#include "peers/add_point.h"
 #include "peers/peer.h"
 #include "trace/json.h"
 
@@ -15,23 +16,6 @@ namespace {
 std::unique_ptr<Peer> make_peer(const std::string& name) {
   if (name == "bullet") return make_bullet();
   return name == "ode" ? make_ode() : make_fcl();
-}
-
-/// Points of one normal are a manifold.
-std::vector<trace::Manifold> manifolds_of(const PeerContact& contact) {
-  std::vector<trace::Manifold> manifolds;
-  for (const PeerPoint& point : contact.points) {
-    constexpr double kSame = 1 - 1e-6;  // cosine
-    auto found = std::ranges::find_if(manifolds, [&](const trace::Manifold& manifold) {
-      return manifold.normal.dot(point.normal) > kSame;
-    });
-    if (found == manifolds.end()) {
-      found = manifolds.emplace(manifolds.end());
-      found->normal = point.normal.normalized();
-    }
-    found->points.push_back({.position = point.position, .separation = point.separation, .id = {}});
-  }
-  return manifolds;
 }
 
 class Program {
@@ -70,7 +54,9 @@ class Program {
     if (contact.failed)
       std::cerr << peer_->name() << " gave up on " << pair.a << "-" << pair.b << " in frame "
                 << frame.frame << '\n';
-    pair.manifolds = manifolds_of(contact);
+    pair.manifolds.clear();
+    for (const PeerPoint& point : contact.points)
+      add_point(pair.manifolds, point.normal, point.position, point.separation);
     pair.state = pair.manifolds.empty() ? "separated" : "touching";
     if (const PeerPoint* deepest = contact.deepest()) pair.separation = deepest->separation;
   }

@@ -12,6 +12,8 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "peers/add_point.h"
+#include "trace/find.h"
 #include "trace/json.h"
 
 namespace contactscope {
@@ -138,17 +140,9 @@ class World {
     for (int c = 0; c < data_->ncon; ++c) {
       const mjContact& contact = data_->contact[c];
       const Vec3d normal(contact.frame[0], contact.frame[1], contact.frame[2]);
-      auto& manifolds = found[{name_of(contact.geom1), name_of(contact.geom2)}];
-      constexpr double kSame = 1 - 1e-6;  // cosine
-      auto same = std::ranges::find_if(manifolds, [&](const trace::Manifold& manifold) {
-        return manifold.normal.dot(normal) > kSame;
-      });
-      if (same == manifolds.end()) {
-        same = manifolds.emplace(manifolds.end());
-        same->normal = normal.normalized();
-      }
       const Vec3d position(contact.pos[0], contact.pos[1], contact.pos[2]);
-      same->points.push_back({.position = position, .separation = contact.dist, .id = {}});
+      peers::add_point(found[{name_of(contact.geom1), name_of(contact.geom2)}], normal, position,
+                       contact.dist);
     }
     return found;
   }
@@ -157,10 +151,9 @@ class World {
   void place(int shape, const trace::Frame& frame) {
     const int body = mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(shape)).c_str());
     if (body < 0) return;
-    const auto placed = std::ranges::find(frame.poses, at(names_, shape), &trace::Placement::first);
-    const Pose<double> pose = placed == frame.poses.end()
-                                  ? Pose<double>{Quatd::Identity(), {kAway * shape, kAway, kAway}}
-                                  : placed->second;
+    const Pose<double>* const told = trace::find_pose(frame, at(names_, shape));
+    const Pose<double> away{Quatd::Identity(), {kAway * shape, kAway, kAway}};
+    const Pose<double>& pose = told == nullptr ? away : *told;
     const int mocap = model_->body_mocapid[body];
     double* const position = mocap >= 0
                                  ? data_->mocap_pos + 3 * mocap
