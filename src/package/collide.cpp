@@ -90,10 +90,7 @@ Contacts collide_in(const Collider& a, const contactscope::Pose<double>& pose_a,
   Contacts contacts;
   contacts.manifolds = mapped(manifolds, [](const auto& manifold) { return outside(manifold); });
   if (!manifolds.empty()) contacts.status = ContactStatus::Touching;
-  for (const Manifold& manifold : contacts.manifolds)
-    contacts.separation = &manifold == &contacts.manifolds.front()
-                              ? separation_of(manifold)
-                              : std::min(contacts.separation, separation_of(manifold));
+  contacts.separation = separation_of(contacts.manifolds);
   if (options.record) {
     if (manifolds.empty()) contacts.separation = pair.separation;
     contacts.trace = trace_of(one_frame(options, a, rounded_a.template cast<double>(), b,

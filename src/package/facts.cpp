@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "core/at.h"
@@ -36,6 +37,15 @@ const char* trace_schema() {
 double separation_of(const Manifold& manifold) {
   if (manifold.points.empty()) return 0;
   return std::ranges::min(manifold.points, {}, &ContactPoint::separation).separation;
+}
+
+double separation_of(const std::vector<Manifold>& manifolds) {
+  std::optional<double> deepest;
+  for (const Manifold& manifold : manifolds) {
+    if (manifold.points.empty()) continue;
+    deepest = std::min(deepest.value_or(separation_of(manifold)), separation_of(manifold));
+  }
+  return deepest.value_or(0);
 }
 
 std::string to_string(const Manifold& manifold) {

@@ -41,6 +41,9 @@ Pose to_outside(const contactscope::Pose<double>& pose);
 contactscope::trace::Manifold to_inside(const Manifold& manifold);
 Manifold to_outside(const contactscope::trace::Manifold& manifold);
 
+/// Metres of the deepest point of all, negative in overlap; 0 without points.
+double separation_of(const std::vector<Manifold>& manifolds);
+
 /// A shape as a trace has it, with the vertices that a pipeline in this scalar sees.
 contactscope::trace::Shape traced(const std::string& name, const Collider& collider, Scalar scalar);
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/catalogue.h"
 #include "core/at.h"
 #include "image/compare.h"
 #include "image/png.h"

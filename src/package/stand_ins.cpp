@@ -60,7 +60,6 @@ contactscope::trace::Trace with_stand_ins(const std::vector<Manifold>& manifolds
   contactscope::trace::Trace trace;
   contactscope::trace::Frame& frame = trace.frames.emplace_back();
   contactscope::trace::Pair& pair = frame.pairs.emplace_back();
-  contactscope::trace::Pair::not_told(pair);
   pair.a = kA;
   pair.b = kB;
   std::vector<Vec3d> places;
@@ -79,7 +78,10 @@ contactscope::trace::Trace with_stand_ins(const std::vector<Manifold>& manifolds
   if (places.empty()) places.push_back(Vec3d::Zero());
   header.shapes.push_back(outline_of(places, header.shapes.front().half_space->normal));
   frame.poses = {{kA, {}}, {kB, {}}};
-  complete(header.shapes, frame);
+  const std::string& type = header.shapes.back().type;
+  pair.kind = "plane-" + type;
+  pair.state = pair.manifolds.empty() ? "separated" : "touching";
+  pair.separation = separation_of(manifolds);
   return trace;
 }
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/catalogue.h"
+#include "app/trace_file.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "package/facts.h"
@@ -51,10 +51,10 @@ contactscope::trace::Frame inside(const Frame& frame) {
   for (const NamedPose& one : frame.poses) told.poses.emplace_back(one.name, to_inside(one.pose));
   for (const Pair& pair : frame.pairs) {
     contactscope::trace::Pair& to = told.pairs.emplace_back();
-    contactscope::trace::Pair::not_told(to);
     to.a = pair.a;
     to.b = pair.b;
     to.manifolds = mapped(pair.manifolds, [](const Manifold& one) { return to_inside(one); });
+    to.separation = separation_of(pair.manifolds);
   }
   return told;
 }
@@ -77,10 +77,8 @@ Trace::Trace(const TraceInfo& info, const std::vector<NamedShape>& shapes,
   header.frames = frames.empty() ? 0 : frames.back().number + 1;
   for (const NamedShape& shape : shapes)
     header.shapes.push_back(traced(shape.name, shape.shape, Scalar::Double));
-  for (const Frame& frame : frames) {
-    contactscope::trace::Frame& told = trace.frames.emplace_back(inside(frame));
-    complete(header.shapes, told);
-  }
+  for (const Frame& frame : frames) trace.frames.push_back(inside(frame));
+  // What follows from the rest is filled in, and all is checked, as of a file.
   *this = parsed(snapshot::to_json_lines(trace), "trace");
 }
 
