@@ -213,14 +213,18 @@ std::vector<Input> load_inputs(const Options& options) {
   return inputs;
 }
 
-std::vector<Input> load_each(const Options& options) {
-  std::vector<Input> inputs;
+void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
+                const std::function<void(TraceFile&)>& trace) {
   for (const std::string& argument : options.scenarios) {
+    if (is_trace_file(argument)) {
+      TraceFile file(argument);
+      trace(file);
+      continue;
+    }
     Options one = options;
     one.scenarios = {argument};
-    std::ranges::move(load_inputs(one), std::back_inserter(inputs));
+    for (const Input& input : load_inputs(one)) scenario(input);
   }
-  return inputs;
 }
 
 }  // namespace contactscope::app
