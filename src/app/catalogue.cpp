@@ -82,6 +82,11 @@ Input input_of(Sequence&& trace, const Options& options) {
   input.scenario.name = trace.header.scenario;
   input.scenario.views = {default_view()};
   input.scenario.views.front().panels = {Panel::Summary};
+  // Two shapes the legend names; names of a heap would cover it.
+  constexpr std::size_t kFewest = 3, kMost = 24;
+  const std::size_t shapes = trace.header.shapes.size();
+  if (shapes >= kFewest && shapes <= kMost)
+    input.scenario.views.front().layers.push_back(Layer::Names);
   input.trace = std::move(trace);
   if (std::vector<View> views = views_of_file(options); !views.empty())
     input.scenario.views = std::move(views);
