@@ -37,6 +37,8 @@ class TraceFile {
 
   /// Empty after the last one; there is at least one.
   std::optional<trace::Frame> next();
+  /// How long the line of the last one was.
+  std::size_t bytes() const { return reader_->bytes(); }
   /// Passes over one without looking at it, which was looked at in an earlier pass.
   void skip() { reader_->skip(); }
   void rewind();

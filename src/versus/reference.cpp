@@ -1,11 +1,10 @@
 #include "versus/reference.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "manifold/dispatch.h"
+#include "lint/own_contacts.h"
 
 namespace contactscope::versus {
 namespace {
@@ -33,21 +32,15 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     truth.tolerance = lint::tolerance_of(*a, *b);
     if (const std::optional<lint::Separation> best = best_separation(*a, *b))
       truth.separation = best->distance;
-    const Shape<double>&one = a->solid->shape(), &other = b->solid->shape();
-    if (!can_collide(kind_of(one), kind_of(other))) continue;
-    Manifolds<double> manifolds;
-    CollideOptions options;  // with all points
-    collide(one, a->pose, other, b->pose, options, manifolds);
+    const std::optional<lint::OwnContacts> own = lint::own_contacts(*a, *b);
+    if (!own) continue;
     if (!truth.separation) {
-      double deepest = std::numeric_limits<double>::infinity();
-      for (const Manifold<double>& manifold : manifolds)
-        for (const ContactPoint<double>& point : manifold.points)
-          deepest = std::min(deepest, point.separation);
       // How far apart they are is not asked of a mesh; that they are apart is known.
-      truth.separation = deepest;
-    } else if (manifolds.size() == 1) {
-      truth.area = area_of_points(mapped(manifolds.front().points, &ContactPoint<double>::position),
-                                  manifolds.front().normal);
+      truth.separation = own->separation;
+    } else if (own->manifolds.size() == 1) {
+      const Manifold<double>& manifold = own->manifolds.front();
+      truth.area =
+          area_of_points(mapped(manifold.points, &ContactPoint<double>::position), manifold.normal);
     }
   }
   return truths;
