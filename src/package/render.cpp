@@ -4,10 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/studio.h"
 #include "core/at.h"
 #include "draw/staging.h"
+#include "gl/rasterizer.h"
 #include "image/png.h"
+#include "overlay/panels.h"
 #include "package/facts.h"
 #include "package/picture.h"
 #include "scenario/scenario.h"
@@ -77,13 +78,22 @@ void draw_frames(const contactscope::trace::Header& header,
   require_size(options.width);
   require_size(options.height);
   const View view = view_of(options);
-  app::Ledger ledger;
+  const gl::Backend backend = backend_named(options.backend);
+  const draw::Staging staging = draw::stage(header, fitted, view, options.width, options.height);
+  std::unique_ptr<gl::Context> context;
   try {
-    app::Studio studio(backend_named(options.backend), ledger);
-    const draw::Staging staging = draw::stage(header, fitted, view, options.width, options.height);
-    studio.render(staging, frames, which, {}, take);
+    context = gl::open_context(backend);
   } catch (const gl::ContextError& error) {
     throw RenderError(error.what());
+  }
+  gl::Rasterizer rasterizer(*context, options.width, options.height);
+  std::optional<overlay::PanelColumn> panels;
+  if (!view.panels.empty()) panels.emplace(staging, frames);
+  for (const std::size_t index : which) {
+    draw::Drawing drawing = draw::illustrate(staging, frames[index]);
+    if (panels) panels->add({index, {}}, drawing);
+    rasterizer.paint(drawing);
+    take(index, rasterizer.read());
   }
 }
 

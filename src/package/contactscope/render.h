@@ -34,7 +34,8 @@ struct RenderOptions {
 
 /// Draws one frame, 0 <= index < trace.frame_count(). The camera is fitted to all frames, as the program
 /// has it, so that pictures of one trace belong together. Opens OpenGL through EGL or OSMesa, without a
-/// display, on the calling thread, and leaves none current there.
+/// display, on the calling thread, and leaves none current there; one thread at a time may draw, for Dear ImGui
+/// has one current context.
 ///
 /// Throws RenderError, and std::invalid_argument for a frame, layer or option that there is not.
 Picture render(const Trace& trace, int index, const RenderOptions& options = {});
