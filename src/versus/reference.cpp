@@ -15,10 +15,28 @@ double area_of_points(const std::vector<Vec3d>& points, const Vec3d& normal) {
   return contactscope::area_of(convex_polygon(project(points, normal)));
 }
 
+/// Infinite without points: how far apart shapes are is not asked of a mesh; that they are apart is known.
+double deepest_of(const Manifolds<double>& manifolds) {
+  double deepest = std::numeric_limits<double>::infinity();
+  for (const Manifold<double>& manifold : manifolds)
+    for (const ContactPoint<double>& point : manifold.points)
+      deepest = std::min(deepest, point.separation);
+  return deepest;
+}
+
 }  // namespace
 
 double area_of(const trace::Manifold& manifold) {
   return area_of_points(mapped(manifold.points, &trace::Point::position), manifold.normal);
+}
+
+std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b) {
+  if (const std::optional<lint::Separation> best = best_separation(a, b)) return best->distance;
+  const Shape<double>&one = a.solid->shape(), &other = b.solid->shape();
+  if (!can_collide(kind_of(one), kind_of(other))) return std::nullopt;
+  Manifolds<double> manifolds;
+  collide(one, a.pose, other, b.pose, CollideOptions{}, manifolds);
+  return deepest_of(manifolds);
 }
 
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame) {
@@ -39,12 +57,7 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     CollideOptions options;  // with all points
     collide(one, a->pose, other, b->pose, options, manifolds);
     if (!truth.separation) {
-      double deepest = std::numeric_limits<double>::infinity();
-      for (const Manifold<double>& manifold : manifolds)
-        for (const ContactPoint<double>& point : manifold.points)
-          deepest = std::min(deepest, point.separation);
-      // How far apart they are is not asked of a mesh; that they are apart is known.
-      truth.separation = deepest;
+      truth.separation = deepest_of(manifolds);
     } else if (manifolds.size() == 1) {
       truth.area = area_of_points(mapped(manifolds.front().points, &ContactPoint<double>::position),
                                   manifolds.front().normal);
