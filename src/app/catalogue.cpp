@@ -82,6 +82,11 @@ Input input_of(trace::Trace&& trace, const Options& options) {
   input.scenario.name = trace.header.scenario;
   input.scenario.views = {default_view()};
   input.scenario.views.front().panels = {Panel::Summary};
+  // Two shapes the legend names; names of a heap would cover it.
+  constexpr std::size_t kFewest = 3, kMost = 24;
+  const std::size_t shapes = trace.header.shapes.size();
+  if (shapes >= kFewest && shapes <= kMost)
+    input.scenario.views.front().layers.push_back(Layer::Names);
   input.trace = std::move(trace);
   if (std::vector<View> views = views_of_file(options); !views.empty())
     input.scenario.views = std::move(views);
@@ -208,14 +213,18 @@ std::vector<Input> load_inputs(const Options& options) {
   return inputs;
 }
 
-std::vector<Input> load_each(const Options& options) {
-  std::vector<Input> inputs;
+void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
+                const std::function<void(TraceFile&)>& trace) {
   for (const std::string& argument : options.scenarios) {
+    if (is_trace_file(argument)) {
+      TraceFile file(argument);
+      trace(file);
+      continue;
+    }
     Options one = options;
     one.scenarios = {argument};
-    std::ranges::move(load_inputs(one), std::back_inserter(inputs));
+    for (const Input& input : load_inputs(one)) scenario(input);
   }
-  return inputs;
 }
 
 }  // namespace contactscope::app

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/trace_file.h"
 #include "app/verbs.h"
 #include "scenario/scenario.h"
-#include "trace/json.h"
 
 namespace contactscope::app {
 
@@ -33,22 +34,10 @@ struct Input {
 /// and the summary. Throws UsageError also where an option has no meaning for a trace.
 std::vector<Input> load_inputs(const Options& options);
 
-/// The same of each argument by itself: traces of one name are no mistake where nothing is written.
-std::vector<Input> load_each(const Options& options);
-
-/// Whether a file is a trace and no scenario: it is named *.jsonl, or begins with '{', as no TOML
-/// does; "-", the standard input, is one. False where there is no such file.
-bool is_trace_file(const std::string& path);
-
-/// Reads a trace to draw it, ours or another engine's; of "-" from the standard input. Hulls without faces
-/// get those of the convex hull of their vertices. Throws InputError, with the line and what
-/// would be right, where it cannot be read or does not fit together: a shape without vertices, a
-/// frame without a pose for each shape, a pair of shapes that are not there, a normal that is no
-/// unit vector, an index beyond a shape's faces.
-trace::Trace load_trace(const std::string& path);
-
-/// The same of text that was read already. `name`: of where it is from, in messages.
-trace::Trace parse_trace(const std::string& text, const std::string& name);
+/// Each argument by itself, in their order, where nothing is written, so that traces of one name are no mistake:
+/// scenarios as load_inputs() has them, and traces of any length, from which only the header was read.
+void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
+                const std::function<void(TraceFile&)>& trace);
 
 /// The views that --view leaves.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/catalogue.h"
+#include "app/trace_file.h"
 #include "core/input_error.h"
 #include "scenario/nearest_word.h"
 #include "versus/engine.h"

@@ -24,47 +24,60 @@ std::string eigen_version() {
          std::to_string(EIGEN_MINOR_VERSION);
 }
 
-/// One line on what a scenario or a trace holds; what is wrong with one has thrown InputError.
-std::string looked_through(const Input& input) {
-  if (!input.trace) {
-    const Scenario& scenario = input.scenario;
-    return scenario.path + ": scenario " + scenario.name + ", frames " +
-           std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
-           ", pairs " + std::to_string(scenario.pairs.size());
-  }
-  const trace::Trace& trace = *input.trace;
-  std::map<std::string, int> found;
-  for (const trace::Frame& frame : trace.frames) {
-    found["solver"] += frame.solver.has_value();
+/// One line on what a scenario holds; what is wrong with one has thrown InputError.
+std::string looked_through(const Scenario& scenario) {
+  return scenario.path + ": scenario " + scenario.name + ", frames " +
+         std::to_string(scenario.frames) + ", shapes " + std::to_string(scenario.shapes.size()) +
+         ", pairs " + std::to_string(scenario.pairs.size());
+}
+
+/// What the frames of a trace hold, counted.
+class Inventory {
+ public:
+  void add(const trace::Frame& frame) {
+    ++frames_;
+    found_["solver"] += frame.solver.has_value();
     for (const trace::Pair& pair : frame.pairs) {
-      found["manifolds"] += static_cast<int>(pair.manifolds.size());
+      found_["manifolds"] += static_cast<int>(pair.manifolds.size());
       trace::each_field<trace::Pair>([&](const auto& field) {
         if constexpr (requires { (pair.*field.member).has_value(); })
-          found[field.key] += (pair.*field.member).has_value();
+          if ((pair.*field.member).has_value()) ++found_[field.key];
       });
     }
   }
-  std::string text = "trace of " + input.scenario.name + ", frames " +
-                     std::to_string(trace.frames.size()) + ", shapes " +
-                     std::to_string(trace.header.shapes.size());
-  for (const auto& [what, count] : found) {
-    if (count > 0) text += ", " + what + " " + std::to_string(count);
+
+  std::string words(const trace::Header& header) const {
+    std::string text = "trace of " + header.scenario + ", frames " + std::to_string(frames_) +
+                       ", shapes " + std::to_string(header.shapes.size());
+    for (const auto& [what, count] : found_) {
+      if (count > 0) text += ", " + what + " " + std::to_string(count);
+    }
+    return text;
   }
-  return text;
-}
+
+ private:
+  int frames_ = 0;
+  std::map<std::string, int> found_;
+};
 
 // What each route to OpenGL answers, and what to do where one does not.
 ExitCode run_doctor(const Options& options) {
   std::vector<std::string> files, wrong;
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const Input& input : load_each(options)) {
-    files.push_back(looked_through(input));
-    if (!input.trace) continue;  // of a scenario nothing is known until it is run
-    for (const lint::Finding& finding : lint_input(input)) {
-      wrong.push_back(told(input.file, finding));
+  const auto look_through = [&](TraceFile& file) {
+    Inventory inventory;
+    const auto found =
+        lint_trace(file, options, [&](const trace::Frame& frame) { inventory.add(frame); });
+    files.push_back(inventory.words(file.header()));
+    for (const lint::Finding& finding : found) {
+      wrong.push_back(told(file.name(), finding));
       findings.push_back(to_json(finding));
     }
-  }
+  };
+  // Of a scenario nothing is known until it is run.
+  each_input(
+      options, [&](const Input& input) { files.push_back(looked_through(input.scenario)); },
+      look_through);
   const std::vector<gl::RouteReport> routes = gl::probe_routes();
   const bool any = std::ranges::any_of(routes, &gl::RouteReport::works);
   const std::size_t font_bytes = font_data(FontWeight::Regular).size();

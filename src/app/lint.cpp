@@ -4,13 +4,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/progress.h"
 #include "app/verbs.h"
 #include "scenario/run.h"
 
 namespace contactscope::app {
 
-std::vector<lint::Finding> lint_input(const Input& input) {
-  if (input.trace) return lint::lint(*input.trace);
+std::vector<lint::Finding> lint_scenario(const Input& input) {
   trace::Stages stages = trace::Stages::none();
   stages.reduction = true;  // whether a point was dropped on purpose
   Runner runner(input.scenario, stages);
@@ -21,6 +21,30 @@ std::vector<lint::Finding> lint_input(const Input& input) {
     linter.frame(std::move(facts));
   }
   return linter.findings();
+}
+
+std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
+                                      const std::function<void(const trace::Frame&)>& look) {
+  lint::Linter linter(file.header());
+  bool any = false;
+  while (std::optional<trace::Frame> frame = file.next()) {
+    stop_if_interrupted();
+    if (look) look(*frame);
+    if (options.frames && !options.frames->names(frame->frame)) {
+      linter.shapes(frame->shapes);
+      continue;
+    }
+    any = true;
+    linter.frame(std::move(*frame));
+  }
+  if (!any) throw UsageError("--frames names no frame of " + file.name());
+  std::vector<lint::Finding> findings = linter.findings();
+  if (const std::optional<trace::Torn>& torn = file.torn(); torn)
+    findings.push_back(
+        {"torn", "the file is cut off within its last line",
+         "what stands before it was looked at; the process that wrote it died, or is still at it",
+         1, 0, torn->line, 0});
+  return findings;
 }
 
 std::string told(const std::string& file, const lint::Finding& finding) {
@@ -62,9 +86,7 @@ ExitCode run_lint(const Options& options) {
   bool clean = true;
   nlohmann::ordered_json json{{"schema", "contactscope.lint/1"},
                               {"files", nlohmann::ordered_json::array()}};
-  for (const Input& input : load_each(options)) {
-    const std::vector<lint::Finding> findings = lint_input(input);
-    const std::string& file = input.trace ? input.file : input.scenario.path;
+  const auto tell = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
     clean = clean && findings.empty();
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
     for (const lint::Finding& finding : findings) {
@@ -73,7 +95,10 @@ ExitCode run_lint(const Options& options) {
     }
     json["files"].push_back(one);
     if (findings.empty() && !options.json && !options.quiet) std::cout << "ok  " << file << '\n';
-  }
+  };
+  each_input(
+      options, [&](const Input& input) { tell(input.scenario.path, lint_scenario(input)); },
+      [&](TraceFile& file) { tell(file.name(), lint_trace(file, options)); });
   if (options.json) std::cout << json.dump() << '\n';
   return clean ? ExitCode::Same : ExitCode::Different;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,9 +10,14 @@
 
 namespace contactscope::app {
 
-/// What is wrong with the claims of an input: of a trace as it stands, of a scenario of what its pipeline
-/// computes, with its line among the frames + 1 as `contactscope trace` writes it.
-std::vector<lint::Finding> lint_input(const Input& input);
+/// What is wrong with the claims of what a scenario's pipeline computes, each with its line among the
+/// frames + 1 as `contactscope trace` writes it.
+std::vector<lint::Finding> lint_scenario(const Input& input);
+
+/// The same of a trace as it stands, of the frames that --frames names; and where it is cut off. `look` sees
+/// all frames in passing. Throws InputError and UsageError.
+std::vector<lint::Finding> lint_trace(TraceFile& file, const Options& options,
+                                      const std::function<void(const trace::Frame&)>& look = {});
 
 /// One finding for people: two lines, or three, without the last line break.
 std::string told(const std::string& file, const lint::Finding& finding);

@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "app/rollout_request.h"
 #include "app/table.h"
+#include "app/trace_file.h"
 #include "core/input_error.h"
 #include "scenario/run.h"
 #include "versus/rollout.h"

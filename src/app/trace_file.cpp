@@ -1,20 +1,15 @@
-#include "app/catalogue.h"
+#include "app/trace_file.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
-#include "app/table.h"
-#include "core/at.h"
 #include "core/input_error.h"
-#include "geometry/hull_builder.h"
-#include "scenario/nearest_word.h"
-#include "snapshot/store.h"
-#include "trace/find.h"
 
 namespace contactscope::app {
 namespace {
@@ -22,245 +17,43 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStandardInput = "-";
-constexpr const char* kBlank = " \t\r\n";
-// Of lengths that should be one: numbers written with three digits pass.
-constexpr double kUnitTolerance = 2e-3;
+constexpr std::string_view kBlank = " \t\r\n";
 
-bool is_unit(double length) {
-  return std::abs(length - 1) <= kUnitTolerance;  // false of nan
+/// What comes through a pipe, to be read more than once: a file that has no name any more, so that it
+/// is gone with the process.
+std::unique_ptr<std::istream> spooled(std::istream& in) {
+  std::string path = (fs::temp_directory_path() / "contactscope-XXXXXX").string();
+  const int file = mkstemp(path.data());
+  if (file >= 0) close(file);
+  std::ofstream out(path, std::ios::binary);
+  if (in.peek() != std::istream::traits_type::eof()) out << in.rdbuf();
+  out.close();
+  auto again = std::make_unique<std::ifstream>(path, std::ios::binary);
+  const bool is_whole = file >= 0 && out && *again;
+  fs::remove(path);
+  if (!is_whole)
+    throw InputError("standard input", 0, 0,
+                     "it cannot be kept in " + fs::temp_directory_path().string() +
+                         " to be read twice; make room there, or write it to a file");
+  return again;
 }
 
-/// What is wrong, and what would be right.
-struct Wrong {
-  std::string text;
-};
-
-void require(bool is_right, const std::string& otherwise) {
-  if (!is_right) throw Wrong{otherwise};
+std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes passes) {
+  if (path == kStandardInput)
+    return passes == TraceFile::Passes::Several ? spooled(std::cin) : nullptr;
+  auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
+  return in;
 }
 
-/// Faces of a convex shape that are listed clockwise: all other vertices are in front of them.
-void check_winding(const trace::Shape& shape) {
-  if (shape.type == "mesh" || shape.type == "sdf" || shape.radius > 0) return;
-  double size = 0;
-  for (const Vec3d& vertex : shape.vertices)
-    size = std::max(size, (vertex - shape.vertices.front()).norm());
-  std::vector<int> wrong;
-  for (int f = 0; f < count_of(shape.faces); ++f) {
-    const std::vector<int>& face = at(shape.faces, f);
-    const auto corner = [&](std::size_t i) { return at(shape.vertices, face[i % face.size()]); };
-    Vec3d normal = Vec3d::Zero();
-    for (std::size_t i = 0; i < face.size(); ++i)
-      normal += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
-    const double length = normal.norm();
-    if (!(length > 0)) continue;
-    double above = 0, below = 0;
-    for (const Vec3d& vertex : shape.vertices) {
-      const double height = normal.dot(vertex - corner(0)) / length;
-      above = std::max(above, height);
-      below = std::max(below, -height);
-    }
-    constexpr double kFlat = 1e-3;  // of the size: what is in front of a face by less lies on it
-    if (above > kFlat * size && below <= kFlat * size) wrong.push_back(f);
+trace::Trace read_whole(TraceFile& file) {
+  trace::Trace trace;
+  while (std::optional<trace::Frame> frame = file.next()) {
+    frame->shapes.clear();  // they are in the header now
+    trace.frames.push_back(std::move(*frame));
   }
-  if (wrong.empty()) return;
-  const bool all = wrong.size() == shape.faces.size();
-  throw Wrong{
-      "shape '" + shape.name + "': " +
-      (all ? std::string("all faces are") : "face " + std::to_string(wrong.front()) + " is") +
-      " wound inside out; list the vertices of a face counter-clockwise as seen from outside"};
-}
-
-void check_shape(const trace::Shape& shape) {
-  const std::string name = "shape '" + shape.name + "'";
-  if (shape.half_space) {
-    require(is_unit(shape.half_space->normal.norm()),
-            name + ": the 'normal' of 'half_space' must have length 1");
-  } else {
-    require(!shape.vertices.empty(),
-            name +
-                " has no 'vertices'; a sphere has its centre, a capsule the ends of its segment, a "
-                "plane 'half_space' instead");
-  }
-  require(!(shape.radius < 0), name + ": 'radius' is negative; give metres, or leave it out");
-  for (const std::vector<int>& face : shape.faces)
-    require(face.size() >= 3, name + " has a face of fewer than three vertices; leave it out");
-  check_winding(shape);
-}
-
-/// Faces of a convex shape that was written without them: those of the hull of its vertices, which may
-/// leave some of them inside.
-void give_faces(trace::Shape& shape) {
-  const bool is_round = shape.type == "sphere" || shape.type == "capsule" || shape.radius > 0;
-  if (!shape.faces.empty() || is_round || shape.half_space || shape.vertices.empty()) return;
-  if (shape.type == "mesh" || shape.type == "sdf")
-    throw Wrong{"shape '" + shape.name + "' is a " + shape.type +
-                " without 'faces'; give its triangles, three vertex indices each"};
-  try {
-    const Hull<double> hull =
-        build_hull(shape.vertices, {.weld_duplicates = true, .allow_flat = true});
-    const auto index_of = [&](const Vec3d& vertex) {
-      return static_cast<int>(std::ranges::find(shape.vertices, vertex) - shape.vertices.begin());
-    };
-    for (int f = 0; f < hull.face_count(); ++f) {
-      std::vector<int>& face = shape.faces.emplace_back();
-      for (const int corner : face_vertices(hull, f))
-        face.push_back(index_of(at(hull.vertices, corner)));
-    }
-  } catch (const ShapeError& error) {
-    throw Wrong{"shape '" + shape.name +
-                "' has no 'faces', and none can be made of its 'vertices': " + error.what()};
-  }
-  if (shape.edges.empty()) trace::Shape::edges_from_faces(shape);
-}
-
-void check_header(const trace::Header& header) {
-  try {
-    snapshot::scenario_folder("", header.scenario);
-  } catch (const std::invalid_argument&) {
-    throw Wrong{"'scenario' is '" + header.scenario +
-                "'; write it as GROUP/IDEA, which is where its pictures go"};
-  }
-  require(header.poses_at.empty() || header.poses_at == "before_step" ||
-              header.poses_at == "after_step",
-          "'poses_at' is '" + header.poses_at + "'; it may be 'before_step' or 'after_step'");
-  require(header.up == "y" || header.up == "z",
-          "'up' is '" + header.up + "'; it may be 'y' or 'z'");
-  require(!header.shapes.empty(), "'shapes' is empty; there is nothing to draw");
-  for (const trace::Shape& shape : header.shapes) {
-    check_shape(shape);
-    require(&*std::ranges::find(header.shapes, shape.name, &trace::Shape::name) == &shape,
-            "there are two shapes '" + shape.name + "'; give each a name of its own");
-  }
-}
-
-const trace::Shape& named(const trace::Header& header, const std::string& place,
-                          const std::string& name) {
-  const auto found = std::ranges::find(header.shapes, name, &trace::Shape::name);
-  if (found != header.shapes.end()) return *found;
-  const std::string near = nearest(name, names_in(header.shapes));
-  throw Wrong{place + ": the header has no shape '" + name + "'" +
-              (near.empty() ? "; add it there" : "; did you mean '" + near + "'?")};
-}
-
-/// "hull-mesh": two words for shapes.
-bool is_kind(const std::string& kind) {
-  const std::size_t dash = kind.find('-');
-  const auto is_shape = [](const std::string& word) {
-    return std::ranges::any_of(std::array{"sphere", "capsule", "hull", "mesh", "plane", "sdf"},
-                               [&](const char* known) { return word == known; });
-  };
-  return dash != std::string::npos && is_shape(kind.substr(0, dash)) &&
-         is_shape(kind.substr(dash + 1));
-}
-
-void check_pair(const trace::Header& header, const std::string& place, const trace::Pair& pair) {
-  named(header, place + ".a", pair.a);
-  named(header, place + ".b", pair.b);
-  require(pair.a != pair.b, place + ": 'a' and 'b' are the same shape; a pair needs two");
-  require(pair.state == "touching" || pair.state == "separated",
-          place + ".state is '" + pair.state + "'; it may be 'touching' or 'separated'");
-  require(is_kind(pair.kind),
-          place + ".kind is '" + pair.kind +
-              "'; it is two of 'sphere', 'capsule', 'hull', 'mesh', 'plane' and "
-              "'sdf' with a dash between them, or may be left out");
-  for (std::size_t i = 0; i < pair.manifolds.size(); ++i) {
-    const std::string one = place + ".manifolds[" + std::to_string(i) + "]";
-    const std::string& axis = pair.manifolds[i].axis;
-    require(axis.empty() || axis == "face_a" || axis == "face_b" || axis == "edge_edge" ||
-                axis == "closest_points",
-            one + ".axis is '" + axis +
-                "'; it may be 'face_a', 'face_b', 'edge_edge' or 'closest_points', or left out");
-    const double length = pair.manifolds[i].normal.norm();
-    require(is_unit(length), one + ".normal has length " + spelled("%.4g", length) +
-                                 "; it must be 1, and point from a to b");
-    require(!pair.manifolds[i].points.empty(),
-            one + " has no points; leave out manifolds that have none");
-  }
-  const auto check_index = [&](const std::string& key, const std::string& shape, int index,
-                               auto list, const char* entries, int least = 0) {
-    const int count = count_of(named(header, place + key, shape).*list);
-    require(index >= least && index < count,
-            place + key + " is " + std::to_string(index) + ", but '" + shape + "' has " +
-                std::to_string(count) + " " + entries + "; the first is 0");
-  };
-  const auto check_face = [&](const std::string& key, const std::string& shape, int face,
-                              int least = 0) {
-    check_index(key, shape, face, &trace::Shape::faces, "faces", least);
-  };
-  if (pair.clip) {  // -1 stands for none
-    check_face(".clip.reference.face", pair.clip->reference.shape, pair.clip->reference.face, -1);
-    check_face(".clip.incident.face", pair.clip->incident.shape, pair.clip->incident.face, -1);
-  }
-  if (pair.sat && pair.sat->face_a) check_face(".sat.face_a.face", pair.a, pair.sat->face_a->face);
-  if (pair.sat && pair.sat->face_b) check_face(".sat.face_b.face", pair.b, pair.sat->face_b->face);
-  if (pair.sat && pair.sat->edge) {
-    check_index(".sat.edge.a", pair.a, pair.sat->edge->a, &trace::Shape::edges, "edges");
-    check_index(".sat.edge.b", pair.b, pair.sat->edge->b, &trace::Shape::edges, "edges");
-  }
-  if (!pair.tree) return;
-  for (const int candidate : pair.tree->candidates)
-    check_face(".tree.candidates", pair.tree->shape, candidate);
-  named(header, place + ".tree.shape", pair.tree->shape);
-}
-
-void check_frame(const trace::Header& header, const trace::Frame& frame, int before) {
-  require(frame.frame > before, "'frame' is " + std::to_string(frame.frame) +
-                                    "; frames count from 0, in rising order, each once");
-  for (const auto& [name, pose] : frame.poses) {
-    named(header, "poses", name);
-    const double length = pose.rotation.norm();
-    require(is_unit(length), "poses." + name + ": 'quat_wxyz' has length " +
-                                 spelled("%.4g", length) + "; it must be 1");
-  }
-  for (const trace::Deformed& now : frame.deformed) {
-    const std::size_t count = named(header, "deformed", now.name).vertices.size();
-    require(now.vertices.size() == count,
-            "deformed." + now.name + " has " + std::to_string(now.vertices.size()) +
-                " 'vertices', and the header's shape " + std::to_string(count) +
-                "; give each of them its place in this frame");
-  }
-  for (const trace::FieldSlice& slice : frame.field_slices) {
-    require(slice.columns > 0 && slice.rows() * slice.columns == count_of(slice.distances),
-            "field_slices." + slice.name + " has " + std::to_string(slice.distances.size()) +
-                " 'distances', which is no number of rows of " + std::to_string(slice.columns) +
-                " 'columns'; give each row all of its values");
-  }
-  for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
-    const trace::Pair& pair = frame.pairs[i];
-    const std::string place = "pairs[" + std::to_string(i) + "]";
-    check_pair(header, place, pair);
-    for (const auto& [key, name] : {std::pair(".a", &pair.a), std::pair(".b", &pair.b)})
-      require(
-          trace::find_pose(frame, *name) != nullptr,
-          place + key + " is '" + *name +
-              "', which has no pose in this frame; a shape that is there has its 'position' and "
-              "'quat_wxyz' in 'poses'");
-  }
-}
-
-/// Number of the line that holds the header, for 0, or frame `index` - 1: blank lines count.
-int line_of(const std::string& text, std::size_t index) {
-  std::istringstream in(text);
-  std::string line;
-  std::size_t seen = 0;
-  for (int number = 1; std::getline(in, line); ++number) {
-    if (line.find_first_not_of(kBlank) == std::string::npos) continue;
-    if (seen++ == index) return number;
-  }
-  return 1;
-}
-
-std::string text_of(const std::string& path) {
-  std::ostringstream text;
-  if (path == kStandardInput) {
-    text << std::cin.rdbuf();
-    return text.str();
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
-  text << in.rdbuf();
-  return text.str();
+  trace.header = file.header();
+  return trace;
 }
 
 }  // namespace
@@ -271,40 +64,74 @@ bool is_trace_file(const std::string& path) {
   if (fs::path(path).extension() == ".jsonl") return true;
   std::ifstream in(path, std::ios::binary);
   char first = ' ';
-  while (std::string_view(kBlank).find(first) != std::string_view::npos && in.get(first)) continue;
+  while (kBlank.find(first) != std::string_view::npos && in.get(first)) continue;
   return in && first == '{';
 }
 
+TraceFile::TraceFile(const std::string& path, Passes passes)
+    : name_(path == kStandardInput ? "standard input" : path), own_(opened(path, passes)) {
+  begin();
+}
+
+TraceFile::TraceFile(std::unique_ptr<std::istream> text, const std::string& name)
+    : name_(name), own_(std::move(text)) {
+  begin();
+}
+
+void TraceFile::begin() {
+  reader_.emplace(own_ ? *own_ : std::cin, name_);
+  header_ = reader_->header();
+  try {
+    checks_.emplace(header_);
+  } catch (const TraceChecks::Wrong& wrong) {
+    throw InputError(name_, reader_->line(), 1, wrong.text);
+  }
+}
+
+std::optional<trace::Frame> TraceFile::next() {
+  const int last_line = reader_->line();
+  std::optional<trace::Frame> frame = reader_->next();
+  try {
+    if (frame) {
+      ++frames_;
+      if (!is_known_) checks_->frame(*frame);
+    } else if (frames_ == 0) {
+      throw TraceChecks::Wrong{"the header is all there is; each frame is a line after it"};
+    } else if (!is_known_) {
+      is_known_ = true;
+      if (header_.frames == 0) header_.frames = checks_->last_frame() + 1;
+    }
+  } catch (const TraceChecks::Wrong& wrong) {
+    throw InputError(name_, frame ? frame->line : last_line, 1, wrong.text);
+  }
+  return frame;
+}
+
+void TraceFile::rewind() {
+  reader_->rewind();
+  frames_ = 0;
+}
+
+void TraceFile::tell_torn() const {
+  if (!torn()) return;
+  std::cerr << InputError(name_, torn()->line, torn()->column,
+                          "the file is cut off here, within its last line; what stands before it "
+                          "is taken. The process "
+                          "that wrote it died, or is still at it")
+                   .what()
+            << '\n';
+}
+
 trace::Trace load_trace(const std::string& path) {
-  return parse_trace(text_of(path), path == kStandardInput ? "standard input" : path);
+  TraceFile file(path);
+  trace::Trace trace = read_whole(file);
+  file.tell_torn();
+  return trace;
 }
 
 trace::Trace parse_trace(const std::string& text, const std::string& name) {
-  std::istringstream in(text);
-  trace::Trace trace = trace::read_trace(in, name);
-  std::size_t line = 0;  // of those that are not blank
-  try {
-    for (trace::Frame& frame : trace.frames) {
-      for (trace::Shape& shape : frame.shapes) trace.header.shapes.push_back(std::move(shape));
-      frame.shapes.clear();
-    }
-    for (trace::Shape& shape : trace.header.shapes) give_faces(shape);
-    check_header(trace.header);
-    require(!trace.frames.empty(), "the header is all there is; each frame is a line after it");
-    int before = -1;
-    for (const trace::Frame& frame : trace.frames) {
-      ++line;
-      check_frame(trace.header, frame, before);
-      require(frame.frame < trace.header.frames,
-              "'frame' is " + std::to_string(frame.frame) +
-                  ", and the header says that there are " + std::to_string(trace.header.frames) +
-                  " 'frames'; correct it, or leave it out there");
-      before = frame.frame;
-    }
-  } catch (const Wrong& wrong) {
-    throw InputError(name, line_of(text, line), 1, wrong.text);
-  }
-  return trace;
+  TraceFile file(std::make_unique<std::istringstream>(text), name);
+  return read_whole(file);
 }
 
 }  // namespace contactscope::app

@@ -74,15 +74,17 @@ Table table_of(const std::vector<Score>& scores) {
     std::string causes;
     for (const lint::Finding& finding : score.findings)
       causes += (causes.empty() ? "" : ",") + finding.cause;
-    table.push_back({score.name, std::to_string(score.pairs), std::to_string(score.missed),
-                     std::to_string(score.invented),
-                     touched ? millimetres(score.mean_depth_error) : "-",
-                     touched ? millimetres(score.worst_depth_error) : "-",
-                     touched ? millimetres(score.worst_normal) : "-",
-                     touched ? spelled("%.1f", score.points) : "-",
-                     score.patches > 0 ? spelled("%.0f", 100 * score.area) : "-",
-                     score.id_frames > 0 ? spelled("%.0f", 100 * score.ids_kept) : "-",
-                     causes.empty() ? "-" : causes});
+    table.push_back(
+        {score.name, std::to_string(score.pairs), std::to_string(score.missed),
+         std::to_string(score.invented), touched ? millimetres(score.mean_depth_error) : "-",
+         touched ? millimetres(score.worst_depth_error) : "-",
+         touched ? millimetres(score.worst_normal) : "-",
+         touched ? spelled("%.1f", score.points) : "-",
+         score.patches > 0 ? spelled("%.0f", 100 * score.area) : "-",
+         score.id_frames > 0
+             ? (score.ids_are_made_up ? "~" : "") + spelled("%.0f", 100 * score.ids_kept)
+             : "-",
+         causes.empty() ? "-" : causes});
   }
   return table;
 }
@@ -104,6 +106,7 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
   }
   if (score.patches > 0) json["area_ratio"] = score.area;
   if (score.id_frames > 0) json["ids_kept"] = score.ids_kept;
+  if (score.id_frames > 0 && score.ids_are_made_up) json["ids_are_made_up"] = true;
   json["findings"] = nlohmann::ordered_json::array();
   for (const lint::Finding& finding : score.findings) json["findings"].push_back(to_json(finding));
   return json;
@@ -249,8 +252,8 @@ Verb versus_verb() {
       R"(pairs: judged, each in each frame. missed: they overlap, and no contact is told; invented: they are
 apart, and an overlap is told. depth error: of the deepest point, from the least overlap of the shapes.
 normal costs: how much more overlap there is along the engine's normal than along the best. area: of
-the patch that all points would span. ids kept: from the frame before. lint: what `contactscope lint`
-says of the engine's answer.
+the patch that all points would span. ids kept: from the frame before; with a ~ where the engine
+tells none, by ids made up from geometry. lint: what `contactscope lint` says of the engine's answer.
 With --rollout each engine steps the scene by itself. rest: bodies that stand at the start and should stay;
 fell: how many of them sank by half of their thickness; at s: when the first did. drift: how far the farthest of them
 was from its start, ever. deepest: overlap of any two shapes, by their exact geometry. gained: the most that the

@@ -47,7 +47,8 @@
   ROW(Trail, "trail")                          \
   ROW(Prism, "prism")                          \
   ROW(Velocities, "velocities")                \
-  ROW(Masses, "masses")
+  ROW(Masses, "masses")                        \
+  ROW(Names, "names")
 
 /// The panels that a view may show, likewise.
 #define CONTACTSCOPE_PANELS(ROW)               \

@@ -1,15 +1,15 @@
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 
 #include "core/at.h"
 #include "lint/watch.h"
+#include "lint/wrong_pairs.h"
 
 namespace contactscope::lint {
 namespace {
 
 /// Of wrong pairs, those that every explanation is tried on. What they have in common is what the others have.
-constexpr std::size_t kTried = 1000;
+constexpr int kTried = 1000;
 /// What few pairs are off by little is how engines approximate: capsules that lean, corners that are cut,
 /// points that are kept while bodies turn. It is told where it is this often, or this many tolerances.
 constexpr double kOften = 0.02, kGross = 15;
@@ -17,20 +17,6 @@ constexpr double kFewLeft = 0.25;
 /// One wrong claim of so many may have a cause of its own.
 constexpr int kMended = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
-/// Room for all explanations.
-constexpr std::size_t kMostExplanations = 512;
-
-struct WrongPair {
-  int line = 0, frame = 0;
-  std::string a, b;
-  Problem problem;
-  std::string said, is;
-  double deeper = 0;  // metres of more overlap than there is, where all points say the same; else 0
-  std::bitset<kMostExplanations> explained_by;
-  bool gross = false;  // beyond what an engine's approximations can be
-  bool told = false;
-};
-
 /// The same amount at every point, beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
   if (verdict.deeper.empty()) return 0;
@@ -117,8 +103,7 @@ class ClaimsWatch final : public Watch {
     tell_small_depths(findings);
     while (tell_best_explanation(findings)) continue;
     // Where a cause is found for nearly all, the others mostly have it as well, and something else beside.
-    const auto left = std::ranges::count(wrong_, false, &WrongPair::told);
-    if (static_cast<double>(left) < kFewLeft * static_cast<double>(wrong_.size())) return;
+    if (wrong_.untold() < kFewLeft * wrong_.count()) return;
     tell_margin(findings);
     for (int kind = 0; kind < kWrongs; ++kind) tell_unexplained(static_cast<Wrong>(kind), findings);
   }
@@ -135,7 +120,7 @@ class ClaimsWatch final : public Watch {
     }
     ++judged_;
     if (verdict->wrong == 0) return count_small_depths(*verdict);
-    WrongPair& wrong = wrong_.emplace_back();
+    WrongPair wrong;
     wrong.line = frames.now->line;
     wrong.frame = frames.now->frame;
     wrong.a = pair.a;
@@ -146,7 +131,7 @@ class ClaimsWatch final : public Watch {
     put_in_words(pair, wrong);
     const std::vector<Explanation>& all = explanations();
     for (std::size_t e = 0; e < std::min(all.size(), kMostExplanations); ++e) {
-      if (wrong_.size() > kTried && !has_explained_.test(e)) continue;
+      if (wrong_.count() >= kTried && !has_explained_.test(e)) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
       // Points that are scaled down come together at the origin, which may be where the shapes touch.
@@ -156,6 +141,7 @@ class ClaimsWatch final : public Watch {
       wrong.explained_by.set(e, then && kMended * then->wrong <= verdict->wrong);
     }
     has_explained_ |= wrong.explained_by;
+    wrong_.add(std::move(wrong));
   }
 
   // Overlaps of a millimetre are within the tolerance whatever is said of them; that all of them are told
@@ -195,7 +181,7 @@ class ClaimsWatch final : public Watch {
     std::vector<int> counts(all.size());
     for (const WrongPair& wrong : wrong_)
       for (std::size_t e = 0; e < all.size() && !wrong.told; ++e)
-        counts[e] += wrong.explained_by.test(e);
+        counts[e] += wrong.explained_by.test(e) ? wrong.times : 0;
     // Two mistakes at once explain a few pairs by chance, but for the two that are about signs.
     constexpr int kFewest = 3;
     for (std::size_t e = 0; e < all.size(); ++e) {
@@ -206,10 +192,8 @@ class ClaimsWatch final : public Watch {
     }
     const auto most = std::ranges::max_element(counts);
     // One cause has many effects: what a few of many wrong pairs would be right under is chance.
-    const auto left = std::ranges::count(wrong_, false, &WrongPair::told);
     constexpr double kOfWrong = 0.3;
-    if (most == counts.end() || *most == 0 || *most < kOfWrong * static_cast<double>(left))
-      return false;
+    if (most == counts.end() || *most == 0 || *most < kOfWrong * wrong_.untold()) return false;
     // A simple one that explains nearly as many is the likelier.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
@@ -233,18 +217,26 @@ class ClaimsWatch final : public Watch {
   }
 
   void tell_margin(std::vector<Finding>& findings) {
-    std::vector<double> depths;
-    for (const WrongPair& wrong : wrong_)
-      if (!wrong.told && wrong.deeper != 0) depths.push_back(wrong.deeper);
+    std::vector<std::pair<double, int>> depths;  // and how often
+    int all = 0;
+    for (const WrongPair& wrong : wrong_) {
+      if (wrong.told || wrong.deeper == 0) continue;
+      depths.emplace_back(wrong.deeper, wrong.times);
+      all += wrong.times;
+    }
     if (depths.empty()) return;
-    std::ranges::nth_element(depths,
-                             depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2));
-    const double margin = depths[depths.size() / 2];
-    std::vector<WrongPair*> same;
-    for (WrongPair& wrong : wrong_)
-      if (!wrong.told && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin))
-        same.push_back(&wrong);
-    for (WrongPair* wrong : same) wrong->told = true;
+    std::ranges::sort(depths);
+    auto middle = depths.begin();
+    for (int below = middle->second; below <= all / 2; below += middle->second) ++middle;
+    const double margin = middle->first;
+    const WrongPair* first = nullptr;
+    int count = 0;
+    for (WrongPair& wrong : wrong_) {
+      if (wrong.told || std::abs(wrong.deeper - margin) > 0.1 * std::abs(margin)) continue;
+      wrong.told = true;
+      count += wrong.times;
+      if (first == nullptr) first = &wrong;
+    }
     const bool larger = margin > 0;
     findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
                                "contacts are those of shapes that are together " +
@@ -256,7 +248,7 @@ class ClaimsWatch final : public Watch {
                                    : "a margin that the engine takes off, or a shape that it "
                                      "shrank: write the shapes as they "
                                      "collide",
-                               count_of(same), *same.front()));
+                               count, *first));
   }
 
   void tell_unexplained(Wrong kind, std::vector<Finding>& findings) {
@@ -264,7 +256,7 @@ class ClaimsWatch final : public Watch {
     const WrongPair* first = nullptr;
     for (const WrongPair& wrong : wrong_) {
       if (wrong.told || wrong.problem.kind != kind) continue;
-      ++count;
+      count += wrong.times;
       if (first == nullptr || (wrong.gross && !first->gross)) first = &wrong;
     }
     if (first == nullptr || (!first->gross && count < kOften * judged_)) return;
@@ -278,7 +270,7 @@ class ClaimsWatch final : public Watch {
   int judged_ = 0;
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
-  std::vector<WrongPair> wrong_;
+  WrongPairs wrong_;
   std::bitset<kMostExplanations> has_explained_;
 };
 

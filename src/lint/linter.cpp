@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
 
 #include "core/at.h"
 #include "lint/watch.h"
@@ -31,25 +30,29 @@ struct Linter::State {
     watches.push_back(watch_motion(header));
   }
 
-  /// Shows the middle one of the three frames.
-  void look() {
-    if (!now) return;
-    solids.deform(now->deformed);
-    const auto neighbour = [&](const std::optional<trace::Frame>& frame, int way) {
-      return frame && frame->frame == now->frame + way ? &*frame : nullptr;
-    };
-    const Moments moments{neighbour(before, -1), &*now, neighbour(after, 1)};
-    for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
+  /// Takes the next frame, null after the last one, and shows the one before it.
+  void see(const trace::Frame* next) {
+    after = next;
+    if (now != nullptr) look();
+    before = now;
+    now = after;
   }
-  void advance() {
-    before = std::move(now);
-    now = std::move(after);
-    after.reset();
+
+  void look() {
+    solids.deform(now->deformed);
+    const auto neighbour = [&](const trace::Frame* frame, int way) {
+      return frame != nullptr && frame->frame == now->frame + way ? frame : nullptr;
+    };
+    const Moments moments{neighbour(before, -1), now, neighbour(after, 1)};
+    for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
   }
 
   Solids solids;
   std::vector<std::unique_ptr<Watch>> watches;
-  std::optional<trace::Frame> before, now, after;
+  const trace::Frame *before = nullptr, *now = nullptr, *after = nullptr;
+  // Those frames, where they are not of a trace that is held whole.
+  std::array<trace::Frame, 3> window;
+  std::size_t seen = 0;
 };
 
 Linter::Linter(const trace::Header& header, const LintOptions& options)
@@ -57,14 +60,22 @@ Linter::Linter(const trace::Header& header, const LintOptions& options)
 Linter::~Linter() = default;
 
 void Linter::frame(trace::Frame frame) {
-  for (const trace::Shape& shape : frame.shapes) state_->solids.add(shape);
-  state_->after = std::move(frame);
-  state_->look();
-  state_->advance();
+  trace::Frame& kept = state_->window[state_->seen++ % state_->window.size()];
+  kept = std::move(frame);
+  look_at(kept);
+}
+
+void Linter::shapes(const std::vector<trace::Shape>& added) {
+  for (const trace::Shape& shape : added) state_->solids.add(shape);
+}
+
+void Linter::look_at(const trace::Frame& frame) {
+  shapes(frame.shapes);
+  state_->see(&frame);
 }
 
 std::vector<Finding> Linter::findings() {
-  state_->look();
+  state_->see(nullptr);
   std::vector<Finding> all;
   for (const std::unique_ptr<Watch>& watch : state_->watches) watch->tell(all);
   for (const auto& [name, why] : state_->solids.refused)
@@ -77,7 +88,7 @@ std::vector<Finding> Linter::findings() {
 
 std::vector<Finding> lint(const trace::Trace& trace, const LintOptions& options) {
   Linter linter(trace.header, options);
-  for (const trace::Frame& frame : trace.frames) linter.frame(frame);
+  for (const trace::Frame& frame : trace.frames) linter.look_at(frame);
   return linter.findings();
 }
 

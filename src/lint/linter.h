@@ -29,7 +29,8 @@ struct LintOptions {
   bool shapes_are_given = false;
 };
 
-/// Goes through a trace frame by frame; of those before it keeps sums.
+/// Goes through a trace frame by frame; of those before it keeps sums and some examples, so that memory does not
+/// depend on how many there are.
 class Linter {
  public:
   explicit Linter(const trace::Header& header, const LintOptions& options = {});
@@ -37,6 +38,10 @@ class Linter {
 
   /// The frames in their order.
   void frame(trace::Frame frame);
+  /// Shapes of a frame that is passed over.
+  void shapes(const std::vector<trace::Shape>& added);
+  /// The same of a frame that stays where it is until two more were seen.
+  void look_at(const trace::Frame& frame);
 
   /// After the last frame: what is wrong, the most frequent causes first.
   std::vector<Finding> findings();

@@ -13,15 +13,25 @@ constexpr double kGravity = 9.81;  // metres a second squared
 constexpr int kEnough = 5;         // samples, before anything is said of them
 constexpr double kAlike = 0.1;     // they differ by no more than this share
 
-/// One number of many frames or bodies.
+/// One number of many frames or bodies. Of very many some thousand are kept, evenly spread.
 struct Samples {
   std::vector<double> values;
+  int count = 0, every = 1;
+  double least = 0, most = 0;
   int line = 0, frame = 0;
   std::string name;  // of the first
 
   void add(double value, int at_line, int at_frame, const std::string& of) {
-    if (values.empty()) line = at_line, frame = at_frame, name = of;
+    if (count == 0) line = at_line, frame = at_frame, name = of, least = most = value;
+    least = std::min(least, value);
+    most = std::max(most, value);
+    if (count++ % every != 0) return;
     values.push_back(value);
+    constexpr std::size_t kMost = 10'000;
+    if (values.size() < kMost) return;
+    every *= 2;
+    for (std::size_t i = 0; 2 * i < kMost; ++i) values[i] = values[2 * i];
+    values.resize(kMost / 2);
   }
   /// The middle one, where most are like it.
   std::optional<double> common() const {
@@ -163,8 +173,8 @@ class MotionWatch final : public Watch {
       findings.push_back(
           {"up_axis", std::string("what is up is ") + at(kAxes, axis) + ", not " + up_name_,
            std::string("write \"up\":\"") + at(kAxes, axis) + "\" in the header, or turn the world",
-           count_of(samples.values), count_of(samples.values), samples.line, samples.frame,
-           samples.name, "", "\"up\":\"" + up_name_ + "\"",
+           samples.count, samples.count, samples.line, samples.frame, samples.name, "",
+           "\"up\":\"" + up_name_ + "\"",
            falls ? std::string("it falls along -") + at(kAxes, axis)
                  : std::string("its contacts bear it along ") + at(kAxes, axis)});
     }
@@ -179,9 +189,8 @@ class MotionWatch final : public Watch {
         if (!is_near(std::abs(*fall), factor * kGravity)) continue;
         findings.push_back({std::string("world_in_") + unit, std::string("lengths are in ") + unit,
                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
-                            count_of(samples.values), count_of(samples.values), samples.line,
-                            samples.frame, samples.name, "",
-                            "it falls with " + metres(std::abs(*fall)) + " a second squared",
+                            samples.count, samples.count, samples.line, samples.frame, samples.name,
+                            "", "it falls with " + metres(std::abs(*fall)) + " a second squared",
                             "in metres it would be 9.81"});
       }
     }
@@ -190,18 +199,16 @@ class MotionWatch final : public Watch {
   /// Of all bodies the density is that of something solid, if lengths are in a smaller unit.
   void tell_densities(std::vector<Finding>& findings) const {
     if (densities_.values.empty()) return;
-    const auto [least, most] = std::ranges::minmax(densities_.values);
     constexpr double kLightest = 5, kHeaviest = 30'000;  // kilograms a cubic metre: foam, platinum
     for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
       const double cube = factor * factor * factor;
-      if (cube * least < kLightest || cube * most > kHeaviest) continue;
+      if (cube * densities_.least < kLightest || cube * densities_.most > kHeaviest) continue;
       for (const Finding& finding : findings)
         if (finding.cause == std::string("world_in_") + unit) return;
       findings.push_back(
           {std::string("world_in_") + unit, std::string("lengths are in ") + unit,
-           "divide all lengths by " + metres(factor) + ": a trace is in metres",
-           count_of(densities_.values), count_of(densities_.values), densities_.line,
-           densities_.frame, densities_.name, "",
+           "divide all lengths by " + metres(factor) + ": a trace is in metres", densities_.count,
+           densities_.count, densities_.line, densities_.frame, densities_.name, "",
            "its box and its mass make " + metres(densities_.values.front()) + " kg a cubic metre",
            "in metres it would be " + metres(cube * densities_.values.front())});
     }
@@ -211,8 +218,8 @@ class MotionWatch final : public Watch {
     const std::optional<double> share = weights_.common();
     if (!share) return;
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
-      findings.push_back({cause, what, remedy, count_of(weights_.values), count_of(weights_.values),
-                          weights_.line, weights_.frame, weights_.name, "",
+      findings.push_back({cause, what, remedy, weights_.count, weights_.count, weights_.line,
+                          weights_.frame, weights_.name, "",
                           "its contacts bear " + metres(*share) + " of its weight",
                           "it rests, so that they bear all of it"});
     };

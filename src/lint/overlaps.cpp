@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/at.h"
+#include "lint/own_contacts.h"
 #include "lint/watch.h"
-#include "manifold/dispatch.h"
 
 namespace contactscope::lint {
 namespace {
@@ -28,16 +28,8 @@ Aabb<double> box_of(const Placed& placed) {
 double overlap_of(const Placed& a, const Placed& b) {
   if (const std::optional<Separation> best = best_separation(a, b))
     return std::max(-best->distance, 0.0);
-  if (!can_collide(kind_of(a.solid->shape()), kind_of(b.solid->shape()))) return 0;
-  Manifolds<double> manifolds;
-  CollideOptions options;
-  options.margin = 0;
-  collide(a.solid->shape(), a.pose, b.solid->shape(), b.pose, options, manifolds);
-  double deepest = 0;
-  for (const Manifold<double>& manifold : manifolds)
-    for (const ContactPoint<double>& point : manifold.points)
-      deepest = std::max(deepest, -point.separation);
-  return deepest;
+  const std::optional<OwnContacts> own = own_contacts(a, b);
+  return own ? std::max(-own->separation, 0.0) : 0;
 }
 
 struct Missing {

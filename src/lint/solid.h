@@ -50,8 +50,10 @@ class Solid {
   const Vec3d& lower() const { return lower_; }  // corners of its box, own frame; of a plane none
   const Vec3d& upper() const { return upper_; }
 
-  /// For the collision pipeline, where claims are missing altogether.
+  /// For the collision pipeline, where claims are missing altogether; without rounding().
   const Shape<double>& shape() const { return shape_; }
+  /// Metres that shape() has to be grown by: hulls of the pipeline are not rounded.
+  double rounding() const { return kind_ == Kind::Hull ? radius_ : 0; }
 
  private:
   enum class Kind { Round, Hull, Plane, Surface };

@@ -88,22 +88,19 @@ void Shape::edges_from_faces(Shape& shape) {
     }
 }
 
-namespace {
-
-/// As pairs call a shape: whatever has faces and is convex is a hull.
-std::string kind_of(const std::vector<Shape>& shapes, const std::string& name) {
-  const auto shape = std::ranges::find(shapes, name, &Shape::name);
-  if (shape == shapes.end()) return "unknown";
+std::string kind_of(const Shape& shape) {
   const bool is_named = std::ranges::any_of(std::array{"sphere", "capsule", "mesh", "plane", "sdf"},
-                                            [&](const char* type) { return shape->type == type; });
-  return is_named ? shape->type : "hull";
+                                            [&](const char* type) { return shape.type == type; });
+  return is_named ? shape.type : "hull";
 }
 
-}  // namespace
-
-void complete(const std::vector<Shape>& shapes, Frame& frame) {
+void complete(const Kinds& kinds, Frame& frame) {
+  const auto kind = [&](const std::string& name) {
+    const auto found = kinds.find(name);
+    return found == kinds.end() ? std::string("unknown") : found->second;
+  };
   for (Pair& pair : frame.pairs) {
-    if (pair.kind.empty()) pair.kind = kind_of(shapes, pair.a) + "-" + kind_of(shapes, pair.b);
+    if (pair.kind.empty()) pair.kind = kind(pair.a) + "-" + kind(pair.b);
     const Point* const deepest = deepest_point(pair);
     if (pair.state.empty()) pair.state = deepest != nullptr ? "touching" : "separated";
     if (std::isnan(pair.separation)) pair.separation = deepest != nullptr ? deepest->separation : 0;

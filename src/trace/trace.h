@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -246,9 +247,12 @@ struct Frame {
 /// Of what else the frame holds.
 Totals totals_of(const Frame& frame);
 
-/// What a trace may leave out of a pair, from the rest of it: its `kind` from the types of its shapes, which
-/// are among `shapes`, `state` ("touching" where it has points), and the `separation` of the deepest point,
-/// 0 of none.
-void complete(const std::vector<Shape>& shapes, Frame& frame);
+/// As pairs call a shape: whatever has faces and is convex is a "hull".
+std::string kind_of(const Shape& shape);
+using Kinds = std::unordered_map<std::string, std::string>;  // by the shape's name
+
+/// What a trace may leave out of a pair, from the rest of it: its `kind`, `state` ("touching" where it has
+/// points), and the `separation` of the deepest point, 0 of none.
+void complete(const Kinds& kinds, Frame& frame);
 
 }  // namespace contactscope::trace

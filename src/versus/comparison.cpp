@@ -7,6 +7,7 @@
 
 #include "core/at.h"
 #include "trace/find.h"
+#include "trace/point_names.h"
 #include "versus/reference.h"
 
 namespace contactscope::versus {
@@ -24,12 +25,12 @@ class Scorer {
       : request_(request), contender_(contender) {
     score_.name = contender.name;
     score_.failure = contender.failure;
-    for (const trace::Shape& shape : request.header.shapes) solids_.add(shape);
+    add(request.header.shapes);
   }
 
   Score score() {
     for (const trace::Frame& asked : request_.frames) {
-      for (const trace::Shape& shape : asked.shapes) solids_.add(shape);
+      add(asked.shapes);
       const trace::Frame* const told = frame_of(contender_.trace, asked.frame);
       if (told == nullptr) continue;
       solids_.deform(asked.deformed);
@@ -40,6 +41,11 @@ class Scorer {
   }
 
  private:
+  void add(const std::vector<trace::Shape>& shapes) {
+    shapes_.insert(shapes_.end(), shapes.begin(), shapes.end());
+    for (const trace::Shape& shape : shapes) solids_.add(shape);
+  }
+
   void judge_pair(const trace::Frame& asked, const trace::Frame& told, const Truth& truth) {
     const std::optional<trace::Pair> pair = pair_of(told, truth.a, truth.b);
     if (!truth.separation) return;
@@ -93,7 +99,13 @@ class Scorer {
   }
 
   void judge_ids(const trace::Frame& asked, const trace::Pair& pair) {
-    const std::multiset<std::string> all = trace::point_ids(pair);
+    std::multiset<std::string> all = trace::point_ids(pair);
+    if (all.empty()) {
+      trace::Frame named{.frame = asked.frame, .poses = asked.poses, .pairs = {pair}};
+      trace::name_points(shapes_, named);
+      all = trace::point_ids(named.pairs.front());
+      score_.ids_are_made_up = score_.ids_are_made_up || !all.empty();
+    }
     const std::set<std::string> ids(all.begin(), all.end());
     auto& [frame, before] = last_ids_[{pair.a, pair.b}];
     if (!ids.empty() && !before.empty() && frame + 1 == asked.frame) {
@@ -121,6 +133,7 @@ class Scorer {
   const trace::Trace& request_;
   const Contender& contender_;
   lint::Solids solids_;
+  std::vector<trace::Shape> shapes_;
   std::map<std::pair<std::string, std::string>, std::pair<int, std::set<std::string>>> last_ids_;
   Score score_;
 };

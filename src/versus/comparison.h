@@ -35,7 +35,8 @@ struct Score {
   int patches = 0;          // that have an area
   double ids_kept = 0;      // share of ids that were there in the frame before, in the mean
   int id_frames = 0;        // of which that is known
-  std::string worst_place{};  // "frame 12, floor-crate": of the depth
+  bool ids_are_made_up = false;  // from geometry, see trace::name_points: the engine tells none
+  std::string worst_place{};     // "frame 12, floor-crate": of the depth
   std::vector<lint::Finding> findings{};
 };
 

@@ -1,11 +1,10 @@
 #include "versus/reference.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "manifold/dispatch.h"
+#include "lint/own_contacts.h"
 
 namespace contactscope::versus {
 namespace {
@@ -13,15 +12,6 @@ namespace {
 double area_of_points(const std::vector<Vec3d>& points, const Vec3d& normal) {
   if (points.size() < 3) return 0;
   return contactscope::area_of(convex_polygon(project(points, normal)));
-}
-
-/// Infinite without points: how far apart shapes are is not asked of a mesh; that they are apart is known.
-double deepest_of(const Manifolds<double>& manifolds) {
-  double deepest = std::numeric_limits<double>::infinity();
-  for (const Manifold<double>& manifold : manifolds)
-    for (const ContactPoint<double>& point : manifold.points)
-      deepest = std::min(deepest, point.separation);
-  return deepest;
 }
 
 }  // namespace
@@ -32,11 +22,8 @@ double area_of(const trace::Manifold& manifold) {
 
 std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b) {
   if (const std::optional<lint::Separation> best = best_separation(a, b)) return best->distance;
-  const Shape<double>&one = a.solid->shape(), &other = b.solid->shape();
-  if (!can_collide(kind_of(one), kind_of(other))) return std::nullopt;
-  Manifolds<double> manifolds;
-  collide(one, a.pose, other, b.pose, CollideOptions{}, manifolds);
-  return deepest_of(manifolds);
+  const std::optional<lint::OwnContacts> own = lint::own_contacts(a, b);
+  return own ? std::optional(own->separation) : std::nullopt;
 }
 
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame) {
@@ -51,16 +38,15 @@ std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& fra
     truth.tolerance = lint::tolerance_of(*a, *b);
     if (const std::optional<lint::Separation> best = best_separation(*a, *b))
       truth.separation = best->distance;
-    const Shape<double>&one = a->solid->shape(), &other = b->solid->shape();
-    if (!can_collide(kind_of(one), kind_of(other))) continue;
-    Manifolds<double> manifolds;
-    CollideOptions options;  // with all points
-    collide(one, a->pose, other, b->pose, options, manifolds);
+    const std::optional<lint::OwnContacts> own = lint::own_contacts(*a, *b);
+    if (!own) continue;
     if (!truth.separation) {
-      truth.separation = deepest_of(manifolds);
-    } else if (manifolds.size() == 1) {
-      truth.area = area_of_points(mapped(manifolds.front().points, &ContactPoint<double>::position),
-                                  manifolds.front().normal);
+      // How far apart they are is not asked of a mesh; that they are apart is known.
+      truth.separation = own->separation;
+    } else if (own->manifolds.size() == 1) {
+      const Manifold<double>& manifold = own->manifolds.front();
+      truth.area =
+          area_of_points(mapped(manifold.points, &ContactPoint<double>::position), manifold.normal);
     }
   }
   return truths;

@@ -1,6 +1,4 @@
 #include <algorithm>
-
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 

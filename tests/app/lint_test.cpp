@@ -74,6 +74,27 @@ TEST(LintVerb, WhatCannotBeReadIsTrouble) {
   EXPECT_EQ(run("lint").exit_code, 2);
 }
 
+/// What stands before the line that is cut off is looked at, drawn and explored, and that is told once.
+TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
+  const TemporaryFolder folder;
+  const std::string right = crate("0,1,0", "-0.02");
+  const std::string frame = right.substr(right.find('\n') + 1);
+  const std::string torn = folder.write("torn.jsonl", right + frame.substr(0, frame.size() / 2));
+  const ProgramRun result = run("lint '" + torn + "'");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_THAT(result.out,
+              HasSubstr(torn + ":3:1: the file is cut off within its last line [torn]"));
+  EXPECT_THAT(result.err, testing::IsEmpty());
+  const std::string out = " --size 320x180 --out '" + (folder / "out") + "'";
+  for (const std::string& verb :
+       {"render '" + torn + "'" + out, "explore --table '" + torn + "'"}) {
+    const ProgramRun drawn = run(verb);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_THAT(drawn.err, HasSubstr("the file is cut off here"));
+    EXPECT_EQ(drawn.err.find("cut off"), drawn.err.rfind("cut off"));
+  }
+}
+
 /// What contactscope computes itself is right but where a scenario shows how something goes wrong.
 TEST(LintVerb, SlowNothingIsSaidOfScenariosButOfThoseThatShowAFault) {
   const ProgramRun result = run("lint --json scenarios");

@@ -128,6 +128,8 @@ class Rollout {
     request_.header.engine = engine.name;
     request_.header.version = engine.version;
     request_.header.poses_at = "before_step";
+    for (const trace::Shape& shape : request_.header.shapes)
+      kinds_[shape.name] = trace::kind_of(shape);
   }
 
   void write(std::ostream& out) {
@@ -207,12 +209,13 @@ class Rollout {
       pair.b = at(pieces_, names.second).name;
       pair.manifolds = std::move(manifolds);
     }
-    trace::complete(request_.header.shapes, frame);
+    trace::complete(kinds_, frame);
   }
 
   trace::Trace request_;
   std::vector<Piece> pieces_;
   double step_;
+  trace::Kinds kinds_;
   std::unique_ptr<RolloutWorld> world_;
 };
 

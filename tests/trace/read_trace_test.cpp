@@ -5,6 +5,7 @@
 
 #include "core/input_error.h"
 #include "trace/json.h"
+#include "trace/read_trace.h"
 #include "trace/sample_trace.h"
 
 namespace contactscope::trace {
@@ -52,6 +53,47 @@ TEST(ReadTrace, BrokenJsonIsNamedByLineAndColumn) {
   EXPECT_THAT(complaint("{\"schema\": 1e999}"), StartsWith("run.jsonl:1:1: "));
 }
 
+/// A process that dies leaves half a line: what stands before it is read.
+TEST(TraceReader, EndsWhereTheLastLineIsCutOff) {
+  const std::string frame = to_json_line(sample_frame());
+  const std::string whole = header_line() + frame + "\n";
+  for (const std::size_t left :
+       {std::size_t(1), std::size_t(10), frame.size() / 2, frame.size() - 1}) {
+    std::istringstream in(whole + frame.substr(0, left));
+    TraceReader reader(in, "run.jsonl");
+    EXPECT_TRUE(reader.next().has_value());
+    EXPECT_FALSE(reader.torn().has_value());
+    EXPECT_FALSE(reader.next().has_value());
+    ASSERT_TRUE(reader.torn().has_value()) << left;
+    EXPECT_EQ(reader.torn()->line, 3);
+    EXPECT_EQ(reader.torn()->column, static_cast<int>(left) + 1);
+    EXPECT_FALSE(reader.next().has_value());
+  }
+  EXPECT_THAT(complaint(whole + frame.substr(0, 10)), StartsWith("run.jsonl:3:11: "));
+  // A line that has an end was written so.
+  std::istringstream in(whole + frame.substr(0, 10) + "\n");
+  TraceReader reader(in, "run.jsonl");
+  EXPECT_TRUE(reader.next().has_value());
+  EXPECT_THROW(reader.next(), InputError);
+}
+
+TEST(TraceReader, ReadsAgainFromTheFirstFrameAndPassesOverOthers) {
+  Frame frame = sample_frame();
+  std::string text = header_line();
+  for (const int number : {4, 5, 6}) {
+    frame.frame = number;
+    text += "\n" + to_json_line(frame) + "\n";
+  }
+  std::istringstream in(text);
+  TraceReader reader(in, "run.jsonl");
+  while (reader.next()) continue;
+  reader.rewind();
+  EXPECT_TRUE(reader.skip());
+  EXPECT_EQ(reader.next()->frame, 5);
+  EXPECT_EQ(reader.next()->line, 7);
+  EXPECT_FALSE(reader.skip());
+}
+
 TEST(ReadTrace, AnEmptyFileAsksForItsHeader) {
   EXPECT_THAT(complaint(""), HasSubstr("run.jsonl: the trace is empty"));
   EXPECT_THAT(complaint("\n  \n"), HasSubstr("contactscope.trace/1"));
@@ -60,8 +102,10 @@ TEST(ReadTrace, AnEmptyFileAsksForItsHeader) {
 TEST(ReadTrace, AnotherSchemaIsRefused) {
   ordered_json header = ordered_json::parse(to_json_line(sample_header()));
   header["schema"] = "contactscope.trace/2";
-  EXPECT_THAT(complaint(header.dump()),
-              HasSubstr("'schema' is 'contactscope.trace/2'; 'contactscope.trace/1' is"));
+  EXPECT_THAT(
+      complaint(header.dump()),
+      HasSubstr("'schema' is 'contactscope.trace/2'; 'contactscope.trace/1' is what can be read "
+                "here: update contactscope"));
   EXPECT_THAT(complaint(to_json_line(sample_frame())), HasSubstr("has no key 'schema'"));
 }
 

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 namespace contactscope::draw {
@@ -15,6 +16,23 @@ constexpr Swatch kShapeASwatch{LegendGroup::Shapes, 0,
 constexpr Swatch kShapeBSwatch{LegendGroup::Shapes, 1,
                                [](auto& pen) { pen.box(kShapeB, kShapeEdge, 1.5); }};
 
+// A margin narrower than this part of the shape is not seen, and its inside only in the way.
+constexpr double kSeenMargin = 0.02;
+constexpr Color kInside = with_alpha(kShapeEdge, 0.6f);
+constexpr Swatch kMarginSwatch{LegendGroup::Shapes, 2,
+                               [](auto& pen) { pen.area(kInside, 0, 1.2, true); }};
+
+bool shows_margin(const PlacedShape& shape) {
+  const trace::Shape* const core = shape.mesh->core;
+  return core != nullptr && core->margin > kSeenMargin * shape.mesh->radius;
+}
+
+// As the segment in a capsule: what lies within the margin.
+void draw_core(const PlacedShape& shape, Sketch& sketch) {
+  for (int e = 0; e < count_of(shape.mesh->core->edges); ++e)
+    if (const auto ends = shape.edge(e)) sketch.line((*ends)[0], (*ends)[1], {1.0f, kInside, true});
+}
+
 void draw_shapes(const Scene& scene, Sketch& sketch) {
   for (const PlacedShape& shape : scene.shapes) {
     const Color fill = shape.is_a ? kShapeA : kShapeB;
@@ -26,6 +44,7 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
                                                     : draw_solid;
       draw(scene.camera, shape, fill, sketch);
     }
+    if (shows_margin(shape)) draw_core(shape, sketch);
   }
 }
 
@@ -47,6 +66,18 @@ std::string in_one_entry(const std::vector<std::string>& names) {
   return all;
 }
 
+// The widest, by name: a wrong margin is the first thing to look for where bodies float.
+void explain_margin(const Scene& scene, Legend& legend) {
+  const PlacedShape* widest = nullptr;
+  for (const PlacedShape& shape : scene.shapes) {
+    if (!shows_margin(shape) || !in_view(scene.camera, shape)) continue;
+    if (widest == nullptr || shape.mesh->core->margin > widest->mesh->core->margin) widest = &shape;
+  }
+  if (widest == nullptr) return;
+  const trace::Shape& core = *widest->mesh->core;
+  legend.explain(kMarginSwatch, core.name + " without its margin of " + spell_length(core.margin));
+}
+
 // By name. Where these are many, a role has one entry, and the rest of the legend its room.
 void explain_shapes(const Scene& scene, Legend& legend) {
   if (scene.frame.broad_phase) return;  // no shape has a role
@@ -62,6 +93,7 @@ void explain_shapes(const Scene& scene, Legend& legend) {
     for (const std::string& name : own)
       legend.explain(of_a ? kShapeASwatch : kShapeBSwatch, (of_a ? "A: " : "B: ") + name);
   }
+  explain_margin(scene, legend);
 }
 
 }  // namespace

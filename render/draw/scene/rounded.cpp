@@ -1,5 +1,6 @@
 #include "draw/scene/rounded.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -13,6 +14,9 @@ namespace {
 
 /// Of a strip's polygons, around an edge: small enough that their common edges are drawn faintly.
 constexpr double kTurn = std::numbers::pi / 8;
+
+/// Cosine from the middle of a cap to its corners, beyond which it is drawn flat.
+constexpr double kNarrow = 0.95;
 
 class Rounding {
  public:
@@ -43,7 +47,7 @@ class Rounding {
       if (twin != face_of_edge_.end() && face < twin->second)
         add_strip(edge.first, edge.second, face, twin->second);
     }
-    for (const auto& [vertex, border] : borders_) add_cap(border);
+    for (const auto& [vertex, border] : borders_) add_cap(vertex, border);
     trace::Shape::edges_from_faces(result_);
     return std::move(result_);
   }
@@ -82,9 +86,9 @@ class Rounding {
     }
   }
 
-  /// What the strips around a vertex leave open, as one polygon: where its neighbours are nearly coplanar it is
-  /// so thin that the normals of triangles in it would be noise.
-  void add_cap(const std::map<int, int>& border) {
+  /// What the strips around a vertex leave open: triangles about a middle on the round surface. One polygon where its
+  /// neighbours are nearly coplanar: it is so thin that the normals of triangles in it would be noise.
+  void add_cap(int vertex, const std::map<int, int>& border) {
     std::vector<int> polygon = {border.begin()->first};
     // Faces of a trace need not fit together: it is left out where they do not.
     for (auto next = border.find(border.begin()->second);
@@ -93,7 +97,21 @@ class Rounding {
       if (next == border.end()) return;
       polygon.push_back(next->first);
     }
-    if (polygon.size() >= 3) result_.faces.push_back(polygon);
+    if (polygon.size() < 3) return;
+    const Vec3d& center = at(shape_.vertices, vertex);
+    Vec3d sum = Vec3d::Zero();
+    for (const int corner : polygon) sum += at(result_.vertices, corner) - center;
+    const Vec3d out = sum.normalized();
+    const bool is_narrow = std::ranges::any_of(polygon, [&](int corner) {
+      return out.dot(at(result_.vertices, corner) - center) > kNarrow * shape_.margin;
+    });
+    if (is_narrow) {
+      result_.faces.push_back(polygon);
+      return;
+    }
+    const int middle = add(vertex, out);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      result_.faces.push_back({middle, polygon[i], polygon[(i + 1) % polygon.size()]});
   }
 
   const trace::Shape& shape_;

@@ -76,10 +76,12 @@ std::vector<Vec3d> PlacedShape::polygon(int face) const {
 }
 
 std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
-  const std::vector<std::array<int, 2>>& edges = mesh->shape->edges;
-  if (index < 0 || index >= count_of(edges)) return std::nullopt;
-  const auto& [from, to] = at(edges, index);
-  return std::array{vertex(from), vertex(to)};
+  const trace::Shape& shape = mesh->core != nullptr ? *mesh->core : *mesh->shape;
+  if (index < 0 || index >= count_of(shape.edges)) return std::nullopt;
+  const auto& [from, to] = at(shape.edges, index);
+  if (mesh->core == nullptr) return std::array{vertex(from), vertex(to)};
+  return std::array{pose.transform(at(shape.vertices, from)),
+                    pose.transform(at(shape.vertices, to))};
 }
 
 ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
@@ -92,6 +94,7 @@ ShapeMeshes::ShapeMeshes(const std::vector<trace::Shape>& shapes) {
     const auto drawn = std::make_shared<const trace::Shape>(rounded(shape));
     push_back(make_mesh(*drawn));
     back().rounded = drawn;
+    back().core = &shape;
     for (ShapeMesh::Edge& edge : back().edges) edge.smooth = true;  // there are no others on it
   }
 }

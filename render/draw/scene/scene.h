@@ -37,6 +37,7 @@ struct ShapeMesh {
   double radius = 0;                // metres, about the centre of mass; infinite for a plane
   std::optional<PlanePatch> patch;  // of a plane, once it is fitted to a sequence
   std::shared_ptr<const trace::Shape> rounded{};  // of a shape with a margin: what `shape` is then
+  const trace::Shape* core = nullptr;  // of a shape with a margin: what the trace has, without it
 };
 
 ShapeMesh make_mesh(const trace::Shape& shape);
@@ -71,7 +72,8 @@ struct PlacedShape {
   Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
   const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
-  /// Ends of an edge, numbered as in the trace; nothing where there is no such edge.
+  /// Ends of an edge, numbered as in the trace; nothing where there is no such edge. Of a shape with a margin
+  /// the edge is inside, where the trace has it.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
 

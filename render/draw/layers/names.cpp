@@ -1,0 +1,44 @@
+#include <limits>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/points.h"
+#include "draw/scene/solid.h"
+
+/// What shapes are called, in the middle of each: in a heap the legend has no room for them.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kSmallName = 13;  // pixels, where there are many
+
+// The ground, and what else is larger than the picture, is named at the corner that is nearest.
+Vec3d nearest_corner(const Camera& camera, const std::vector<Vec3d>& corners) {
+  Vec3d nearest = corners.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3d& corner : corners) {
+    const double distance = (corner - camera.eye()).norm();
+    if (distance >= least || !camera.sees(corner)) continue;
+    least = distance;
+    nearest = corner;
+  }
+  return nearest;
+}
+
+Vec3d place_of(const Camera& camera, const PlacedShape& shape) {
+  if (shape.mesh->patch)
+    return nearest_corner(camera, patch_corners(*shape.mesh->patch, shape.pose));
+  if (shape.is_mesh()) return nearest_corner(camera, shape.vertices);
+  return box_around(shape.vertices).center();
+}
+
+void draw_names(const Scene& scene, Sketch& sketch) {
+  for (const PlacedShape& shape : scene.shapes)
+    if (in_view(scene.camera, shape))
+      sketch.label(place_of(scene.camera, shape), shape.traced().name, kText,
+                   scene.shapes.size() > 8 ? kSmallName : 16, 0);
+}
+
+}  // namespace
+
+const LayerDrawing kNamesLayer{.above = draw_names};
+
+}  // namespace contactscope::draw
