@@ -76,7 +76,7 @@ bool is_new(const std::string& name, const std::string& file, Paths& paths) {
                        "folder, which is the first part of the name");
 }
 
-Input input_of(trace::Trace&& trace, const Options& options) {
+Input input_of(Sequence&& trace, const Options& options) {
   // What an author of traces sees without having said what.
   Input input;
   input.scenario.name = trace.header.scenario;
@@ -92,10 +92,10 @@ Input input_of(trace::Trace&& trace, const Options& options) {
     input.scenario.views = std::move(views);
   else
     require_view(input.scenario, options.view);
-  const std::vector<trace::Frame>& frames = input.trace->frames;
-  for (const trace::Frame& frame : frames) {
-    if (!options.frames || options.frames->names(frame.frame)) input.frames.push_back(frame.frame);
-  }
+  const std::vector<int>& numbers = input.trace->numbers;
+  std::ranges::copy_if(numbers, std::back_inserter(input.frames), [&](int number) {
+    return !options.frames || options.frames->names(number);
+  });
   if (!input.frames.empty()) {
     const int count = count_of(input.frames);
     for (const int i : {0, (count - 1) / 2, count - 1}) {
@@ -107,8 +107,7 @@ Input input_of(trace::Trace&& trace, const Options& options) {
   }
   if (input.frames.empty()) {
     throw UsageError("--frames names no frame of " + input.scenario.name + ", which has frames " +
-                     std::to_string(frames.front().frame) + " to " +
-                     std::to_string(frames.back().frame));
+                     std::to_string(numbers.front()) + " to " + std::to_string(numbers.back()));
   }
   return input;
 }
@@ -182,7 +181,7 @@ std::vector<Scenario> load_scenarios(const Options& options) {
   return scenarios;
 }
 
-std::vector<Input> load_inputs(const Options& options) {
+std::vector<Input> load_inputs(const Options& options, Hold hold) {
   std::vector<std::string> traces;
   Options others = options;
   std::erase_if(others.scenarios, [&](const std::string& argument) {
@@ -204,7 +203,7 @@ std::vector<Input> load_inputs(const Options& options) {
                        " runs the pipeline, and " + file +
                        " is a trace of what it decided; leave it out, or name a scenario");
     }
-    trace::Trace trace = load_trace(file);
+    Sequence trace = read_sequence(file, hold);
     if (is_new(trace.header.scenario, file, paths))
       inputs.push_back(input_of(std::move(trace), options));
     inputs.back().file = file == "-" ? "standard input" : file;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sequence.h"
 #include "app/trace_file.h"
 #include "app/verbs.h"
 #include "scenario/scenario.h"
@@ -25,14 +26,14 @@ std::vector<Scenario> load_scenarios(const Options& options);
 /// has a name and views alone.
 struct Input {
   Scenario scenario;
-  std::vector<int> frames{};            // to draw, by number
-  std::optional<trace::Trace> trace{};  // else the scenario is run
-  std::string file{};                   // of a trace, as messages name it
+  std::vector<int> frames{};        // to draw, by number
+  std::optional<Sequence> trace{};  // else the scenario is run
+  std::string file{};               // of a trace, as messages name it
 };
 
 /// The same of files that may be traces too, which have one view: fitted, with the default layers
 /// and the summary. Throws UsageError also where an option has no meaning for a trace.
-std::vector<Input> load_inputs(const Options& options);
+std::vector<Input> load_inputs(const Options& options, Hold hold = Hold::Whole);
 
 /// Each argument by itself, in their order, where nothing is written, so that traces of one name are no mistake:
 /// scenarios as load_inputs() has them, and traces of any length, from which only the header was read.

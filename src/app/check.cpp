@@ -40,7 +40,7 @@ class Checker {
     Outcome outcome{scenario.name};
     Sequence sequence;
     if (input.trace) {
-      sequence = {std::move(input.trace->header), std::move(input.trace->frames), {}};
+      sequence = std::move(*input.trace);
     } else {
       sequence = run_sequence(scenario, {}, false, ledger_);
       if (const auto unmet = unmet_expectations(scenario, sequence.frames); !unmet.empty()) {
@@ -50,8 +50,8 @@ class Checker {
       }
     }
     trace::Trace stored{sequence.header, {}};
-    for (const std::size_t index : stored_frames(scenario, sequence))
-      stored.frames.push_back(sequence.frames[index]);
+    sequence.each(scenario.snapshots.frames,
+                  [&](std::size_t index) { stored.frames.push_back(sequence.frames[index]); });
     take(snapshot::check_trace(options_.snapshot_root, stored, policy_), outcome);
     for (const View& view : selected_views(scenario, options_))
       check_pictures(scenario, view, sequence, outcome);
@@ -82,16 +82,6 @@ class Checker {
   const Ledger& ledger() const { return ledger_; }
 
  private:
-  /// Where in the sequence the frames are that are stored.
-  static std::vector<std::size_t> stored_frames(const Scenario& scenario,
-                                                const Sequence& sequence) {
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < sequence.frames.size(); ++i)
-      if (std::ranges::count(scenario.snapshots.frames, sequence.frames[i].frame) > 0)
-        indices.push_back(i);
-    return indices;
-  }
-
   /// `image`: what a picture is now.
   template <class Checked, class... OfPicture>
   void take(const Checked& checked, Outcome& outcome, const OfPicture&... image) {
@@ -102,34 +92,34 @@ class Checker {
     report_.add(checked, image...);
   }
 
-  void check_pictures(const Scenario& scenario, const View& view, const Sequence& sequence,
+  void check_pictures(const Scenario& scenario, const View& view, Sequence& sequence,
                       Outcome& outcome) {
     const draw::Staging staging = draw::stage(sequence.header, sequence.frames, view,
                                               scenario.snapshots.width, scenario.snapshots.height);
-    const std::vector<std::size_t> which = stored_frames(scenario, sequence);
-    studio_.render(staging, sequence.frames, which, {}, [&](std::size_t index, Image image) {
-      const int frame = sequence.frames[index].frame;
-      const Timed timed(ledger_, "compare");
-      // A view chosen on the command line stays where it would be among the others.
-      const snapshot::PictureKey key{
-          scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
-          frame};
-      snapshot::CheckedPicture checked =
-          snapshot::check_picture(options_.snapshot_root, key, image, policy_);
-      const std::string own_frame = " frame " + std::to_string(frame) + ", ";
-      const bool is_explained =
-          std::ranges::any_of(outcome.sentences, [&](const std::string& sentence) {
-            return sentence.find(own_frame) != std::string::npos;
-          });
-      if (checked.expected && !is_explained) {
-        checked.sentences.push_back(
-            snapshot::to_string(key) +
-            ": its trace is the same; the camera, fitted to the whole sequence, or the drawing "
-            "changed");
-      }
-      ++outcome.pictures;
-      take(checked, outcome, image);
-    });
+    studio_.render(
+        staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
+          const int frame = shown.frame;
+          const Timed timed(ledger_, "compare");
+          // A view chosen on the command line stays where it would be among the others.
+          const snapshot::PictureKey key{
+              scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
+              frame};
+          snapshot::CheckedPicture checked =
+              snapshot::check_picture(options_.snapshot_root, key, image, policy_);
+          const std::string own_frame = " frame " + std::to_string(frame) + ", ";
+          const bool is_explained =
+              std::ranges::any_of(outcome.sentences, [&](const std::string& sentence) {
+                return sentence.find(own_frame) != std::string::npos;
+              });
+          if (checked.expected && !is_explained) {
+            checked.sentences.push_back(
+                snapshot::to_string(key) +
+                ": its trace is the same; the camera, fitted to the whole sequence, or the drawing "
+                "changed");
+          }
+          ++outcome.pictures;
+          take(checked, outcome, image);
+        });
   }
 
   const Options& options_;
@@ -167,7 +157,7 @@ void print_outcome(const Outcome& outcome, const Options& options) {
 
 ExitCode run_check(const Options& options) {
   note_interrupts();
-  std::vector<Input> inputs = load_inputs(options);
+  std::vector<Input> inputs = load_inputs(options, Hold::Sample);
   Checker checker(options);
   if (options.update != snapshot::Update::None && snapshot::is_ci(std::getenv("CI")))
     std::cerr << "CI=true: nothing is updated; unset CI to accept what changed\n";

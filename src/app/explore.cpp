@@ -152,9 +152,9 @@ const std::string& known_reducer(const std::string& name) {
 
 ExitCode run_explore(const Options& options) {
   note_interrupts();
-  const std::vector<Input> inputs = load_inputs(without_reducer(options));
+  std::vector<Input> inputs = load_inputs(without_reducer(options));
   if (inputs.size() != 1) throw UsageError("explore takes one scenario, or one trace");
-  const Input& input = inputs.front();
+  Input& input = inputs.front();
   Scenario scenario = input.scenario;
   if (input.trace) {
     scenario.title = input.trace->header.title;
@@ -175,8 +175,10 @@ ExitCode run_explore(const Options& options) {
   const std::vector<int>& frames = input.frames;
   ExploreOptions explore_options;
   if (!options.reducer.empty()) explore_options.reducers = {known_reducer(options.reducer)};
-  Explorations explorations = input.trace ? explore(*input.trace, explore_options)
-                                          : explore(scenario, frames.back(), explore_options);
+  Explorations explorations =
+      input.trace ? explore({std::move(input.trace->header), std::move(input.trace->frames)},
+                            explore_options)
+                  : explore(scenario, frames.back(), explore_options);
   // Frames before the first one asked for ran too: some reducers go by what they kept there.
   std::erase_if(explorations, [&](const trace::Exploration& exploration) {
     return std::ranges::find(frames, exploration.frame) == frames.end();

@@ -43,11 +43,11 @@ void narrow(Sequence& sequence, const Options& options) {
   for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
   for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
   shown.insert(options.pair.begin(), options.pair.end());
-  const auto is_pair = [&](const trace::Pair& pair) {
-    return options.pair.empty() || (pair.a == options.pair[0] && pair.b == options.pair[1]) ||
-           (pair.a == options.pair[1] && pair.b == options.pair[0]);
+  const auto is_pair = [two = options.pair](const trace::Pair& pair) {
+    return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||
+           (pair.a == two[1] && pair.b == two[0]);
   };
-  for (trace::Frame& frame : sequence.frames) {
+  sequence.trim = [shown, is_pair](trace::Frame& frame) {
     std::erase_if(frame.poses,
                   [&](const trace::Placement& one) { return !shown.contains(one.first); });
     std::erase_if(frame.pairs, [&](const trace::Pair& pair) {
@@ -62,12 +62,13 @@ void narrow(Sequence& sequence, const Options& options) {
         return !shown.contains(swap.lower) || !shown.contains(swap.upper);
       });
     }
-    if (!frame.solver) continue;
+    if (!frame.solver) return;
     std::erase_if(frame.solver->bodies, hidden);
     std::erase_if(frame.solver->stops, [&](const trace::Stop& stop) {
       return !shown.contains(stop.a) || !shown.contains(stop.b);
     });
-  }
+  };
+  std::ranges::for_each(sequence.frames, sequence.trim);
 }
 
 void place_camera(std::vector<View>& views, const Options& options) {

@@ -15,15 +15,6 @@
 namespace contactscope::app {
 namespace {
 
-// Where in the sequence the frames are that the input names.
-std::vector<std::size_t> selected_frames(const Input& input, const Sequence& sequence) {
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
-    if (std::ranges::binary_search(input.frames, sequence.frames[i].frame)) which.push_back(i);
-  }
-  return which;
-}
-
 // Which stages left facts, and which panels were drawn, for --verbose.
 void account_facts(const std::string& name, const std::vector<View>& views,
                    const Sequence& sequence, Ledger& ledger) {
@@ -88,7 +79,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
                      Ledger& ledger) {
   Sequence sequence;
   if (input.trace) {
-    sequence = {std::move(input.trace->header), std::move(input.trace->frames), {}};
+    sequence = std::move(*input.trace);
     if (sequence.header.title.empty()) sequence.header.title = title_of(sequence.header);
     ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
   } else {
@@ -107,7 +98,7 @@ ExitCode run_render(const Options& options) {
   std::vector<Input> inputs;
   {
     const Timed timed(total, "read scenarios");
-    inputs = load_inputs(options);
+    inputs = load_inputs(options, Hold::Sample);
   }
   int pictures = 0;
   for (const Input& input : inputs)
@@ -122,28 +113,27 @@ ExitCode run_render(const Options& options) {
     for (Input& input : inputs) {
       const std::string& name = input.scenario.name;
       const std::vector<View> views = selected_views(input.scenario, options);
-      const Sequence sequence = sequence_of(input, views, options, total);
-      const std::vector<std::size_t> which = selected_frames(input, sequence);
+      const bool is_trace = input.trace.has_value();
+      Sequence sequence = sequence_of(input, views, options, total);
       for (const View& view : views) {
         const Size size = options.size.value_or(Size{});
         const draw::Staging staging =
             draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
         const bool asked = options.layers || views_are_of_file(options);
-        if (input.trace.has_value() && asked && !options.quiet) {
+        if (is_trace && asked && !options.quiet) {
           const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
           if (!idle.empty()) tell_idle(input.file, idle);
         }
         const std::optional<std::string> folder =
             input.scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt;
-        studio.render(staging, sequence.frames, which, sequence.nanoseconds,
-                      [&](std::size_t index, Image image) {
-                        const snapshot::PictureKey key{name, folder, sequence.frames[index].frame};
-                        const std::filesystem::path path = snapshot::picture_path(options.out, key);
-                        std::filesystem::create_directories(path.parent_path());
-                        written[name].push_back(path.string());
-                        encoders.submit(path.string(), std::move(image));
-                        progress.advance(name);
-                      });
+        studio.render(staging, sequence, input.frames, [&](const trace::Frame& frame, Image image) {
+          const snapshot::PictureKey key{name, folder, frame.frame};
+          const std::filesystem::path path = snapshot::picture_path(options.out, key);
+          std::filesystem::create_directories(path.parent_path());
+          written[name].push_back(path.string());
+          encoders.submit(path.string(), std::move(image));
+          progress.advance(name);
+        });
       }
     }
     encoders.finish();

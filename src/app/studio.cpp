@@ -55,37 +55,47 @@ gl::Rasterizer& Studio::canvas(int width, int height) {
   return *rasterizer_;
 }
 
-void Studio::render(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
-                    const std::vector<std::size_t>& which, const std::vector<double>& nanoseconds,
-                    const std::function<void(std::size_t, Image)>& sink) {
+void Studio::render(const draw::Staging& staging, Sequence& sequence,
+                    const std::vector<int>& numbers,
+                    const std::function<void(const trace::Frame&, Image)>& sink) {
   const int width = staging.layout.width;
   const int height = staging.layout.height;
   canvas(width, height);  // a machine without OpenGL says so before anything else is made
 
   // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
   std::optional<overlay::PanelColumn> panels;
-  if (!staging.view.panels.empty()) {
+  const auto start_panels = [&] {
+    if (staging.view.panels.empty()) return;
     const Timed timed(ledger_, "start Dear ImGui");
-    panels.emplace(staging, frames);
-  }
-  for (const std::size_t index : which) {
+    panels.emplace(staging, sequence.frames);
+  };
+  if (!sequence.file) start_panels();
+  sequence.each(numbers, [&](std::size_t index) {
     stop_if_interrupted();
+    const trace::Frame& frame = sequence.frames[index];
+    // What looked through all frames did not see one that was read for its picture.
+    if (sequence.file) start_panels();
     draw::Drawing drawing;
     {
       const Timed timed(ledger_, "illustrate");
-      drawing = draw::illustrate(staging, frames[index]);
+      drawing = sequence.file && staging.cells
+                    ? draw::illustrate(draw::stage(sequence.header, sequence.frames, staging.view,
+                                                   width, height),
+                                       frame)
+                    : draw::illustrate(staging, frame);
     }
     if (panels) {
       const Timed timed(ledger_, "panels");
       draw::PanelMoment moment{index, {}};
-      if (index < nanoseconds.size()) moment.pipeline_nanoseconds = nanoseconds[index];
+      if (index < sequence.nanoseconds.size())
+        moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
         ledger_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
                          "x" + std::to_string(height) + " has no room; a larger --size has");
       }
     }
-    sink(index, paint(drawing));
-  }
+    sink(frame, paint(drawing));
+  });
 }
 
 Image Studio::paint(const draw::Drawing& drawing) {

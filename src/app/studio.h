@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/progress.h"
+#include "app/sequence.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "draw/scene/drawing.h"
@@ -24,13 +25,6 @@
 
 namespace contactscope::app {
 
-/// A scenario with its whole trace.
-struct Sequence {
-  trace::Header header;
-  std::vector<trace::Frame> frames;
-  std::vector<double> nanoseconds;  // measured pipeline time of each frame; empty unless asked for
-};
-
 /// Runs the pipeline over all frames and records `stages`.
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
                       Ledger& ledger);
@@ -41,12 +35,10 @@ class Studio {
  public:
   Studio(gl::Backend backend, Ledger& ledger) : backend_(backend), ledger_(ledger) {}
 
-  /// Renders the frames of a staged sequence whose indices are given and hands each picture to
-  /// `sink` with its index. `nanoseconds` holds measured pipeline times for the summary panel, one
-  /// a frame, or is empty.
-  void render(const draw::Staging& staging, const std::vector<trace::Frame>& frames,
-              const std::vector<std::size_t>& which, const std::vector<double>& nanoseconds,
-              const std::function<void(std::size_t, Image)>& sink);
+  /// Renders the frames of a staged sequence whose numbers are given and hands each picture to `sink`. Measured
+  /// pipeline times go to the summary panel.
+  void render(const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
+              const std::function<void(const trace::Frame&, Image)>& sink);
 
   /// A drawing by itself, as large as it says.
   Image paint(const draw::Drawing& drawing);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/input_error.h"
+#include "trace/point_names.h"
 
 namespace contactscope::app {
 namespace {
@@ -125,6 +126,7 @@ void TraceFile::tell_torn() const {
 trace::Trace load_trace(const std::string& path) {
   TraceFile file(path);
   trace::Trace trace = read_whole(file);
+  for (trace::Frame& frame : trace.frames) trace::name_points(trace.header.shapes, frame);
   file.tell_torn();
   return trace;
 }

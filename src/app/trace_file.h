@@ -37,6 +37,8 @@ class TraceFile {
 
   /// Empty after the last one; there is at least one.
   std::optional<trace::Frame> next();
+  /// How long the line of the last one was.
+  std::size_t bytes() const { return reader_->bytes(); }
   /// Passes over one without looking at it, which was looked at in an earlier pass.
   void skip() { reader_->skip(); }
   void rewind();
@@ -58,10 +60,11 @@ class TraceFile {
   bool is_known_ = false;  // it was read to its end once
 };
 
-/// All of a trace at once. Torn files are read up to where they are cut off, which is told on the standard error.
+/// All of a trace at once, with ids made up for points of engines that tell none. Torn files are read up to where they
+/// are cut off, which is told on the standard error.
 trace::Trace load_trace(const std::string& path);
 
-/// The same of text that was read already.
+/// The same of text that was read already; ids are as it tells them.
 trace::Trace parse_trace(const std::string& text, const std::string& name);
 
 }  // namespace contactscope::app

@@ -48,7 +48,9 @@ trace::Trace run_whole(const Input& input) {
 /// The trace's own contacts, or this program's for a scenario, are the first contender where they are asked.
 Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool wants_own = std::ranges::count(engines, kOwn) > 0;
-  trace::Trace whole = input.trace ? std::move(*input.trace) : run_whole(input);
+  trace::Trace whole =
+      input.trace ? trace::Trace{std::move(input.trace->header), std::move(input.trace->frames)}
+                  : run_whole(input);
   std::erase_if(whole.frames, [&](const trace::Frame& frame) {
     return std::ranges::count(input.frames, frame.frame) == 0;
   });

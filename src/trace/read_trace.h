@@ -39,6 +39,9 @@ class TraceReader {
   /// Of the file, from 1: the one that was read last.
   int line() const { return number_; }
 
+  /// Of that line.
+  std::size_t bytes() const { return line_.size(); }
+
   /// Where the file is cut off within its last line, once next() got there. Before any frame that is an error.
   const std::optional<Torn>& torn() const { return torn_; }
 

@@ -1,0 +1,90 @@
+#include "app/sequence.h"
+
+#include <gmock/gmock.h>
+
+#include "core/at.h"
+#include "support/temporary_folder.h"
+#include "trace/json.h"
+
+/// Traces that are too long to be held.
+namespace contactscope::app {
+namespace {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+
+/// A ball that rests on a plane, frame after frame, and is deepest in one of them. Each second number is missing.
+std::string long_trace(int frames, int deepest) {
+  trace::Header header{"mine/long", "", "", "double", "y", 0, {}};
+  trace::Shape ground{"ground", "plane", {}, {}, {}, Vec3d::Zero(), 0, trace::HalfSpace{}};
+  trace::Shape ball{"ball", "sphere", {Vec3d::Zero()}, {}, {}, Vec3d::Zero(), 1};
+  header.shapes = {ground, ball};
+  std::string text = trace::to_json_line(header) + "\n";
+  for (int f = 0; f < frames; ++f) {
+    const double depth = f == deepest ? 0.1 : 0.001;
+    trace::Frame frame;
+    frame.frame = 2 * f;
+    frame.time = f / 60.0;
+    Pose<double> resting;
+    resting.position = Vec3d(0, 1 - depth, 0);
+    frame.poses = {{"ground", Pose<double>{}}, {"ball", resting}};
+    trace::Pair pair;
+    pair.a = "ground";
+    pair.b = "ball";
+    trace::Manifold manifold;
+    manifold.normal = Vec3d::UnitY();
+    trace::Point point;
+    point.position = Vec3d(0, -depth, 0);
+    point.separation = -depth;
+    manifold.points = {point};
+    pair.manifolds = {manifold};
+    pair.kind = "sphere-plane";
+    pair.state = "touching";
+    pair.separation = -depth;
+    frame.pairs = {pair};
+    text += trace::to_json_line(frame) + "\n";
+  }
+  return text;
+}
+
+TEST(Sequence, AShortTraceIsHeldWhole) {
+  const TemporaryFolder folder;
+  Sequence sequence = read_sequence(folder.write("run.jsonl", long_trace(40, 17)), Hold::Sample);
+  EXPECT_EQ(sequence.frames.size(), 40u);
+  EXPECT_EQ(sequence.file, nullptr);
+  std::vector<int> shown;
+  sequence.each({0, 4, 78}, [&](std::size_t i) { shown.push_back(sequence.frames[i].frame); });
+  EXPECT_THAT(shown, ElementsAre(0, 4, 78));
+}
+
+/// Of a long one so many frames are held as were allowed, with the first, the last and the deepest among them; all
+/// the others can be shown.
+TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
+  const TemporaryFolder folder;
+  constexpr int kFrames = 1001;
+  const std::string text = long_trace(kFrames, 333);
+  const std::string path = folder.write("run.jsonl", text);
+  const std::size_t budget = text.size() / 10;
+  Sequence sequence = read_sequence(path, Hold::Sample, budget);
+  EXPECT_EQ(sequence.every, 16u);
+  ASSERT_EQ(sequence.frames.size(), 63u);
+  EXPECT_EQ(sequence.frames.front().frame, 0);
+  EXPECT_EQ(sequence.frames.back().frame, 2 * (kFrames - 1));
+  EXPECT_EQ(sequence.header.frames, 2 * kFrames - 1);
+  const std::vector<int> held = mapped(sequence.frames, &trace::Frame::frame);
+  EXPECT_THAT(held, testing::Contains(666));
+  EXPECT_TRUE(std::ranges::is_sorted(held));
+
+  std::vector<int> shown;
+  std::vector<std::size_t> places;
+  sequence.each({0, 2, 666, 668, 1998, 2000}, [&](std::size_t i) {
+    shown.push_back(sequence.frames[i].frame);
+    places.push_back(i);
+  });
+  EXPECT_THAT(shown, ElementsAre(0, 2, 666, 668, 1998, 2000));
+  EXPECT_THAT(places, ElementsAre(0u, 0u, 20u, 20u, 62u, 62u));
+  EXPECT_THAT(mapped(sequence.frames, &trace::Frame::frame), ElementsAreArray(held));
+}
+
+}  // namespace
+}  // namespace contactscope::app
