@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "core/input_error.h"
-#include "trace/point_names.h"
 
 namespace contactscope::app {
 namespace {
@@ -126,7 +125,6 @@ void TraceFile::tell_torn() const {
 trace::Trace load_trace(const std::string& path) {
   TraceFile file(path);
   trace::Trace trace = read_whole(file);
-  for (trace::Frame& frame : trace.frames) trace::name_points(trace.header.shapes, frame);
   file.tell_torn();
   return trace;
 }

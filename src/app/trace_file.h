@@ -60,11 +60,10 @@ class TraceFile {
   bool is_known_ = false;  // it was read to its end once
 };
 
-/// All of a trace at once, with ids made up for points of engines that tell none. Torn files are read up to where they
-/// are cut off, which is told on the standard error.
+/// All of a trace at once. Torn files are read up to where they are cut off, which is told on the standard error.
 trace::Trace load_trace(const std::string& path);
 
-/// The same of text that was read already; ids are as it tells them.
+/// The same of text that was read already.
 trace::Trace parse_trace(const std::string& text, const std::string& name);
 
 }  // namespace contactscope::app
