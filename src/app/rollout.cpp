@@ -1,5 +1,6 @@
 #include "app/rollout.h"
 
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -7,7 +8,9 @@
 #include "app/contenders.h"
 #include "app/lint.h"
 #include "app/progress.h"
+#include "app/rollout_picture.h"
 #include "app/rollout_request.h"
+#include "app/studio.h"
 #include "app/table.h"
 #include "app/trace_file.h"
 #include "core/input_error.h"
@@ -20,14 +23,6 @@ namespace {
 using versus::Contender;
 using versus::RolloutScore;
 using Json = nlohmann::ordered_json;
-
-/// One scenario, as every engine steps it.
-struct Rollout {
-  std::string name;  // "group/idea"
-  trace::Trace request;
-  std::vector<Contender> contenders{};
-  std::vector<RolloutScore> scores{};
-};
 
 /// This program's solver, as the scenario has it run.
 Contender own_rollout(const Scenario& scenario) {
@@ -157,6 +152,15 @@ std::vector<Scenario> scenarios_of(const Options& options) {
   return load_scenarios(options);
 }
 
+void write_picture(const Rollout& rollout, const Options& options, Studio& studio) {
+  const std::vector<int> shown = options.selected(rollout.request.header.frames);
+  const std::filesystem::path path =
+      std::filesystem::path(options.out) / "versus" / rollout.name / "rollout.png";
+  std::filesystem::create_directories(path.parent_path());
+  write_png(path.string(), rollout_picture(rollout, shown.back(), options.size, studio));
+  if (!options.quiet) std::cerr << "a picture in " << path.string() << '\n';
+}
+
 }  // namespace
 
 ExitCode run_rollout(const Options& options, const std::vector<std::string>& engines,
@@ -164,6 +168,9 @@ ExitCode run_rollout(const Options& options, const std::vector<std::string>& eng
   const std::vector<Scenario> scenarios = scenarios_of(options);
   Json json{{"schema", "contactscope.versus/1"}, {"matches", Json::array()}};
   bool all_agree = true;
+  Ledger ledger;
+  std::optional<Studio> studio;
+  if (!options.tables_only) studio.emplace(options.backend, ledger);
   for (const Scenario& scenario : scenarios) {
     const Rollout rollout = rollout_of(scenario, engines, programs, options.time_limit);
     all_agree = all_agree && agree(rollout);
@@ -171,10 +178,12 @@ ExitCode run_rollout(const Options& options, const std::vector<std::string>& eng
     for (std::size_t i = 0; i < rollout.scores.size(); ++i)
       one["engines"].push_back(json_of(rollout.scores[i], rollout.contenders[i]));
     json["matches"].push_back(one);
-    if (options.json) continue;
-    std::cout << rollout.name << '\n';
-    print(table_of(rollout), std::cout);
-    print_notes(rollout, std::cout);
+    if (!options.json) {
+      std::cout << rollout.name << '\n';
+      print(table_of(rollout), std::cout);
+      print_notes(rollout, std::cout);
+    }
+    if (studio) write_picture(rollout, options, *studio);
   }
   if (options.json) std::cout << json.dump() << '\n';
   return all_agree ? ExitCode::Same : ExitCode::Different;
