@@ -63,6 +63,20 @@ struct Shape {
   }
 };
 
+/// How an engine tells impulses, where not as Impulse is defined. A reader turns them into that.
+struct ImpulseConvention {
+  std::string unit = "N s";  // or "N": forces, over a step of `step`
+  std::string on = "b";      // or "a": the body that friction acts on, and a normal part below 0
+  double step = 0;           // seconds; needed of forces
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("unit", &ImpulseConvention::unit).optional(),
+                      field::exact("on", &ImpulseConvention::on).optional(),
+                      field::exact("step", &ImpulseConvention::step).where_set());
+  }
+  friend bool operator==(const ImpulseConvention&, const ImpulseConvention&) = default;
+};
+
 struct Header {
   std::string scenario;  // "hull/face_contact"
   std::string title;
@@ -77,6 +91,7 @@ struct Header {
   std::string
       poses_at{};  // "before_step", "after_step": the moment of the poses, where contacts are
                    // of the step between
+  std::optional<ImpulseConvention> impulses{};
 
   static constexpr auto fields() {
     return std::tuple(field::exact("scenario", &Header::scenario),
@@ -88,7 +103,8 @@ struct Header {
                       field::facts("shapes", &Header::shapes).entries("shape"),
                       field::exact("engine", &Header::engine).where_set(),
                       field::exact("version", &Header::version).where_set(),
-                      field::exact("poses_at", &Header::poses_at).where_set());
+                      field::exact("poses_at", &Header::poses_at).where_set(),
+                      field::fact("impulses", &Header::impulses).apart("convention of impulses"));
   }
 };
 
