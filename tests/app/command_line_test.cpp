@@ -19,11 +19,11 @@ TEST(CommandLine, HelpAndVersionSucceed) {
 
 TEST(CommandLine, UsageErrorsAreTroubleAndPrintNothingOnStandardOutput) {
   for (const char* arguments :
-       {"", "fly", "render", "trace", "trace a b", "render x --size 12", "render x --size 10x10",
-        "render x --frames 5:2", "render x --frames a", "render x --frames 0:4:0",
-        "render x --backend vulkan", "list shapes", "check --update=some", "render x --jobs -1",
-        "trace hull/face_contact --reducer best", "trace hull/face_contact --frames 90:99",
-        "render hull/face_contact --view side"}) {
+       {"", "fly", "--manual", "--manual vi", "render", "trace", "trace a b", "render x --size 12",
+        "render x --size 10x10", "render x --frames 5:2", "render x --frames a",
+        "render x --frames 0:4:0", "render x --backend vulkan", "list shapes",
+        "check --update=some", "render x --jobs -1", "trace hull/face_contact --reducer best",
+        "trace hull/face_contact --frames 90:99", "render hull/face_contact --view side"}) {
     const ProgramRun result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_THAT(result.out, IsEmpty()) << arguments;
