@@ -175,6 +175,9 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.engines, "Engines, as contactscope,bullet; default: all that are found")
         ->allow_extra_args(false)
         ->delimiter(',');
+  if (name == "--rollout")
+    return flag(to.rollout,
+                "Let each engine step a dynamic scene by itself, and judge what became of it");
   if (name == "--time-limit")
     return value_with_default(to.time_limit, "Seconds that an engine's program may take")
         ->check(CLI::Range(0.01, 1e6));

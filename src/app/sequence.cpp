@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "trace/point_names.h"
+
 namespace contactscope::app {
 namespace {
 
@@ -91,6 +93,7 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
     std::optional<trace::Frame> frame = file->next();
     if (!frame) return;  // the file became shorter in the meantime
     frame->shapes.clear();
+    trace::name_points(header.shapes, *frame);
     if (trim) trim(*frame);
     std::swap(frames[i / every], *frame);
     show(i / every);
@@ -105,6 +108,7 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
   Sampler sampler(hold == Hold::Sample ? budget : SIZE_MAX);
   while (std::optional<trace::Frame> frame = file->next()) {
     frame->shapes.clear();  // they are in the header now
+    trace::name_points(file->header().shapes, *frame);
     sequence.numbers.push_back(frame->frame);
     sampler.add(std::move(*frame), file->bytes());
   }

@@ -35,7 +35,8 @@ enum class Hold {
 
 /// A trace as a sequence. Of a long one those frames are held that are as much text as `budget` says, in bytes: the
 /// first, the last, and of each so many between them the one with the deepest overlap, so that no curve loses its
-/// peaks. Torn files are told of. Throws InputError.
+/// peaks. Points of engines that tell no ids get some that are made up from geometry. Torn files are told of. Throws
+/// InputError.
 Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget = 16 << 20);
 
 }  // namespace contactscope::app

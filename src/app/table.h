@@ -18,6 +18,11 @@ void print(const Table& table, std::ostream& out);
 /// As printf does it.
 std::string spelled(const char* format, double value);
 
+/// A length in metres, in millimetres of three digits, without the unit.
+inline std::string millimetres(double length) {
+  return spelled("%.3g", 1000 * length);
+}
+
 /// What a study measured, for people: errors and times of all methods at all parameters. Of curves a
 /// table a panel, at whole decades of the parameter, with the failures behind the errors; of maps only
 /// how many cells have failures, for the files hold the cells.

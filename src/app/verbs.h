@@ -58,6 +58,7 @@ struct Options {
   double fov_degrees = 0;           // 0: the view's
   std::string reducer;
   std::vector<std::string> engines;          // of `versus`; none: all that are found
+  bool rollout = false;                      // they step the scene themselves
   double time_limit = 60;                    // seconds, of an engine's program
   std::optional<std::vector<Layer>> layers;  // of every view, instead of its own
   std::optional<std::vector<Panel>> panels;

@@ -2,21 +2,19 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "app/contenders.h"
 #include "app/lint.h"
 #include "app/progress.h"
+#include "app/rollout.h"
 #include "app/studio.h"
 #include "app/table.h"
-#include "core/input_error.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
-#include "scenario/nearest_word.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
 #include "trace/find.h"
 #include "versus/comparison.h"
-#include "versus/engine.h"
 #include "versus/own.h"
 #include "versus/reference.h"
 #include "versus/request.h"
@@ -27,9 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using versus::Contender;
 using versus::Score;
-
-constexpr const char* kOwn = "contactscope";
-constexpr int kMostNotes = 5;  // lines of an engine's own words
 
 /// What is asked, and what stands beforehand.
 struct Match {
@@ -71,37 +66,6 @@ Match match_of(Input input, const std::vector<std::string>& engines) {
     match.contenders.push_back({kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", std::move(own)});
   }
   return match;
-}
-
-Contender ask(const std::string& name, const std::string& program, const Match& match,
-              double limit) {
-  Contender contender{name, "", "", "", "", {}};
-  versus::Answer answer =
-      versus::run_program(program, {"contacts"}, versus::to_text(match.request), limit);
-  contender.failure = answer.failure;
-  contender.notes = answer.said;
-  try {
-    // Of a program that died, the frames that it got to.
-    if (!answer.failure.empty() && !answer.out.empty())
-      answer.out.erase(answer.out.find_last_of('\n') + 1);
-    if (answer.failure.empty() || !answer.out.empty())
-      contender.trace = parse_trace(answer.out, name + "'s answer");
-    contender.engine = contender.trace.header.engine;
-    contender.version = contender.trace.header.version;
-  } catch (const InputError& error) {
-    if (contender.failure.empty()) contender.failure = error.what();
-  }
-  // What it says of the shapes is not what it was asked about.
-  contender.trace.header.shapes = match.request.header.shapes;
-  const std::size_t asked = match.request.frames.size(), told = contender.trace.frames.size();
-  if (contender.failure.empty() && told < asked)
-    contender.failure =
-        "it answered " + std::to_string(told) + " of " + std::to_string(asked) + " frames";
-  return contender;
-}
-
-std::string millimetres(double length) {
-  return spelled("%.3g", 1000 * length);
 }
 
 Table table_of(const std::vector<Score>& scores) {
@@ -154,10 +118,7 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
     const Contender& contender = *std::ranges::find(match.contenders, score.name, &Contender::name);
-    std::istringstream lines(contender.notes);
-    int left = kMostNotes;
-    for (std::string line; std::getline(lines, line) && left-- > 0;)
-      out << score.name << " says: " << line << '\n';
+    print_words(contender, out);
     if (!score.failure.empty()) out << score.name << ": " << score.failure << '\n';
     for (const lint::Finding& finding : score.findings) out << told(score.name, finding) << '\n';
   }
@@ -239,31 +200,11 @@ void write_pictures(const Match& match, const Options& options, Studio& studio) 
               << '\n';
 }
 
-std::map<std::string, std::string> programs_of(const std::vector<std::string>& engines) {
-  std::map<std::string, std::string> programs;
-  for (const std::string& name : engines) {
-    if (name == kOwn) continue;
-    const std::optional<std::string> program = versus::find_engine(name, versus::own_folders());
-    if (!program) {
-      std::vector<std::string> known = versus::engines_found(versus::own_folders());
-      known.insert(known.begin(), kOwn);
-      const std::vector<std::string_view> views(known.begin(), known.end());
-      throw UsageError("--engines '" + name + "': there is no program contactscope-engine-" + name +
-                       " beside contactscope or in $PATH; found are " + quoted_list(views));
-    }
-    programs[name] = *program;
-  }
-  return programs;
-}
-
 ExitCode run_versus(const Options& options) {
   note_interrupts();
-  std::vector<std::string> engines = options.engines;
-  if (engines.empty()) {
-    engines = versus::engines_found(versus::own_folders());
-    engines.insert(engines.begin(), kOwn);
-  }
+  const std::vector<std::string> engines = engines_asked(options);
   const std::map<std::string, std::string> programs = programs_of(engines);
+  if (options.rollout) return run_rollout(options, engines, programs);
   Ledger ledger;
   std::optional<Studio> studio;
   if (!options.tables_only) studio.emplace(options.backend, ledger);
@@ -274,7 +215,8 @@ ExitCode run_versus(const Options& options) {
     Match match = match_of(std::move(input), engines);
     for (const std::string& name : engines)
       if (programs.contains(name))
-        match.contenders.push_back(ask(name, programs.at(name), match, options.time_limit));
+        match.contenders.push_back(
+            ask(name, programs.at(name), "contacts", match.request, options.time_limit));
     std::vector<Score> scores;
     nlohmann::ordered_json one{{"scenario", match.name},
                                {"engines", nlohmann::ordered_json::array()}};
@@ -304,14 +246,21 @@ Verb versus_verb() {
       "versus",
       "Ask several engines for the contacts of the same shapes, and judge them",
       &run_versus,
-      "SCENARIO... --engines --time-limit --size --table --json --frames --out --backend --jobs",
+      "SCENARIO... --engines --rollout --time-limit --size --table --json --frames --out --backend "
+      "--jobs",
       {{"SCENARIO", "Files, folders or names; or traces, whose own contacts take part"},
-       {"--json", "Print what was found as JSON"}},
+       {"--json", "Print what was found as JSON"},
+       {"--frames", "Frames A:B[:STEP], B inclusive; with --rollout the last of them is drawn"}},
       R"(pairs: judged, each in each frame. missed: they overlap, and no contact is told; invented: they are
 apart, and an overlap is told. depth error: of the deepest point, from the least overlap of the shapes.
 normal costs: how much more overlap there is along the engine's normal than along the best. area: of
 the patch that all points would span. ids kept: from the frame before; with a ~ where the engine
 tells none, by ids made up from geometry. lint: what `contactscope lint` says of the engine's answer.
+With --rollout each engine steps the scene by itself. rest: bodies that stand at the start and should stay;
+fell: how many of them sank by half of their thickness; at s: when the first did. drift: how far the farthest of them
+was from its start, ever. deepest: overlap of any two shapes, by their exact geometry. gained: the most that the
+energy rose above any that it had before. points: that act, a frame. Exit code 1 where an engine does not get to
+the end, or what stands in one falls in another.
 An engine is any program contactscope-engine-NAME, see src/versus/README.md. Exit code 1 where one is
 wrong or does not answer.)"};
 }

@@ -15,8 +15,8 @@
 namespace contactscope {
 namespace {
 
-/// Names of both shapes, the label, and the triangle of a mesh or -1.
-using ManifoldName = std::tuple<std::string, std::string, std::string, int>;
+/// Names of both shapes, the label, the triangle of a mesh or -1, and how many manifolds of these stand before it.
+using ManifoldName = std::tuple<std::string, std::string, std::string, int, int>;
 
 /// The scenario without reduction, each pair of shapes once for each setting but the reducer. What
 /// then stands for several pairs goes by no label of one of them, unless it needs one.
@@ -225,8 +225,11 @@ class Explorations {
     for (int i = 0; i < count_of(frame.pairs); ++i) {
       const trace::Pair& pair = at(frame.pairs, i);
       const std::size_t first = result_.size();
+      std::map<int, int> places;  // of the next manifold of a triangle
       for (const trace::Manifold& manifold : pair.manifolds)
-        if (!manifold.points.empty()) add_manifold(frame, pair, manifold, max_points(i));
+        if (!manifold.points.empty())
+          add_manifold(frame, pair, manifold, places[manifold.triangle.value_or(-1)]++,
+                       max_points(i));
       if (result_.size() == first) continue;
       // The body that is higher up rests on the other one.
       const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
@@ -246,7 +249,7 @@ class Explorations {
   }
 
   void add_manifold(const trace::Frame& frame, const trace::Pair& pair,
-                    const trace::Manifold& manifold, int max_points) {
+                    const trace::Manifold& manifold, int place, int max_points) {
     trace::Exploration exploration{.scenario = scenario_,
                                    .frame = frame.frame,
                                    .a = pair.a,
@@ -262,7 +265,7 @@ class Explorations {
           exploration.bodies_moved,
           surface_move(shape(name), *then, *trace::find_pose(frame, name), manifold.points));
     }
-    const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1));
+    const ManifoldName name(pair.a, pair.b, pair.label, manifold.triangle.value_or(-1), place);
     explorers_.try_emplace(name, names_, max_points)
         .first->second.answer(options_.measure_time, exploration);
     result_.push_back(std::move(exploration));
@@ -290,14 +293,41 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
   return explorations.take();
 }
 
+/// An engine that keeps points from frames before may tell one contact as several manifolds, each with the normal of its
+/// frame (Bullet): those whose normals differ by less than this are reduced together.
+constexpr double kSameNormal = 0.996;  // cosine of 5 degrees
+
+std::vector<trace::Manifold> joined(const std::vector<trace::Manifold>& manifolds) {
+  std::vector<trace::Manifold> all;
+  std::vector<Vec3d> sums;  // of normals, one a point
+  for (const trace::Manifold& manifold : manifolds) {
+    const Vec3d weight = static_cast<double>(manifold.points.size()) * manifold.normal;
+    const auto same = std::ranges::find_if(all, [&](const trace::Manifold& other) {
+      return other.triangle == manifold.triangle && other.normal.dot(manifold.normal) > kSameNormal;
+    });
+    if (same == all.end()) {
+      all.push_back(manifold);
+      sums.push_back(weight);
+      continue;
+    }
+    same->points.insert(same->points.end(), manifold.points.begin(), manifold.points.end());
+    Vec3d& sum = at(sums, static_cast<int>(same - all.begin()));
+    sum += weight;
+    same->normal = sum.normalized();
+  }
+  return all;
+}
+
 template <class S>
 std::vector<trace::Exploration> explore_in(const trace::Trace& trace,
                                            const ExploreOptions& options) {
   Explorations<S> explorations(trace.header, trace.header.scenario, options);
   for (trace::Frame frame : trace.frames) {
-    for (trace::Pair& pair : frame.pairs)
+    for (trace::Pair& pair : frame.pairs) {
+      pair.manifolds = joined(pair.manifolds);
       if (pair.reduction && pair.manifolds.size() == 1)
         pair.manifolds.front().points = pair.reduction->points;
+    }
     explorations.add(frame, [](int) { return ReduceOptions{}.max_points; });
   }
   return explorations.take();

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
 
 #include "core/feature_id.h"
-#include "trace/find.h"
 
 // A clipped point is where two edges cross as seen along the normal: an edge of either shape, or two of
 // the incident face, whose vertex has stayed, or two of the reference face (Catto 2007, "Feature-Based
@@ -19,6 +20,9 @@ using Vec2d = Eigen::Vector2d;
 // A point is on an edge from this part of its outline's size on: engines compute in float, and many
 // round positions of points, or move them by a slop.
 constexpr double kNear = 2e-4;
+// Triangles of a mesh that are searched one by one for the one that is met; in larger meshes that would
+// take longer than to draw them.
+constexpr std::size_t kMostSearched = 20000;
 // A vertex stands out of the plane of a support by this part of the shape's size.
 constexpr double kFlat = 1e-4;
 
@@ -285,27 +289,42 @@ void name_manifold(const Placed& a, const Placed& b, Manifold& manifold) {
   }
 }
 
+bool knows_triangle(const Shape& shape, const Manifold& manifold) {
+  return shape.type != "mesh" || manifold.triangle || shape.faces.size() <= kMostSearched;
+}
+
+/// Also of a pair without points.
 bool has_ids(const Pair& pair) {
-  return std::ranges::any_of(pair.manifolds, [](const Manifold& manifold) {
-    return std::ranges::any_of(manifold.points,
-                               [](const Point& point) { return !point.id.empty(); });
-  });
+  return pair.manifolds.empty() ||
+         std::ranges::any_of(pair.manifolds, [](const Manifold& manifold) {
+           return std::ranges::any_of(manifold.points,
+                                      [](const Point& point) { return !point.id.empty(); });
+         });
 }
 
 }  // namespace
 
 void name_points(const std::vector<Shape>& shapes, Frame& frame) {
+  if (std::ranges::all_of(frame.pairs, has_ids)) return;
+  std::unordered_map<std::string_view, const Shape*> shape_of;
+  for (const Shape& shape : shapes) shape_of.emplace(shape.name, &shape);
+  std::unordered_map<std::string_view, const Pose<double>*> pose_of;
+  for (const Placement& placement : frame.poses)
+    pose_of.emplace(placement.first, &placement.second);
   const auto placed = [&](const std::string& name) -> std::optional<Placed> {
-    const auto shape = std::ranges::find(shapes, name, &Shape::name);
-    const Pose<double>* const pose = find_pose(frame, name);
-    if (shape == shapes.end() || pose == nullptr || shape->type == "sdf") return std::nullopt;
-    return Placed{*shape, *pose};
+    const auto shape = shape_of.find(name);
+    const auto pose = pose_of.find(name);
+    if (shape == shape_of.end() || pose == pose_of.end() || shape->second->type == "sdf")
+      return std::nullopt;
+    return Placed{*shape->second, *pose->second};
   };
   for (Pair& pair : frame.pairs) {
     if (has_ids(pair)) continue;
     const auto a = placed(pair.a), b = placed(pair.b);
     if (!a || !b) continue;
-    for (Manifold& manifold : pair.manifolds) name_manifold(*a, *b, manifold);
+    for (Manifold& manifold : pair.manifolds)
+      if (knows_triangle(a->shape, manifold) && knows_triangle(b->shape, manifold))
+        name_manifold(*a, *b, manifold);
   }
 }
 

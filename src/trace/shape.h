@@ -41,6 +41,10 @@ struct Shape {
   double margin = 0;
   /// That it is a part of, where that has several shapes: the solver's bodies have its mass under this name.
   std::string body{};
+  // Where somebody else is to step the scene; of a contact the friction is the geometric mean of both shapes',
+  // the restitution the larger.
+  std::optional<double> friction{};     // Coulomb's coefficient
+  std::optional<double> restitution{};  // share of the approaching velocity that is given back
 
   /// Undirected edges in the order in which the faces first run along them.
   static void edges_from_faces(Shape& shape);
@@ -59,8 +63,21 @@ struct Shape {
         field::length("radius", &Shape::radius).where_set(),
         field::fact("half_space", &Shape::half_space).says("half-space"),
         field::length("margin", &Shape::margin).where_set(),
-        field::exact("body", &Shape::body).where_set());
+        field::exact("body", &Shape::body).where_set(), field::ratio("friction", &Shape::friction),
+        field::ratio("restitution", &Shape::restitution));
   }
+};
+
+/// What bodies are stepped by, where somebody else is to do it.
+struct World {
+  Vec3d gravity = Vec3d::Zero();  // metres a second, a second
+  double time_step = 0;           // seconds, from frame to frame
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("gravity", &World::gravity),
+                      field::exact("time_step", &World::time_step).says("time step"));
+  }
+  friend bool operator==(const World&, const World&) = default;
 };
 
 struct Header {
@@ -77,6 +94,7 @@ struct Header {
   std::string
       poses_at{};  // "before_step", "after_step": the moment of the poses, where contacts are
                    // of the step between
+  std::optional<World> world{};
 
   static constexpr auto fields() {
     return std::tuple(field::exact("scenario", &Header::scenario),
@@ -88,7 +106,8 @@ struct Header {
                       field::facts("shapes", &Header::shapes).entries("shape"),
                       field::exact("engine", &Header::engine).where_set(),
                       field::exact("version", &Header::version).where_set(),
-                      field::exact("poses_at", &Header::poses_at).where_set());
+                      field::exact("poses_at", &Header::poses_at).where_set(),
+                      field::fact("world", &Header::world).apart("world"));
   }
 };
 

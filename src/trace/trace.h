@@ -23,6 +23,8 @@ struct Body {
   Vec3d angular_velocity = Vec3d::Zero();  // radians a second
   double kinetic_energy = 0;               // joules
   double potential_energy = 0;             // joules, against gravity; 0 at the origin
+  /// Where somebody else is to step it: three rows, about the centre of mass, the shape's axes, kg m^2.
+  std::vector<Vec3d> inertia{};
 
   static constexpr auto fields() {
     return std::tuple(
@@ -31,7 +33,8 @@ struct Body {
         field::velocity("velocity", &Body::velocity),
         field::spin("angular_velocity", &Body::angular_velocity),
         field::energy("kinetic_energy", &Body::kinetic_energy).optional(),
-        field::energy("potential_energy", &Body::potential_energy).optional());
+        field::energy("potential_energy", &Body::potential_energy).optional(),
+        field::exact("inertia", &Body::inertia).where_set());
   }
   friend bool operator==(const Body&, const Body&) = default;
 };

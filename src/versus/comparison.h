@@ -15,6 +15,8 @@ struct Contender {
   std::string failure;          // why there is no trace, or less than was asked; empty: none
   std::string notes{};          // what its program said
   trace::Trace trace{};
+  std::string
+      refusal{};  // it steps nothing, or not this, in its own words; empty: it was not asked, or does
 };
 
 /// How an engine's contacts stand to the truth, over all pairs and frames.

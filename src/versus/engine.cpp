@@ -197,6 +197,7 @@ Answer run_program(const std::string& program, const std::vector<std::string>& a
   }
   if (!stopped.empty()) waitpid(child, &status, 0);
   answer.said = errors;
+  if (stopped.empty() && WIFEXITED(status)) answer.exit_code = WEXITSTATUS(status);
   answer.failure = stopped.empty() ? ending_of(status, errors) : stopped;
   return answer;
 }

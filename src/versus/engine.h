@@ -12,9 +12,13 @@ namespace contactscope::versus {
 /// What a program wrote, or why it is of no use.
 struct Answer {
   std::string out;
-  std::string said;     // on its standard error
-  std::string failure;  // "it was stopped after 10 s"; empty: it ended with exit code 0
+  std::string said;                // on its standard error
+  std::string failure;             // "it was stopped after 10 s"; empty: it ended with exit code 0
+  std::optional<int> exit_code{};  // where it ended by itself
 };
+
+/// The exit code of a program that steps nothing, or not what it was asked to: its last line says why.
+inline constexpr int kNoRollout = 3;
 
 /// Runs a program with these arguments and this standard input. It is killed after `limit_seconds`, and
 /// where it writes more than `limit_bytes`; the rest of its standard error is in the failure. Throws

@@ -20,6 +20,12 @@ double area_of(const trace::Manifold& manifold) {
   return area_of_points(mapped(manifold.points, &trace::Point::position), manifold.normal);
 }
 
+std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b) {
+  if (const std::optional<lint::Separation> best = best_separation(a, b)) return best->distance;
+  const std::optional<lint::OwnContacts> own = lint::own_contacts(a, b);
+  return own ? std::optional(own->separation) : std::nullopt;
+}
+
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame) {
   std::vector<Truth> truths;
   for (const trace::Pair& pair : frame.pairs) {

@@ -23,6 +23,10 @@ struct Truth {
   bool is_apart() const { return separation && *separation > tolerance; }
 };
 
+/// Metres between two shapes, negative: how deep. Of a mesh that nothing touches infinite; empty of shapes of which
+/// nobody knows, as two meshes.
+std::optional<double> separation_of(const lint::Placed& a, const lint::Placed& b);
+
 /// Of each pair of a frame, in its order.
 std::vector<Truth> truths_of(const lint::Solids& solids, const trace::Frame& frame);
 

@@ -86,5 +86,21 @@ TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
   EXPECT_THAT(mapped(sequence.frames, &trace::Frame::frame), ElementsAreArray(held));
 }
 
+TEST(Sequence, PointsWithoutIdsAreGivenSomeWhetherHeldOrReadAgain) {
+  const TemporaryFolder folder;
+  const std::string text = long_trace(100, 33);
+  const std::string path = folder.write("run.jsonl", text);
+  for (const std::size_t budget : {text.size(), text.size() / 10}) {
+    Sequence sequence = read_sequence(path, Hold::Sample, budget);
+    int shown = 0;
+    sequence.each({0, 2, 100}, [&](std::size_t i) {
+      const trace::Pair& pair = sequence.frames[i].pairs.at(0);
+      EXPECT_EQ(pair.manifolds.at(0).points.at(0).id, "a:f0 b:v0");
+      ++shown;
+    });
+    EXPECT_EQ(shown, 3);
+  }
+}
+
 }  // namespace
 }  // namespace contactscope::app

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "image/png.h"
 
 namespace contactscope::test {
 namespace {
@@ -124,6 +125,26 @@ TEST_F(Versus, WritesAPictureAFrameAndATable) {
   EXPECT_THAT(files_below(folder_ / "out"),
               ElementsAre("versus/hull/eight_points_to_four/frame_0000.png",
                           "versus/hull/eight_points_to_four/frame_0004.png"));
+}
+
+/// One breaks off and one steps nothing: a page all the same.
+TEST_F(Versus, ARolloutIsOnePicture) {
+  const std::string trace = folder_.write("run.jsonl", run("trace solver/card_house").out);
+  engine("short", "head -n 9 '" + trace + "'");
+  engine("refuses", "echo not this >&2; exit 3");
+  const ProgramRun result = versus(
+      "solver/card_house --rollout --frames 20 --engines contactscope,short,refuses --size "
+      "900x600");
+  EXPECT_EQ(result.exit_code, 1) << result.err;  // one broke off
+  EXPECT_THAT(result.out, HasSubstr("no rollout"));
+  EXPECT_THAT(files_below(folder_ / "out"), ElementsAre("versus/solver/card_house/rollout.png"));
+  const Image picture = read_png(folder_ / "out/versus/solver/card_house/rollout.png");
+  EXPECT_EQ(picture.width, 900);
+  EXPECT_EQ(picture.height, 600);
+  int blue = 0;  // the line of the first engine
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+    blue += picture.rgb[i] + 100 < picture.rgb[i + 2];
+  EXPECT_GT(blue, 500);
 }
 
 TEST_F(Versus, ScenariosMayStandBehindTheEngines) {

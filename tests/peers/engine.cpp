@@ -1,4 +1,5 @@
-// contactscope-engine-bullet, -ode and -fcl: one of the peers as a program that `contactscope versus` asks.
+// contactscope-engine-bullet, -ode and -fcl: one of the peers as a program that `contactscope versus` asks, for
+// contacts or, with the argument "rollout", to step a scene.
 // src/versus/README.md says what it reads and writes.
 #include <iostream>
 #include <map>
@@ -8,7 +9,9 @@
 #include "lint/claims.h"
 #include "peers/add_point.h"
 #include "peers/peer.h"
+#include "peers/rollout.h"
 #include "trace/json.h"
+#include "versus/engine.h"
 
 namespace contactscope::peers {
 namespace {
@@ -70,9 +73,20 @@ class Program {
 }  // namespace
 }  // namespace contactscope::peers
 
-int main() {
+int main(int count, char** arguments) {
+  using namespace contactscope::peers;
+  const std::string name = CONTACTSCOPE_PEER;
   try {
-    contactscope::peers::Program(CONTACTSCOPE_PEER).answer(std::cin, std::cout);
+    if (count < 2 || std::string(arguments[1]) != "rollout") {
+      Program(name).answer(std::cin, std::cout);
+    } else if (name == "fcl") {
+      throw NotStepped("FCL finds contacts, and steps nothing");
+    } else {
+      roll_out(name == "bullet" ? bullet_rollout() : ode_rollout(), std::cin, std::cout);
+    }
+  } catch (const NotStepped& reason) {
+    std::cerr << reason.what() << '\n';
+    return contactscope::versus::kNoRollout;
   } catch (const contactscope::InputError& error) {
     std::cerr << error.what() << '\n';
     return 2;

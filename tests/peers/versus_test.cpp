@@ -37,6 +37,49 @@ TEST(VersusPeers, Spheres) {
   }
 }
 
+/// What each makes of a stack that all of them let stand; FCL steps nothing.
+TEST(VersusPeers, StepAPyramidAsWeDo) {
+  const ProgramRun result =
+      run("versus --rollout --table --json --engines contactscope,bullet,ode,fcl solver/pyramid");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << result.err;
+  for (const Json& engine : json["matches"][0]["engines"]) {
+    SCOPED_TRACE(engine["name"]);
+    EXPECT_FALSE(engine.contains("failure")) << engine["failure"];
+    if (engine["name"] == "fcl") {
+      EXPECT_THAT(engine["no_rollout"].get<std::string>(), testing::HasSubstr("steps nothing"));
+      continue;
+    }
+    EXPECT_EQ(engine["frames"], 300);
+    EXPECT_EQ(engine["fallen"], 0);
+    EXPECT_LT(engine["drift"]["worst"], 0.02);
+    EXPECT_LT(engine["penetration"]["worst"], 0.02);
+    EXPECT_TRUE(engine["findings"].empty()) << engine["findings"];
+  }
+}
+
+/// Capsules along x, cylinders with axes of their own, balls and boxes: each comes to rest on the plane, where
+/// the energy that is left is that of its height.
+TEST(VersusPeers, EveryShapeFallsAndComesToRest) {
+  const ProgramRun result =
+      run("versus --rollout --table --json --engines contactscope,bullet,ode "
+          "pipeline/many_rigid_bodies");
+  const Json json = Json::parse(result.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << result.err;
+  const Json& engines = json["matches"][0]["engines"];
+  ASSERT_EQ(engines.size(), 3u);
+  for (const Json& engine : engines) {
+    SCOPED_TRACE(engine["name"]);
+    EXPECT_FALSE(engine.contains("failure")) << engine["failure"];
+    // A quarter of a second falls freely, and alike.
+    EXPECT_NEAR(engine["series"]["height"][15], engines[0]["series"]["height"][15], 1e-3);
+    EXPECT_NEAR(engine["series"]["energy"][15], engines[0]["series"]["energy"][15],
+                2e-2 * engines[0]["series"]["energy"][0].get<double>());
+    EXPECT_LT(engine["series"]["energy"].back(), 0.5 * engine["series"]["energy"][0].get<double>());
+  }
+}
+
 #ifdef CONTACTSCOPE_HAS_MUJOCO
 /// Fixed in 3.4: of two boxes it told half of the overlap for years.
 TEST(VersusPeers, HalfOverlapsOfMuJoCoAreNamed) {

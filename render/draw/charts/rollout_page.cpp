@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+
+#include "draw/charts/time_chart.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/palette.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kCaptions = 30;  // heading, and source below
+constexpr double kScene = 26;     // the line under the heading
+constexpr double kChartGap = 22;
+constexpr double kCellGap = 12;
+constexpr double kCellName = 40;  // name and note below a cell
+constexpr double kCellRow = 290;  // a row of cells with their names
+constexpr std::size_t kMostInRow = 5;
+
+/// The same number in each row, but for the last.
+std::size_t columns_of(std::size_t cells) {
+  const std::size_t rows = (cells + kMostInRow - 1) / kMostInRow;
+  return rows == 0 ? 1 : (cells + rows - 1) / rows;
+}
+
+std::size_t rows_of(std::size_t cells) {
+  return (cells + columns_of(cells) - 1) / columns_of(cells);
+}
+
+}  // namespace
+
+int rollout_page_height(std::size_t cells) {
+  const std::size_t rows = std::max<std::size_t>(1, rows_of(cells));
+  return 720 + static_cast<int>(rows - 1) * static_cast<int>(kCellRow);
+}
+
+RolloutPage rollout_page(const std::string& result, const std::string& title,
+                         const std::string& source, const std::string& moment,
+                         const std::vector<TimeChart>& charts,
+                         const std::vector<RolloutCell>& cells, int width, int height) {
+  // Wide as usual, and higher where there are more rows: text is as large as on one that is not.
+  Layout layout = make_layout(width, height, false, {});
+  layout.scale = std::min(layout.scale, interface_scale(width, width * 9 / 16));
+  RolloutPage page{{.width = width, .height = height}, {}};
+  draw_captions(result, source, moment, layout, page.drawing);
+  const Pen pen(page.drawing, layout.scale, kPlotText);
+  const double left = layout.legend.x, whole = layout.legend.width;
+  const double top = left + pen.px(kCaptions);
+  pen.text(fitted(title, pen.px(16), Weight::Regular, static_cast<float>(whole)),
+           pixel(left, top + pen.px(15)), Align::Left, kQuietText, Weight::Regular, 16);
+  const double begin = top + pen.px(kScene), end = height - left - pen.px(kCaptions);
+  const auto rows = static_cast<double>(std::max<std::size_t>(1, rows_of(cells.size())));
+  const double cells_begin = end - rows * pen.px(kCellRow);
+  const auto count = static_cast<double>(charts.size());
+  const double chart_width = (whole - (count - 1) * pen.px(kChartGap)) / count;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    draw_time_chart(charts[i],
+                    {left + static_cast<double>(i) * (chart_width + pen.px(kChartGap)), begin,
+                     chart_width, cells_begin - pen.px(kCellGap) - begin},
+                    pen);
+  const std::size_t columns = columns_of(cells.size());
+  const double cell_width = std::min(
+      (whole - static_cast<double>(columns - 1) * pen.px(kCellGap)) / static_cast<double>(columns),
+      1.6 * pen.px(kCellRow));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+    const Rect cell{std::round(left + column * (cell_width + pen.px(kCellGap))),
+                    std::round(cells_begin + row * pen.px(kCellRow)), std::floor(cell_width),
+                    std::floor(pen.px(kCellRow - kCellName))};
+    page.cells.push_back(cell);
+    const auto x = static_cast<float>(cell.x), y = static_cast<float>(cell.bottom());
+    const float room = static_cast<float>(cell.width);
+    const MethodStyle style = method_style(cells[i].style);
+    pen.text(cells[i].name, {x, y + pen.px(17)}, Align::Left, style.text, Weight::Bold);
+    const float used = pen.width_of(cells[i].name + "  ", Weight::Bold);
+    pen.text(fitted(cells[i].note, pen.px(kPlotText), Weight::Regular, room - used),
+             {x + used, y + pen.px(17)}, Align::Left, kText);
+  }
+  return page;
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,234 @@
+#include "versus/rollout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/at.h"
+#include "trace/find.h"
+#include "versus/reference.h"
+
+namespace contactscope::versus {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A shape in a frame, with the box around it.
+struct Boxed {
+  std::string name;
+  bool is_body = false;
+  lint::Placed placed{};
+  Vec3d lower = Vec3d::Zero(), upper = Vec3d::Zero();
+
+  bool meets(const Boxed& other) const {
+    return (lower.array() <= other.upper.array()).all() &&
+           (other.lower.array() <= upper.array()).all();
+  }
+};
+
+Boxed boxed(const std::string& name, bool is_body, const lint::Placed& placed) {
+  Boxed made{name, is_body, placed};
+  for (int axis = 0; axis < 3; ++axis) {
+    made.lower[axis] = -placed.extent(-Vec3d::Unit(axis));
+    made.upper[axis] = placed.extent(Vec3d::Unit(axis));
+  }
+  return made;
+}
+
+struct Motion {
+  Vec3d velocity = Vec3d::Zero(), angular_velocity = Vec3d::Zero();
+};
+
+/// The constant velocities from one place to the next, of the centre of mass.
+Motion between(const RolloutBody& body, const Pose<double>& from, const Pose<double>& to,
+               double seconds) {
+  Motion motion;
+  if (!(seconds > 0)) return motion;
+  motion.velocity = (to.transform(body.center) - from.transform(body.center)) / seconds;
+  Quatd turn = to.rotation * from.rotation.conjugate();
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  const Eigen::AngleAxisd about(turn.normalized());
+  motion.angular_velocity = about.angle() / seconds * about.axis();
+  return motion;
+}
+
+double kinetic_energy(const RolloutBody& body, const Pose<double>& pose, const Motion& motion) {
+  const Vec3d spin = pose.inverse_rotate(motion.angular_velocity);
+  return 0.5 * body.mass * motion.velocity.squaredNorm() + 0.5 * spin.dot(body.inertia * spin);
+}
+
+/// Points that hold something up: those that act, and have an impulse where impulses are told.
+int acting_points(const trace::Frame& frame) {
+  int acting = 0, with_impulse = 0, pushing = 0;
+  for (const trace::Pair& pair : frame.pairs)
+    for (const trace::Manifold& manifold : pair.manifolds)
+      for (const trace::Point& point : manifold.points) {
+        acting += point.active;
+        with_impulse += point.impulse.has_value();
+        pushing += point.active && point.impulse && point.impulse->normal > 0;
+      }
+  return with_impulse > 0 ? pushing : acting;
+}
+
+class Judge {
+ public:
+  Judge(const trace::Trace& request, const Contender& contender)
+      : request_(request), contender_(contender), bodies_(rollout_bodies(request)) {
+    score_.name = contender.name;
+    score_.failure = contender.failure;
+    score_.resting = static_cast<int>(std::ranges::count(bodies_, true, &RolloutBody::rests));
+    for (const trace::Shape& shape : request.header.shapes) solids_.add(shape);
+    if (request.header.world) gravity_ = request.header.world->gravity;
+    up_ = request.header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
+    if (!gravity_.isZero(0)) up_ = -gravity_.normalized();
+  }
+
+  RolloutScore score() {
+    std::vector<trace::Frame> told = contender_.trace.frames;
+    score_.tells_velocities =
+        std::ranges::all_of(told,
+                            [&](const trace::Frame& frame) { return tells_velocities(frame); }) &&
+        !told.empty();
+    std::size_t judged = 0;
+    for (trace::Frame& frame : told) {
+      if (!complete(frame)) break;
+      see(frame);
+      before_ = frame;
+      ++judged;
+    }
+    told.resize(judged);
+    if (judged > 0) score_.points /= static_cast<double>(judged);
+    trace::Trace whole{contender_.trace.header, std::move(told)};
+    if (judged > 0) score_.findings = lint::lint(whole);
+    return score_;
+  }
+
+ private:
+  bool tells_velocities(const trace::Frame& frame) const {
+    return frame.solver && std::ranges::all_of(bodies_, [&](const RolloutBody& body) {
+             return std::ranges::count(frame.solver->bodies, body.name, &trace::Body::name) > 0;
+           });
+  }
+
+  /// Gives a frame the poses that the request has; false where the rest of the rollout is worth nothing.
+  bool complete(trace::Frame& frame) {
+    const auto asked = std::ranges::find(request_.frames, frame.frame, &trace::Frame::frame);
+    const auto lost = [&](const std::string& what) {
+      if (score_.failure.empty())
+        score_.failure = "frame " + std::to_string(frame.frame) + " " + what;
+      return false;
+    };
+    if (asked == request_.frames.end()) return lost("was not asked for");
+    frame.time = asked->time;
+    for (const auto& [name, pose] : asked->poses) latest_[name] = pose;
+    for (const RolloutBody& body : bodies_) {
+      const Pose<double>* const pose = trace::find_pose(frame, body.name);
+      if (pose == nullptr) return lost("has no pose of '" + body.name + "'");
+      if (!pose->position.allFinite() || !pose->rotation.coeffs().allFinite() ||
+          !(pose->position.cwiseAbs().maxCoeff() < kFarAway))
+        return lost("has '" + body.name + "' nowhere");
+    }
+    // Scripted shapes are where they were asked to be, whatever the engine says.
+    std::erase_if(frame.poses, [&](const trace::Placement& one) {
+      return std::ranges::count(bodies_, one.first, &RolloutBody::name) == 0;
+    });
+    for (const auto& [name, pose] : latest_)
+      if (trace::find_pose(frame, name) == nullptr) frame.poses.emplace_back(name, pose);
+    return true;
+  }
+
+  void see(const trace::Frame& frame) {
+    score_.time.push_back(frame.time);
+    double height = -kInfinity, energy = 0, drift = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const RolloutBody& body = bodies_[i];
+      const Pose<double>& pose = *trace::find_pose(frame, body.name);
+      const Vec3d center = pose.transform(body.center);
+      height = std::max(height, center.dot(up_));
+      energy += kinetic_energy(body, pose, motion_of(body, pose, frame)) -
+                body.mass * gravity_.dot(center);
+      if (!body.rests) continue;
+      const Vec3d moved = center - body.start.transform(body.center);
+      drift = std::max(drift, moved.norm());
+      if (moved.norm() > score_.worst_drift) {
+        score_.worst_drift = moved.norm();
+        score_.drifted = body.name;
+      }
+      if (-moved.dot(up_) > body.thickness / 2 && !fallen_[body.name]) {
+        fallen_[body.name] = true;
+        ++score_.fallen;
+        if (!score_.fell_at) score_.fell_at = frame.time, score_.first_fallen = body.name;
+      }
+    }
+    score_.height.push_back(height);
+    score_.energy.push_back(energy);
+    score_.drift.push_back(drift);
+    least_energy_ = std::min(least_energy_, energy);
+    score_.energy_gained = std::max(score_.energy_gained, energy - least_energy_);
+    score_.points += acting_points(frame);
+    score_.penetration.push_back(penetration_of(frame));
+  }
+
+  Motion motion_of(const RolloutBody& body, const Pose<double>& pose,
+                   const trace::Frame& frame) const {
+    if (score_.tells_velocities) {
+      const trace::Body& told =
+          *std::ranges::find(frame.solver->bodies, body.name, &trace::Body::name);
+      return {told.velocity, told.angular_velocity};
+    }
+    if (!before_ || frame.frame == request_.frames.front().frame)
+      return {body.velocity, body.angular_velocity};
+    return between(body, *trace::find_pose(*before_, body.name), pose, frame.time - before_->time);
+  }
+
+  double penetration_of(const trace::Frame& frame) {
+    std::vector<Boxed> shapes;
+    for (const trace::Placement& one : frame.poses) {
+      const bool is_body = std::ranges::count(bodies_, one.first, &RolloutBody::name) > 0;
+      if (const auto placed = lint::place(solids_, &frame, one.first, {}))
+        shapes.push_back(boxed(one.first, is_body, *placed));
+    }
+    double deepest = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      for (std::size_t k = i + 1; k < shapes.size(); ++k) {
+        const Boxed &a = shapes[i], &b = shapes[k];
+        if ((!a.is_body && !b.is_body) || !a.meets(b)) continue;
+        const std::optional<double> separation = separation_of(a.placed, b.placed);
+        if (!separation && score_.unknown.empty()) score_.unknown = a.name + "-" + b.name;
+        const double depth = -separation.value_or(0);
+        deepest = std::max(deepest, depth);
+        if (depth <= score_.worst_penetration) continue;
+        score_.worst_penetration = depth;
+        score_.worst_place = "frame " + std::to_string(frame.frame) + ", " + a.name + "-" + b.name;
+      }
+    return deepest;
+  }
+
+  static constexpr double kFarAway = 1e9;  // metres
+
+  const trace::Trace& request_;
+  const Contender& contender_;
+  std::vector<RolloutBody> bodies_;
+  lint::Solids solids_;
+  Vec3d gravity_ = Vec3d::Zero(), up_ = Vec3d::UnitY();
+  std::map<std::string, Pose<double>> latest_;  // of shapes that the request has told
+  std::map<std::string, bool> fallen_;
+  std::optional<trace::Frame> before_;
+  double least_energy_ = kInfinity;
+  RolloutScore score_;
+};
+
+}  // namespace
+
+RolloutScore judge_rollout(const trace::Trace& request, const Contender& contender) {
+  if (!contender.refusal.empty()) {
+    RolloutScore score;
+    score.name = contender.name;
+    score.refusal = contender.refusal;
+    return score;
+  }
+  return Judge(request, contender).score();
+}
+
+}  // namespace contactscope::versus

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <set>
+
+#include "core/at.h"
+#include "trace/find.h"
+#include "versus/reference.h"
+#include "versus/rollout.h"
+
+namespace contactscope::versus {
+namespace {
+
+constexpr double kNear = 0.01;   // of the smaller shape: a gap that the first steps close
+constexpr double kUpward = 0.1;  // cosine: a wall beside a body bears nothing
+constexpr double kStill = 1e-6;  // m/s and rad/s
+
+/// Whether `below` bears a body, by how they stand to each other.
+bool bears(const lint::Placed& below, const lint::Placed& body, const Vec3d& up) {
+  const double near = kNear * std::min(below.size(), body.size());
+  if (const std::optional<lint::Separation> best = best_separation(below, body))
+    return best->distance < near && best->normal.dot(up) > kUpward;
+  // Which way a mesh looks is not asked; one that is a little higher would be touched.
+  lint::Placed lowered = body;
+  lowered.pose.position -= near * up;
+  const std::optional<double> separation = separation_of(below, lowered);
+  return separation && *separation < 0;
+}
+
+}  // namespace
+
+std::vector<RolloutBody> rollout_bodies(const trace::Trace& request) {
+  std::vector<RolloutBody> bodies;
+  const trace::Frame& start = request.frames.front();
+  if (!start.solver || !request.header.world) return bodies;
+  lint::Solids solids;
+  for (const trace::Shape& shape : request.header.shapes) solids.add(shape);
+  for (const trace::Body& told : start.solver->bodies) {
+    const std::optional<lint::Placed> placed = lint::place(solids, &start, told.name, {});
+    if (!placed) continue;
+    RolloutBody& body = bodies.emplace_back();
+    body.name = told.name;
+    body.mass = told.mass;
+    body.start = placed->pose;
+    body.center = placed->pose.inverse_transform(told.center_of_mass);
+    body.velocity = told.velocity;
+    body.angular_velocity = told.angular_velocity;
+    body.inertia.setZero();
+    for (int row = 0; row < std::min(3, count_of(told.inertia)); ++row)
+      body.inertia.row(row) = at(told.inertia, row).transpose();
+    body.thickness = (placed->solid->upper() - placed->solid->lower()).minCoeff();
+  }
+  const Vec3d& gravity = request.header.world->gravity;
+  if (gravity.isZero(0)) return bodies;
+  const Vec3d up = -gravity.normalized();
+  std::vector<std::string> bearing;  // they stand, and what is on them is still to be looked for
+  for (const trace::Shape& shape : request.header.shapes)
+    if (std::ranges::count(bodies, shape.name, &RolloutBody::name) == 0)
+      bearing.push_back(shape.name);
+  for (std::size_t next = 0; next < bearing.size(); ++next) {
+    const std::optional<lint::Placed> below = lint::place(solids, &start, bearing[next], {});
+    if (!below) continue;
+    for (RolloutBody& body : bodies) {
+      if (body.rests || body.velocity.norm() > kStill || body.angular_velocity.norm() > kStill)
+        continue;
+      body.rests = bears(*below, *lint::place(solids, &start, body.name, {}), up);
+      if (body.rests) bearing.push_back(body.name);
+    }
+  }
+  return bodies;
+}
+
+}  // namespace contactscope::versus
