@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/manual.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "core/input_error.h"
@@ -199,7 +200,20 @@ void add_argument(CLI::App& app, const Verb& verb, std::string word, Command& co
   if (is_one) option->expected(1);
 }
 
+/// Where scenario names are looked up: where the program was installed with some, they stand in for a folder
+/// that is not here.
+std::string scenario_root(const std::string& named) {
+  namespace fs = std::filesystem;
+  if (named != Options{}.scenario_root || fs::exists(named)) return named;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "scenarios";
+  return fs::is_directory(installed, unknown) ? installed.string() : named;
+}
+
 void finish(Command& command) {
+  command.scenario_root = scenario_root(command.scenario_root);
   if (!command.size_text.empty()) command.size = parse_size(command.size_text);
   if (!command.frames_text.empty()) command.frames = parse_frame_range(command.frames_text);
   command.layers = parse_words<Layer>("--layers", command.layer_names, kLayerNames);
@@ -218,6 +232,20 @@ void choose_backend(Command& command) {
   }
 }
 
+/// What a verb takes, as its help has it.
+ManualVerb manual_of(const Verb& verb, const CLI::App& parsed) {
+  ManualVerb manual{verb.name, verb.summary, {}, verb.footer};
+  for (const CLI::Option* option : parsed.get_options()) {
+    if (option == parsed.get_help_ptr()) continue;
+    const bool is_option = !option->get_lnames().empty();
+    manual.arguments.push_back(
+        {is_option ? "--" + option->get_lnames().front() : option->get_name(),
+         option->get_description(), option->get_default_str(), option->get_expected_max() > 0,
+         !option->get_required(), option->get_expected_max() > 1});
+  }
+  return manual;
+}
+
 /// What was printed must have arrived, help and version too.
 void flush_output() {
   std::cout.flush();
@@ -229,12 +257,22 @@ int run(int argc, char** argv) {
                    "contactscope");
   program.require_subcommand(1);
   program.set_version_flag("--version", std::string("contactscope ") + CONTACTSCOPE_VERSION);
+  program.footer(
+      "contactscope --manual man, bash, zsh or fish prints the man page, or what a shell "
+      "completes.");
   Command command;
+  std::vector<ManualVerb> manuals;
   for (const Verb& verb : verbs()) {
     CLI::App& subcommand = *program.add_subcommand(verb.name, verb.summary);
     subcommand.footer(verb.footer);
     for (const std::string& word : arguments_of(verb))
       add_argument(subcommand, verb, word, command);
+    manuals.push_back(manual_of(verb, subcommand));
+  }
+  if (argc > 1 && argv[1] == std::string_view("--manual")) {
+    std::cout << manual(argc > 2 ? argv[2] : "", CONTACTSCOPE_VERSION, manuals);
+    flush_output();
+    return static_cast<int>(ExitCode::Same);
   }
 
   check_usage({argv + std::min(argc, 1), argv + argc});

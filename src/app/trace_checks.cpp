@@ -132,6 +132,15 @@ TraceChecks::TraceChecks(trace::Header& header) : header_(header) {
   require(header.poses_at.empty() || header.poses_at == "before_step" ||
               header.poses_at == "after_step",
           "'poses_at' is '" + header.poses_at + "'; it may be 'before_step' or 'after_step'");
+  if (const std::optional<trace::ImpulseConvention>& impulses = header.impulses) {
+    require(impulses->unit == "N s" || impulses->unit == "N",
+            "'impulses.unit' is '" + impulses->unit + "'; it may be 'N s', or 'N' of forces");
+    require(impulses->on == "b" || impulses->on == "a",
+            "'impulses.on' is '" + impulses->on + "'; it may be 'a' or 'b'");
+    require(impulses->unit == "N s" || (impulses->step > 0 && std::isfinite(impulses->step)),
+            "'impulses.unit' is 'N', and 'impulses.step' is missing: forces need the seconds of a "
+            "step, such as 0.0166667");
+  }
   require(header.up == "y" || header.up == "z",
           "'up' is '" + header.up + "'; it may be 'y' or 'z'");
   std::vector<trace::Shape> shapes = std::move(header.shapes);

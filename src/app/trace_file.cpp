@@ -83,6 +83,7 @@ void TraceFile::begin() {
   header_ = reader_->header();
   try {
     checks_.emplace(header_);
+    header_.impulses.reset();
   } catch (const TraceChecks::Wrong& wrong) {
     throw InputError(name_, reader_->line(), 1, wrong.text);
   }
@@ -95,6 +96,7 @@ std::optional<trace::Frame> TraceFile::next() {
     if (frame) {
       ++frames_;
       if (!is_known_) checks_->frame(*frame);
+      if (reader_->header().impulses) convert_impulses(*reader_->header().impulses, *frame);
     } else if (frames_ == 0) {
       throw TraceChecks::Wrong{"the header is all there is; each frame is a line after it"};
     } else if (!is_known_) {

@@ -31,8 +31,8 @@ class TraceFile {
 
   /// As messages name it.
   const std::string& name() const { return name_; }
-  /// With faces for hulls that were written without, and with the shapes that frames brought up to here. `frames` is 0
-  /// until the last one was read where the file does not say.
+  /// With faces for hulls that were written without, and with the shapes that frames brought up to here. Without
+  /// `impulses`: frames have them in newton seconds on b, however the file does. `frames` is 0 until the last one was read where the file does not say.
   const trace::Header& header() const { return header_; }
 
   /// Empty after the last one; there is at least one.

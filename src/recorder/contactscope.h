@@ -21,7 +21,8 @@
  * Then: contactscope render run.jsonl; contactscope doctor run.jsonl says what does not fit together.
  *
  * Lengths in metres, world space; quaternions are w, x, y, z and unit; a normal is unit and points from a to b;
- * a separation is negative where the shapes overlap; impulses are newton seconds on b.
+ * a separation is negative where the shapes overlap; impulses are newton seconds on b, unless the settings say
+ * otherwise.
  *
  * Every function takes a recorder of NULL, which records nothing: it costs a comparison. cs_pose, cs_manifold
  * and cs_body may be called by several threads at once; the file does not depend on their order. Each frame
@@ -61,6 +62,8 @@ typedef struct cs_settings {
   int doubles; /* 1: numbers with 17 digits, of an engine that computes in double; 0: with 9, of one in float */
   int z_up; /* 1: z points up; 0: y does */
   int poses_at; /* the moment of the poses: 0 that of the contacts, 1 before the step that made them, 2 after */
+  double force_step; /* above 0: what points have for impulses are forces, in newtons, over a step of so many seconds */
+  int friction_on_a; /* 1: their friction acts on a, not on b */
 } cs_settings;
 
 /* Set all to 0 first: cs_point p = {0}; or memset. */
@@ -620,6 +623,15 @@ cs_recorder* cs_start(const char* path, const char* scenario, const char* engine
   if (r->settings.poses_at == 1 || r->settings.poses_at == 2) {
     cs__put(r, &r->head, ",\"poses_at\":");
     cs__quoted(r, &r->head, kMoments[r->settings.poses_at]);
+  }
+  if (r->settings.force_step > 0 || r->settings.friction_on_a) {
+    char step[48];
+    sprintf(step, ",\"step\":%.17g", r->settings.force_step);
+    cs__put(r, &r->head, ",\"impulses\":{\"unit\":");
+    cs__put(r, &r->head, r->settings.force_step > 0 ? "\"N\"" : "\"N s\"");
+    cs__put(r, &r->head, r->settings.friction_on_a ? ",\"on\":\"a\"" : ",\"on\":\"b\"");
+    if (r->settings.force_step > 0) cs__put(r, &r->head, step);
+    cs__put(r, &r->head, "}");
   }
   return r;
 }

@@ -107,6 +107,22 @@ void complete(const Kinds& kinds, Frame& frame) {
   }
 }
 
+void convert_impulses(const ImpulseConvention& from, Frame& frame) {
+  const double time = from.unit == "N" ? from.step : 1;
+  const bool on_a = from.on == "a";
+  for (Pair& pair : frame.pairs)
+    for (Manifold& manifold : pair.manifolds)
+      for (Point& point : manifold.points) {
+        if (!point.impulse) continue;
+        Impulse& impulse = *point.impulse;
+        // Most engines tell how hard the point pushes, whichever body they have in mind.
+        const double side = on_a && impulse.normal < 0 ? -1 : 1;
+        impulse.normal *= side * time;
+        impulse.warm_start *= side * time;
+        impulse.friction *= on_a ? -time : time;
+      }
+}
+
 Totals totals_of(const Frame& frame) {
   Totals totals;
   for (const Pair& pair : frame.pairs) {

@@ -68,6 +68,20 @@ struct Shape {
   }
 };
 
+/// How an engine tells impulses, where not as Impulse is defined. A reader turns them into that.
+struct ImpulseConvention {
+  std::string unit = "N s";  // or "N": forces, over a step of `step`
+  std::string on = "b";      // or "a": the body that friction acts on, and a normal part below 0
+  double step = 0;           // seconds; needed of forces
+
+  static constexpr auto fields() {
+    return std::tuple(field::exact("unit", &ImpulseConvention::unit).optional(),
+                      field::exact("on", &ImpulseConvention::on).optional(),
+                      field::exact("step", &ImpulseConvention::step).where_set());
+  }
+  friend bool operator==(const ImpulseConvention&, const ImpulseConvention&) = default;
+};
+
 /// What bodies are stepped by, where somebody else is to do it.
 struct World {
   Vec3d gravity = Vec3d::Zero();  // metres a second, a second
@@ -94,6 +108,7 @@ struct Header {
   std::string
       poses_at{};  // "before_step", "after_step": the moment of the poses, where contacts are
                    // of the step between
+  std::optional<ImpulseConvention> impulses{};
   std::optional<World> world{};
 
   static constexpr auto fields() {
@@ -107,6 +122,7 @@ struct Header {
                       field::exact("engine", &Header::engine).where_set(),
                       field::exact("version", &Header::version).where_set(),
                       field::exact("poses_at", &Header::poses_at).where_set(),
+                      field::fact("impulses", &Header::impulses).apart("convention of impulses"),
                       field::fact("world", &Header::world).apart("world"));
   }
 };

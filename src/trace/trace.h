@@ -244,6 +244,9 @@ struct Frame {
   }
 };
 
+/// Turns impulses that are told in another way into newton seconds on b.
+void convert_impulses(const ImpulseConvention& from, Frame& frame);
+
 /// Of what else the frame holds.
 Totals totals_of(const Frame& frame);
 

@@ -105,6 +105,9 @@ TEST(OtherEngines, FacesAreMadeOfConvexShapesAlone) {
   const std::string moment =
       folder.write("moment.jsonl", replaced(sample, "\"engine\":\"mine\"", "\"poses_at\":\"now\""));
   EXPECT_THAT(run("doctor '" + moment + "'").err, HasSubstr("'before_step' or 'after_step'"));
+  const std::string forces = folder.write(
+      "forces.jsonl", replaced(sample, "\"engine\":\"mine\"", "\"impulses\":{\"unit\":\"N\"}"));
+  EXPECT_THAT(run("doctor '" + forces + "'").err, HasSubstr("'impulses.step' is missing"));
 }
 
 /// Slips of a writer that nothing else would tell.

@@ -86,6 +86,22 @@ TEST(Sequence, OfALongTraceSomeFramesStandForTheOthers) {
   EXPECT_THAT(mapped(sequence.frames, &trace::Frame::frame), ElementsAreArray(held));
 }
 
+/// Forces on a, over a hundredth of a second; and impulses on b, as they are written otherwise.
+TEST(Sequence, ImpulsesAreNewtonSecondsOnBHoweverTheyAreTold) {
+  const TemporaryFolder folder;
+  std::string text = long_trace(1, 0);
+  const std::string point = "\"separation\":-0.1,";
+  text.insert(text.rfind(point) + point.size(),
+              "\"impulse\":{\"normal\":-200,\"friction\":[10,0,-20],\"warm_start\":-50},");
+  const std::string shapes = "\"shapes\"";
+  text.insert(text.find(shapes), "\"impulses\":{\"unit\":\"N\",\"on\":\"a\",\"step\":0.01},");
+  const Sequence sequence = read_sequence(folder.write("run.jsonl", text), Hold::Whole);
+  const trace::Impulse told =
+      sequence.frames.at(0).pairs.at(0).manifolds.at(0).points.at(0).impulse.value();
+  EXPECT_EQ(told, (trace::Impulse{2, {-0.1, 0, 0.2}, 0.5}));
+  EXPECT_FALSE(sequence.header.impulses);  // what is written of it again says nothing else
+}
+
 TEST(Sequence, PointsWithoutIdsAreGivenSomeWhetherHeldOrReadAgain) {
   const TemporaryFolder folder;
   const std::string text = long_trace(100, 33);

@@ -23,7 +23,7 @@ constexpr Folder kOrder[] = {
     {"reduce", "src"},      {"manifold", "src"}, {"lint", "src"},       {"versus", "src"},
     {"dynamics", "src"},    {"scenario", "src"}, {"study", "src"},      {"image", "render"},
     {"draw", "render"},     {"gl", "render"},    {"overlay", "render"}, {"vector", "render"},
-    {"snapshot", "render"}, {"app", "src"},      {"adapters", "src"},
+    {"snapshot", "render"}, {"app", "src"},      {"package", "src"},    {"adapters", "src"},
 };
 
 /// The floors of render/draw, each with those that it may use. What lies on none is the top.

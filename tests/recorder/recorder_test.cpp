@@ -60,6 +60,8 @@ cs_point point_at(double x, double y, double z, double separation) {
 TEST_F(Recording, OfAStepReadsBack) {
   cs_settings settings{};
   settings.poses_at = 2;
+  settings.force_step = 0.01;
+  settings.friction_on_a = 1;
   cs_recorder* r = start(settings);
   ASSERT_NE(r, nullptr);
   const int floor = cs_plane(r, "floor", kUp, 0.25), crate = cs_box(r, "crate", 0.5, 1, 2);
@@ -89,6 +91,7 @@ TEST_F(Recording, OfAStepReadsBack) {
   EXPECT_EQ(trace.header.engine, "Mine");
   EXPECT_EQ(trace.header.version, "1.2");
   EXPECT_EQ(trace.header.poses_at, "after_step");
+  EXPECT_EQ(trace.header.impulses, (trace::ImpulseConvention{"N", "a", 0.01}));
   EXPECT_EQ(trace.header.scalar, "float");
   EXPECT_EQ(trace.header.up, "y");
   ASSERT_EQ(trace.header.shapes.size(), 3u);

@@ -47,6 +47,7 @@ Header sample_header() {
   header.engine = "Another";
   header.version = "3.14";
   header.poses_at = "after_step";
+  header.impulses = ImpulseConvention{"N", "a", 0.02};
   return header;
 }
 

@@ -1,0 +1,126 @@
+#include "package/contactscope/collide.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/at.h"
+#include "manifold/dispatch.h"
+#include "package/facts.h"
+
+namespace contactscope::package {
+namespace {
+
+constexpr PenetrationMethod kPenetrations[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
+                                               PenetrationMethod::Mpr, PenetrationMethod::Sampling};
+
+PenetrationMethod penetration_named(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const PenetrationMethod method : kPenetrations) {
+    known.emplace_back(contactscope::to_string(method));
+    if (known.back() == name) return method;
+  }
+  refuse("penetration method", name, known);
+}
+
+contactscope::CollideOptions inside(const CollideOptions& options) {
+  if (options.max_points < 1) throw std::invalid_argument("max_points is less than 1");
+  if (!(options.margin >= 0) || !std::isfinite(options.margin))
+    throw std::invalid_argument("the margin is negative or not finite; give metres, or 0");
+  if (options.name_a.empty() || options.name_b.empty() || options.name_a == options.name_b)
+    throw std::invalid_argument("name_a and name_b are to be two names");
+  contactscope::CollideOptions all;
+  all.margin = options.margin;
+  all.penetration = penetration_named(options.penetration);
+  all.reducer = find_reducer(options.reducer);
+  if (all.reducer == nullptr && options.reducer != "none")
+    refuse("reducer", options.reducer,
+           mapped(contactscope::reducers(),
+                  [](const ReducerInfo& info) { return std::string_view(info.name); }));
+  all.reduction.max_points = options.max_points;
+  return all;
+}
+
+template <class S>
+Manifold outside(const contactscope::Manifold<S>& manifold) {
+  Manifold told;
+  told.normal = to_outside(manifold.normal.template cast<double>());
+  told.axis = contactscope::to_string(manifold.axis);
+  told.type = contactscope::to_string(manifold.type);
+  told.triangle = manifold.triangle;
+  for (const contactscope::ContactPoint<S>& point : manifold.points)
+    told.points.push_back({to_outside(point.position.template cast<double>()),
+                           static_cast<double>(point.separation),
+                           contactscope::to_string(point.id)});
+  return told;
+}
+
+bool is_placed(const contactscope::Pose<double>& pose) {
+  return pose.position.allFinite() && pose.rotation.coeffs().allFinite() &&
+         pose.rotation.norm() > 0;
+}
+
+contactscope::trace::Trace one_frame(const CollideOptions& options, const Collider& a,
+                                     const contactscope::Pose<double>& pose_a, const Collider& b,
+                                     const contactscope::Pose<double>& pose_b,
+                                     contactscope::trace::Pair pair) {
+  contactscope::trace::Trace trace;
+  contactscope::trace::Header& header = trace.header;
+  header.scenario = TraceInfo{}.scenario;
+  header.scalar = name_of(options.scalar);
+  header.up = "y";
+  header.frames = 1;
+  header.shapes = {traced(options.name_a, a, options.scalar),
+                   traced(options.name_b, b, options.scalar)};
+  contactscope::trace::Frame& frame = trace.frames.emplace_back();
+  frame.poses = {{options.name_a, pose_a}, {options.name_b, pose_b}};
+  frame.pairs.push_back(std::move(pair));
+  return trace;
+}
+
+template <class S>
+Contacts collide_in(const Collider& a, const contactscope::Pose<double>& pose_a, const Collider& b,
+                    const contactscope::Pose<double>& pose_b, const CollideOptions& options) {
+  const contactscope::Pose<S> rounded_a = pose_a.cast<S>(), rounded_b = pose_b.cast<S>();
+  contactscope::trace::Pair pair;
+  pair.a = options.name_a;
+  pair.b = options.name_b;
+  Manifolds<S> manifolds;
+  contactscope::collide<S>(shape_in<S>(a.built()), rounded_a, shape_in<S>(b.built()), rounded_b,
+                           inside(options), manifolds, nullptr, options.record ? &pair : nullptr);
+  Contacts contacts;
+  contacts.manifolds = mapped(manifolds, [](const auto& manifold) { return outside(manifold); });
+  if (!manifolds.empty()) contacts.status = ContactStatus::Touching;
+  contacts.separation = separation_of(contacts.manifolds);
+  if (options.record) {
+    if (manifolds.empty()) contacts.separation = pair.separation;
+    contacts.trace = trace_of(one_frame(options, a, rounded_a.template cast<double>(), b,
+                                        rounded_b.template cast<double>(), std::move(pair)));
+  }
+  return contacts;
+}
+
+}  // namespace
+
+const char* to_string(ContactStatus status) {
+  constexpr const char* kNames[] = {"touching", "separated", "no such pair", "not finite"};
+  return kNames[static_cast<int>(status)];
+}
+
+Contacts collide(const Collider& a, const Pose& pose_a, const Collider& b, const Pose& pose_b,
+                 const CollideOptions& options) {
+  inside(options);  // what is wrong with them does not depend on the shapes
+  Contacts none;
+  const contactscope::Pose<double> placed_a = to_inside(pose_a), placed_b = to_inside(pose_b);
+  if (!is_placed(placed_a) || !is_placed(placed_b)) {
+    none.status = ContactStatus::NotFinite;
+    return none;
+  }
+  if (!can_collide(kind_of(a.built().in_double), kind_of(b.built().in_double))) {
+    none.status = ContactStatus::NoSuchPair;
+    return none;
+  }
+  if (options.scalar == Scalar::Float) return collide_in<float>(a, placed_a, b, placed_b, options);
+  return collide_in<double>(a, placed_a, b, placed_b, options);
+}
+
+}  // namespace contactscope::package

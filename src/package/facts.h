@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/pose.h"
+#include "geometry/shape.h"
+#include "package/contactscope/shape.h"
+#include "package/contactscope/trace.h"
+#include "trace/json.h"
+
+/// From the package's plain data to the library's types, and back. Inside of the package the library's
+/// types are named in full, contactscope::Manifold<double>.
+namespace contactscope::package {
+
+struct Trace::Facts {
+  contactscope::trace::Trace trace;
+};
+
+struct Collider::Built {
+  contactscope::Shape<double> in_double;
+  contactscope::Shape<float> in_float;  // each coordinate rounded once
+  const char* type;                     // "box", "hull", ... as traces call it
+};
+
+template <class S>
+const contactscope::Shape<S>& shape_in(const Collider::Built& built) {
+  if constexpr (std::is_same_v<S, float>) return built.in_float;
+  if constexpr (std::is_same_v<S, double>) return built.in_double;
+}
+
+Vec3d to_inside(const Vec3& vector);
+Vec3 to_outside(const Vec3d& vector);
+
+/// The quaternion is made unit; one of zero length, or that is not finite, stays.
+contactscope::Pose<double> to_inside(const Pose& pose);
+Pose to_outside(const contactscope::Pose<double>& pose);
+
+contactscope::trace::Manifold to_inside(const Manifold& manifold);
+Manifold to_outside(const contactscope::trace::Manifold& manifold);
+
+/// Metres of the deepest point of all, negative in overlap; 0 without points.
+double separation_of(const std::vector<Manifold>& manifolds);
+
+/// A shape as a trace has it, with the vertices that a pipeline in this scalar sees.
+contactscope::trace::Shape traced(const std::string& name, const Collider& collider, Scalar scalar);
+
+Trace trace_of(contactscope::trace::Trace facts);
+
+/// "float", "double", as traces spell it.
+const char* name_of(Scalar scalar);
+
+/// Throws std::invalid_argument: "there is no layer 'shape'; did you mean 'shapes'? there is ...".
+[[noreturn]] void refuse(const std::string& what, const std::string& word,
+                         const std::vector<std::string_view>& known);
+
+}  // namespace contactscope::package

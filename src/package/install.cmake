@@ -1,0 +1,71 @@
+# What `cmake --install` puts where. Nothing in it knows the prefix: the tree may be moved.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/contactscope)
+install(TARGETS contactscope_library contactscope_recorder contactscope_adapters
+  EXPORT contactscope COMPONENT development)
+install(EXPORT contactscope FILE contactscopeTargets.cmake NAMESPACE contactscope::
+  DESTINATION ${package_dir} COMPONENT development)
+configure_package_config_file(config.cmake.in contactscopeConfig.cmake
+  INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# While the first number is 0, the second one counts changes that break programs.
+write_basic_package_version_file(contactscopeConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/contactscopeConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/contactscopeConfigVersion.cmake
+  DESTINATION ${package_dir} COMPONENT development)
+
+install(DIRECTORY contactscope DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+# Side by side, as the adapters look for the recorder.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/recorder ${PROJECT_SOURCE_DIR}/src/adapters
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/contactscope COMPONENT development
+  FILES_MATCHING PATTERN "*.h")
+
+# Archives are all that there is, so that plain `pkg-config --libs` names what they need.
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH up_to_prefix /prefix/${pc_dir} /prefix)
+string(REGEX REPLACE "/$" "" up_to_prefix "${up_to_prefix}")
+foreach(name contactscope contactscope-recorder)
+  configure_file(${name}.pc.in ${name}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${pc_dir} COMPONENT development)
+endforeach()
+
+set(doc_dir ${CMAKE_INSTALL_DATAROOTDIR}/doc)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE
+  DESTINATION ${doc_dir}/libcontactscope-dev COMPONENT development)
+
+if(NOT CONTACTSCOPE_BUILD_PROGRAM)
+  return()
+endif()
+install(TARGETS contactscope COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contactscope
+  COMPONENT program)
+# The program looks for scenarios there, from where it lies itself.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
+
+# The man page and what shells complete, as the program prints them.
+#   contactscope_manual(WHAT FILE FOLDER...)
+set(manuals)
+function(contactscope_manual what file)
+  set(path ${CMAKE_CURRENT_BINARY_DIR}/manual/${what}/${file})
+  add_custom_command(OUTPUT ${path}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/manual/${what}
+    COMMAND contactscope --manual ${what} > ${path}
+    DEPENDS contactscope VERBATIM)
+  foreach(folder IN LISTS ARGN)
+    install(FILES ${path} DESTINATION ${folder} COMPONENT program)
+  endforeach()
+  set(manuals ${manuals} ${path} PARENT_SCOPE)
+endfunction()
+contactscope_manual(man contactscope.1 ${CMAKE_INSTALL_MANDIR}/man1)
+contactscope_manual(bash contactscope ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions)
+# Debian's zsh looks into the second folder, others' into the first.
+contactscope_manual(zsh _contactscope ${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions
+  ${CMAKE_INSTALL_DATAROOTDIR}/zsh/vendor-completions)
+contactscope_manual(fish contactscope.fish ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d)
+add_custom_target(contactscope_manuals ALL DEPENDS ${manuals})
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(${CMAKE_CURRENT_SOURCE_DIR}/cpack.cmake)
+endif()

@@ -1,0 +1,164 @@
+#include "package/contactscope/snapshot.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "core/at.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "package/facts.h"
+#include "package/picture.h"
+#include "package/stand_ins.h"
+#include "snapshot/compare_trace.h"
+#include "snapshot/store.h"
+#include "snapshot/verdict.h"
+
+namespace contactscope::package {
+namespace {
+
+namespace fs = std::filesystem;
+using Facts = contactscope::trace::Trace;
+
+std::string given_or(const std::string& option, const char* variable, const char* otherwise) {
+  if (!option.empty()) return option;
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
+bool is_set(const char* variable) {
+  return snapshot::is_ci(std::getenv(variable));  // "1" or "true"
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "\n") + sentence;
+  return text;
+}
+
+/// The first frame that a sentence speaks of; else the first one that both have.
+std::optional<std::size_t> frame_told(const std::string& name, const Facts& facts,
+                                      const std::vector<std::string>& sentences) {
+  for (std::size_t i = 0; i < facts.frames.size(); ++i) {
+    const std::string start = name + " frame " + std::to_string(facts.frames[i].frame);
+    for (const std::string& sentence : sentences)
+      if (sentence.starts_with(start + ",") || sentence.starts_with(start + ":")) return i;
+  }
+  return facts.frames.empty() ? std::nullopt : std::optional<std::size_t>(0);
+}
+
+/// What is told of one frame: as it is stored and as it is now, in pictures that lie on each other where
+/// the shapes are the same.
+std::array<Image, 2> both_drawn(const Facts& expected, std::size_t i, const Facts& actual,
+                                std::size_t j) {
+  std::array<Image, 2> drawn;
+  const bool same_shapes = contactscope::trace::to_json_line(expected.header) ==
+                           contactscope::trace::to_json_line(actual.header);
+  if (same_shapes) {
+    draw_frames(expected.header, expected.frames, {expected.frames[i], actual.frames[j]}, {0, 1},
+                {}, [&](std::size_t k, Image image) { drawn[k] = std::move(image); });
+    return drawn;
+  }
+  draw_frames(expected.header, expected.frames, expected.frames, {i}, {},
+              [&](std::size_t, Image image) { drawn[0] = std::move(image); });
+  draw_frames(actual.header, actual.frames, actual.frames, {j}, {},
+              [&](std::size_t, Image image) { drawn[1] = std::move(image); });
+  return drawn;
+}
+
+/// Writes pictures of what differs; where they are, or why there are none.
+std::string pictures_of(const std::string& name, const Facts& expected, const Facts& actual,
+                        const std::vector<std::string>& sentences, const fs::path& out) {
+  const auto i = frame_told(name, expected, sentences), j = frame_told(name, actual, sentences);
+  if (!i || !j) return "no pictures: there is no frame in one of them";
+  try {
+    const std::array<Image, 2> drawn = both_drawn(expected, *i, actual, *j);
+    const fs::path stem =
+        snapshot::picture_path(out / "check", {name, std::nullopt, actual.frames[*j].frame})
+            .replace_extension();
+    fs::create_directories(stem.parent_path());
+    const auto write = [&](const char* ending, const Image& image) {
+      const std::string path = fs::absolute(stem.string() + ending).lexically_normal().string();
+      contactscope::write_png(path, image);
+      return path;
+    };
+    write(".expected.png", drawn[0]);
+    write(".actual.png", drawn[1]);
+    return "see " + write(".difference.png", difference_image(drawn[0], drawn[1])) +
+           ", with .expected.png and .actual.png beside it";
+  } catch (const RenderError& error) {
+    return std::string("no pictures: ") + error.what();
+  }
+}
+
+/// Holds `actual` against what is stored. Stand-ins take the form of those that are stored.
+Comparison compare(Facts actual, const std::string& name, const SnapshotOptions& options,
+                   bool has_stand_ins) {
+  const fs::path folder = given_or(options.folder, "CONTACTSCOPE_SNAPSHOTS", "snapshots");
+  const fs::path stored = snapshot::trace_path(folder, name);
+  const std::string file = fs::absolute(stored).lexically_normal().string();
+  const bool wanted = options.update.value_or(is_set("CONTACTSCOPE_UPDATE"));
+  const bool update = wanted && !is_set("CI");
+  actual.header.scenario = name;
+  const std::string how = wanted
+                              ? "CI is set, which writes nothing; unset it, and run the test again"
+                              : "run the test once with CONTACTSCOPE_UPDATE=1";
+  const auto write = [&](const std::string& message) -> Comparison {
+    try {
+      snapshot::write_text(stored, snapshot::to_json_lines(actual));
+    } catch (const std::domain_error& error) {
+      return {false, name + ": not stored, for a number is not finite: " + error.what()};
+    }
+    return {true, message};
+  };
+  const std::optional<std::string> text = snapshot::read_stored_trace(folder, name);
+  if (!text) {
+    if (update) return write(name + ": wrote " + file + "; look at it and commit it");
+    return {false, name + ": nothing is stored at " + file + "; " + how +
+                       ", look at what it writes, and commit it; $CONTACTSCOPE_SNAPSHOTS names "
+                       "another folder"};
+  }
+  Facts expected;
+  try {
+    expected = parse_trace(*text, stored.string()).facts().trace;
+  } catch (const InputError& error) {
+    if (!update) throw;
+    return write(std::string(error.what()) + "\nwrote " + file + " anew");
+  }
+  Facts compared = actual;
+  if (has_stand_ins) compared.header = expected.header;
+  const std::vector<std::string> sentences =
+      snapshot::compare_with_stored(*text, stored.string(), compared);
+  if (sentences.empty()) return {true, {}};
+  if (update) return write(joined(sentences) + "\nwrote " + file + " anew");
+  std::string message = joined(sentences);
+  if (options.pictures)
+    message += "\n" + pictures_of(name, expected, compared, sentences,
+                                  given_or(options.out, "CONTACTSCOPE_OUT", "out"));
+  return {false, message + "\nif that is right, " + how + ": it writes " + file + " anew"};
+}
+
+}  // namespace
+
+Comparison compare_with_snapshot(const Trace& trace, const std::string& name,
+                                 const SnapshotOptions& options) {
+  return compare(trace.facts().trace, name, options, false);
+}
+
+Comparison compare_with_snapshot(const std::vector<Manifold>& manifolds, const std::string& name,
+                                 const SnapshotOptions& options) {
+  return compare(with_stand_ins(manifolds, options.scalar), name, options, true);
+}
+
+Comparison compare_with_snapshot(const Manifold& manifold, const std::string& name,
+                                 const SnapshotOptions& options) {
+  return compare_with_snapshot(std::vector<Manifold>{manifold}, name, options);
+}
+
+Comparison compare_with_snapshot(const Contacts& contacts, const std::string& name,
+                                 const SnapshotOptions& options) {
+  if (contacts.trace.frame_count() > 0) return compare_with_snapshot(contacts.trace, name, options);
+  return compare_with_snapshot(contacts.manifolds, name, options);
+}
+
+}  // namespace contactscope::package

@@ -1,0 +1,129 @@
+#include "package/contactscope/trace.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/trace_file.h"
+#include "core/at.h"
+#include "core/input_error.h"
+#include "package/facts.h"
+#include "snapshot/store.h"
+
+namespace contactscope::package {
+namespace {
+
+/// The number at `at`, which a colon ends; 0, with `at` where it was, of anything else.
+int number_before_colon(const std::string& text, std::size_t& at) {
+  const std::size_t end = text.find(':', at);
+  if (end == std::string::npos || end == at) return 0;
+  if (text.find_first_not_of("0123456789", at) != end) return 0;
+  const int number = std::atoi(text.c_str() + at);
+  at = end + 1;
+  return number;
+}
+
+/// "FILE:LINE:COLUMN: what is wrong; what would be right" taken apart.
+InputError outside(const std::string& what, const std::string& file) {
+  std::size_t at = what.starts_with(file + ":") ? file.size() + 1 : 0;
+  const int line = number_before_colon(what, at), column = number_before_colon(what, at);
+  const std::size_t remedy = what.find("; ", at);
+  return {what, file, line, column,
+          remedy == std::string::npos ? std::string() : what.substr(remedy + 2)};
+}
+
+template <class Read>
+Trace read_by(const Read& read, const std::string& file) {
+  try {
+    return trace_of(read());
+  } catch (const contactscope::InputError& error) {
+    throw outside(error.what(), file);
+  }
+}
+
+Trace parsed(const std::string& text, const std::string& name) {
+  return read_by([&] { return app::parse_trace(text, name); }, name);
+}
+
+contactscope::trace::Frame inside(const Frame& frame) {
+  contactscope::trace::Frame told;
+  told.frame = frame.number;
+  told.time = frame.time;
+  for (const NamedPose& one : frame.poses) told.poses.emplace_back(one.name, to_inside(one.pose));
+  for (const Pair& pair : frame.pairs) {
+    contactscope::trace::Pair& to = told.pairs.emplace_back();
+    to.a = pair.a;
+    to.b = pair.b;
+    to.manifolds = mapped(pair.manifolds, [](const Manifold& one) { return to_inside(one); });
+    to.separation = separation_of(pair.manifolds);
+  }
+  return told;
+}
+
+}  // namespace
+
+Trace::Trace() : facts_(std::make_shared<const Facts>()) {}
+
+Trace::Trace(const TraceInfo& info, const std::vector<NamedShape>& shapes,
+             const std::vector<Frame>& frames) {
+  contactscope::trace::Trace trace;
+  contactscope::trace::Header& header = trace.header;
+  header.scenario = info.scenario;
+  header.title = info.title;
+  header.source = info.source;
+  header.scalar = name_of(info.scalar);
+  header.up = info.up;
+  header.engine = info.engine;
+  header.version = info.version;
+  header.frames = frames.empty() ? 0 : frames.back().number + 1;
+  for (const NamedShape& shape : shapes)
+    header.shapes.push_back(traced(shape.name, shape.shape, Scalar::Double));
+  for (const Frame& frame : frames) trace.frames.push_back(inside(frame));
+  // What follows from the rest is filled in, and all is checked, as of a file.
+  *this = parsed(snapshot::to_json_lines(trace), "trace");
+}
+
+TraceInfo Trace::info() const {
+  const contactscope::trace::Header& header = facts_->trace.header;
+  return {header.scenario, header.title,
+          header.source,   header.scalar == "float" ? Scalar::Float : Scalar::Double,
+          header.up,       header.engine,
+          header.version};
+}
+
+std::vector<std::string> Trace::shapes() const {
+  return mapped(facts_->trace.header.shapes, &contactscope::trace::Shape::name);
+}
+
+int Trace::frame_count() const {
+  return count_of(facts_->trace.frames);
+}
+
+Frame Trace::frame(int index) const {
+  const contactscope::trace::Frame& told = at(facts_->trace.frames, index);
+  Frame frame{told.frame, told.time};
+  for (const auto& [name, pose] : told.poses) frame.poses.push_back({name, to_outside(pose)});
+  for (const contactscope::trace::Pair& pair : told.pairs)
+    frame.pairs.push_back(
+        {pair.a, pair.b, mapped(pair.manifolds, [](const contactscope::trace::Manifold& one) {
+           return to_outside(one);
+         })});
+  return frame;
+}
+
+Trace read_trace(const std::string& path) {
+  return read_by([&] { return app::load_trace(path); }, path == "-" ? "standard input" : path);
+}
+
+Trace parse_trace(const std::string& text, const std::string& name) {
+  return parsed(text, name);
+}
+
+std::string to_json_lines(const Trace& trace) {
+  return snapshot::to_json_lines(trace.facts().trace);
+}
+
+void write_trace(const std::string& path, const Trace& trace) {
+  snapshot::write_text(std::filesystem::absolute(path), to_json_lines(trace));
+}
+
+}  // namespace contactscope::package

@@ -1,0 +1,37 @@
+#!/bin/sh
+# The installed program finds its scenarios from anywhere; its man page and completions are in their
+# places, and a shell completes by them.
+#   manual.sh TREE
+set -eu
+tree=$1
+cd /
+"$tree/bin/contactscope" trace hull/face_contact --frames 0 | head -c 100 | grep -q '"hull/face_contact"'
+page=$tree/share/man/man1/contactscope.1
+grep -q '^.SH NAME' "$page"
+for verb in render trace check explore study lint versus doctor list; do
+  grep -q "^.SS \"contactscope $verb" "$page" || { echo "no verb $verb in the man page"; exit 1; }
+done
+test -s "$tree/share/zsh/site-functions/_contactscope"
+test -s "$tree/share/fish/vendor_completions.d/contactscope.fish"
+test -s "$tree/share/doc/contactscope/NOTICE"
+if ! command -v bash >/dev/null; then exit 0; fi
+PATH=$tree/bin:$PATH bash -eu -c '
+  source "$1"
+  expect() {
+    local expected=$1
+    shift
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+    _contactscope || true
+    if [ "${COMPREPLY[*]}" != "$expected" ]; then
+      echo "\"$*\" gave \"${COMPREPLY[*]}\" instead of \"$expected\""
+      exit 1
+    fi
+  }
+  expect "render" contactscope re
+  expect "--reducer" contactscope render --red
+  expect "optimal optimal_deepest" contactscope render --reducer opti
+  expect "shapes,contact_axis shapes,contacts" contactscope render --layers shapes,cont
+  expect "summary" contactscope render --panels = summ
+  expect "tunnelling" contactscope study tu
+  expect "hull/face_contact" contactscope trace hull/face_c
+' bash "$tree/share/bash-completion/completions/contactscope"
