@@ -312,6 +312,19 @@ TEST(PlotsPanel, WithoutASolverNeitherEnergyNorImpulses) {
   EXPECT_THAT(texts(drawing), Not(Contains(HasSubstr("impulses"))));
 }
 
+TEST(TimeSeries, WithoutEnergiesOfBodiesThatMoveThereIsNoCurveOfThem) {
+  std::vector<trace::Frame> frames = settling();
+  for (trace::Frame& frame : frames)
+    for (trace::Body& body : frame.solver->bodies) {
+      body.velocity = Vec3d(0, -1, 0);
+      body.kinetic_energy = 0;
+    }
+  EXPECT_THAT(time_series(frames)[0].energy, IsEmpty());
+  EXPECT_THAT(time_series(frames)[0].impulse, testing::SizeIs(frames.size()));
+  frames.back().solver->bodies[0].kinetic_energy = 1;
+  EXPECT_THAT(time_series(frames)[0].energy, testing::SizeIs(frames.size()));
+}
+
 TEST(PlotsPanel, SmallPanelsGiveUpTheStripAndLastCharts) {
   const Rect low{10, 10, 240, 110};
   const Drawing drawing = plots_panel(3, low, 0.72f);

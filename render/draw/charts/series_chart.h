@@ -110,7 +110,8 @@ struct PairSeries {
 /// an overlap the penetration is 0; impulses are the sum of all normal ones of the step.
 struct TimeSeries : PairSeries {
   std::vector<double> points;
-  std::vector<double> energy;  // joules, kinetic, of the bodies in these pairs; empty as `impulse`
+  std::vector<double>
+      energy;  // joules, kinetic, of the bodies in these pairs; empty as `impulse`, and where nobody tells it
   /// Of incremental manifolds: where something else measured the cores than before.
   std::vector<SeriesChart::Change> queries;
   std::vector<std::vector<IdState>> ids;  // a row an id, in the order of appearance

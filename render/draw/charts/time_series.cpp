@@ -77,6 +77,19 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
   for (const trace::Point& point : pair.reduction->points) note_id(point, IdState::Dropped);
 }
 
+/// Bodies move that have no kinetic energy: an engine's trace that does not tell it.
+bool lacks_energies(const std::vector<trace::Frame>& frames) {
+  bool moves = false;
+  for (const trace::Frame& frame : frames) {
+    if (!frame.solver) continue;
+    for (const trace::Body& body : frame.solver->bodies) {
+      if (body.kinetic_energy != 0) return false;
+      moves = moves || !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+    }
+  }
+  return moves;
+}
+
 }  // namespace
 
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
@@ -112,6 +125,7 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
       }
     }
   }
+  const bool has_energy = solved && !lacks_energies(frames);
   std::vector<TimeSeries> all;
   for (Group& group : groups) {
     TimeSeries& series = all.emplace_back(std::move(group.series));
@@ -121,8 +135,8 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
     } else if (group.pairs.size() > 1) {
       series.pairs = std::move(group.pairs);
     }
+    if (!has_energy) series.energy.clear();
     if (solved) continue;
-    series.energy.clear();
     series.impulse.clear();
     for (PairSeries& pair : series.pairs) pair.impulse.clear();
   }
