@@ -13,6 +13,7 @@
 #include "app/studio.h"
 #include "app/table.h"
 #include "app/trace_file.h"
+#include "core/at.h"
 #include "core/input_error.h"
 #include "scenario/run.h"
 #include "versus/rollout.h"
@@ -23,6 +24,8 @@ namespace {
 using versus::Contender;
 using versus::RolloutScore;
 using Json = nlohmann::ordered_json;
+
+constexpr int kMostFindings = 2;  // of an engine, in the table and beneath it; JSON has all
 
 /// This program's solver, as the scenario has it run.
 Contender own_rollout(const Scenario& scenario) {
@@ -52,11 +55,13 @@ Rollout rollout_of(const Scenario& scenario, const std::vector<std::string>& eng
   return rollout;
 }
 
+/// The most frequent ones come first.
 std::string causes_of(const RolloutScore& score) {
   std::string causes;
-  for (const lint::Finding& finding : score.findings)
-    causes += (causes.empty() ? "" : ",") + finding.cause;
-  return causes.empty() ? "-" : causes;
+  for (int i = 0; i < std::min(kMostFindings, count_of(score.findings)); ++i)
+    causes += (i == 0 ? "" : ",") + at(score.findings, i).cause;
+  const int left = count_of(score.findings) - kMostFindings;
+  return causes.empty() ? "-" : left > 0 ? causes + ",+" + std::to_string(left) : causes;
 }
 
 Table table_of(const Rollout& rollout) {
@@ -128,7 +133,8 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
       out << score.name << ": how deep " << score.unknown << " are is not known, of two meshes\n";
     if (!score.tells_velocities && !score.time.empty())
       out << score.name << ": tells no velocities; its energy is of the differences of poses\n";
-    for (const lint::Finding& finding : score.findings) out << told(score.name, finding) << '\n';
+    for (int k = 0; k < std::min(kMostFindings, count_of(score.findings)); ++k)
+      out << told(score.name, at(score.findings, k)) << '\n';
   }
 }
 

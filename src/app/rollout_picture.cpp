@@ -56,7 +56,10 @@ std::string result_of(const Rollout& rollout) {
   if (resting == 0) return overlaps_of(rollout);
   if (fallen.empty()) return bodies + stand + listed(standing);
   if (standing.empty()) return "It falls in " + listed(fallen);
-  return "It falls in " + listed(fallen) + ", and stands in " + listed(standing);
+  // Those that fall are named each, with their times; the others where there is room.
+  const std::string others =
+      standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
+  return "It falls in " + listed(fallen) + ", and stands in " + others;
 }
 
 std::string note_of(const RolloutScore& score) {

@@ -11,10 +11,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What each engine made of one scenario, by name.
-std::map<std::string, Json> versus(const std::string& scenario, const std::string& engines) {
-  const ProgramRun result = run("versus --table --json --engines " + engines + " " + scenario,
-                                "PATH='" CONTACTSCOPE_SOURCE_DIR "/tests/engines':\"$PATH\"");
+/// What each engine made of one scenario, by name; `more` are options.
+std::map<std::string, Json> versus(const std::string& scenario, const std::string& engines,
+                                   const std::string& more = "") {
+  const ProgramRun result =
+      run("versus --table --json " + more + " --engines " + engines + " " + scenario,
+          "PATH='" CONTACTSCOPE_SOURCE_DIR "/tests/engines':\"$PATH\"");
   std::map<std::string, Json> answers;
   const Json json = Json::parse(result.out, nullptr, false);
   if (json.is_discarded()) {
@@ -29,7 +31,8 @@ std::map<std::string, Json> versus(const std::string& scenario, const std::strin
 }
 
 TEST(Engines, FindABoxOnABox) {
-  const auto answers = versus("hull/eight_points_to_four --frames 0:40:4", "jolt,rapier,cannon,physx,havok");
+  const auto answers =
+      versus("hull/eight_points_to_four --frames 0:40:4", "jolt,rapier,cannon,physx,havok");
   EXPECT_EQ(answers.size(), 5u);
   for (const auto& [name, answer] : answers) {
     SCOPED_TRACE(name);
@@ -59,6 +62,67 @@ TEST(Engines, FindHullsOnAMesh) {
     EXPECT_EQ(answer["missed"], 0) << name;
     EXPECT_GT(answer["touching"], 0) << name;
   }
+}
+
+constexpr const char* kAll = "contactscope,jolt,rapier,cannon,physx,havok";
+
+TEST(Engines, StepAPyramid) {
+  for (const auto& [name, answer] : versus("solver/pyramid", kAll, "--rollout")) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(answer["frames"], 300);
+    EXPECT_EQ(answer["velocities"], "told");
+    EXPECT_EQ(answer["fallen"], 0);
+    EXPECT_LT(answer["drift"]["worst"], 0.05);
+    EXPECT_LT(answer["penetration"]["worst"], 0.01);
+    EXPECT_TRUE(answer["findings"].empty()) << answer["findings"];
+  }
+}
+
+/// A hull whose axes are askew, thrown with a spin, and a box on a lid that a script raises, without gravity. The
+/// energy at the start is right where masses, inertia and velocities are, and what the box gains is the lid's speed.
+TEST(Engines, AreToldMassesVelocitiesAndScripts) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("tests/thrown.toml", R"(title = "Thrown"
+[time]
+frames = 31
+[shapes.hull]
+type     = "hull"
+vertices = [[-0.3,-0.2,-0.4],[0.7,-0.1,-0.3],[-0.2,0.5,-0.5],[-0.1,0.0,0.6],[0.4,0.6,0.4]]
+position = [5, 0, 0]
+rotation = { axis = [1, 2, 3], degrees = 40 }
+motion   = { dynamic = true, mass = 3, velocity = [1, 0.5, 0], angular_velocity = [0.2, -0.3, 0.4] }
+[shapes.lid]
+type         = "box"
+half_extents = [0.5, 0.1, 0.5]
+motion       = { velocity = [0, 1, 0] }
+[shapes.rider]
+type         = "box"
+half_extents = [0.2, 0.2, 0.2]
+position     = [0, 0.3, 0]
+motion       = { dynamic = true, mass = 2 }
+[world]
+gravity = [0, 0, 0]
+)");
+  auto answers = versus("'" + scene + "'", kAll, "--rollout");
+  const Json own = answers.at("contactscope");
+  EXPECT_EQ(answers.size(), 6u);
+  for (const auto& [name, answer] : answers) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(answer["frames"], 31);
+    EXPECT_NEAR(answer["series"]["energy"][0], own["series"]["energy"][0], 1e-5);
+    // The rider has the speed of the lid, and a joule more than at the start; springs throw it a little.
+    const double gained =
+        answer["series"]["energy"][30].get<double>() - answer["series"]["energy"][0].get<double>();
+    EXPECT_GT(gained, 0.95);
+    EXPECT_LT(gained, 1.65);
+    EXPECT_NEAR(answer["series"]["height"][30], own["series"]["height"][30], 0.12);
+  }
+}
+
+/// It has no capsules, and steps nothing rather than something else.
+TEST(Engines, CannonStepsNoCapsules) {
+  const Json cannon = versus("pipeline/mesh_and_actors", "cannon", "--rollout").at("cannon");
+  EXPECT_THAT(cannon["no_rollout"].get<std::string>(), testing::HasSubstr("no capsule"));
 }
 
 /// Its convex radius rounds edges off: where two cross at a right angle, twice (sqrt(2) - 1) of it is lost.

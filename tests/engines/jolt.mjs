@@ -2,6 +2,7 @@
 // from the listener. The normal points from body 1 to body 2; a manifold has points on both surfaces.
 
 import initJolt from "jolt-physics/wasm-compat";
+import { isRollout, refuse, rollOut } from "./rollout.mjs";
 import { answer, dot, halfExtents, isAsked, isCentered, leftOut, segmentOf, stands, sub, triangles, turnBetween,
          versionOf } from "./trace.mjs";
 
@@ -112,7 +113,57 @@ listener.OnContactPersisted = seen;
 listener.OnContactRemoved = () => {};
 system.SetContactListener(listener);
 
-await answer("Jolt", versionOf("jolt-physics"), (frame, shapes, asked) => {
+/** Steps the pieces. Jolt works out the inertia of a mass that fills its shape evenly, about the centre that it has. */
+function worldOf(pieces, gravity, step) {
+  system.SetGravity(vec(gravity));
+  const ids = new Map();
+  const quat = ([w, x, y, z]) => new Jolt.Quat(x, y, z, w);
+  for (const piece of pieces) {
+    const wanted = shapeSettings(piece.shape), result = wanted === null ? null : wanted.Create();
+    if (result === null || result.HasError())
+      refuse(`Jolt has no ${piece.shape.type} like '${piece.name}'` + (result === null ? "" : `: ${result.GetError().c_str()}`));
+    const moves = piece.isDynamic || piece.isScripted;
+    const creation = new Jolt.BodyCreationSettings(
+      result.Get(), new Jolt.RVec3(...piece.pose.position), quat(piece.pose.quat_wxyz),
+      piece.isDynamic ? Jolt.EMotionType_Dynamic : piece.isScripted ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Static,
+      moves ? kMoving : kStanding);
+    creation.mAllowSleeping = false;
+    creation.mLinearDamping = creation.mAngularDamping = 0;
+    creation.mMaxLinearVelocity = 1e4;
+    creation.mApplyGyroscopicForce = true;
+    creation.mFriction = piece.friction;
+    creation.mRestitution = piece.restitution;
+    if (piece.isDynamic) {
+      creation.mOverrideMassProperties = Jolt.EOverrideMassProperties_CalculateInertia;
+      creation.mMassPropertiesOverride.mMass = piece.mass;
+    }
+    const id = bodies.CreateBody(creation).GetID();
+    bodies.AddBody(id, Jolt.EActivation_Activate);
+    names.set(id.GetIndexAndSequenceNumber(), piece.name);
+    ids.set(piece, id);
+    if (!piece.isDynamic) continue;
+    bodies.SetLinearVelocity(id, vec(piece.velocity));
+    bodies.SetAngularVelocity(id, vec(piece.spin));
+  }
+  return {
+    motion(piece) {
+      const id = ids.get(piece), q = bodies.GetRotation(id);
+      return { pose: { position: numbers(bodies.GetPosition(id)), quat_wxyz: [q.GetW(), q.GetX(), q.GetY(), q.GetZ()] },
+               velocity: numbers(bodies.GetLinearVelocity(id)), spin: numbers(bodies.GetAngularVelocity(id)) };
+    },
+    drive(piece, { next }) {
+      bodies.MoveKinematic(ids.get(piece), new Jolt.RVec3(...next.position), quat(next.quat_wxyz), step);
+    },
+    step() {
+      found = [];
+      jolt.Step(step, 1);
+      return found;
+    },
+  };
+}
+
+if (isRollout) await rollOut("Jolt", versionOf("jolt-physics"), worldOf);
+else await answer("Jolt", versionOf("jolt-physics"), (frame, shapes, asked) => {
   for (const [name, pose] of Object.entries(frame.poses)) {
     const body = bodyOf(name, shapes[name], pose);
     if (body === null) continue;

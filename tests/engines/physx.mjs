@@ -2,6 +2,7 @@
 // pair to shape 0, and the points are on shape 1.
 
 import { readFileSync } from "node:fs";
+import { impulseOf, isRollout, refuse, rollOut } from "./rollout.mjs";
 import { addPoint, answer, halfExtents, isAsked, isCentered, leftOut, scaled, segmentOf, stands, triangles, turnBetween,
          versionOf } from "./trace.mjs";
 
@@ -101,9 +102,11 @@ events.onContact = (headerPointer, pairsPointer, count) => {
     const [a, b] = [0, 1].map((k) => names.get(pair.get_shapes(k).ptr));
     const found = pair.extractContacts(buffer.begin(), kMostPoints);
     for (let k = 0; k < found; ++k) {
-      const point = buffer.get(k);
-      addPoint(manifolds, a, b, scaled(numbers(point.normal), -1),
-               { position: numbers(point.position), separation: point.separation });
+      const point = buffer.get(k), normal = scaled(numbers(point.normal), -1);
+      // An impulse is on shape 0.
+      addPoint(manifolds, a, b, normal,
+               { position: numbers(point.position), separation: point.separation,
+                 ...(isRollout ? { impulse: impulseOf(scaled(numbers(point.impulse), -1), normal) } : {}) });
     }
   }
 };
@@ -117,13 +120,69 @@ filter.filterShader = () => {
   return px.PxFilterFlagEnum.eDEFAULT;
 };
 
-await answer("PhysX", versionOf("physx-js-webidl"), (frame, shapes, asked) => {
+function sceneWith(gravity) {
   const desc = new px.PxSceneDesc(scale);
-  desc.gravity = new px.PxVec3(0, 0, 0);
+  desc.gravity = vec(gravity);
   desc.cpuDispatcher = dispatcher;
   desc.simulationEventCallback = events;
   top.setupPassThroughFilterShader(desc, filter);
-  const scene = physics.createScene(desc);
+  return physics.createScene(desc);
+}
+
+/** Steps the pieces. */
+function worldOf(pieces, gravity, step) {
+  const scene = sceneWith(gravity);
+  const actors = new Map(), combine = px.PxCombineModeEnum;
+  for (const piece of pieces) {
+    const geometry = knownGeometry(piece.name, piece.shape);
+    if (geometry === null) refuse(`PhysX has no ${piece.shape.type} like '${piece.name}'`);
+    // It multiplies frictions.
+    const surface = physics.createMaterial(Math.sqrt(piece.friction), Math.sqrt(piece.friction), piece.restitution);
+    surface.setFrictionCombineMode(combine.eMULTIPLY);
+    surface.setRestitutionCombineMode(combine.eMAX);
+    const at = transform(piece.pose.position, piece.pose.quat_wxyz);
+    const moves = piece.isDynamic || piece.isScripted;
+    const actor = moves ? physics.createRigidDynamic(at) : physics.createRigidStatic(at);
+    const shape = physics.createShape(geometry[0], surface, true, flags);
+    shape.setLocalPose(transform(geometry[1], geometry[2]));
+    shape.setSimulationFilterData(all);
+    actor.attachShape(shape);
+    names.set(shape.ptr, piece.name);
+    if (piece.isScripted) actor.setRigidBodyFlag(px.PxRigidBodyFlagEnum.eKINEMATIC, true);
+    if (piece.isDynamic) {
+      actor.setCMassLocalPose(transform(piece.center, piece.turn));
+      actor.setMass(piece.mass);
+      actor.setMassSpaceInertiaTensor(vec(piece.moments));
+      actor.setLinearDamping(0);
+      actor.setAngularDamping(0);
+      actor.setSleepThreshold(0);
+      actor.setLinearVelocity(vec(piece.velocity));
+      actor.setAngularVelocity(vec(piece.spin));
+    }
+    scene.addActor(actor);
+    actors.set(piece, actor);
+  }
+  return {
+    motion(piece) {
+      const actor = actors.get(piece), { p, q } = actor.getGlobalPose();
+      return { pose: { position: numbers(p), quat_wxyz: [q.w, q.x, q.y, q.z] },
+               velocity: numbers(actor.getLinearVelocity()), spin: numbers(actor.getAngularVelocity()) };
+    },
+    drive(piece, { next }) {
+      actors.get(piece).setKinematicTarget(transform(next.position, next.quat_wxyz));
+    },
+    step() {
+      manifolds = [];
+      scene.simulate(step);
+      scene.fetchResults(true);
+      return manifolds;
+    },
+  };
+}
+
+if (isRollout) await rollOut("PhysX", versionOf("physx-js-webidl"), worldOf);
+else await answer("PhysX", versionOf("physx-js-webidl"), (frame, shapes, asked) => {
+  const scene = sceneWith([0, 0, 0]);
   names = new Map();
   manifolds = [];
   const actors = [];

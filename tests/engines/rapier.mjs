@@ -1,9 +1,11 @@
 // Rapier: a world is made of each frame, because contacts of bodies that were moved by hand are not always
-// worked out again; the contacts that a step without gravity begins with are read from its narrow phase. The manifold's own normal points from its first collider to its second; `flipped` says that the
-// first one is the second that was asked for. Points are in the colliders' frames.
+// worked out again; the contacts that a step without gravity begins with are read from its narrow phase. The manifold's
+// own normal points from its first collider to its second; `flipped` says that the first one is the second that was
+// asked for. Points are in the colliders' frames.
 
 import RAPIER from "@dimforge/rapier3d-compat";
-import { add, answer, halfExtents, isCentered, leftOut, placed, scaled, segmentOf, stands, sub, triangles, turnBetween,
+import { isRollout, refuse, rollOut } from "./rollout.mjs";
+import { add, answer, dot, halfExtents, isCentered, leftOut, placed, scaled, segmentOf, stands, sub, triangles, turnBetween,
          versionOf } from "./trace.mjs";
 
 await RAPIER.init();
@@ -53,40 +55,104 @@ const onBody = (collider, pose) => {
 const kinds = { 1: "v", 2: "e", 3: "f" };
 const feature = (fid) => (kinds[fid >>> 30] ? `${kinds[fid >>> 30]}${fid & 0x3fffffff}` : null);
 
-await answer("Rapier", versionOf("@dimforge/rapier3d-compat"), (frame, shapes, asked) => {
-  const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
-  const made = new Map();
-  for (const [name, pose] of Object.entries(frame.poses)) {
-    const description = descriptionOf(name, shapes[name]);
-    if (description === null) continue;
-    const [w, x, y, z] = pose.quat_wxyz;
-    const body = world.createRigidBody(
-      (stands(shapes[name]) ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic())
-        .setTranslation(...pose.position).setRotation({ w, x, y, z }));
-    made.set(name, world.createCollider(description, body));
-  }
-  world.step();
+/** The manifolds of two colliders, which are on bodies with these poses. */
+function manifoldsOf(world, [a, one, poseA], [b, other, poseB]) {
   const manifolds = [];
-  for (const [a, b] of asked) {
-    const one = made.get(a), other = made.get(b);
-    if (!one || !other) continue;
-    world.contactPair(one, other, (manifold, flipped) => {
-      const first = flipped ? b : a, second = flipped ? a : b;
-      const toFirst = onBody(made.get(first), frame.poses[first]);
-      const toSecond = onBody(made.get(second), frame.poses[second]);
-      const n1 = numbers(manifold.localNormal1());
-      const normal = sub(toFirst(n1), toFirst([0, 0, 0]));
-      const points = [];
-      for (let i = 0; i < manifold.numContacts(); ++i) {
-        const on_a = toFirst(numbers(manifold.localContactPoint1(i)));
-        const on_b = toSecond(numbers(manifold.localContactPoint2(i)));
-        const f1 = feature(manifold.contactFid1(i)), f2 = feature(manifold.contactFid2(i));
-        points.push({ position: scaled(add(on_a, on_b), 0.5), separation: manifold.contactDist(i), on_a, on_b,
-                      ...(f1 && f2 ? { id: `a:${f1} b:${f2}` } : {}) });
-      }
-      manifolds.push({ a: first, b: second, normal, points });
-    });
-  }
-  world.free();
+  world.contactPair(one, other, (manifold, flipped) => {
+    const toA = onBody(one, poseA), toB = onBody(other, poseB);
+    const [first, second, toFirst, toSecond] = flipped ? [b, a, toB, toA] : [a, b, toA, toB];
+    const n1 = numbers(manifold.localNormal1());
+    const normal = sub(toFirst(n1), toFirst([0, 0, 0]));
+    const points = [];
+    for (let i = 0; i < manifold.numContacts(); ++i) {
+      const on_a = toFirst(numbers(manifold.localContactPoint1(i)));
+      const on_b = toSecond(numbers(manifold.localContactPoint2(i)));
+      const f1 = feature(manifold.contactFid1(i)), f2 = feature(manifold.contactFid2(i));
+      // Of a contact that it keeps from the step before contactDist() is still that of then; it solves what the points say.
+      points.push({ position: scaled(add(on_a, on_b), 0.5), separation: dot(sub(on_b, on_a), normal), on_a, on_b,
+                    ...(f1 && f2 ? { id: `a:${f1} b:${f2}` } : {}) });
+    }
+    manifolds.push({ a: first, b: second, normal, points });
+  });
   return manifolds;
-});
+}
+
+const version = versionOf("@dimforge/rapier3d-compat");
+if (isRollout) {
+  await rollOut("Rapier", version, (pieces, gravity, step) => {
+    const xyz = ([x, y, z]) => ({ x, y, z });
+    const world = new RAPIER.World(xyz(gravity));
+    world.timestep = step;
+    const made = new Map(), names = new Map();
+    for (const piece of pieces) {
+      const description = descriptionOf(piece.name, piece.shape);
+      if (description === null) refuse(`Rapier has no ${piece.shape.type} like '${piece.name}'`);
+      // It multiplies frictions.
+      description.setDensity(0).setFriction(Math.sqrt(piece.friction)).setRestitution(piece.restitution)
+        .setFrictionCombineRule(RAPIER.CoefficientCombineRule.Multiply)
+        .setRestitutionCombineRule(RAPIER.CoefficientCombineRule.Max);
+      const kind = piece.isDynamic ? RAPIER.RigidBodyDesc.dynamic()
+        : piece.isScripted ? RAPIER.RigidBodyDesc.kinematicPositionBased() : RAPIER.RigidBodyDesc.fixed();
+      const [w, x, y, z] = piece.pose.quat_wxyz;
+      kind.setTranslation(...piece.pose.position).setRotation({ w, x, y, z }).setCanSleep(false);
+      if (piece.isDynamic) {
+        const [tw, tx, ty, tz] = piece.turn;
+        kind.setAdditionalMassProperties(piece.mass, xyz(piece.center), xyz(piece.moments), { w: tw, x: tx, y: ty, z: tz })
+          .setLinvel(...piece.velocity).setAngvel(xyz(piece.spin));
+      }
+      const body = world.createRigidBody(kind);
+      const collider = world.createCollider(description, body);
+      made.set(piece, { body, collider });
+      names.set(collider.handle, piece);
+    }
+    return {
+      motion(piece) {
+        const { body } = made.get(piece), q = body.rotation();
+        return { pose: { position: numbers(body.translation()), quat_wxyz: [q.w, q.x, q.y, q.z] },
+                 velocity: numbers(body.linvel()), spin: numbers(body.angvel()) };
+      },
+      drive(piece, { next }) {
+        const { body } = made.get(piece), [w, x, y, z] = next.quat_wxyz;
+        body.setNextKinematicTranslation(xyz(next.position));
+        body.setNextKinematicRotation({ w, x, y, z });
+      },
+      step() {
+        const before = new Map(pieces.map((piece) => [piece, piece.pose]));
+        world.step();
+        const manifolds = [];
+        for (const piece of pieces) {
+          const one = made.get(piece).collider;
+          world.contactPairsWith(one, (other) => {
+            const partner = names.get(other.handle);
+            if (pieces.indexOf(partner) < pieces.indexOf(piece)) return;
+            manifolds.push(...manifoldsOf(world, [piece.name, one, before.get(piece)],
+                                          [partner.name, other, before.get(partner)]));
+          });
+        }
+        return manifolds;
+      },
+    };
+  });
+} else {
+  await answer("Rapier", version, (frame, shapes, asked) => {
+    const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+    const made = new Map();
+    for (const [name, pose] of Object.entries(frame.poses)) {
+      const description = descriptionOf(name, shapes[name]);
+      if (description === null) continue;
+      const [w, x, y, z] = pose.quat_wxyz;
+      const body = world.createRigidBody(
+        (stands(shapes[name]) ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic())
+          .setTranslation(...pose.position).setRotation({ w, x, y, z }));
+      made.set(name, world.createCollider(description, body));
+    }
+    world.step();
+    const manifolds = [];
+    for (const [a, b] of asked) {
+      if (!made.get(a) || !made.get(b)) continue;
+      manifolds.push(...manifoldsOf(world, [a, made.get(a), frame.poses[a]], [b, made.get(b), frame.poses[b]]));
+    }
+    world.free();
+    return manifolds;
+  });
+}

@@ -76,24 +76,44 @@ export function leftOut(name, why) {
   said.add(name);
 }
 
+/** What stands on the standard input. */
+export const requestLines = () => readFileSync(0, "utf8").split("\n").filter((line) => line.trim() !== "");
+
+/** Writes a line on the standard output, whole: a pipe takes a piece at a time. */
+export function write(value) {
+  let rest = Buffer.from(JSON.stringify(value) + "\n");
+  while (rest.length > 0) {
+    try {
+      rest = rest.subarray(writeSync(1, rest));
+    } catch (error) {
+      if (error.code !== "EAGAIN") throw error;
+    }
+  }
+}
+
+/** Manifolds {a, b, ...} as the pairs of a frame. */
+export function pairsOf(engine, frame, manifolds) {
+  const pairs = [];
+  for (const { a, b, ...manifold } of manifolds) {
+    if (manifold.points.length === 0) continue;
+    if (!(Math.abs(dot(manifold.normal, manifold.normal) - 1) < 1e-3)) {
+      leftOut(`${a}-${b}`, `${engine} has no normal of it in frame ${frame}`);
+      continue;
+    }
+    let pair = pairs.find((p) => p.a === a && p.b === b);
+    if (pair === undefined) pairs.push((pair = { a, b, manifolds: [] }));
+    pair.manifolds.push(manifold);
+  }
+  return pairs;
+}
+
 /**
  * Answers a request. `contacts(frame, shapes)` is called for each frame with its poses by name; it returns
  * manifolds {a, b, normal, points: [{position, separation, on_a, on_b, id}]}, the normal from a to b.
  */
 export async function answer(engine, version, contacts) {
-  const lines = readFileSync(0, "utf8").split("\n").filter((line) => line.trim() !== "");
+  const lines = requestLines();
   const header = JSON.parse(lines[0]);
-  // A pipe takes a piece at a time.
-  const write = (value) => {
-    let rest = Buffer.from(JSON.stringify(value) + "\n");
-    while (rest.length > 0) {
-      try {
-        rest = rest.subarray(writeSync(1, rest));
-      } catch (error) {
-        if (error.code !== "EAGAIN") throw error;
-      }
-    }
-  };
   write({ ...header, engine, version });
   const shapes = { ...header.shapes };
   for (const line of lines.slice(1)) {
@@ -101,17 +121,7 @@ export async function answer(engine, version, contacts) {
     Object.assign(shapes, frame.shapes ?? {});
     const asked = frame.pairs.map(({ a, b }) => [a, b]);
     const manifolds = await contacts(frame, shapes, asked);
-    const pairs = [];
-    for (const { a, b, ...manifold } of manifolds) {
-      if (manifold.points.length === 0) continue;
-      if (!(Math.abs(dot(manifold.normal, manifold.normal) - 1) < 1e-3)) {
-        leftOut(`${a}-${b}`, `${engine} has no normal of it in frame ${frame.frame}`);
-        continue;
-      }
-      let pair = pairs.find((p) => p.a === a && p.b === b);
-      if (pair === undefined) pairs.push((pair = { a, b, manifolds: [] }));
-      pair.manifolds.push(manifold);
-    }
+    const pairs = pairsOf(engine, frame.frame, manifolds);
     write({ frame: frame.frame, time: frame.time, poses: frame.poses, pairs });
   }
 }

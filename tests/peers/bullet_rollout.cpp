@@ -125,7 +125,8 @@ class BulletWorld : public RolloutWorld {
 RolloutEngine bullet_rollout() {
   const std::string version =
       std::to_string(BT_BULLET_VERSION / 100) + "." + std::to_string(BT_BULLET_VERSION % 100);
-  return {"Bullet", version, Vec3d::UnitY(), [](const std::vector<Piece>& pieces, const Vec3d& g) {
+  return {"Bullet", version, Vec3d::UnitY(),
+          [](const std::vector<Piece>& pieces, const Vec3d& g, double) {
             return std::make_unique<BulletWorld>(pieces, g);
           }};
 }

@@ -3,7 +3,6 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -13,8 +12,11 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "peers/add_point.h"
+#include "peers/mujoco_model.h"
+#include "peers/rollout.h"
 #include "trace/find.h"
 #include "trace/json.h"
+#include "versus/engine.h"
 
 namespace contactscope {
 namespace {
@@ -23,13 +25,6 @@ constexpr double kAway = 1e6;  // metres: where a shape waits that a frame does 
 
 void left_out(const std::string& name, const std::string& why) {
   std::cerr << "'" << name << "' is left out: " << why << '\n';
-}
-
-std::string spelled(const Vec3d& v) {
-  std::ostringstream text;
-  text.precision(17);
-  text << v.x() << ' ' << v.y() << ' ' << v.z();
-  return text.str();
 }
 
 /// Whether vertices lie in one plane, within rounding: MuJoCo makes no hull of them.
@@ -60,8 +55,8 @@ std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
     const Vec3d& normal = shape.half_space->normal;
     const Quatd turn = Quatd::FromTwoVectors(Vec3d::UnitZ(), normal);
     text << "<geom " << name << "type=\"plane\" size=\"1 1 1\" pos=\""
-         << spelled(shape.half_space->offset * normal) << "\" quat=\"" << turn.w() << ' '
-         << spelled(turn.vec()) << "\"/>";
+         << peers::spelled(shape.half_space->offset * normal) << "\" quat=\"" << turn.w() << ' '
+         << peers::spelled(turn.vec()) << "\"/>";
     return Geom{"", text.str()};
   }
   if (shape.type == "mesh" || shape.type == "sdf") return std::nullopt;
@@ -69,10 +64,10 @@ std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
     const Vec3d from = shape.vertices.front(), to = shape.vertices.back();
     if ((to - from).norm() == 0)
       text << "<geom " << name << "type=\"sphere\" size=\"" << shape.radius << "\" pos=\""
-           << spelled(from) << "\"/>";
+           << peers::spelled(from) << "\"/>";
     else
       text << "<geom " << name << "type=\"capsule\" size=\"" << shape.radius << "\" fromto=\""
-           << spelled(from) << ' ' << spelled(to) << "\"/>";
+           << peers::spelled(from) << ' ' << peers::spelled(to) << "\"/>";
     return Geom{"", text.str()};
   }
   if (shape.radius > 0 || shape.vertices.size() < 4 || is_flat(shape.vertices)) return std::nullopt;
@@ -82,12 +77,12 @@ std::optional<Geom> geom_of(const trace::Shape& shape, int index) {
       lower = lower.cwiseMin(vertex);
       upper = upper.cwiseMax(vertex);
     }
-    text << "<geom " << name << "type=\"box\" size=\"" << spelled((upper - lower) / 2)
-         << "\" pos=\"" << spelled((upper + lower) / 2) << "\"/>";
+    text << "<geom " << name << "type=\"box\" size=\"" << peers::spelled((upper - lower) / 2)
+         << "\" pos=\"" << peers::spelled((upper + lower) / 2) << "\"/>";
     return Geom{"", text.str()};
   }
   std::string vertices;
-  for (const Vec3d& vertex : shape.vertices) vertices += spelled(vertex) + " ";
+  for (const Vec3d& vertex : shape.vertices) vertices += peers::spelled(vertex) + " ";
   const std::string mesh = "m" + std::to_string(index);
   text << "<geom " << name << "type=\"mesh\" mesh=\"" << mesh << "\"/>";
   return Geom{"<mesh name=\"" + mesh + "\" vertex=\"" + vertices + "\"/>", text.str()};
@@ -113,15 +108,7 @@ class World {
     }
     const std::string xml = "<mujoco><option gravity=\"0 0 0\"/><asset>" + assets +
                             "</asset><worldbody>" + bodies + "</worldbody></mujoco>";
-    const auto files = std::make_unique<mjVFS>();
-    mj_defaultVFS(files.get());
-    if (mj_makeEmptyFileVFS(files.get(), "model.xml", static_cast<int>(xml.size())) != 0)
-      throw std::runtime_error("MuJoCo takes no model of " + std::to_string(xml.size()) + " bytes");
-    std::memcpy(files->filedata[mj_findFileVFS(files.get(), "model.xml")], xml.data(), xml.size());
-    char error[1000] = "";
-    model_ = mj_loadXML("model.xml", files.get(), error, sizeof error);
-    mj_deleteVFS(files.get());
-    if (model_ == nullptr) throw std::runtime_error(std::string("MuJoCo: ") + error);
+    model_ = peers::mujoco_model(xml);
     data_ = mj_makeData(model_);
   }
   ~World() {
@@ -203,9 +190,15 @@ void answer(std::istream& in, std::ostream& out) {
 }  // namespace
 }  // namespace contactscope
 
-int main() {
+int main(int count, char** arguments) {
   try {
-    contactscope::answer(std::cin, std::cout);
+    if (count > 1 && std::string(arguments[1]) == "rollout")
+      contactscope::peers::roll_out(contactscope::peers::mujoco_rollout(), std::cin, std::cout);
+    else
+      contactscope::answer(std::cin, std::cout);
+  } catch (const contactscope::peers::NotStepped& reason) {
+    std::cerr << reason.what() << '\n';
+    return contactscope::versus::kNoRollout;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 2;

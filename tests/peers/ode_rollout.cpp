@@ -157,7 +157,7 @@ class OdeWorld : public RolloutWorld {
 
 RolloutEngine ode_rollout() {
   return {"ODE", dODE_VERSION, Vec3d::UnitZ(),
-          [](const std::vector<Piece>& pieces, const Vec3d& g) {
+          [](const std::vector<Piece>& pieces, const Vec3d& g, double) {
             for (const Piece& mesh : pieces)
               for (const Piece& hull : pieces)
                 if (std::holds_alternative<std::shared_ptr<const Mesh<double>>>(mesh.shape) &&

@@ -124,7 +124,7 @@ class Rollout {
       : request_(std::move(request)),
         pieces_(pieces_of(request_, engine.capsule_axis)),
         step_(request_.header.world->time_step),
-        world_(engine.make(pieces_, request_.header.world->gravity)) {
+        world_(engine.make(pieces_, request_.header.world->gravity, step_)) {
     request_.header.engine = engine.name;
     request_.header.version = engine.version;
     request_.header.poses_at = "before_step";

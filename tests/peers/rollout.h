@@ -66,7 +66,8 @@ struct NotStepped : std::runtime_error {
 struct RolloutEngine {
   std::string name, version;
   Vec3d capsule_axis = Vec3d::UnitY();
-  std::function<std::unique_ptr<RolloutWorld>(const std::vector<Piece>&, const Vec3d& gravity)>
+  std::function<std::unique_ptr<RolloutWorld>(const std::vector<Piece>&, const Vec3d& gravity,
+                                              double step)>
       make;
 };
 

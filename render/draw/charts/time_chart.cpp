@@ -96,7 +96,7 @@ struct ChartOverTime : Pen {
     return mapped(chart.lines, [&](const TimeLine& line) {
       const Range own = range_of(line);
       if (own.is_in(range)) return line.name;
-      const double far = own.high > range.high ? own.high : own.low;
+      const double far = own.high - range.high > range.low - own.low ? own.high : own.low;
       return line.name + ", to " + spell_quantity(far, chart.unit, 2);
     });
   }
