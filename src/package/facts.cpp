@@ -127,7 +127,7 @@ contactscope::trace::Shape traced(const std::string& name, const Collider& colli
 }
 
 Trace trace_of(contactscope::trace::Trace facts) {
-  return Trace(std::make_shared<const Trace::Facts>(std::move(facts)));
+  return Trace(std::make_shared<const Trace::Facts>(Trace::Facts{std::move(facts)}));
 }
 
 const char* name_of(Scalar scalar) {

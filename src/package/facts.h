@@ -17,6 +17,7 @@ namespace contactscope::package {
 
 struct Trace::Facts {
   contactscope::trace::Trace trace;
+  int cut_off_in = 0;  // line of the file; 0: it is whole
 };
 
 struct Collider::Built {

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <sstream>
 
 #include "app/trace_file.h"
 #include "core/at.h"
@@ -31,17 +33,27 @@ InputError outside(const std::string& what, const std::string& file) {
           remedy == std::string::npos ? std::string() : what.substr(remedy + 2)};
 }
 
-template <class Read>
-Trace read_by(const Read& read, const std::string& file) {
-  try {
-    return trace_of(read());
-  } catch (const contactscope::InputError& error) {
-    throw outside(error.what(), file);
+/// All of a file. What frames bring is in the header then.
+Trace read_whole(app::TraceFile& file) {
+  Trace::Facts facts;
+  while (std::optional<contactscope::trace::Frame> frame = file.next()) {
+    frame->shapes.clear();
+    facts.trace.frames.push_back(std::move(*frame));
   }
+  facts.trace.header = file.header();
+  if (file.torn()) facts.cut_off_in = file.torn()->line;
+  return Trace(std::make_shared<const Trace::Facts>(std::move(facts)));
 }
 
-Trace parsed(const std::string& text, const std::string& name) {
-  return read_by([&] { return app::parse_trace(text, name); }, name);
+/// `arguments`: of a TraceFile. `name`: of the file in its messages.
+template <class... Arguments>
+Trace read_by_name(const std::string& name, Arguments&&... arguments) {
+  try {
+    app::TraceFile file(std::forward<Arguments>(arguments)...);
+    return read_whole(file);
+  } catch (const contactscope::InputError& error) {
+    throw outside(error.what(), name);
+  }
 }
 
 contactscope::trace::Frame inside(const Frame& frame) {
@@ -79,7 +91,7 @@ Trace::Trace(const TraceInfo& info, const std::vector<NamedShape>& shapes,
     header.shapes.push_back(traced(shape.name, shape.shape, Scalar::Double));
   for (const Frame& frame : frames) trace.frames.push_back(inside(frame));
   // What follows from the rest is filled in, and all is checked, as of a file.
-  *this = parsed(snapshot::to_json_lines(trace), "trace");
+  *this = parse_trace(snapshot::to_json_lines(trace));
 }
 
 TraceInfo Trace::info() const {
@@ -92,6 +104,10 @@ TraceInfo Trace::info() const {
 
 std::vector<std::string> Trace::shapes() const {
   return mapped(facts_->trace.header.shapes, &contactscope::trace::Shape::name);
+}
+
+int Trace::cut_off_in() const {
+  return facts_->cut_off_in;
 }
 
 int Trace::frame_count() const {
@@ -111,11 +127,11 @@ Frame Trace::frame(int index) const {
 }
 
 Trace read_trace(const std::string& path) {
-  return read_by([&] { return app::load_trace(path); }, path == "-" ? "standard input" : path);
+  return read_by_name(path == "-" ? "standard input" : path, path);
 }
 
 Trace parse_trace(const std::string& text, const std::string& name) {
-  return parsed(text, name);
+  return read_by_name(name, std::make_unique<std::istringstream>(text), name);
 }
 
 std::string to_json_lines(const Trace& trace) {

@@ -53,7 +53,15 @@ TEST(PackageTrace, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(frame.pairs[0].manifolds[0].points[0].id, "corner");
 }
 
-TEST(PackageTrace, TornFileIsRefusedWithItsPlace) {
+TEST(PackageTrace, FileThatIsCutOffIsReadUpToThere) {
+  const std::string whole = to_json_lines(Trace({}, kShapes, {frame_at(0, 0.5), frame_at(1, 0.4)}));
+  EXPECT_EQ(parse_trace(whole).cut_off_in(), 0);
+  const Trace torn = parse_trace(whole.substr(0, whole.size() - 20));
+  EXPECT_EQ(torn.frame_count(), 1);
+  EXPECT_EQ(torn.cut_off_in(), 3);
+}
+
+TEST(PackageTrace, WrongFileIsRefusedWithItsPlace) {
   const TemporaryFolder folder;
   const Trace made({}, kShapes, {frame_at(0, 0.5)});
   const std::string path =

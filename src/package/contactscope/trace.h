@@ -81,6 +81,10 @@ class Trace {
   int frame_count() const;
   Frame frame(int index) const;  // 0 <= index < frame_count()
 
+  /// The line of its file that is cut off, because the process that wrote it died: all before it was read. 0 where
+  /// the file is whole.
+  int cut_off_in() const;
+
   struct Facts;
   explicit Trace(std::shared_ptr<const Facts> facts) : facts_(std::move(facts)) {}
   const Facts& facts() const { return *facts_; }

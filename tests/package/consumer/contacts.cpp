@@ -15,10 +15,9 @@ int main() {
   options.record = true;
   options.name_a = "ground";
   options.name_b = "crate";
-  const contactscope::Contacts contacts =
-      collide(ground, {}, crate, {{0, 0.38, 0}, {}}, options);
-  std::printf("contactscope %s: %s, %.3f m\n", contactscope::version(),
-              to_string(contacts.status), contacts.separation);
+  const contactscope::Contacts contacts = collide(ground, {}, crate, {{0, 0.38, 0}, {}}, options);
+  std::printf("contactscope %s: %s, %.3f m\n", contactscope::version(), to_string(contacts.status),
+              contacts.separation);
   for (const contactscope::Manifold& manifold : contacts.manifolds) {
     std::printf("%s\n", to_string(manifold).c_str());
     contactscope::ReduceOptions three;

@@ -21,3 +21,9 @@ TEST(Crate, StandsOnItsCorners) {
 TEST(Crate, StandsAsBefore) {
   EXPECT_THAT(crate_on_ground(0.38), MatchesSnapshot("crate/on_ground"));
 }
+
+TEST(Crate, StandsAsBeforeForAnyFramework) {
+  const contactscope::Manifold manifold = crate_on_ground(0.38).manifolds[0];
+  const auto same = contactscope::compare_with_snapshot(manifold, "crate/on_ground");
+  EXPECT_TRUE(same.ok) << same.message;
+}
