@@ -65,11 +65,11 @@ std::string causes_of(const RolloutScore& score) {
 }
 
 Table table_of(const Rollout& rollout) {
-  Table table = {{"engine", "frames", "rest", "fell", "at s", "drift mm", "deepest mm", "gained J",
-                  "points", "lint"}};
+  Table table = {{"engine", "frames", "rest", "fell", "at s", "drift mm", "deepest mm", "passed",
+                  "gained J", "points", "lint"}};
   for (const RolloutScore& score : rollout.scores) {
     if (!score.refusal.empty()) {
-      table.push_back({score.name, "no rollout", "-", "-", "-", "-", "-", "-", "-", "-"});
+      table.push_back({score.name, "no rollout", "-", "-", "-", "-", "-", "-", "-", "-", "-"});
       continue;
     }
     const bool rests = score.resting > 0 && !score.time.empty();
@@ -78,6 +78,7 @@ Table table_of(const Rollout& rollout) {
                      score.fell_at ? spelled("%.2f", *score.fell_at) : "-",
                      rests ? millimetres(score.worst_drift) : "-",
                      score.time.empty() ? "-" : millimetres(score.worst_penetration),
+                     score.time.empty() ? "-" : std::to_string(score.passed),
                      score.time.empty() ? "-" : spelled("%.3g", score.energy_gained),
                      score.time.empty() ? "-" : spelled("%.1f", score.points), causes_of(score)});
   }
@@ -100,6 +101,8 @@ Json json_of(const RolloutScore& score, const Contender& contender) {
   if (score.fell_at) json["fell"] = {{"time", *score.fell_at}, {"shape", score.first_fallen}};
   if (score.resting > 0) json["drift"] = {{"worst", score.worst_drift}, {"shape", score.drifted}};
   json["penetration"] = {{"worst", score.worst_penetration}, {"where", score.worst_place}};
+  json["passed"] = {{"count", score.passed}};
+  if (score.passed > 0) json["passed"]["first"] = score.first_passed;
   if (!score.unknown.empty()) json["penetration"]["unknown"] = score.unknown;
   json["energy_gained"] = score.energy_gained;
   json["velocities"] = score.tells_velocities ? "told" : "differences";
@@ -129,6 +132,8 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
           << spelled("%.2f", *score.fell_at) << " s\n";
     if (score.worst_penetration > 0)
       out << score.name << ": deepest in " << score.worst_place << '\n';
+    if (score.passed > 0)
+      out << score.name << ": the first to pass through another in " << score.first_passed << '\n';
     if (!score.unknown.empty())
       out << score.name << ": how deep " << score.unknown << " are is not known, of two meshes\n";
     if (!score.tells_velocities && !score.time.empty())
@@ -138,13 +143,13 @@ void print_notes(const Rollout& rollout, std::ostream& out) {
   }
 }
 
-/// Whether all got to the end, and what stands in one stands in all.
+/// Whether all got to the end, and what stands or is stopped in one is so in all.
 bool agree(const Rollout& rollout) {
   int standing = 0, falling = 0;
   for (const RolloutScore& score : rollout.scores) {
     if (!score.failure.empty()) return false;
     if (!score.refusal.empty()) continue;
-    ++(score.fallen > 0 ? falling : standing);
+    ++(score.fallen > 0 || score.passed > 0 ? falling : standing);
   }
   return standing == 0 || falling == 0;
 }

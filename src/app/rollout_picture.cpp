@@ -30,6 +30,13 @@ std::string overlaps_of(const Rollout& rollout) {
   for (const RolloutScore& score : rollout.scores)
     if (!score.time.empty()) scores.push_back(&score);
   if (scores.empty()) return "No engine steps it";
+  std::vector<std::string> passed, stopped;
+  for (const RolloutScore* score : scores)
+    (score->passed > 0 ? passed : stopped).push_back(score->name);
+  if (stopped.empty()) return "Bodies pass through each other in all engines";
+  if (!passed.empty())
+    return "Bodies pass through each other in " + listed(passed) + ", and not in " +
+           listed(stopped);
   std::ranges::sort(scores, {}, &RolloutScore::worst_penetration);
   const auto told = [](const RolloutScore& score) {
     return draw::spell_length(score.worst_penetration) + " in " + score.name;

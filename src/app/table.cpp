@@ -10,14 +10,53 @@
 
 namespace contactscope::app {
 
+namespace {
+
+struct Range {
+  char32_t first, last;
+};
+/// Unicode 15, East Asian Width W and F, as whole blocks.
+constexpr Range kWide[] = {{0x1100, 0x115f}, {0x2e80, 0xa4cf},   {0xac00, 0xd7a3},
+                           {0xf900, 0xfaff}, {0xfe30, 0xfe6f},   {0xff00, 0xff60},
+                           {0xffe0, 0xffe6}, {0x1f300, 0x1faff}, {0x20000, 0x3fffd}};
+/// Accents, what joins characters, and what chooses their form.
+constexpr Range kNone[] = {{0x0300, 0x036f}, {0x0483, 0x0489}, {0x0591, 0x05bd}, {0x064b, 0x065f},
+                           {0x200b, 0x200f}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}, {0xfe20, 0xfe2f}};
+
+template <std::size_t Count>
+bool is_in(const Range (&ranges)[Count], char32_t character) {
+  return std::ranges::any_of(ranges, [&](const Range& range) {
+    return character >= range.first && character <= range.last;
+  });
+}
+
+}  // namespace
+
+std::size_t columns_of(std::string_view text) {
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    // The bits of the first byte, and six of each that goes on.
+    char32_t character = lead < 0xc0 ? lead
+                                     : lead & (lead < 0xe0   ? 0x1f
+                                               : lead < 0xf0 ? 0x0f
+                                                             : 0x07);
+    while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80)
+      character = character << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+    columns += is_in(kNone, character) ? 0 : (is_in(kWide, character) ? 2 : 1);
+  }
+  return columns;
+}
+
 void print(const Table& table, std::ostream& out) {
   std::vector<std::size_t> widths(table.front().size(), 0);
   for (const std::vector<std::string>& row : table) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], columns_of(row[i]));
   }
   for (const std::vector<std::string>& row : table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string space(widths[i] - row[i].size(), ' ');
+      const std::string space(widths[i] - columns_of(row[i]), ' ');
       out << (i == 0 ? row[i] + space : "  " + space + row[i]);
     }
     out << '\n';

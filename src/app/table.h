@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trace/study.h"
@@ -12,8 +13,12 @@ namespace contactscope::app {
 using Table = std::vector<std::vector<std::string>>;
 
 /// Prints a table for people: columns as wide as what they hold, the first to the left, numbers to
-/// the right. A byte counts as a column: cells are ASCII.
+/// the right.
 void print(const Table& table, std::ostream& out);
+
+/// Columns that UTF-8 text takes on a terminal: two of East Asian characters and pictures, none of accents that stand
+/// on the character before.
+std::size_t columns_of(std::string_view text);
 
 /// As printf does it.
 std::string spelled(const char* format, double value);

@@ -109,6 +109,18 @@ void give_faces(trace::Shape& shape) {
   if (shape.edges.empty()) trace::Shape::edges_from_faces(shape);
 }
 
+/// Whether a shape is told again as it was, with its faces or without those that were made for it.
+bool is_same(const trace::Shape& known, const trace::Shape& again) {
+  const auto plane = [](const trace::Shape& shape) {
+    return shape.half_space.value_or(trace::HalfSpace{});
+  };
+  return known.type == again.type && known.vertices == again.vertices &&
+         (again.faces.empty() || known.faces == again.faces) && known.radius == again.radius &&
+         known.margin == again.margin && known.body == again.body &&
+         known.half_space.has_value() == again.half_space.has_value() &&
+         plane(known) == plane(again);
+}
+
 /// "hull-mesh": two words for shapes.
 bool is_kind(const std::string& kind) {
   const std::size_t dash = kind.find('-');
@@ -158,6 +170,11 @@ void TraceChecks::add(trace::Shape shape) {
 }
 
 void TraceChecks::frame(trace::Frame& frame) {
+  // Some writers tell all shapes in each frame.
+  std::erase_if(frame.shapes, [&](const trace::Shape& shape) {
+    const auto known = places_.find(shape.name);
+    return known != places_.end() && is_same(header_.shapes[known->second], shape);
+  });
   for (trace::Shape& shape : frame.shapes) {
     add(shape);
     shape = header_.shapes.back();  // with faces
@@ -177,7 +194,8 @@ const trace::Shape& TraceChecks::named(const std::string& name, const Place& pla
   if (found != places_.end()) return header_.shapes[found->second];
   const std::string near = nearest(name, names_in(header_.shapes));
   throw Wrong{place() + ": the header has no shape '" + name + "'" +
-              (near.empty() ? "; add it there" : "; did you mean '" + near + "'?")};
+              (near.empty() ? "; add it there, or to 'shapes' of this frame"
+                            : "; did you mean '" + near + "'?")};
 }
 
 void TraceChecks::pair(std::size_t index, const trace::Pair& pair) const {

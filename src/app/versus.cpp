@@ -258,9 +258,10 @@ the patch that all points would span. ids kept: from the frame before; with a ~ 
 tells none, by ids made up from geometry. lint: what `contactscope lint` says of the engine's answer.
 With --rollout each engine steps the scene by itself. rest: bodies that stand at the start and should stay;
 fell: how many of them sank by half of their thickness; at s: when the first did. drift: how far the farthest of them
-was from its start, ever. deepest: overlap of any two shapes, by their exact geometry. gained: the most that the
+was from its start, ever. deepest: overlap of any two shapes, by their exact geometry. passed:
+bodies that went through another shape between two frames. gained: the most that the
 energy rose above any that it had before. points: that act, a frame. Exit code 1 where an engine does not get to
-the end, or what stands in one falls in another.
+the end, or what stands or is stopped in one falls or passes in another.
 An engine is any program contactscope-engine-NAME, see src/versus/README.md. Exit code 1 where one is
 wrong or does not answer.)"};
 }

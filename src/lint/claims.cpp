@@ -6,6 +6,7 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
+#include "lint/forms.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
@@ -27,10 +28,46 @@ constexpr double kSpeculativeShare = 0.25;
 constexpr double kSideTolerances = 4;
 
 Quat<double> read(const Quat<double>& told, Rotation how) {
-  if (how == Rotation::Inverse) return told.conjugate();
-  if (how == Rotation::Wxyz) return told;
-  // The numbers as written are w, x, y, z; they are meant as x, y, z, w.
-  return {told.z(), told.w(), told.x(), told.y()};
+  switch (how) {
+    case Rotation::Wxyz:
+      break;
+    case Rotation::Xyzw:  // the numbers as written are w, x, y, z; they are meant as x, y, z, w
+      return {told.z(), told.w(), told.x(), told.y()};
+    case Rotation::Inverse:
+      return told.conjugate();
+    case Rotation::HalfTheAngle: {
+      const Quat<double> half(1 + std::abs(told.w()), told.x(), told.y(), told.z());
+      return (told.w() < 0 ? Quat<double>(half.w(), -half.x(), -half.y(), -half.z()) : half)
+          .normalized();
+    }
+    case Rotation::MirroredX:
+      return {told.w(), told.x(), -told.y(), -told.z()};
+    case Rotation::MirroredY:
+      return {told.w(), -told.x(), told.y(), -told.z()};
+    case Rotation::MirroredZ:
+      return {told.w(), -told.x(), -told.y(), told.z()};
+  }
+  return told;
+}
+
+Vec3d read(const Vec3d& told, Axes axes) {
+  switch (axes) {
+    case Axes::Same:
+      break;
+    case Axes::MirroredX:
+      return {-told.x(), told.y(), told.z()};
+    case Axes::MirroredY:
+      return {told.x(), -told.y(), told.z()};
+    case Axes::MirroredZ:
+      return {told.x(), told.y(), -told.z()};
+    case Axes::YzSwapped:
+      return {told.x(), told.z(), told.y()};
+    case Axes::ZUp:
+      return {told.x(), told.z(), -told.y()};
+    case Axes::YUp:
+      return {told.x(), -told.z(), told.y()};
+  }
+  return told;
 }
 
 Vec3d in_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& point) {
@@ -87,7 +124,7 @@ Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, 
 void Solids::add(const trace::Shape& shape) {
   try {
     solids_.insert_or_assign(shape.name, Solid(shape));
-    if (shape.type == "mesh") meshes_[shape.name] = shape;
+    shapes_[shape.name] = shape;
   } catch (const ShapeError& error) {
     refused[shape.name] = error.what();
   }
@@ -96,8 +133,8 @@ void Solids::add(const trace::Shape& shape) {
 void Solids::deform(const std::vector<trace::Deformed>& now) {
   deformed_.clear();
   for (const trace::Deformed& one : now) {
-    const auto found = meshes_.find(one.name);
-    if (found == meshes_.end()) continue;
+    const auto found = shapes_.find(one.name);
+    if (found == shapes_.end()) continue;
     trace::Shape shape = found->second;
     shape.vertices = one.vertices;
     try {
@@ -108,10 +145,23 @@ void Solids::deform(const std::vector<trace::Deformed>& now) {
   }
 }
 
-const Solid* Solids::find(const std::string& name) const {
+const Solid* Solids::find(const std::string& name, Form form) const {
+  if (form != Form::AsTold) {
+    if (const auto known = reformed_.find({name, form}); known != reformed_.end())
+      return &known->second;
+    const auto told = shapes_.find(name);
+    if (told != shapes_.end() && takes(told->second, form))
+      return &reformed_.emplace(std::pair(name, form), Solid(reformed(told->second, form)))
+                  .first->second;
+  }
   if (const auto found = deformed_.find(name); found != deformed_.end()) return &found->second;
   const auto found = solids_.find(name);
   return found == solids_.end() ? nullptr : &found->second;
+}
+
+const std::string& Solids::body_of(const std::string& name) const {
+  const auto found = shapes_.find(name);
+  return found == shapes_.end() || found->second.body.empty() ? name : found->second.body;
 }
 
 double tolerance_of(const Placed& a, const Placed& b) {
@@ -123,7 +173,7 @@ double tolerance_of(const Placed& a, const Placed& b) {
 
 std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
                             const std::string& name, const Reading& reading) {
-  const Solid* const solid = solids.find(name);
+  const Solid* const solid = solids.find(name, reading.form);
   if (solid == nullptr || frame == nullptr) return std::nullopt;
   const Pose<double>* const told = trace::find_pose(*frame, name);
   if (told == nullptr) return std::nullopt;
@@ -150,12 +200,14 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   Court court(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {
     const trace::Manifold& manifold = at(pair.manifolds, m);
-    Vec3d normal = turned_to_world(reading.normals, *a, *b, manifold.normal).normalized();
+    const Vec3d told_normal = read(manifold.normal, reading.axes);
+    Vec3d normal = turned_to_world(reading.normals, *a, *b, told_normal).normalized();
     if (reading.normals_flipped) normal = -normal;
     double deepest = std::numeric_limits<double>::infinity();
     for (int p = 0; p < count_of(manifold.points); ++p) {
       const trace::Point& point = at(manifold.points, p);
-      const Vec3d position = in_world(reading.points, *a, *b, reading.point_scale * point.position);
+      const Vec3d position = in_world(reading.points, *a, *b,
+                                      reading.point_scale * read(point.position, reading.axes));
       const double said =
           (reading.separations_negated ? -1 : 1) * reading.separation_scale * point.separation;
       deepest = std::min(deepest, said);
@@ -191,7 +243,8 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
       const auto on_its_surface = [&](const std::optional<Vec3d>& told, const Placed& solid,
                                       const std::string& name) {
         if (!told) return;
-        const Vec3d where = in_world(reading.points, *a, *b, reading.point_scale * *told);
+        const Vec3d where =
+            in_world(reading.points, *a, *b, reading.point_scale * read(*told, reading.axes));
         const double beside = std::abs(solid.distance(where));
         court.claim({Wrong::Side, m, p, 0, beside, name}, beside, kSideTolerances * tolerance);
       };

@@ -47,13 +47,17 @@ class Solids {
   /// Meshes that are no longer as they were; undone by the next frame.
   void deform(const std::vector<trace::Deformed>& now);
   /// nullptr: refused, or not there.
-  const Solid* find(const std::string& name) const;
+  const Solid* find(const std::string& name, Form form = Form::AsTold) const;
+  /// The body that a shape is a part of, or is.
+  const std::string& body_of(const std::string& name) const;
 
   std::map<std::string, std::string> refused;  // why, by name
 
  private:
-  std::map<std::string, trace::Shape> meshes_;
+  std::map<std::string, trace::Shape> shapes_;
   std::map<std::string, Solid> solids_, deformed_;
+  mutable std::map<std::pair<std::string, Form>, Solid>
+      reformed_;  // made where a reading asks for them
 };
 
 /// A frame and its neighbours, nullptr where there is none.

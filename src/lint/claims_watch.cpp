@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "core/at.h"
 #include "lint/watch.h"
@@ -14,6 +16,9 @@ constexpr int kTried = 1000;
 /// points that are kept while bodies turn. It is told where it is this often, or this many tolerances.
 constexpr double kOften = 0.02, kGross = 15;
 constexpr double kFewLeft = 0.25;
+/// What a cause has to be of, of the wrong pairs that are left, and pairs that say so where it may be chance.
+constexpr double kOfWrong = 0.3;
+constexpr int kNoChance = 3;
 /// One wrong claim of so many may have a cause of its own.
 constexpr int kMended = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
@@ -24,6 +29,12 @@ double common_depth(const Verdict& verdict) {
   const double middle = (least + most) / 2;
   const bool is_common = most - least <= std::max(verdict.tolerance, 0.1 * std::abs(middle));
   return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
+}
+
+/// Whether a form makes another shape of one of the two.
+bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
+  return form == Form::AsTold || solids.find(pair.a, form) != solids.find(pair.a) ||
+         solids.find(pair.b, form) != solids.find(pair.b);
 }
 
 std::string point_name(const Problem& problem) {
@@ -105,7 +116,11 @@ class ClaimsWatch final : public Watch {
     // Where a cause is found for nearly all, the others mostly have it as well, and something else beside.
     if (wrong_.untold() < kFewLeft * wrong_.count()) return;
     tell_margin(findings);
-    for (int kind = 0; kind < kWrongs; ++kind) tell_unexplained(static_cast<Wrong>(kind), findings);
+    std::vector<Finding> unexplained;
+    for (int kind = 0; kind < kWrongs; ++kind)
+      tell_unexplained(static_cast<Wrong>(kind), unexplained);
+    std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
+    std::ranges::move(unexplained, std::back_inserter(findings));
   }
 
  private:
@@ -134,6 +149,7 @@ class ClaimsWatch final : public Watch {
       if (wrong_.count() >= kTried && !has_explained_.test(e)) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
+      if (!is_about(all[e].reading.form, solids, pair)) continue;
       // Points that are scaled down come together at the origin, which may be where the shapes touch.
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
@@ -183,16 +199,17 @@ class ClaimsWatch final : public Watch {
       for (std::size_t e = 0; e < all.size() && !wrong.told; ++e)
         counts[e] += wrong.explained_by.test(e) ? wrong.times : 0;
     // Two mistakes at once explain a few pairs by chance, but for the two that are about signs.
-    constexpr int kFewest = 3;
     for (std::size_t e = 0; e < all.size(); ++e) {
       Reading signs;
       signs.normals_flipped = signs.separations_negated = true;
-      const bool by_chance = all[e].made.size() > 1 && !(all[e].reading == signs);
-      if (by_chance && counts[e] < kFewest) counts[e] = 0;
+      const Reading& reading = all[e].reading;
+      const bool several = all[e].made.size() > 1 && !(reading == signs);
+      // So do another moment, where but one thing is out of place, and other axes.
+      const bool moved = reading.moment != Moment::OfFrame && 2 * counts[e] < judged_;
+      if ((several || moved || all[e].made[0]->alone) && counts[e] < kNoChance) counts[e] = 0;
     }
     const auto most = std::ranges::max_element(counts);
     // One cause has many effects: what a few of many wrong pairs would be right under is chance.
-    constexpr double kOfWrong = 0.3;
     if (most == counts.end() || *most == 0 || *most < kOfWrong * wrong_.untold()) return false;
     // A simple one that explains nearly as many is the likelier.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
@@ -229,14 +246,19 @@ class ClaimsWatch final : public Watch {
     auto middle = depths.begin();
     for (int below = middle->second; below <= all / 2; below += middle->second) ++middle;
     const double margin = middle->first;
+    const auto has_margin = [&](const WrongPair& wrong) {
+      return !wrong.told && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin);
+    };
     const WrongPair* first = nullptr;
     int count = 0;
-    for (WrongPair& wrong : wrong_) {
-      if (wrong.told || std::abs(wrong.deeper - margin) > 0.1 * std::abs(margin)) continue;
-      wrong.told = true;
+    for (const WrongPair& wrong : wrong_) {
+      if (!has_margin(wrong)) continue;
       count += wrong.times;
       if (first == nullptr) first = &wrong;
     }
+    // One body out of its place has a depth as well.
+    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
+    for (WrongPair& wrong : wrong_) wrong.told = wrong.told || has_margin(wrong);
     const bool larger = margin > 0;
     findings.push_back(finding(larger ? "margin_added" : "margin_taken_off",
                                "contacts are those of shapes that are together " +

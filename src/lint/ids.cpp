@@ -24,6 +24,7 @@ bool same_places(const trace::Pair& one, const trace::Pair& other, double near) 
 class IdsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
+    for (const trace::Pair& pair : frames.now->pairs) see_alike(frames, pair);
     if (frames.before == nullptr) return;
     for (const trace::Pair& pair : frames.now->pairs) {
       const auto before = std::ranges::find_if(frames.before->pairs, [&](const trace::Pair& other) {
@@ -39,7 +40,10 @@ class IdsWatch final : public Watch {
       const double near = kSamePlace * std::min(a->size(), b->size());
       if (!same_places(pair, *before, near)) continue;
       ++still_;
-      if (ids == old) continue;
+      if (ids == old) {
+        see_traded(frames, pair, *before, near);
+        continue;
+      }
       ++changed_;
       if (changed_ > 1) continue;
       first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
@@ -55,6 +59,18 @@ class IdsWatch final : public Watch {
   void tell(std::vector<Finding>& findings) override {
     constexpr int kFewest = 3;
     constexpr double kShare = 0.2;
+    if (alike_ >= kFewest && alike_ >= kShare * several_) {
+      Finding finding = first_alike_;
+      finding.cause = "ids_alike";
+      finding.what = "points of a manifold have the same id";
+      finding.remedy =
+          "name each point by the features that make it, or leave 'id' out: solvers start from the "
+          "impulse of the point "
+          "with the same id";
+      finding.count = alike_;
+      finding.of = several_;
+      findings.push_back(finding);
+    }
     if (changed_ < kFewest || changed_ < kShare * still_) return;
     Finding finding = first_;
     finding.cause = "ids_change";
@@ -69,6 +85,50 @@ class IdsWatch final : public Watch {
   }
 
  private:
+  /// Of a manifold with several points.
+  void see_alike(const Moments& frames, const trace::Pair& pair) {
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      std::set<std::string> names;
+      std::size_t named = 0;
+      for (const trace::Point& point : manifold.points) {
+        if (point.id.empty()) continue;
+        ++named;
+        names.insert(point.id);
+      }
+      if (named < 2) continue;
+      ++several_;
+      if (names.size() == named || alike_++ > 0) continue;
+      first_alike_ = {"",     "",     "", 0, 0, frames.now->line, frames.now->frame,
+                      pair.a, pair.b, "", ""};
+      first_alike_.said = std::to_string(named) + " points have " + std::to_string(names.size()) +
+                          (names.size() == 1 ? " id" : " ids");
+      first_alike_.is = "each is another point";
+    }
+  }
+
+  /// Names that are all there, each on another point than in the frame before.
+  void see_traded(const Moments& frames, const trace::Pair& pair, const trace::Pair& before,
+                  double near) {
+    const auto places = [](const trace::Pair& of) {
+      std::map<std::pair<int, std::string>, std::vector<Vec3d>> all;
+      for (const trace::Manifold& manifold : of.manifolds)
+        for (const trace::Point& point : manifold.points)
+          all[{manifold.triangle.value_or(-1), point.id}].push_back(point.position);
+      return all;
+    };
+    const auto then = places(before);
+    for (const auto& [name, now] : places(pair)) {
+      const auto found = then.find(name);
+      if (now.size() != 1 || found == then.end() || found->second.size() != 1) continue;
+      if ((now.front() - found->second.front()).norm() <= near) continue;
+      if (changed_++ > 0) return;
+      first_ = {"", "", "", 0, 0, frames.now->line, frames.now->frame, pair.a, pair.b, "", ""};
+      first_.said = "'" + name.second + "' at " + spelled(now.front());
+      first_.is = "in the frame before it was at " + spelled(found->second.front());
+      return;
+    }
+  }
+
   static bool stands_still(const Solids& solids, const Moments& frames, const trace::Pair& pair) {
     for (const std::string& name : {pair.a, pair.b}) {
       const std::optional<Placed> now = place(solids, frames.now, name, {});
@@ -83,7 +143,8 @@ class IdsWatch final : public Watch {
   }
 
   int still_ = 0, changed_ = 0;
-  Finding first_;
+  int several_ = 0, alike_ = 0;
+  Finding first_, first_alike_;
 };
 
 }  // namespace

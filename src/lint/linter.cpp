@@ -25,8 +25,12 @@ struct Linter::State {
     watches.push_back(watch_claims(header, options));
     watches.push_back(watch_overlaps());
     watches.push_back(watch_ids());
+    watches.push_back(watch_records());
+    watches.push_back(watch_friction());
     if (options.shapes_are_given) return;
+    watches.push_back(watch_windings());
     watches.push_back(watch_rotations());
+    watches.push_back(watch_velocities());
     watches.push_back(watch_motion(header));
   }
 

@@ -5,6 +5,7 @@
 
 #include "core/at.h"
 #include "lint/watch.h"
+#include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
@@ -49,19 +50,15 @@ bool is_near(double value, double target) {
   return std::abs(value - target) <= kAlike * std::abs(target);
 }
 
-const trace::Body* body_of(const trace::Frame& frame, const std::string& name) {
-  if (!frame.solver) return nullptr;
-  const auto found = std::ranges::find(frame.solver->bodies, name, &trace::Body::name);
-  return found == frame.solver->bodies.end() ? nullptr : &*found;
-}
-
 /// What the contacts of a frame give a body, N s; empty where a point that acts has no impulse.
-std::optional<Vec3d> impulse_on(const trace::Frame& frame, const std::string& name) {
+std::optional<Vec3d> impulse_on(const Solids& solids, const trace::Frame& frame,
+                                const std::string& name) {
   Vec3d sum = Vec3d::Zero();
   bool any = false;
   for (const trace::Pair& pair : frame.pairs) {
-    const double sign = pair.b == name ? 1 : (pair.a == name ? -1 : 0);
-    if (sign == 0) continue;
+    const double sign =
+        (solids.body_of(pair.b) == name ? 1 : 0) - (solids.body_of(pair.a) == name ? 1 : 0);
+    if (sign == 0) continue;  // also of two parts of one body
     for (const trace::Manifold& manifold : pair.manifolds)
       for (const trace::Point& point : manifold.points) {
         if (!point.active) continue;
@@ -84,11 +81,12 @@ class MotionWatch final : public Watch {
     const double step = frames.after->time - frames.now->time;
     if (!(step > 0)) return;
     if (frames.before != nullptr) see_falls(solids, frames, step);
-    see_rests(frames, step);
+    see_rests(solids, frames, step);
   }
 
   void tell(std::vector<Finding>& findings) override {
     tell_axis(findings);
+    if (tell_time(findings)) return;
     tell_unit(findings);
     tell_densities(findings);
     tell_impulses(findings);
@@ -115,9 +113,10 @@ class MotionWatch final : public Watch {
     std::set<std::string> touched;
     for (const trace::Frame* frame : {frames.before, frames.now, frames.after})
       for (const trace::Pair& pair : frame->pairs)
-        if (!pair.manifolds.empty()) touched.insert(pair.a), touched.insert(pair.b);
+        if (!pair.manifolds.empty())
+          touched.insert(solids.body_of(pair.a)), touched.insert(solids.body_of(pair.b));
     for (const trace::Placement& one : frames.now->poses) {
-      if (touched.contains(one.first)) continue;
+      if (touched.contains(solids.body_of(one.first))) continue;
       const auto before = place(solids, frames.before, one.first, {});
       const auto now = place(solids, frames.now, one.first, {});
       const auto after = place(solids, frames.after, one.first, {});
@@ -137,16 +136,16 @@ class MotionWatch final : public Watch {
   }
 
   /// A body that rests has its weight borne by its contacts.
-  void see_rests(const Moments& frames, double step) {
+  void see_rests(const Solids& solids, const Moments& frames, double step) {
     if (!frames.now->solver) return;
     for (const trace::Body& body : frames.now->solver->bodies) {
-      const trace::Body* const after = body_of(*frames.after, body.name);
+      const trace::Body* const after = trace::find_body(*frames.after, body.name);
       if (after == nullptr || !(body.mass > 0) || !std::isfinite(body.mass)) continue;
       const double in_a_step = kGravity * step;  // what gravity adds to a velocity
       if (body.velocity.norm() > in_a_step ||
           (after->velocity - body.velocity).norm() > kAlike * in_a_step)
         continue;
-      const std::optional<Vec3d> impulse = impulse_on(*frames.now, body.name);
+      const std::optional<Vec3d> impulse = impulse_on(solids, *frames.now, body.name);
       if (!impulse) continue;
       const Vec3d weights = *impulse / (body.mass * in_a_step);
       for (int axis = 0; axis < 3; ++axis)
@@ -178,6 +177,26 @@ class MotionWatch final : public Watch {
            falls ? std::string("it falls along -") + at(kAxes, axis)
                  : std::string("its contacts bear it along ") + at(kAxes, axis)});
     }
+  }
+
+  /// Gravity and weights are those of a time that runs a thousand times too fast.
+  bool tell_time(std::vector<Finding>& findings) const {
+    constexpr double kThousand = 1000;
+    const std::optional<double> share = weights_.common();
+    const bool bears = share && is_near(std::abs(*share), 1 / kThousand);
+    const auto falls = std::ranges::find_if(falls_, [](const Samples& samples) {
+      const std::optional<double> fall = samples.common();
+      return fall && is_near(std::abs(*fall), kGravity / (kThousand * kThousand));
+    });
+    if (!bears && falls == falls_.end()) return false;
+    const Samples& samples = bears ? weights_ : *falls;
+    findings.push_back(
+        {"time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
+         samples.count, samples.count, samples.line, samples.frame, samples.name, "",
+         bears ? "its contacts bear " + metres(*share) + " of its weight"
+               : "it falls with " + metres(std::abs(*falls->common())) + " a second squared",
+         bears ? "it rests, so that they bear all of it" : "it would be 9.81"});
+    return true;
   }
 
   void tell_unit(std::vector<Finding>& findings) const {
@@ -238,6 +257,11 @@ class MotionWatch final : public Watch {
     if (is_near(*share, 2))
       return say("impulses_doubled", "impulses bear twice the weight",
                  "maybe each is told of both bodies, or added up twice");
+    constexpr double kUnlike = 10;  // gravity may be another one
+    if (std::abs(*share) > kUnlike || std::abs(*share) < 1 / kUnlike)
+      return say("impulses_unlike_weights", "impulses have nothing to do with weights",
+                 "look at 'mass', which may be its inverse, in kilograms, and at the unit of "
+                 "impulses, newton seconds");
   }
 
   Vec3d up_;

@@ -2,6 +2,13 @@
 
 namespace contactscope::lint {
 
+namespace {
+
+constexpr const char* kOneWorld =
+    "write points and normals in the axes of the poses: all are of one right-handed world";
+
+}  // namespace
+
 const std::vector<Mistake>& mistakes() {
   static const std::vector<Mistake> kMistakes = {
       {"flipped_normals", "normals point from b to a",
@@ -71,6 +78,64 @@ const std::vector<Mistake>& mistakes() {
        [](Reading& r) { r.shape_scale = 0.001; }},
       {"shapes_in_metres", "shapes are in metres, and the rest in centimetres",
        "write all lengths in metres", [](Reading& r) { r.shape_scale = 100; }},
+      {"boxes_twice_as_large", "boxes are twice as large as what collided",
+       "halve their vertices: whole extents were taken for half ones",
+       [](Reading& r) { r.form = Form::BoxesHalf; }, true},
+      {"boxes_half_as_large", "boxes are half as large as what collided",
+       "double their vertices: half extents were taken for whole ones",
+       [](Reading& r) { r.form = Form::BoxesTwice; }, true},
+      {"radii_twice_as_large", "radii of spheres and capsules are twice those that collided",
+       "halve each 'radius': it may be a diameter", [](Reading& r) { r.form = Form::RadiiHalf; },
+       true},
+      {"radii_half_as_large", "radii of spheres and capsules are half of those that collided",
+       "double each 'radius': it may have been taken for a diameter",
+       [](Reading& r) { r.form = Form::RadiiTwice; }, true},
+      {"capsules_twice_as_long", "segments of capsules are twice as long as what collided",
+       "a whole length was taken for a half one: each end is half of it from the middle, without "
+       "the cap",
+       [](Reading& r) { r.form = Form::CapsulesHalf; }, true},
+      {"capsules_half_as_long", "segments of capsules are half as long as what collided",
+       "a half length was taken for a whole one: each end is so far from the middle, without the "
+       "cap",
+       [](Reading& r) { r.form = Form::CapsulesTwice; }, true},
+      {"capsules_along_x", "capsules collided along x", "write the ends of each segment along x",
+       [](Reading& r) { r.form = Form::CapsulesAlongX; }, true},
+      {"capsules_along_y", "capsules collided along y", "write the ends of each segment along y",
+       [](Reading& r) { r.form = Form::CapsulesAlongY; }, true},
+      {"capsules_along_z", "capsules collided along z", "write the ends of each segment along z",
+       [](Reading& r) { r.form = Form::CapsulesAlongZ; }, true},
+      {"plane_offsets_negated", "offsets of planes have the other sign",
+       "negate each 'offset': a plane is solid where normal . x <= offset; a x + b y + c z + d = 0 "
+       "has an "
+       "offset of -d",
+       [](Reading& r) { r.form = Form::OffsetsNegated; }, true},
+      {"planes_turned", "normals of planes point into what is solid",
+       "negate 'normal' and 'offset' of each 'half_space': it is solid where normal . x <= offset",
+       [](Reading& r) { r.form = Form::PlanesTurned; }, true},
+      {"angles_doubled", "rotations turn twice as far as they should",
+       "make the quaternion of an angle of the cosine and the sine of its half",
+       [](Reading& r) { r.rotation = Rotation::HalfTheAngle; }, true},
+      {"rotations_mirrored_x", "rotations are those of a world mirrored in x",
+       "where a left-handed world is mirrored in x, negate y and z of each quaternion as well",
+       [](Reading& r) { r.rotation = Rotation::MirroredX; }, true},
+      {"rotations_mirrored_y", "rotations are those of a world mirrored in y",
+       "where a left-handed world is mirrored in y, negate x and z of each quaternion as well",
+       [](Reading& r) { r.rotation = Rotation::MirroredY; }, true},
+      {"rotations_mirrored_z", "rotations are those of a world mirrored in z",
+       "where a left-handed world is mirrored in z, negate x and y of each quaternion as well",
+       [](Reading& r) { r.rotation = Rotation::MirroredZ; }, true},
+      {"contacts_mirrored_x", "contacts are mirrored in x beside the poses", kOneWorld,
+       [](Reading& r) { r.axes = Axes::MirroredX; }, true},
+      {"contacts_mirrored_y", "contacts are mirrored in y beside the poses", kOneWorld,
+       [](Reading& r) { r.axes = Axes::MirroredY; }, true},
+      {"contacts_mirrored_z", "contacts are mirrored in z beside the poses", kOneWorld,
+       [](Reading& r) { r.axes = Axes::MirroredZ; }, true},
+      {"contacts_y_z_swapped", "y and z of contacts are swapped beside the poses", kOneWorld,
+       [](Reading& r) { r.axes = Axes::YzSwapped; }, true},
+      {"contacts_z_up", "contacts are of a world with z up, and poses of one with y up", kOneWorld,
+       [](Reading& r) { r.axes = Axes::ZUp; }, true},
+      {"contacts_y_up", "contacts are of a world with y up, and poses of one with z up", kOneWorld,
+       [](Reading& r) { r.axes = Axes::YUp; }, true},
   };
   return kMistakes;
 }
@@ -79,6 +144,7 @@ namespace {
 
 /// Two mistakes can be made at once where they are about different things.
 bool go_together(const Mistake& one, const Mistake& other) {
+  if (one.alone || other.alone) return false;
   Reading first, second;
   one.apply(first);
   other.apply(second);

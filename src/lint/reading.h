@@ -14,8 +14,27 @@ enum class Moment { OfFrame, FrameBefore, FrameAfter };
 /// Which frame vectors are told in.
 enum class Frame { World, OfA, OfB };
 
-/// How the four numbers of a rotation are meant.
-enum class Rotation { Wxyz, Xyzw, Inverse };
+/// How the four numbers of a rotation are meant. Mirrored: of a world in which that axis has the other sign.
+enum class Rotation { Wxyz, Xyzw, Inverse, HalfTheAngle, MirroredX, MirroredY, MirroredZ };
+
+/// How the three numbers of contact points and normals stand to those of poses.
+enum class Axes { Same, MirroredX, MirroredY, MirroredZ, YzSwapped, ZUp, YUp };
+
+/// What shapes collided as, where that is not what the trace says.
+enum class Form {
+  AsTold,
+  BoxesHalf,
+  BoxesTwice,
+  RadiiHalf,
+  RadiiTwice,
+  CapsulesHalf,
+  CapsulesTwice,  // as long
+  CapsulesAlongX,
+  CapsulesAlongY,
+  CapsulesAlongZ,
+  OffsetsNegated,
+  PlanesTurned,
+};
 
 /// One way to read what a trace says. The default is what src/trace/README.md promises; each other value
 /// is a mistake that people make.
@@ -31,11 +50,13 @@ struct Reading {
   bool at_center_of_mass = false;  // positions are of the centre of mass, not of the shape's origin
   double shape_scale = 1;
   bool sides_swapped = false;  // on_a is on b, and on_b on a
+  Axes axes = Axes::Same;
+  Form form = Form::AsTold;
 
   /// Whether it has shapes elsewhere, or otherwise, than the trace says.
   bool moves_shapes() const {
     return moment != Moment::OfFrame || rotation != Rotation::Wxyz || at_center_of_mass ||
-           shape_scale != 1;
+           shape_scale != 1 || form != Form::AsTold;
   }
 
   friend bool operator==(const Reading&, const Reading&) = default;
@@ -47,6 +68,7 @@ struct Mistake {
   const char* what;    // "normals point from b to a"
   const char* remedy;  // "negate them; ..."
   void (*apply)(Reading&);
+  bool alone = false;  // not looked for beside another one
 };
 
 /// All that are known, the likelier ones first.

@@ -181,6 +181,11 @@ std::optional<double> Solid::exit(const Vec3d& point, const Vec3d& direction) co
   return (plane_.offset - plane_.normal.dot(point)) / slope;
 }
 
+std::optional<Vec3d> Solid::face_normal(const Vec3d& point) const {
+  if (kind_ != Kind::Surface) return std::nullopt;
+  return triangles_->normal(triangles_->nearest(point).triangle);
+}
+
 double Solid::extent(const Vec3d& direction) const {
   if (kind_ == Kind::Plane) {
     constexpr double kSame = 1e-6;  // what numbers of seven digits leave uncertain

@@ -32,6 +32,9 @@ class Solid {
   /// stands on end.
   std::optional<double> exit_by_core(const Vec3d& point, const Vec3d& direction) const;
 
+  /// Of a mesh, where its triangle that is nearest to the point looks to (unit); empty of others.
+  std::optional<Vec3d> face_normal(const Vec3d& point) const;
+
   /// The largest direction . x of its points; infinite along what has no end.
   double extent(const Vec3d& direction) const;
 

@@ -28,6 +28,15 @@ std::unique_ptr<Watch> watch_rotations();
 /// motion.cpp: what falls, and what rests, against gravity, weights and the axis that is up.
 std::unique_ptr<Watch> watch_motion(const trace::Header& header);
 
+/// records.cpp: pairs that stand there twice, or have no points; times that do not rise.
+std::unique_ptr<Watch> watch_records();
+/// friction.cpp: across the normal, bounded by the normal impulse, against what slides.
+std::unique_ptr<Watch> watch_friction();
+/// velocities.cpp: against how far bodies get.
+std::unique_ptr<Watch> watch_velocities();
+/// windings.cpp: meshes that are met from behind.
+std::unique_ptr<Watch> watch_windings();
+
 /// "0.0213": metres as findings tell them.
 std::string metres(double length);
 /// "[0, 1, 0]".

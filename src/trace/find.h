@@ -15,6 +15,13 @@ inline const Pose<double>* find_pose(const Frame& frame, const std::string& name
   return found == frame.poses.end() ? nullptr : &found->second;
 }
 
+/// What a frame's solver knows of a body; nullptr where it does not know it.
+inline const Body* find_body(const Frame& frame, const std::string& name) {
+  if (!frame.solver) return nullptr;
+  const auto found = std::ranges::find(frame.solver->bodies, name, &Body::name);
+  return found == frame.solver->bodies.end() ? nullptr : &*found;
+}
+
 /// The point of least separation of all manifolds of a pair; nullptr without points.
 inline const Point* deepest_point(const Pair& pair) {
   const Point* deepest = nullptr;

@@ -1,5 +1,7 @@
 #include "trace/read_trace.h"
 
+#include <algorithm>
+#include <cctype>
 #include <istream>
 
 #include "core/input_error.h"
@@ -125,6 +127,23 @@ constexpr const char* kNoJson =
     "torn: make it "
     "again";
 
+/// What keeps a line from being JSON at a column, from 1.
+std::string why_no_json(const std::string& line, std::size_t column, const std::string& told) {
+  if (line.starts_with("\x1f\x8b")) return "the file is compressed; unpack it first";
+  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
+    return "the file is UTF-16; a trace is UTF-8";
+  if (told.find("UTF-8") != std::string::npos)
+    return "from here on this line is no UTF-8, as names have to be; it may be Latin-1, or binary";
+  constexpr std::size_t kBefore = 6;  // a sign, and the letters that were taken for a literal
+  std::string near = line.substr(column > kBefore ? column - kBefore : 0, 2 * kBefore);
+  std::ranges::transform(near, near.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (near.find("nan") != std::string::npos || near.find("inf") != std::string::npos)
+    return "this line is no JSON from here on, which has no nan and no infinity; find where the "
+           "engine makes it, or leave "
+           "the pair out";
+  return kNoJson;
+}
+
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
@@ -151,7 +170,11 @@ std::optional<Frame> TraceReader::next() {
   if (torn_) return std::nullopt;
   Frame frame;
   const bool any = next_line([&](const Json& line) {
-    frame = read<Frame>(Node(line), nullptr);
+    const Node node(line);
+    if (line.is_object() && node.find("schema"))
+      throw Complaint{
+          "this is a second header; a file holds one trace: begin another file with it"};
+    frame = read<Frame>(node, nullptr);
     know(frame.shapes);
     complete(kinds_, frame);
     frame.line = number_;
@@ -193,7 +216,12 @@ bool TraceReader::next_line(const Read& read_it) {
         torn_ = Torn{number_, column};
         return false;
       }
-      throw InputError(name_, number_, column, kNoJson);
+      throw InputError(name_, number_, column, why_no_json(line_, error.byte, error.what()));
+    } catch (const nlohmann::json::out_of_range& error) {
+      throw InputError(
+          name_, number_, 1,
+          std::string("a number is too large for a double: ") +
+              std::string(error.what()).substr(std::string(error.what()).find_last_of(' ') + 1));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(name_, number_, 1, std::string("not read: ") + error.what());
     } catch (const Complaint& complaint) {

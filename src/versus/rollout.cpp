@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "trace/find.h"
 #include "versus/reference.h"
+#include "versus/rollout_passing.h"
 
 namespace contactscope::versus {
 namespace {
@@ -168,6 +169,15 @@ class Judge {
     score_.energy_gained = std::max(score_.energy_gained, energy - least_energy_);
     score_.points += acting_points(frame);
     score_.penetration.push_back(penetration_of(frame));
+    if (before_) see_passings(frame);
+  }
+
+  void see_passings(const trace::Frame& frame) {
+    for (const Passing& one : passings(solids_, bodies_, *before_, frame)) {
+      if (score_.passed++ > 0) continue;
+      score_.first_passed =
+          "frame " + std::to_string(frame.frame) + ", " + one.body + "-" + one.other;
+    }
   }
 
   Motion motion_of(const RolloutBody& body, const Pose<double>& pose,

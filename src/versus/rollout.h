@@ -51,6 +51,8 @@ struct RolloutScore {
   std::string worst_place;  // "frame 12, floor-crate"
   std::string
       unknown;  // "lower-thrown": the first two of which nobody knows how deep they are; empty: none
+  int passed = 0;            // bodies that went through another shape between two frames, each time
+  std::string first_passed;  // "frame 2, bullet-plate"
   /// The most that the energy rose above any that it had before. Bodies that scripted shapes move may gain some.
   double energy_gained = 0;
   double points = 0;  // a frame, in the mean: those that act

@@ -148,7 +148,7 @@ TEST(MujocoAdapter, KnownFaultABallOnAHeightFieldIsTooDeep) {
     std::vector<std::string> told;
   };
   for (const auto& [x, y, told] :
-       {Place{0.5, 0.5, {"separation"}}, Place{-0.4, 0.1, {"margin_added", "separation"}},
+       {Place{0.5, 0.5, {"separation"}}, Place{-0.4, 0.1, {"separation"}},
         Place{0.9, -0.7, {"separation"}}}) {
     const TemporaryFolder folder;
     const std::string file = folder.write(

@@ -89,6 +89,39 @@ TEST(OtherEngines, ShapesComeAndGo) {
   EXPECT_THAT(run("doctor '" + twice + "'").err, HasSubstr("there are two shapes 'crate'"));
 }
 
+/// Names are told as they are, in any language; a shape may be told again as it was, and in no other form.
+TEST(OtherEngines, NamesOfAnyLanguageAndShapesThatAreToldAgain) {
+  const TemporaryFolder folder;
+  std::string sample = sample_of_the_reference();
+  for (const char* place : {"\"crate\":{\"type\"", "\"b\":\"crate\"", "\"crate\":{\"position\""})
+    sample = replaced(sample, place, replaced(place, "crate", "ящик 箱"));
+  const std::string file = folder.write("names.jsonl", sample);
+  EXPECT_EQ(run("lint '" + file + "'").exit_code, 0);
+  EXPECT_EQ(run("render '" + file + "' --size 320x180 --pair 'ящик 箱,ground' --out '" +
+                (folder / "out") + "'")
+                .exit_code,
+            0);
+  const std::string flipped = folder.write(
+      "flipped.jsonl",
+      replaced(sample, "\"normal\":[0,1,0],\"points\"", "\"normal\":[0,-1,0],\"points\""));
+  EXPECT_THAT(run("lint '" + flipped + "'").out, HasSubstr("frame 0, ground-ящик 箱: "));
+
+  const std::string ball =
+      "{\"frame\":0,\"shapes\":{\"ball\":{\"type\":\"sphere\",\"vertices\":[[0,0,0]],\"radius\":";
+  const std::string first = replaced(sample, "{\"frame\":0,", ball + "1}},");
+  const std::string line = first.substr(first.find('\n') + 1);
+  const std::string again =
+      folder.write("again.jsonl", first + replaced(line, "\"frame\":0,", "\"frame\":1,"));
+  EXPECT_EQ(run("doctor '" + again + "'").exit_code, 1) << "the same time twice";
+  EXPECT_THAT(run("lint '" + again + "'").out, HasSubstr("[times_do_not_rise]"));
+  const std::string grown =
+      folder.write("grown.jsonl", first + replaced(replaced(line, "\"frame\":0,", "\"frame\":1,"),
+                                                   "\"radius\":1", "\"radius\":2"));
+  EXPECT_THAT(
+      run("lint '" + grown + "'").err,
+      HasSubstr("grown.jsonl:3:1: there are two shapes 'ball'; give each a name of its own"));
+}
+
 TEST(OtherEngines, FacesAreMadeOfConvexShapesAlone) {
   const TemporaryFolder folder;
   const std::string sample = sample_of_the_reference();

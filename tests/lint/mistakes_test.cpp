@@ -4,8 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "lint/linter.h"
-#include "scenario/run.h"
+#include "lint/recorded.h"
 
 /// Mistakes that writers of traces make, each sown into traces that are right: the linter names it.
 namespace contactscope::lint {
@@ -16,62 +15,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using trace::Trace;
 
-/// Frames of a scenario as a trace that another engine might have written: without stages.
-Trace recorded(const std::string& name, int first, int last) {
-  const Scenario scenario = load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/" + name + ".toml");
-  Runner runner(scenario, trace::Stages::none());
-  Trace trace{runner.header(), {}};
-  for (int f = first; f <= last; ++f) {
-    trace.frames.push_back(runner.frame(f));
-    trace.frames.back().line = f - first + 2;
-  }
-  return trace;
-}
-
-/// Spheres, capsules and boxes in a heap on a plane.
-const Trace& heap() {
-  static const Trace kTrace = recorded("broadphase/falling_bodies", 40, 80);
-  return kTrace;
-}
-/// Crates at rest, each on the one below.
-const Trace& stack() {
-  static const Trace kTrace = recorded("solver/stack_of_ten", 60, 90);
-  return kTrace;
-}
-/// A crate, a capsule and others on a mesh.
-const Trace& terrain() {
-  static const Trace kTrace = recorded("pipeline/mesh_and_actors", 30, 60);
-  return kTrace;
-}
-
-using Mistaken = std::function<void(Trace&)>;
-
-void each_pair(Trace& trace, const std::function<void(trace::Frame&, trace::Pair&)>& change) {
-  for (trace::Frame& frame : trace.frames)
-    for (trace::Pair& pair : frame.pairs) change(frame, pair);
-}
-void each_manifold(
-    Trace& trace,
-    const std::function<void(trace::Frame&, trace::Pair&, trace::Manifold&)>& change) {
-  each_pair(trace, [&](trace::Frame& frame, trace::Pair& pair) {
-    for (trace::Manifold& manifold : pair.manifolds) change(frame, pair, manifold);
-  });
-}
-void each_point(Trace& trace,
-                const std::function<void(trace::Frame&, trace::Pair&, trace::Point&)>& change) {
-  each_manifold(trace, [&](trace::Frame& frame, trace::Pair& pair, trace::Manifold& manifold) {
-    for (trace::Point& point : manifold.points) change(frame, pair, point);
-  });
-}
-
 Mistaken separations_times(double factor) {
   return [=](Trace& trace) {
     each_point(trace, [&](auto&, auto&, trace::Point& point) { point.separation *= factor; });
   };
-}
-
-Pose<double>& pose_of(trace::Frame& frame, const std::string& name) {
-  return std::ranges::find(frame.poses, name, &trace::Placement::first)->second;
 }
 
 void flip_normals(Trace& trace) {
@@ -197,19 +144,6 @@ void deepest_is_dropped(Trace& trace) {
   });
 }
 
-struct Seed {
-  const char* name;
-  const Trace& (*trace)();
-  Mistaken sow;
-  const char* cause;
-};
-
-std::vector<std::string> causes_of(const std::vector<Finding>& findings) {
-  std::vector<std::string> causes;
-  for (const Finding& finding : findings) causes.push_back(finding.cause);
-  return causes;
-}
-
 std::vector<Seed> seeds() {
   using trace::Pair;
   return {
@@ -266,19 +200,7 @@ TEST(Lint, NothingIsSaidOfTracesThatAreRight) {
 }
 
 TEST(Lint, SlowEachMistakeIsNamed) {
-  for (const Seed& seed : seeds()) {
-    SCOPED_TRACE(seed.name);
-    Trace trace = seed.trace();
-    seed.sow(trace);
-    const std::vector<Finding> findings = lint(trace);
-    ASSERT_FALSE(findings.empty());
-    EXPECT_EQ(findings.front().cause, seed.cause)
-        << testing::PrintToString(causes_of(findings)) << findings.front().said << "; "
-        << findings.front().is;
-    EXPECT_LE(findings.size(), 2u) << testing::PrintToString(causes_of(findings));
-    EXPECT_GT(findings.front().count, 0);
-    EXPECT_FALSE(findings.front().remedy.empty());
-  }
+  for (const Seed& seed : seeds()) expect_named(seed);
 }
 
 /// One crate of the stack hangs in the air in one frame, above the points that it is said to rest on.

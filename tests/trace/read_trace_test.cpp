@@ -53,6 +53,20 @@ TEST(ReadTrace, BrokenJsonIsNamedByLineAndColumn) {
   EXPECT_THAT(complaint("{\"schema\": 1e999}"), StartsWith("run.jsonl:1:1: "));
 }
 
+TEST(ReadTrace, WhatKeepsALineFromBeingJsonIsSaid) {
+  const auto frame = [](const std::string& time) {
+    return header_line() + "{\"frame\":0,\"time\":" + time + "}\n";
+  };
+  for (const char* number : {"NaN", "nan", "-nan", "Infinity", "-inf"})
+    EXPECT_THAT(complaint(frame(number)), HasSubstr("no nan and no infinity")) << number;
+  EXPECT_THAT(complaint(frame("-,1")), HasSubstr("it may be torn"));
+  EXPECT_THAT(complaint(frame("1e999")), HasSubstr("too large for a double: '1e999'"));
+  EXPECT_THAT(complaint(header_line() + "{\"na\xefme\":0}\n"), HasSubstr("is no UTF-8"));
+  EXPECT_THAT(complaint("\x1f\x8b\x08\x01\x02"), HasSubstr("compressed"));
+  EXPECT_THAT(complaint("\xff\xfe{"), HasSubstr("UTF-16"));
+  EXPECT_THAT(complaint(header_line() + header_line()), HasSubstr(":2:1: this is a second header"));
+}
+
 /// A process that dies leaves half a line: what stands before it is read.
 TEST(TraceReader, EndsWhereTheLastLineIsCutOff) {
   const std::string frame = to_json_line(sample_frame());

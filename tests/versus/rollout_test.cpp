@@ -158,6 +158,27 @@ TEST(Rollout, ABallThatStandsDoesNot) {
   EXPECT_NEAR(score.penetration.back(), 1e-3, 1e-9);
 }
 
+/// 3.4 m a frame: neither frame has the bullet in the ball that stands at 5 m. One that stops there does not pass, and
+/// one that goes by at a distance does not either.
+TEST(Rollout, ABallThatPassesThroughAnotherIsSeen) {
+  const trace::Trace request = request_of_balls({{0, 5, 0}, {5, 5, 0}}, 4);
+  const auto flown = [&](Path path) { return judge_rollout(request, moved(request, path)); };
+  const RolloutScore through = flown([](int i, int k) {
+    return Pose<double>{Quatd::Identity(), {i == 0 ? 3.4 * k : 5.0, 5, 0}};
+  });
+  EXPECT_EQ(through.worst_penetration, 0);
+  EXPECT_EQ(through.passed, 1);
+  EXPECT_EQ(through.first_passed, "frame 2, ball0-ball1");
+  const RolloutScore stopped = flown([](int i, int k) {
+    return Pose<double>{Quatd::Identity(), {i == 0 ? std::min(3.4 * k, 4.0) : 5.0, 5, 0}};
+  });
+  EXPECT_EQ(stopped.passed, 0);
+  const RolloutScore beside = flown([](int i, int k) {
+    return Pose<double>{Quatd::Identity(), {i == 0 ? 3.4 * k : 5.0, i == 0 ? 6.05 : 5.0, 0}};
+  });
+  EXPECT_EQ(beside.passed, 0);
+}
+
 /// What comes behind a frame without a body, or with one that is nowhere, is not judged.
 TEST(Rollout, ABodyThatIsLostEndsTheJudging) {
   const trace::Trace request = request_of_balls({{0, 0.5, 0}}, 10);

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lint/tally.h"
+#include "trace/find.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// Cosine: what is nearer to the normal than this is no rounding of what is across it.
+constexpr double kAcross = 0.1;
+/// Coefficients of friction are hardly ever larger: rubber on rubber has 1.2, and games do not have more than 2.
+constexpr double kMostFriction = 4;
+/// Of the normal impulse of its manifold: what is smaller says nothing.
+constexpr double kSome = 1e-3;
+/// Metres a second, of what slides: faster than that it does so in the next frame as well.
+constexpr double kSliding = 0.2;
+
+/// Friction lies across the normal, is bounded by the normal impulse, and slows down what slides.
+class FrictionWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    for (const trace::Pair& pair : frames.now->pairs) {
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        double normal = 0, along = 0;
+        Vec3d friction = Vec3d::Zero();
+        const trace::Point* deepest = nullptr;
+        for (const trace::Point& point : manifold.points) {
+          if (!point.impulse) continue;
+          normal += std::abs(point.impulse->normal);
+          friction += point.impulse->friction;
+          along += std::abs(point.impulse->friction.dot(manifold.normal));
+          if (deepest == nullptr || point.impulse->normal > deepest->impulse->normal)
+            deepest = &point;
+        }
+        if (deepest == nullptr || !(normal > 0)) continue;
+        ++along_.of;
+        if (along > kAcross * normal)
+          along_.wrong(frames, pair.a, pair.b, [&] {
+            return std::pair(
+                "friction " + spelled(friction) + " N s, normal " + spelled(manifold.normal),
+                "along the normal that is " + metres(friction.dot(manifold.normal)) +
+                    " N s, beside an impulse of " + metres(normal));
+          });
+        const Vec3d across = friction - friction.dot(manifold.normal) * manifold.normal;
+        ++beyond_.of;
+        if (across.norm() > kMostFriction * normal)
+          beyond_.wrong(frames, pair.a, pair.b, [&] {
+            return std::pair("friction of " + metres(across.norm()) + " N s",
+                             "the normal impulse is " + metres(normal) + " N s");
+          });
+        if (across.norm() > kSome * normal)
+          see_sliding(solids, frames, pair, manifold, *deepest, across);
+      }
+    }
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    along_.tell("friction_along_normal", "friction has a part along the normal",
+                "take it away, friction - (friction . normal) normal: it may be the whole impulse, "
+                "of which 'normal' has "
+                "that part",
+                kFewest, 0.2, findings);
+    beyond_.tell("friction_beyond_normal", "friction is many times the normal impulse",
+                 "both are impulses over the step, in newton seconds: look at the unit of either",
+                 kFewest, 0.2, findings);
+    forward_.tell("friction_on_a", "friction pushes on what slides",
+                  "negate it: friction acts on b as the normal impulse does, against the velocity "
+                  "of b beside a",
+                  kFewest, 0.8, findings);
+  }
+
+ private:
+  static constexpr int kFewest = 3;
+
+  void see_sliding(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                   const trace::Manifold& manifold, const trace::Point& point,
+                   const Vec3d& friction) {
+    const auto velocity = [&](const std::string& shape) {
+      const trace::Body* const body = trace::find_body(*frames.now, solids.body_of(shape));
+      if (body == nullptr) return Vec3d(Vec3d::Zero());
+      return Vec3d(body->velocity +
+                   body->angular_velocity.cross(point.position - body->center_of_mass));
+    };
+    Vec3d sliding = velocity(pair.b) - velocity(pair.a);
+    sliding -= sliding.dot(manifold.normal) * manifold.normal;
+    if (sliding.norm() < kSliding) return;
+    const double cosine = sliding.dot(friction) / (sliding.norm() * friction.norm());
+    constexpr double kClear = 0.7;
+    if (std::abs(cosine) < kClear) return;
+    ++forward_.of;
+    if (cosine > 0)
+      forward_.wrong(frames, pair.a, pair.b, [&] {
+        return std::pair("friction " + spelled(friction) + " N s",
+                         "beside a, b slides with " + spelled(sliding) + " m/s");
+      });
+  }
+
+  Tally along_, beyond_, forward_;
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_friction() {
+  return std::make_unique<FrictionWatch>();
+}
+
+}  // namespace contactscope::lint

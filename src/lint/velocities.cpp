@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/at.h"
+#include "lint/tally.h"
+#include "trace/find.h"
+
+namespace contactscope::lint {
+namespace {
+
+/// What a velocity may be instead of one in metres, or radians, a second in the world.
+struct Other {
+  const char *cause, *what, *remedy;
+  Vec3d (*meant)(const Vec3d& told, const Quat<double>& rotation, double step);
+};
+
+constexpr const char* kOfTheBody = "turn them by the rotation of the body: they are in the world";
+constexpr Other kVelocities[] = {
+    {"velocities_negated", "velocities point backward", "negate them",
+     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
+    {"velocities_of_a_step", "velocities are in metres a step", "divide them by the time of a step",
+     [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
+    {"velocities_in_centimetres", "velocities are in centimetres a second", "divide them by 100",
+     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 100); }},
+    {"velocities_in_millimetres", "velocities are in millimetres a second", "divide them by 1000",
+     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v / 1000); }},
+    {"velocities_in_frame_of_body", "velocities are in the frame of the body", kOfTheBody,
+     [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
+};
+constexpr Other kSpins[] = {
+    {"spins_negated", "angular velocities turn backward", "negate them",
+     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(-v); }},
+    {"spins_in_degrees", "angular velocities are in degrees a second", "multiply them by pi / 180",
+     [](const Vec3d& v, const Quat<double>&, double) { return Vec3d(v * std::numbers::pi / 180); }},
+    {"spins_of_a_step", "angular velocities are in radians a step",
+     "divide them by the time of a step",
+     [](const Vec3d& v, const Quat<double>&, double step) { return Vec3d(v / step); }},
+    {"spins_in_frame_of_body", "angular velocities are in the frame of the body", kOfTheBody,
+     [](const Vec3d& v, const Quat<double>& q, double) { return Vec3d(q * v); }},
+};
+
+/// Velocities that are told, held against how far bodies get: one and the same cause for most of them.
+template <std::size_t Count>
+class Readings {
+ public:
+  Readings(const Other (&others)[Count], const char* name, const char* unit)
+      : others_(others), name_(name), unit_(unit) {}
+
+  /// `moved`: what it was from the frame before, and to the one after.
+  void see(const Moments& frames, const std::string& body, const Vec3d& told,
+           const std::array<Vec3d, 2>& moved, const Quat<double>& rotation, double step) {
+    const auto fits = [&](const Vec3d& velocity) {
+      return std::ranges::any_of(
+          moved, [&](const Vec3d& way) { return (velocity - way).norm() <= kAlike * way.norm(); });
+    };
+    ++wrong_.of;
+    if (fits(told)) return;
+    wrong_.wrong(frames, body, "", [&] {
+      return std::pair(std::string(name_) + " " + spelled(told) + " " + unit_,
+                       "to the next frame it is " + spelled(moved[1]));
+    });
+    for (std::size_t i = 0; i < Count; ++i)
+      explained_[i] += fits(others_[i].meant(told, rotation, step));
+  }
+
+  /// Contacts stop bodies, and solvers push them: only what is so nearly everywhere is told.
+  void tell(std::vector<Finding>& findings) const {
+    constexpr int kFewest = 5;
+    for (std::size_t i = 0; i < Count; ++i)
+      if (explained_[i] > 0.7 * wrong_.count && explained_[i] > 0.5 * wrong_.of)
+        return wrong_.tell(others_[i].cause, others_[i].what, others_[i].remedy, kFewest, 0.5,
+                           findings);
+  }
+
+ private:
+  static constexpr double kAlike = 0.25;
+
+  const Other (&others_)[Count];
+  const char *name_, *unit_;
+  Tally wrong_;
+  std::array<int, Count> explained_{};
+};
+
+class VelocitiesWatch final : public Watch {
+ public:
+  void see(const Solids& solids, const Moments& frames) override {
+    if (!frames.now->solver || frames.before == nullptr || frames.after == nullptr) return;
+    const double step = frames.after->time - frames.now->time;
+    const double last = frames.now->time - frames.before->time;
+    if (!(step > 0) || !(last > 0)) return;
+    for (const trace::Body& body : frames.now->solver->bodies) {
+      const auto before = place(solids, frames.before, body.name, {});
+      const auto now = place(solids, frames.now, body.name, {});
+      const auto after = place(solids, frames.after, body.name, {});
+      if (!before || !now || !after) continue;
+      const auto middle = [](const Placed& placed) {
+        return placed.pose.transform(placed.solid->center_of_mass());
+      };
+      const std::array<Vec3d, 2> ways = {(middle(*now) - middle(*before)) / last,
+                                         (middle(*after) - middle(*now)) / step};
+      constexpr double kMoving = 0.2,
+                       kTurning = 0.5;  // metres and radians a second: more than solvers correct
+      if (std::ranges::all_of(ways, [](const Vec3d& way) { return way.norm() > kMoving; }))
+        velocities_.see(frames, body.name, body.velocity, ways, now->pose.rotation, step);
+      const std::array<Vec3d, 2> turns = {turn(before->pose, now->pose) / last,
+                                          turn(now->pose, after->pose) / step};
+      if (std::ranges::all_of(turns, [](const Vec3d& way) { return way.norm() > kTurning; }))
+        spins_.see(frames, body.name, body.angular_velocity, turns, now->pose.rotation, step);
+    }
+  }
+
+  void tell(std::vector<Finding>& findings) override {
+    velocities_.tell(findings);
+    spins_.tell(findings);
+  }
+
+ private:
+  /// Axis times radians, world.
+  static Vec3d turn(const Pose<double>& from, const Pose<double>& to) {
+    const Eigen::AngleAxisd by(to.rotation * from.rotation.conjugate());
+    constexpr double kHalf = std::numbers::pi;
+    return by.axis() * (by.angle() > kHalf ? by.angle() - 2 * kHalf : by.angle());
+  }
+
+  Readings<std::size(kVelocities)> velocities_{kVelocities, "velocity", "m/s"};
+  Readings<std::size(kSpins)> spins_{kSpins, "angular velocity", "radians a second"};
+};
+
+}  // namespace
+
+std::unique_ptr<Watch> watch_velocities() {
+  return std::make_unique<VelocitiesWatch>();
+}
+
+}  // namespace contactscope::lint
