@@ -8,6 +8,7 @@
 
 #include "app/progress.h"
 #include "app/studio.h"
+#include "core/at.h"
 #include "draw/staging.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"
@@ -107,8 +108,9 @@ Image picture() {
   Image result;
   app::Ledger ledger;
   app::Studio studio(gl::Backend::Auto, ledger);
-  studio.render(prepared().staging, prepared().frames, {prepared().frames.size() - 1}, {},
-                [&](std::size_t, Image image) { result = std::move(image); });
+  app::Sequence sequence{prepared().header, prepared().frames};
+  studio.render(prepared().staging, sequence, {sequence.frames.back().frame},
+                [&](const trace::Frame&, Image image) { result = std::move(image); });
   return result;
 }
 
@@ -125,18 +127,19 @@ void pictures_a_second(benchmark::State& state) {
   std::filesystem::create_directories(folder);
   app::Ledger ledger;
   app::Studio studio(gl::Backend::Auto, ledger);
-  std::vector<std::size_t> which;
-  for (std::size_t f = 0; f < prepared().frames.size(); ++f) which.push_back(f);
+  app::Sequence sequence{prepared().header, prepared().frames};
+  const std::vector<int> numbers = mapped(sequence.frames, &trace::Frame::frame);
   for (auto _ : state) {
     app::EncoderPool encoders(0);
-    studio.render(
-        prepared().staging, prepared().frames, which, {}, [&](std::size_t frame, Image image) {
-          encoders.submit((folder / (std::to_string(frame) + ".png")).string(), std::move(image));
-        });
+    studio.render(prepared().staging, sequence, numbers,
+                  [&](const trace::Frame& frame, Image image) {
+                    encoders.submit((folder / (std::to_string(frame.frame) + ".png")).string(),
+                                    std::move(image));
+                  });
     encoders.finish();
   }
   state.counters["pictures"] = benchmark::Counter(
-      static_cast<double>(state.iterations()) * static_cast<double>(which.size()),
+      static_cast<double>(state.iterations()) * static_cast<double>(numbers.size()),
       benchmark::Counter::kIsRate);
   std::filesystem::remove_all(folder);
 }

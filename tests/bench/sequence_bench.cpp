@@ -134,9 +134,10 @@ void picture(benchmark::State& state) {
   const draw::Staging staging = staged(boxes);
   app::Ledger ledger;
   app::Studio studio(gl::Backend::Auto, ledger);
-  const std::vector<std::size_t> last = {boxes.frames.size() - 1};
+  app::Sequence sequence{boxes.header, boxes.frames};
+  const std::vector<int> last = {sequence.frames.back().frame};
   for (auto _ : state) {
-    studio.render(staging, boxes.frames, last, {}, [](std::size_t, const Image& image) {
+    studio.render(staging, sequence, last, [](const trace::Frame&, const Image& image) {
       benchmark::DoNotOptimize(image.rgb.data());
     });
   }
