@@ -1,6 +1,5 @@
 #include "app/contenders.h"
 
-#include <algorithm>
 #include <sstream>
 
 #include "app/trace_file.h"
@@ -14,34 +13,20 @@ namespace {
 
 constexpr int kMostNotes = 5;  // lines of an engine's own words
 
-/// Up to the end of this line, counted from 1.
-std::string first_lines(const std::string& text, int count) {
-  std::size_t end = 0;
-  while (count-- > 0 && end != std::string::npos)
-    if ((end = text.find('\n', end)) != std::string::npos) ++end;
-  return text.substr(0, end);
-}
-
-/// Of an answer that is broken somewhere, what stands before.
+/// Of an answer that is broken somewhere, the frames before; its shapes are not read.
 trace::Trace read_answer(std::string text, const std::string& name, std::string& failure) {
+  trace::Trace answer;
   try {
-    return parse_trace(text, name);
+    TraceFile file(std::make_unique<std::istringstream>(std::move(text)), name);
+    answer.header = file.header();
+    while (std::optional<trace::Frame> frame = file.next()) {
+      frame->shapes.clear();
+      answer.frames.push_back(std::move(*frame));
+    }
   } catch (const InputError& error) {
     if (failure.empty()) failure = error.what();
   }
-  // The lines that are whole are those that the reader gets through.
-  const auto lines = static_cast<int>(std::ranges::count(text, '\n'));
-  int good = 0, bad = lines;  // that many lines can be read, and cannot
-  while (bad - good > 1) {
-    const int middle = (good + bad) / 2;
-    try {
-      parse_trace(first_lines(text, middle), name);
-      good = middle;
-    } catch (const InputError&) {
-      bad = middle;
-    }
-  }
-  return good > 1 ? parse_trace(first_lines(text, good), name) : trace::Trace{};
+  return answer.frames.empty() ? trace::Trace{} : answer;
 }
 
 /// What a program says of why it steps nothing.

@@ -54,8 +54,8 @@ int facing(const Shape& shape, const Vec3d& way) {
   return best;
 }
 
-/// The triangle of a mesh nearest to a point that looks `way` (both local), by the distance from its
-/// corners' box; of none that looks there the nearest.
+/// The triangle of a mesh that a point is least out of (local); of those that it is as far out of, as two that share
+/// an edge, the one that looks more along `way`.
 int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& way) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/program.h"
+#include "app/fake_engines.h"
 
 /// `versus --rollout`, with programs that answer in ways of their own.
 namespace contactscope::test {
@@ -42,32 +42,16 @@ restitution = 0.25
 )";
 }
 
-class Rollout : public testing::Test {
+class Rollout : public FakeEngines {
  protected:
-  void engine(const std::string& name, const std::string& script) {
-    const std::string file =
-        folder_.write("contactscope-engine-" + name, "#!/bin/sh\n" + script + "\n");
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  }
   ProgramRun rollout(const std::string& arguments) {
-    return run("versus --rollout --table --out '" + (folder_ / "out") + "' " + arguments,
-               "PATH='" + folder_.path().string() + "':\"$PATH\"");
+    return versus("--rollout --table " + arguments);
   }
   /// The crate, stepped by each of these.
   ProgramRun step_crate(const std::string& engines) {
     return rollout("--json --engines " + engines + " '" + crate_ + "'");
   }
-  static Json entry(const ProgramRun& run, const std::string& name) {
-    const Json json = Json::parse(run.out, nullptr, false);
-    if (!json.is_discarded()) {
-      for (const Json& engine : json["matches"][0]["engines"])
-        if (engine["name"] == name) return engine;
-    }
-    ADD_FAILURE() << name << " is not in " << run.out << run.err;
-    return {};
-  }
 
-  TemporaryFolder folder_;
   std::string crate_ = folder_.write("tests/crate.toml", crate_on_ground(0));
 };
 

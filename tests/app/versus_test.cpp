@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/program.h"
+#include "app/fake_engines.h"
 #include "image/png.h"
 
 namespace contactscope::test {
@@ -13,29 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Programs that answer in ways of their own, in a folder that $PATH names.
-class Versus : public testing::Test {
- protected:
-  void engine(const std::string& name, const std::string& script) {
-    const std::string file =
-        folder_.write("contactscope-engine-" + name, "#!/bin/sh\n" + script + "\n");
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  }
-  ProgramRun versus(const std::string& arguments) {
-    return run("versus --out '" + (folder_ / "out") + "' " + arguments,
-               "PATH='" + folder_.path().string() + "':\"$PATH\"");
-  }
-  /// The entry of an engine for the first scenario.
-  static Json entry(const ProgramRun& run, const std::string& name) {
-    const Json json = Json::parse(run.out);
-    for (const Json& engine : json["matches"][0]["engines"])
-      if (engine["name"] == name) return engine;
-    ADD_FAILURE() << name << " is not in " << run.out;
-    return {};
-  }
-
-  TemporaryFolder folder_;
-};
+using Versus = FakeEngines;
 
 constexpr const char* kScenario = "hull/eight_points_to_four --frames 0:8:4 --table --json";
 
