@@ -9,6 +9,7 @@
 #include "app/table.h"
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/newell_normal.h"
 #include "geometry/hull_builder.h"
 #include "scenario/nearest_word.h"
 #include "snapshot/store.h"
@@ -42,16 +43,14 @@ void check_winding(const trace::Shape& shape) {
     size = std::max(size, (vertex - shape.vertices.front()).norm());
   std::vector<int> wrong;
   for (int f = 0; f < count_of(shape.faces); ++f) {
-    const std::vector<int>& face = at(shape.faces, f);
-    const auto corner = [&](std::size_t i) { return at(shape.vertices, face[i % face.size()]); };
-    Vec3d normal = Vec3d::Zero();
-    for (std::size_t i = 0; i < face.size(); ++i)
-      normal += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
+    const std::vector<Vec3d> corners =
+        mapped(at(shape.faces, f), [&](int vertex) { return at(shape.vertices, vertex); });
+    const Vec3d normal = newell_normal(corners);
     const double length = normal.norm();
     if (!(length > 0)) continue;
     double above = 0, below = 0;
     for (const Vec3d& vertex : shape.vertices) {
-      const double height = normal.dot(vertex - corner(0)) / length;
+      const double height = normal.dot(vertex - corners.front()) / length;
       above = std::max(above, height);
       below = std::max(below, -height);
     }

@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/at.h"
+#include "core/newell_normal.h"
+
 namespace contactscope::trace {
 namespace {
 
 // A vertex stands out of the plane of a support by this part of the shape's size.
 constexpr double kFlat = 1e-4;
 
-/// Newell's normal of a polygon, not of unit length.
+/// Outward and unit, of a face of a shape, in its frame.
 Vec3d normal_of(const Shape& shape, const std::vector<int>& face) {
-  Vec3d normal = Vec3d::Zero();
-  for (std::size_t i = 0; i < face.size(); ++i)
-    normal += shape.vertices[static_cast<std::size_t>(face[i])].cross(
-        shape.vertices[static_cast<std::size_t>(face[(i + 1) % face.size()])]);
-  return normal;
+  const std::vector<Vec3d> corners =
+      mapped(face, [&](int vertex) { return at(shape.vertices, vertex); });
+  return newell_normal(corners).normalized();
 }
 
 int edge_between(const Shape& shape, int from, int to) {
@@ -39,11 +40,10 @@ int facing(const Shape& shape, const Vec3d& way) {
   double best_alignment = -2;
   for (std::size_t i = 0; i < shape.faces.size(); ++i) {
     const std::vector<int>& face = shape.faces[i];
-    const bool in_front =
-        std::ranges::count_if(face, [&](int vertex) {
-          return front - way.dot(shape.vertices[static_cast<std::size_t>(vertex)]) <= flat;
-        }) >= 2;
-    const double alignment = normal_of(shape, face).normalized().dot(way);
+    const bool in_front = std::ranges::count_if(face, [&](int vertex) {
+                            return front - way.dot(at(shape.vertices, vertex)) <= flat;
+                          }) >= 2;
+    const double alignment = normal_of(shape, face).dot(way);
     if (in_front < best_is_in_front ||
         (in_front == best_is_in_front && alignment <= best_alignment))
       continue;
@@ -61,17 +61,16 @@ int nearest_triangle(const Shape& mesh, const Vec3d& point, const Vec3d& way) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const std::vector<int>& face = mesh.faces[i];
-    const Vec3d& origin = mesh.vertices[static_cast<std::size_t>(face[0])];
-    const Vec3d normal = normal_of(mesh, face).normalized();
+    const Vec3d& origin = at(mesh.vertices, face[0]);
+    const Vec3d normal = normal_of(mesh, face);
     // How far the point is out of the triangle, sideways beyond its edges or along its normal.
     double out = std::abs(normal.dot(point - origin));
     for (std::size_t k = 0; k < face.size(); ++k) {
-      const Vec3d& from = mesh.vertices[static_cast<std::size_t>(face[k])];
-      const Vec3d& to = mesh.vertices[static_cast<std::size_t>(face[(k + 1) % face.size()])];
+      const Vec3d& from = at(mesh.vertices, face[k]);
+      const Vec3d& to = at(mesh.vertices, face[(k + 1) % face.size()]);
       out = std::max(out, (to - from).cross(normal).normalized().dot(point - from));
     }
-    out += 1e-3 * (1 - normal.dot(way)) *
-           (mesh.vertices[static_cast<std::size_t>(face[1])] - origin).norm();
+    out += 1e-3 * (1 - normal.dot(way)) * (at(mesh.vertices, face[1]) - origin).norm();
     if (out >= least) continue;
     least = out;
     best = static_cast<int>(i);
@@ -114,7 +113,7 @@ Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Ve
             : nearest_triangle(shape, placed.pose.inverse_transform(manifold.points[0].position),
                                local);
     if (outline.face < 0 || outline.face >= static_cast<int>(shape.faces.size())) return outline;
-    const std::vector<int>& face = shape.faces[static_cast<std::size_t>(outline.face)];
+    const std::vector<int>& face = at(shape.faces, outline.face);
     for (std::size_t i = 0; i < face.size(); ++i) {
       const int next = face[(i + 1) % face.size()];
       const int corner = static_cast<int>(i);
@@ -122,7 +121,7 @@ Outline outline_of(const PlacedShape& placed, const Manifold& manifold, const Ve
           is_mesh ? corner : face[i]);
     }
     outline.is_face = true;
-    outline.alignment = normal_of(shape, face).normalized().dot(local);
+    outline.alignment = normal_of(shape, face).dot(local);
     if (is_mesh) outline.face = 0;  // features of a mesh count within the triangle
   }
   for (const Vec2d& corner : outline.corners)

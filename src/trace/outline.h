@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/at.h"
 #include "core/feature_id.h"
 #include "trace/trace.h"
 
@@ -34,9 +35,7 @@ struct ContactPlane {
 struct PlacedShape {
   const Shape& shape;
   const Pose<double>& pose;
-  Vec3d vertex(int index) const {
-    return pose.transform(shape.vertices[static_cast<std::size_t>(index)]);
-  }
+  Vec3d vertex(int index) const { return pose.transform(at(shape.vertices, index)); }
 };
 
 /// Of the shape's side that looks `way` (unit, world), at the place of a manifold of it: of a mesh that of the triangle

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/newell_normal.h"
 #include "core/vec3.h"
 
 /// What follows from many points at once.
@@ -33,17 +34,6 @@ inline double reach_of(std::span<const Vec3d> polygon) {
   double reach = 0;
   for (const Vec3d& p : polygon) reach = std::max(reach, (p - polygon.front()).norm());
   return reach;
-}
-
-/// Newell's normal, right for any flat polygon, also with collinear vertices. As long as twice the
-/// polygon's area.
-inline Vec3d newell_normal(std::span<const Vec3d> polygon) {
-  Vec3d normal = Vec3d::Zero();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3d& next = polygon[(i + 1) % polygon.size()];
-    normal += (polygon[i] - polygon[0]).cross(next - polygon[0]);
-  }
-  return normal;
 }
 
 /// The part of a convex polygon where the `value` of a corner is not negative (Sutherland and Hodgman
