@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lint/claims.h"
 #include "versus/rollout.h"
 
 namespace contactscope::versus {
