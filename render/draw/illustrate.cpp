@@ -70,27 +70,36 @@ Vec3d center_of_contact(const Scene& scene) {
 Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   Sketch sketch;
   if (!legend_alone) sketch.center = center_of_contact(scene);
-  std::vector<const LayerDrawing*> layers;  // in drawing order
+  std::vector<std::pair<Layer, const LayerDrawing*>> layers;  // in drawing order
   for (std::size_t i = 0; i < staging.layers->size(); ++i) {
     if (!staging.view.shows(static_cast<Layer>(i))) continue;
     const LayerDrawing* layer = (*staging.layers)[i];
     if (layer->explain != nullptr) layer->explain(scene, sketch.legend);
-    if (!legend_alone || layer->explain == nullptr) layers.push_back(layer);
+    if (!legend_alone || layer->explain == nullptr)
+      layers.emplace_back(static_cast<Layer>(i), layer);
   }
+  std::string pair_name;  // of what is drawn now
   const auto draw = [&](auto LayerDrawing::*part, const auto&... what) {
-    for (const LayerDrawing* layer : layers) {
-      if (layer->*part != nullptr) (layer->*part)(scene, what..., sketch);
+    for (const auto& [layer, drawn] : layers) {
+      if (drawn->*part == nullptr) continue;
+      if (!legend_alone) sketch.begin(name_of(layer), pair_name);
+      (drawn->*part)(scene, what..., sketch);
     }
   };
   draw(&LayerDrawing::beneath);
   for (const trace::Pair& pair : scene.frame.pairs) {
+    pair_name = pair.a + " " + pair.b;
     draw(&LayerDrawing::search, pair);
-    if (!legend_alone) draw_pair_label(scene, pair, sketch);
+    if (!legend_alone) {
+      sketch.begin(kPairLabelPart, pair_name);
+      draw_pair_label(scene, pair, sketch);
+    }
     // A story of clipping comes last to the contacts of the pair.
     if (scene.view.story != Story::ClipSteps || !pair.clip ||
         scene.frame.frame > count_of(pair.clip->steps))
       draw(&LayerDrawing::result, pair);
   }
+  pair_name.clear();
   draw(&LayerDrawing::above);
   return sketch;
 }
@@ -98,8 +107,8 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
-  return {staging.view, *staging.header, frame, staging.meshes, staging.camera, staging.scales,
-          staging.sequence.get()};
+  return {staging.view,   *staging.header,       frame, staging.meshes, staging.camera,
+          staging.scales, staging.sequence.get()};
 }
 
 std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {

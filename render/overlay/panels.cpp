@@ -111,7 +111,10 @@ void Windows::end_frame(draw::Drawing& drawing) {
   ImGui::SetCurrentContext(imgui_);
   ImGui::Render();
   const ImDrawData& data = *ImGui::GetDrawData();
-  for (int i = 0; i < data.CmdListsCount; ++i) add_triangles(*data.CmdLists[i], drawing);
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    drawing.begin(draw::kPanelPart, {}, data.CmdLists[i]->_OwnerName);
+    add_triangles(*data.CmdLists[i], drawing);
+  }
 }
 
 PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames)
@@ -142,6 +145,7 @@ std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw:
       continue;
     }
     const Window window = open_window(name, {left, y}, {width, heights[i]});
+    contents.begin(draw::kPanelPart, {}, name);
     draw::Sheet sheet(window.inner, layout_.scale, contents);
     draw_border(window.outer, sheet.pen());
     const std::string missing = panels_[i].content->lay_out(moment, sheet);
@@ -149,13 +153,13 @@ std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw:
     y += heights[i] + gap;
   }
   if (!without_room.empty()) {
+    contents.begin(draw::kPanelPart);
     draw::Sheet(draw::Rect{column.x, y - gap + layout_.px(4), column.width, column.height},
                 layout_.scale, contents)
         .line(without_room, draw::kQuietText);
   }
   windows_.end_frame(drawing);
-  drawing.primitives.insert(drawing.primitives.end(), contents.primitives.begin(),
-                            contents.primitives.end());
+  drawing.append(contents);
   return left_out;
 }
 

@@ -143,6 +143,7 @@ Drawing ContactCells::frame(int number) const {
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, pen);
   if (cell_count() == 0) {
+    drawing.begin(kPlanePart);
     const Rect& view = layout_.view;
     double y = view.y + 0.5 * view.height;
     for (const char* words : {"nothing is reduced as one patch here:",
@@ -166,6 +167,7 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
       layout_.view.y + static_cast<double>(number / columns) * (grid_.cell_height + gap),
       grid_.cell_width, grid_.cell_height};
   const auto width = static_cast<float>(rect.width);
+  pen.drawing().begin(kPlanePart, cell.pair, cell.name);
   if (cell_count() > 1 && shows(Detail::Names)) {
     pen.text(fitted(cell.name, pen.px(kName), Weight::Bold, width),
              pixel(rect.x, rect.y + 0.8 * pen.px(kName)), Align::Left, kText, Weight::Bold, kName);

@@ -22,6 +22,7 @@ struct ContactCell {
   };
 
   std::string name;
+  std::string pair{};  // "slab crate"; empty of explorations
   Vec3d normal = Vec3d::Zero();
   std::vector<trace::Point> points;    // all, before
   std::vector<int> kept;               // in the order of choice

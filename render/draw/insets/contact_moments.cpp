@@ -92,6 +92,7 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames) {
     for (std::size_t f = 0; f < frames.size(); ++f) {
       ContactCell& cell = moments[f].cells.emplace_back();
       cell.name = name;
+      cell.pair = known->a + " " + known->b;
       const trace::Pair* pair = history[f];
       if (pair == nullptr || !pair->reduction || pair->manifolds.empty()) continue;
       const trace::Reduction& reduction = *pair->reduction;

@@ -18,18 +18,56 @@ struct Composer {
   Pen pen{drawing, layout.scale, 0};
   LabelPlacer placer{layout.view};
   HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows};
+  std::size_t current = 0;  // part of what is drawn now
 
   void run() {
-    for (const Surface& surface : depth_ordered(sketch.surfaces, camera, sketch.bodies)) {
-      std::vector<Point2> polygon = project_polygon(camera, surface.polygon);
-      if (!polygon.empty()) pen.fill(std::move(polygon), surface.color);
+    draw_surfaces();
+    each_of(&Sketch::curves, &SketchPart::curves, "line", &Composer::draw_curve);
+    each_of(&Sketch::lines, &SketchPart::lines, "line", &Composer::draw_line);
+    each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_inside);
+    each_of(&Sketch::arrows, &SketchPart::arrows, "arrow", &Composer::draw_arrow);
+    each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_outside);
+    each_of(&Sketch::labels, &SketchPart::labels, "label", &Composer::draw_label);
+  }
+
+  // The primitives that follow show a part of the sketch; nothing of it where the sketch tells none.
+  void begin(std::size_t part, std::string_view role) {
+    if (part < sketch.parts.size())
+      drawing.begin(sketch.parts[part].layer, sketch.parts[part].pair, role);
+  }
+
+  /// Draws one kind of what the sketch holds, each within its part.
+  template <class Kind>
+  void each_of(std::vector<Kind> Sketch::*kind, std::size_t SketchPart::*begins,
+               std::string_view role, void (Composer::*draw)(const Kind&)) {
+    const std::vector<Kind>& all = sketch.*kind;
+    std::size_t next = 0;  // part
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i == 0 || (next < sketch.parts.size() && sketch.parts[next].*begins <= i)) {
+        while (next < sketch.parts.size() && sketch.parts[next].*begins <= i) ++next;
+        current = next - 1;  // none before the first
+        begin(current, role);
+      }
+      (this->*draw)(all[i]);
     }
-    for (const Curve& curve : sketch.curves) draw_curve(curve);
-    for (const Line& line : sketch.lines) draw_line(line);
-    draw_marks(true);
-    for (const Arrow& arrow : sketch.arrows) draw_arrow(arrow);
-    draw_marks(false);
-    for (const Label& label : sketch.labels) draw_label(label);
+  }
+
+  // They come back cut and in another order, so each carries the number of its part.
+  void draw_surfaces() {
+    std::vector<Surface> surfaces = sketch.surfaces;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      while (next < sketch.parts.size() && sketch.parts[next].surfaces <= i) ++next;
+      surfaces[i].part = next - 1;
+    }
+    std::size_t last = sketch.parts.size();
+    for (const Surface& surface : depth_ordered(std::move(surfaces), camera, sketch.bodies)) {
+      std::vector<Point2> polygon = project_polygon(camera, surface.polygon);
+      if (polygon.empty()) continue;
+      if (surface.part != last) begin(surface.part, "surface");
+      last = surface.part;
+      pen.fill(std::move(polygon), surface.color);
+    }
   }
 
   float px(double at_720) const { return layout.px(at_720); }
@@ -173,15 +211,16 @@ struct Composer {
 
   // What is inside of a shape stays under what is said about it. So does an origin under the arrow
   // that begins there, which may be no longer than it.
-  void draw_marks(bool inside) {
-    for (const Mark& mark : sketch.marks) {
-      const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
-                             mark.kind == MarkKind::HeldOrigin;
-      const std::optional<Point2> at = camera.project(mark.at);
-      if (is_inside != inside || !at || !layout.view.contains(*at)) continue;
-      const float reach = draw_mark(mark.kind, *at, mark.color, pen);
-      if (reach > 0) placer.block(*at, reach);
-    }
+  void draw_mark_inside(const Mark& mark) { draw_mark_if(true, mark); }
+  void draw_mark_outside(const Mark& mark) { draw_mark_if(false, mark); }
+  void draw_mark_if(bool inside, const Mark& mark) {
+    const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
+                           mark.kind == MarkKind::HeldOrigin;
+    if (is_inside != inside) return;
+    const std::optional<Point2> at = camera.project(mark.at);
+    if (!at || !layout.view.contains(*at)) return;
+    const float reach = draw_mark(mark.kind, *at, mark.color, pen);
+    if (reach > 0) placer.block(*at, reach);
   }
 
   Point2 wanted_direction(const Label& label, const Point2& at) const {
@@ -210,6 +249,12 @@ struct Composer {
       pen.line(*at, place->leader_end, 1, label.color);
       placer.block(*at, place->leader_end, px(2));
     }
+    Callout callout{drawing.primitives.size(), *at, {}, {}, label.of};
+    if (current < sketch.parts.size()) {
+      callout.layer = sketch.parts[current].layer;
+      callout.pair = sketch.parts[current].pair;
+    }
+    drawing.callouts.push_back(std::move(callout));
     pen.text(label.text, place->left_baseline, Align::Left, label.color, weight, label.size, 2.5);
   }
 };

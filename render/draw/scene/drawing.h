@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -71,7 +73,7 @@ struct Rect {
 /// Filled convex polygon, either winding, without anti-aliased border (neighbours share edges).
 struct Fill {
   std::vector<Point2> polygon;
-  Color color;
+  Color color{};
 };
 
 enum class Cap { Butt, Round };
@@ -81,7 +83,7 @@ enum class Cap { Butt, Round };
 struct Stroke {
   Point2 from, to;
   float width = 1;  // pixels
-  Color color;
+  Color color{};
   Cap cap = Cap::Butt;
   float dash = 0, gap = 0, phase = 0;
 };
@@ -90,7 +92,7 @@ struct Stroke {
 struct Disc {
   Point2 center;
   float inner = 0, outer = 1;  // pixels
-  Color color;
+  Color color{};
 };
 
 using Weight = FontWeight;
@@ -103,17 +105,48 @@ struct Text {
   float size = 14;  // pixels from ascender to descender
   Weight weight = Weight::Regular;
   Align align = Align::Left;
-  Color color;
+  Color color{};
   float halo = 0;  // width in pixels of a soft border around the letters
   Color halo_color{1, 1, 1, 1};
 };
 
 using Primitive = std::variant<Fill, Stroke, Disc, Text>;
 
+/// What consecutive primitives of a drawing show. It begins at primitive `first` and lasts until the
+/// next part.
+struct Part {
+  std::size_t first = 0;
+  std::string layer;   // a layer of the view as scenarios spell it, or one of those below
+  std::string pair{};  // "table crate", A and B as the trace has them; empty where it is of none
+  std::string
+      role{};  // "surface", "line", "arrow", "mark" or "label"; of a panel or inset its name
+};
+
+// What a picture consists of beside the view's layers.
+inline constexpr std::string_view kTitlePart = "title", kSourcePart = "source",
+                                  kMomentPart = "moment", kLegendPart = "legend",
+                                  kPanelPart = "panel", kInsetPart = "inset",
+                                  kPairLabelPart = "pair_label", kPlanePart = "contact_plane";
+
+/// Text that names something, with the place of what it names.
+struct Callout {
+  std::size_t text = 0;  // the primitive, a Text
+  Point2 at;             // what it names, pixels
+  std::string layer{}, pair{};
+  std::string of{};  // "point b:v4"; empty where the layer does not say
+};
+
 struct Drawing {
   int width = 0, height = 0;  // pixels
   Color background{1, 1, 1, 1};
   std::vector<Primitive> primitives{};  // painted in this order
+  std::vector<Part> parts{};            // in order of `first`
+  std::vector<Callout> callouts{};      // in order of `text`
+
+  /// What is added from here on shows this.
+  void begin(std::string_view layer, std::string_view pair = {}, std::string_view role = {});
+  /// Adds all that another drawing shows, so many pixels further right and down. The canvas stays.
+  void append(const Drawing& other, const Point2& offset = {});
 };
 
 }  // namespace contactscope::draw

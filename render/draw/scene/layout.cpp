@@ -86,11 +86,14 @@ void draw_captions(const std::string& title, const std::string& source, const st
   const float bottom = static_cast<float>(layout.height) - left;  // margins are equal
   const float room = right - left;
   const Pen pen(drawing, layout.scale, kSourceSize);
+  drawing.begin(kTitlePart);
   pen.text(fitted(title, pen.px(kTitleSize), Weight::Bold, room),
            {left, left + 0.8f * pen.px(kTitleSize)}, Align::Left, kText, Weight::Bold, kTitleSize);
   const float size = pen.px(kSourceSize);
+  drawing.begin(kSourcePart);
   pen.text(fitted(source, size, Weight::Regular, room - pen.width_of(moment) - pen.px(kEntryGap)),
            {left, bottom}, Align::Left, kQuietText);
+  drawing.begin(kMomentPart);
   pen.text(fitted(moment, size, Weight::Regular, room), {right, bottom}, Align::Right, kQuietText);
 }
 

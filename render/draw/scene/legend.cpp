@@ -62,6 +62,7 @@ float legend_entry_width(const LegendEntry& entry, float scale) {
 }
 
 void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing) {
+  drawing.begin(kLegendPart);
   double x = layout.legend.x;
   double middle = layout.legend.y + layout.px(kLegendRow / 2);
   for (const LegendEntry& entry : entries) {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/vec3.h"
@@ -98,9 +99,18 @@ struct Label {
   // Places are tried starting in this direction (world); none: away from the sketch's centre.
   std::optional<Vec3d> direction;
   bool leader = false;  // a line to the point also from near by
+  std::string of{};     // what it names, "point b:v4", where another drawing may ask for it
+};
+
+/// What is added to a sketch from here on shows this: a layer, and of which pair.
+struct SketchPart {
+  std::string layer, pair;
+  // How many of each kind the sketch had when it began.
+  std::size_t surfaces = 0, curves = 0, lines = 0, arrows = 0, marks = 0, labels = 0;
 };
 
 struct Sketch {
+  std::vector<SketchPart> parts;  // in order; what stands before the first is of none
   std::vector<Surface> surfaces;
   Occluders occluders;
   std::vector<RoundBody> bodies;      // that surfaces belong to
@@ -114,6 +124,11 @@ struct Sketch {
   Legend legend;
   Vec3d center = Vec3d::Zero();  // labels stand away from it
 
+  /// What is added from here on belongs to this layer, and to that pair where one is given.
+  void begin(std::string_view layer, std::string_view pair = {}) {
+    parts.push_back({std::string(layer), std::string(pair), surfaces.size(), curves.size(),
+                     lines.size(), arrows.size(), marks.size(), labels.size()});
+  }
   void outline(const std::vector<Vec3d>& polygon, const LineStyle& style) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
       line(polygon[i], polygon[(i + 1) % polygon.size()], style);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Surface {
   std::vector<Vec3d> polygon;
   Color color;
   int body = kFlatSurface;  // facet of this round body, or one of the two above
+  std::size_t part = 0;     // of the sketch; known to compose() alone
 };
 
 /// The surfaces in the order in which to paint them, farthest first, cut where they pass through

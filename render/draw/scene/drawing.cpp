@@ -1,0 +1,50 @@
+#include "draw/scene/drawing.h"
+
+namespace contactscope::draw {
+namespace {
+
+void move_by(const Point2& offset, Fill& fill) {
+  for (Point2& corner : fill.polygon) corner = corner + offset;
+}
+void move_by(const Point2& offset, Stroke& stroke) {
+  stroke.from = stroke.from + offset;
+  stroke.to = stroke.to + offset;
+}
+void move_by(const Point2& offset, Disc& disc) {
+  disc.center = disc.center + offset;
+}
+void move_by(const Point2& offset, Text& text) {
+  text.at = text.at + offset;
+}
+
+}  // namespace
+
+void Drawing::begin(std::string_view layer, std::string_view pair, std::string_view role) {
+  // A part in which nothing was drawn leaves no trace.
+  if (!parts.empty() && parts.back().first == primitives.size()) parts.pop_back();
+  if (!parts.empty() && parts.back().layer == layer && parts.back().pair == pair &&
+      parts.back().role == role)
+    return;
+  parts.push_back({primitives.size(), std::string(layer), std::string(pair), std::string(role)});
+}
+
+void Drawing::append(const Drawing& other, const Point2& offset) {
+  const std::size_t first = primitives.size();
+  for (const Part& part : other.parts) {
+    // What `other` has before its first part belongs to the part that is under way here.
+    if (!parts.empty() && parts.back().first == first + part.first) parts.pop_back();
+    parts.push_back({first + part.first, part.layer, part.pair, part.role});
+  }
+  for (Callout callout : other.callouts) {
+    callout.text += first;
+    callout.at = callout.at + offset;
+    callouts.push_back(std::move(callout));
+  }
+  primitives.reserve(first + other.primitives.size());
+  for (Primitive primitive : other.primitives) {
+    std::visit([&](auto& shape) { move_by(offset, shape); }, primitive);
+    primitives.push_back(std::move(primitive));
+  }
+}
+
+}  // namespace contactscope::draw
