@@ -146,6 +146,10 @@ bool has_glyph(char32_t code_point, FontWeight weight) {
   return stbtt_FindGlyphIndex(&font(weight), static_cast<int>(code_point)) != 0;
 }
 
+float em_size(float size, FontWeight weight) {
+  return scale_of(size, weight) / stbtt_ScaleForMappingEmToPixels(&font(weight), 1);
+}
+
 float advance(char32_t code_point, float size, FontWeight weight) {
   int width = 0, bearing = 0;
   stbtt_GetCodepointHMetrics(&font(weight), static_cast<int>(code_point), &width, &bearing);

@@ -26,6 +26,8 @@ float text_width(std::string_view utf8, float size, FontWeight weight);
 /// Height in pixels of the font's ascender, and depth of its descender (positive), at `size`.
 float ascent(float size, FontWeight weight);
 float descent(float size, FontWeight weight);
+/// Pixels of the font's em at `size`: what other programs call the size of a font.
+float em_size(float size, FontWeight weight);
 /// Advance of one code point in pixels.
 float advance(char32_t code_point, float size, FontWeight weight);
 /// Whether the font has a glyph for a code point; where not, the font's empty box is drawn.

@@ -1,0 +1,123 @@
+#include "vector/font_subset.h"
+
+#include <hb-subset.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <span>
+
+#include "vector/shared_library.h"
+
+namespace contactscope::vector {
+namespace {
+
+/// The functions of HarfBuzz that are used here.
+struct HarfBuzz {
+  SharedLibrary library{"libharfbuzz-subset.so.0", "libharfbuzz-subset0",
+                        "the font in a vector picture"};
+#define CONTACTSCOPE_HARFBUZZ(ROW)    \
+  ROW(hb_blob_create)                 \
+  ROW(hb_blob_destroy)                \
+  ROW(hb_blob_get_data)               \
+  ROW(hb_face_create)                 \
+  ROW(hb_face_destroy)                \
+  ROW(hb_face_reference_blob)         \
+  ROW(hb_set_add)                     \
+  ROW(hb_subset_input_create_or_fail) \
+  ROW(hb_subset_input_destroy)        \
+  ROW(hb_subset_input_set)            \
+  ROW(hb_subset_input_set_flags)      \
+  ROW(hb_subset_input_unicode_set)    \
+  ROW(hb_subset_or_fail)
+#define CONTACTSCOPE_MEMBER(name) decltype(&::name) name = nullptr;
+  CONTACTSCOPE_HARFBUZZ(CONTACTSCOPE_MEMBER)
+#undef CONTACTSCOPE_MEMBER
+
+  HarfBuzz() {
+#define CONTACTSCOPE_FIND(name) library.find(#name, name);
+    CONTACTSCOPE_HARFBUZZ(CONTACTSCOPE_FIND)
+#undef CONTACTSCOPE_FIND
+#undef CONTACTSCOPE_HARFBUZZ
+  }
+};
+
+const HarfBuzz& harfbuzz() {
+  static const HarfBuzz functions;
+  return functions;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_characters(const draw::Drawing& drawing, UsedCharacters& used) {
+  for (const draw::Primitive& primitive : drawing.primitives) {
+    const auto* text = std::get_if<draw::Text>(&primitive);
+    if (text == nullptr || text->text.empty()) continue;
+    std::ranges::copy(code_points(text->text),
+                      std::inserter(used[text->weight], used[text->weight].end()));
+  }
+}
+
+std::string font_subset(FontWeight weight, const std::set<char32_t>& characters) {
+  const HarfBuzz& hb = harfbuzz();
+  const auto owned = [](auto* object, auto* destroy) {
+    return std::unique_ptr<std::remove_pointer_t<decltype(object)>, decltype(destroy)>(object,
+                                                                                       destroy);
+  };
+  const std::span<const unsigned char> data = font_data(weight);
+  const auto whole_file = owned(hb.hb_blob_create(reinterpret_cast<const char*>(data.data()),
+                                                  static_cast<unsigned>(data.size()),
+                                                  HB_MEMORY_MODE_READONLY, nullptr, nullptr),
+                                hb.hb_blob_destroy);
+  const auto whole = owned(hb.hb_face_create(whole_file.get(), 0), hb.hb_face_destroy);
+  const auto input = owned(hb.hb_subset_input_create_or_fail(), hb.hb_subset_input_destroy);
+  if (!input) throw std::bad_alloc();
+  for (const char32_t code : characters)
+    hb.hb_set_add(hb.hb_subset_input_unicode_set(input.get()), code);
+  hb_set_t* dropped = hb.hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
+  for (const hb_tag_t table : {HB_TAG('G', 'P', 'O', 'S'), HB_TAG('G', 'S', 'U', 'B'),
+                               HB_TAG('G', 'D', 'E', 'F'), HB_TAG('k', 'e', 'r', 'n')})
+    hb.hb_set_add(dropped, table);
+  // A character that the font lacks is a box, as in pixels.
+  hb.hb_subset_input_set_flags(input.get(),
+                               HB_SUBSET_FLAGS_NO_HINTING | HB_SUBSET_FLAGS_NOTDEF_OUTLINE);
+  const auto subset = owned(hb.hb_subset_or_fail(whole.get(), input.get()), hb.hb_face_destroy);
+  if (!subset) throw std::runtime_error("libharfbuzz-subset could not make a subset of the font");
+  const auto file = owned(hb.hb_face_reference_blob(subset.get()), hb.hb_blob_destroy);
+  unsigned length = 0;
+  const char* bytes = hb.hb_blob_get_data(file.get(), &length);
+  return {bytes, length};
+}
+
+const std::string& FontFaces::css(const UsedCharacters& used) {
+  constexpr std::size_t kMostKept = 64;  // rules; a sequence has a few sets of letters
+  if (rules_.size() > kMostKept) rules_.clear();
+  css_.clear();
+  for (const auto& key : used) {
+    std::string& rule = rules_[key];
+    if (rule.empty()) {
+      rule = std::string("@font-face{font-family:") + kFontFamily +
+             ";font-weight:" + (key.first == FontWeight::Bold ? "700" : "400") +
+             ";src:url(data:font/ttf;base64," + base64(font_subset(key.first, key.second)) + ")}";
+    }
+    css_ += rule;
+  }
+  return css_;
+}
+
+}  // namespace contactscope::vector

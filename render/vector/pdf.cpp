@@ -1,0 +1,250 @@
+#include "vector/pdf.h"
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "image/font.h"
+#include "vector/cairo_functions.h"
+#include "vector/font_subset.h"
+#include "vector/pieces.h"
+
+namespace contactscope::vector {
+namespace {
+
+// A line of this width, pixels, around opaque polygons of surfaces closes the seams that viewers leave
+// between neighbours with soft edges.
+constexpr double kSeam = 0.3;
+
+const CairoFunctions& cairo() {
+  static const CairoFunctions functions;
+  return functions;
+}
+
+cairo_status_t write_to(void* closure, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// "2026-11-23T18:00:00Z".
+std::string date_of_creation() {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t seconds = epoch == nullptr ? 0 : std::strtoll(epoch, nullptr, 10);
+  std::tm broken_down{};
+  gmtime_r(&seconds, &broken_down);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &broken_down);
+  return text.data();
+}
+
+void check(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(std::string("PDF: ") + cairo().cairo_status_to_string(status));
+}
+
+template <class Object>
+using Owned = std::unique_ptr<Object, void (*)(Object*)>;
+
+/// The embedded font for cairo, which keeps what it has read of a face for longer than a picture lives.
+struct Fonts {
+  FT_Library library = nullptr;
+  std::array<FT_Face, 2> faces{};
+  std::array<cairo_font_face_t*, 2> for_cairo{};
+
+  Fonts() {
+    const CairoFunctions& c = cairo();
+    if (c.FT_Init_FreeType(&library) != 0) throw std::runtime_error("PDF: FreeType does not start");
+    for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold}) {
+      const std::span<const unsigned char> data = font_data(weight);
+      const auto i = static_cast<std::size_t>(weight);
+      if (c.FT_New_Memory_Face(library, data.data(), static_cast<FT_Long>(data.size()), 0,
+                               &faces[i]) != 0)
+        throw std::runtime_error("PDF: FreeType does not read the font");
+      for_cairo[i] = c.cairo_ft_font_face_create_for_ft_face(faces[i], 0);
+    }
+  }
+};
+
+struct PdfWriter {
+  const CairoFunctions& c;
+  cairo_t* page;
+  const Fonts& fonts;
+
+  void set_color(const Color& color) const {
+    c.cairo_set_source_rgba(page, color.r, color.g, color.b, color.a);
+  }
+
+  void trace(const std::vector<Point2>& points, bool closed) const {
+    c.cairo_move_to(page, points.front().x, points.front().y);
+    for (std::size_t i = 1; i < points.size(); ++i) c.cairo_line_to(page, points[i].x, points[i].y);
+    if (closed) c.cairo_close_path(page);
+  }
+
+  void add(const FillPath& fill, bool surface) const {
+    set_color(fill.color);
+    const auto trace_all = [&] {
+      for (const std::vector<Point2>& polygon : fill.polygons) trace(polygon, true);
+    };
+    trace_all();
+    c.cairo_fill(page);
+    if (!surface || fill.color.a < 1) return;
+    c.cairo_set_line_width(page, kSeam);
+    c.cairo_set_line_cap(page, CAIRO_LINE_CAP_BUTT);
+    c.cairo_set_dash(page, nullptr, 0, 0);
+    trace_all();
+    c.cairo_stroke(page);
+  }
+
+  void add(const StrokePath& stroke) const {
+    set_color(stroke.color);
+    c.cairo_set_line_width(page, stroke.width);
+    c.cairo_set_line_cap(page,
+                         stroke.cap == Cap::Round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    const std::array<double, 2> dashes = {stroke.dash, stroke.gap};
+    c.cairo_set_dash(page, dashes.data(), stroke.gap > 0 ? 2 : 0, stroke.phase);
+    for (const Polyline& line : stroke.lines) trace(line.points, line.closed);
+    c.cairo_stroke(page);
+  }
+
+  void add(const Disc& disc) const {
+    set_color(disc.color);
+    const bool ring = disc.inner > 0;
+    const double radius = ring ? 0.5 * (disc.inner + disc.outer) : disc.outer;
+    c.cairo_new_path(page);
+    c.cairo_arc(page, disc.center.x, disc.center.y, radius, 0, 2 * std::numbers::pi);
+    c.cairo_close_path(page);
+    if (!ring) {
+      c.cairo_fill(page);
+      return;
+    }
+    c.cairo_set_line_width(page, disc.outer - disc.inner);
+    c.cairo_set_dash(page, nullptr, 0, 0);
+    c.cairo_stroke(page);
+  }
+
+  // Each letter is told with the bytes of text that it stands for, so that a viewer copies the text.
+  void add(const PlacedText& placed) const {
+    const Text& text = *placed.text;
+    const auto weight = static_cast<std::size_t>(text.weight);
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    std::string utf8;
+    double pen = placed.left.x;
+    for (const char32_t code : code_points(text.text)) {
+      glyphs.push_back({c.FT_Get_Char_Index(fonts.faces[weight], code), pen, placed.left.y});
+      const std::size_t before = utf8.size();
+      add_utf8(code, utf8);
+      clusters.push_back({static_cast<int>(utf8.size() - before), 1});
+      pen += static_cast<double>(advance(code, text.size, text.weight));
+    }
+    const int count = static_cast<int>(glyphs.size());
+    c.cairo_set_font_face(page, fonts.for_cairo[weight]);
+    c.cairo_set_font_size(page, em_size(text.size, text.weight));
+    if (text.halo > 0 && text.halo_color.a > 0) {
+      set_color(text.halo_color);
+      c.cairo_set_line_width(page, 2 * text.halo);
+      c.cairo_set_dash(page, nullptr, 0, 0);
+      c.cairo_glyph_path(page, glyphs.data(), count);
+      c.cairo_stroke(page);
+    }
+    set_color(text.color);
+    c.cairo_show_text_glyphs(page, utf8.data(), static_cast<int>(utf8.size()), glyphs.data(), count,
+                             clusters.data(), count, static_cast<cairo_text_cluster_flags_t>(0));
+  }
+
+  static void add_utf8(char32_t code, std::string& out) {
+    if (code < 0x80) {
+      out += static_cast<char>(code);
+    } else if (code < 0x800) {
+      out += static_cast<char>(0xC0 | code >> 6);
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    } else if (code < 0x10000) {
+      out += static_cast<char>(0xE0 | code >> 12);
+      out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+      out += static_cast<char>(0xF0 | code >> 18);
+      out += static_cast<char>(0x80 | (code >> 12 & 0x3F));
+      out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+};
+
+void set_metadata(cairo_surface_t* surface, const PictureOrigin* origin) {
+  const CairoFunctions& c = cairo();
+  const auto set = [&](cairo_pdf_metadata_t what, const std::string& text) {
+    if (!text.empty()) c.cairo_pdf_surface_set_metadata(surface, what, text.c_str());
+  };
+  const std::string date = date_of_creation();
+  set(CAIRO_PDF_METADATA_CREATE_DATE, date);
+  set(CAIRO_PDF_METADATA_MOD_DATE, date);
+  if (origin == nullptr) return;
+  std::string keywords;
+  for (const auto& [key, value] : entries_of(*origin)) {
+    if (key == "Title" || key == "Software" || key == "Command") continue;
+    keywords += (keywords.empty() ? "" : ", ") + key + ": " + value;
+  }
+  set(CAIRO_PDF_METADATA_TITLE, origin->title);
+  set(CAIRO_PDF_METADATA_SUBJECT, origin->command);  // makes it again
+  set(CAIRO_PDF_METADATA_KEYWORDS, keywords);
+  set(CAIRO_PDF_METADATA_CREATOR, "contactscope " + origin->version);
+}
+
+}  // namespace
+
+std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
+  // FreeType's faces are for one thread at a time.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  const CairoFunctions& c = cairo();
+  static const Fonts fonts;
+  std::string bytes;
+  const double scale = options.points_per_pixel;
+  const Owned<cairo_surface_t> surface(
+      c.cairo_pdf_surface_create_for_stream(write_to, &bytes, scale * drawing.width,
+                                            scale * drawing.height),
+      c.cairo_surface_destroy);
+  check(c.cairo_surface_status(surface.get()));
+  set_metadata(surface.get(), options.origin);
+  {
+    const Owned<cairo_t> page(c.cairo_create(surface.get()), c.cairo_destroy);
+    const Owned<cairo_font_options_t> font_options(c.cairo_font_options_create(),
+                                                   c.cairo_font_options_destroy);
+    c.cairo_font_options_set_hint_style(font_options.get(), CAIRO_HINT_STYLE_NONE);
+    c.cairo_font_options_set_hint_metrics(font_options.get(), CAIRO_HINT_METRICS_OFF);
+    c.cairo_set_font_options(page.get(), font_options.get());
+    c.cairo_scale(page.get(), scale, scale);
+    c.cairo_set_line_join(page.get(), CAIRO_LINE_JOIN_ROUND);
+    const PdfWriter writer{c, page.get(), fonts};
+    if (drawing.background.a > 0) {
+      writer.set_color(drawing.background);
+      c.cairo_paint(page.get());
+    }
+    for (const Group& group : groups_of(drawing)) {
+      const bool surfaces = group.part != nullptr && group.part->role == "surface";
+      for (const Piece& piece : group.pieces) {
+        if (const auto* fill = std::get_if<FillPath>(&piece)) {
+          writer.add(*fill, surfaces);
+        } else if (const auto* stroke = std::get_if<StrokePath>(&piece)) {
+          writer.add(*stroke);
+        } else if (const auto* disc = std::get_if<Disc>(&piece)) {
+          writer.add(*disc);
+        } else {
+          writer.add(std::get<PlacedText>(piece));
+        }
+      }
+    }
+    check(c.cairo_status(page.get()));
+  }
+  c.cairo_surface_finish(surface.get());
+  check(c.cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+}  // namespace contactscope::vector

@@ -1,0 +1,203 @@
+#include "vector/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "draw/scene/camera.h"
+#include "image/font.h"
+#include "vector/visible.h"
+
+namespace contactscope::vector {
+namespace {
+
+// Ends this near to each other are one point, pixels: half of what a file's two decimals tell apart.
+constexpr float kSamePoint = 0.005f;
+// Flat ends of a curve's pieces overlap by half a pixel, see compose.cpp, where the curve turns little.
+constexpr float kLap = 0.6f;
+constexpr float kLapTurn = 0.9f;  // cosine
+// Neighbours whose common edge was rounded overlap by less, pixels.
+constexpr float kTouching = 0.02f;
+// Of translucent polygons in one path, for each is compared with all before it.
+constexpr std::size_t kMostTranslucent = 256;
+
+bool same(const Color& a, const Color& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+float area(const std::vector<Point2>& polygon) {
+  float sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return sum;
+}
+
+struct Extent {
+  float left = 0, top = 0, right = 0, bottom = 0;
+
+  explicit Extent(const std::vector<Point2>& points)
+      : left(points[0].x), top(points[0].y), right(left), bottom(top) {
+    for (const Point2& p : points) {
+      left = std::min(left, p.x);
+      right = std::max(right, p.x);
+      top = std::min(top, p.y);
+      bottom = std::max(bottom, p.y);
+    }
+  }
+  bool apart(const Extent& other) const {
+    return left > other.right - kTouching || other.left > right - kTouching ||
+           top > other.bottom - kTouching || other.top > bottom - kTouching;
+  }
+};
+
+/// A side of `a`, of positive area, has all of `b` beyond it.
+bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point2 edge = a[(i + 1) % a.size()] - a[i];
+    const float most = kTouching * length(edge);
+    if (std::ranges::all_of(b, [&](const Point2& p) { return cross(edge, p - a[i]) < most; }))
+      return true;
+  }
+  return false;
+}
+
+struct Grouping {
+  Rect canvas;
+  std::vector<Group> groups{};
+  std::vector<Extent> extents{};  // of the polygons of the path under way, where it is translucent
+  float run = 0;                  // pixels of the line under way
+
+  std::vector<Piece>& pieces() { return groups.back().pieces; }
+  template <class Kind>
+  Kind* last() {
+    return pieces().empty() ? nullptr : std::get_if<Kind>(&pieces().back());
+  }
+
+  void begin(const Part* part) { groups.push_back({part, {}}); }
+
+  void add(const draw::Fill& fill) {
+    std::vector<Point2> polygon = draw::clip_polygon(canvas, fill.polygon);
+    if (polygon.size() < 3) return;
+    const float size = area(polygon);
+    if (size == 0) return;
+    if (size < 0) std::ranges::reverse(polygon);
+    FillPath* path = last<FillPath>();
+    if (path == nullptr || !same(path->color, fill.color) || !may_join(*path, polygon)) {
+      pieces().push_back(FillPath{{}, fill.color});
+      path = last<FillPath>();
+      extents.clear();
+    }
+    if (fill.color.a < 1) extents.emplace_back(polygon);
+    path->polygons.push_back(std::move(polygon));
+  }
+
+  // Where translucent polygons overlap, each is to be seen.
+  bool may_join(const FillPath& path, const std::vector<Point2>& polygon) const {
+    if (path.color.a >= 1) return true;
+    if (path.polygons.size() >= kMostTranslucent) return false;
+    const Extent extent(polygon);
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+      if (!extents[i].apart(extent) && !has_parting_side(path.polygons[i], polygon) &&
+          !has_parting_side(polygon, path.polygons[i]))
+        return false;
+    }
+    return true;
+  }
+
+  void add(const draw::Stroke& stroke) {
+    Point2 from = stroke.from, to = stroke.to;
+    float phase = stroke.gap > 0 ? stroke.phase : 0;
+    const Rect room = canvas.grown(stroke.width);
+    if (!room.contains(from) || !room.contains(to)) {
+      const std::optional<draw::Segment2> inside = draw::clip_segment(room, from, to);
+      if (!inside) return;
+      if (stroke.gap > 0) phase += distance(from, inside->from);
+      from = inside->from;
+      to = inside->to;
+    }
+    StrokePath* path = last<StrokePath>();
+    const bool dashed = stroke.gap > 0;
+    if (path != nullptr && path->width == stroke.width && same(path->color, stroke.color) &&
+        path->cap == stroke.cap && path->dash == (dashed ? stroke.dash : 0) &&
+        path->gap == (dashed ? stroke.gap : 0)) {
+      if (continues(*path, from, to, phase)) return;
+      if (!dashed || same_phase(*path, path->phase, phase)) {
+        path->lines.push_back({{from, to}});
+        run = distance(from, to);
+        return;
+      }
+    }
+    pieces().push_back(StrokePath{{{{from, to}}},
+                                  stroke.width,
+                                  stroke.color,
+                                  stroke.cap,
+                                  dashed ? stroke.dash : 0,
+                                  dashed ? stroke.gap : 0,
+                                  phase});
+    run = distance(from, to);
+  }
+
+  static bool same_phase(const StrokePath& path, float a, float b) {
+    const float period = path.dash + path.gap;
+    const float off = std::abs(std::remainder(a - b, period));
+    return off < 0.05f;  // pixels
+  }
+
+  // The stroke goes on where the line under way ends.
+  bool continues(StrokePath& path, const Point2& from, const Point2& to, float phase) {
+    Polyline& line = path.lines.back();
+    if (line.closed) return false;
+    const bool dashed = path.gap > 0;
+    Point2& end = line.points.back();
+    if (distance(end, from) > kSamePoint) {
+      if (dashed || path.cap != Cap::Butt || distance(end, from) > kLap) return false;
+      const Point2 before = end - line.points[line.points.size() - 2], after = to - from;
+      if (dot(before, after) < kLapTurn * length(before) * length(after)) return false;
+      end = 0.5f * (end + from);
+    }
+    if (dashed && !same_phase(path, path.phase + run, phase)) return false;
+    run += distance(end, to);
+    const float gap = distance(line.points.front(), to);
+    if (!dashed && line.points.size() > 2 && gap <= (path.cap == Cap::Butt ? kLap : kSamePoint)) {
+      if (gap > kSamePoint) line.points.front() = 0.5f * (line.points.front() + to);
+      line.closed = true;
+    } else {
+      line.points.push_back(to);
+    }
+    return true;
+  }
+
+  void add(const Disc& disc) { pieces().push_back(disc); }
+  void add(const Text& text) { pieces().push_back(placed(text)); }
+};
+
+}  // namespace
+
+PlacedText placed(const Text& text) {
+  const float width = text_width(text.text, text.size, text.weight);
+  const float left = text.at.x - 0.5f * static_cast<float>(text.align) * width;
+  return {&text, {std::floor(left * 4 + 0.5f) / 4, std::floor(text.at.y + 0.5f)}, width};
+}
+
+std::vector<Group> groups_of(const draw::Drawing& drawing) {
+  Grouping grouping{
+      {0, 0, static_cast<double>(drawing.width), static_cast<double>(drawing.height)}};
+  const std::vector<bool> seen = visible(drawing);
+  std::size_t next = 0;  // part
+  bool begun = false;    // a group for the part under way
+  for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
+    while (next < drawing.parts.size() && drawing.parts[next].first <= i) {
+      ++next;
+      begun = false;
+    }
+    if (!seen[i]) continue;
+    if (!begun) grouping.begin(next > 0 ? &drawing.parts[next - 1] : nullptr);
+    begun = true;
+    std::visit([&](const auto& shape) { grouping.add(shape); }, drawing.primitives[i]);
+  }
+  std::erase_if(grouping.groups, [](const Group& group) { return group.pieces.empty(); });
+  return std::move(grouping.groups);
+}
+
+}  // namespace contactscope::vector

@@ -1,0 +1,290 @@
+#include "vector/svg.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "image/font.h"
+#include "vector/markup.h"
+#include "vector/pieces.h"
+
+namespace contactscope::vector {
+namespace {
+
+/// The data of a path, with steps from point to point in whole hundredths of a pixel, so that nothing
+/// adds up.
+class PathData {
+ public:
+  explicit PathData(std::string& out) : out_(out) {}
+
+  void move_to(const Point2& to) {
+    const Place place = rounded(to);
+    out_ += 'M';
+    add(place.x);
+    separate(place.y);
+    at_ = place;
+    last_ = 'L';  // what numbers after a move stand for
+    begun_ = false;
+  }
+  void line_to(const Point2& to) {
+    const Place place = rounded(to);
+    const std::int64_t dx = place.x - at_.x, dy = place.y - at_.y;
+    if (dx == 0 && dy == 0 && begun_) return;  // nearer than a hundredth
+    begun_ = true;
+    if (dy == 0) {
+      command('h', dx);
+    } else if (dx == 0) {
+      command('v', dy);
+    } else {
+      command('l', dx);
+      separate(dy);
+    }
+    at_ = place;
+  }
+  void close() {
+    out_ += 'z';
+    last_ = 'z';
+  }
+
+ private:
+  struct Place {
+    std::int64_t x = 0, y = 0;
+  };
+
+  static Place rounded(const Point2& p) {
+    return {std::llround(static_cast<double>(p.x) * 100),
+            std::llround(static_cast<double>(p.y) * 100)};
+  }
+  void command(char letter, std::int64_t value) {
+    if (letter == last_) {
+      separate(value);
+      return;
+    }
+    out_ += letter;
+    last_ = letter;
+    add(value);
+  }
+  // A minus sign parts numbers by itself.
+  void separate(std::int64_t value) {
+    if (value >= 0) out_ += ' ';
+    add(value);
+  }
+  void add(std::int64_t hundredths) { add_hundredths(hundredths, out_); }
+
+  std::string& out_;
+  Place at_;
+  char last_ = 0;
+  bool begun_ = false;
+};
+
+struct SvgWriter {
+  const draw::Drawing& drawing;
+  const SvgOptions& options;
+  std::string out{};
+  std::map<std::string, int> ids{};  // how often each was given
+
+  std::string write() {
+    out.reserve(64 * drawing.primitives.size() + 40'000);
+    begin_file();
+    for (const Group& group : groups_of(drawing)) add(group);
+    out += "</svg>\n";
+    return std::move(out);
+  }
+
+  void attribute(const char* name, std::string_view value) {
+    out += ' ';
+    out += name;
+    out += "=\"";
+    out += value;
+    out += '"';
+  }
+  void attribute(const char* name, double value) {
+    out += ' ';
+    out += name;
+    out += "=\"";
+    add_number(value, out);
+    out += '"';
+  }
+  void paint(const char* what, const char* opacity, const Color& color) {
+    attribute(what, hex(color));
+    if (color.a < 1) attribute(opacity, color.a);
+  }
+
+  void begin_file() {
+    const std::string width = std::to_string(drawing.width);
+    const std::string height = std::to_string(drawing.height);
+    out += "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    attribute("width", options.width.empty() ? width : options.width);
+    attribute("height", options.height.empty() ? height : options.height);
+    attribute("viewBox", "0 0 " + width + " " + height);
+    attribute("font-family", kFontFamilies);
+    attribute("stroke-linejoin", "round");
+    if (!options.id_prefix.empty()) attribute("id", options.id_prefix + "picture");
+    out += ">\n";
+    if (options.origin != nullptr) add_origin(*options.origin);
+    add_style();
+    if (drawing.background.a <= 0) return;
+    out += "<rect";
+    attribute("id", options.id_prefix + "background");
+    attribute("width", width);
+    attribute("height", height);
+    paint("fill", "fill-opacity", drawing.background);
+    out += "/>\n";
+  }
+
+  void add_origin(const PictureOrigin& origin) {
+    if (!origin.title.empty()) out += "<title>" + escaped(origin.title) + "</title>\n";
+    const auto entries = entries_of(origin);
+    std::string told;
+    for (const auto& [key, value] : entries) {
+      if (key != "Title") told += (told.empty() ? "" : "; ") + key + ": " + value;
+    }
+    out += "<desc>" + escaped(told) + "</desc>\n<metadata>";
+    out += "<picture xmlns=\"urn:contactscope:picture\"";
+    for (const auto& [key, value] : entries) {
+      std::string name = key;  // "Scenario SHA-256" as "scenario-sha-256"
+      for (char& c : name) c = c == ' ' ? '-' : static_cast<char>(std::tolower(c));
+      attribute(name.c_str(), escaped(value));
+    }
+    out += "/></metadata>\n";
+  }
+
+  // Digits keep their places: no kerning, and no ligatures.
+  void add_style() {
+    if (!options.embed_font) return;
+    UsedCharacters used;
+    add_characters(drawing, used);
+    FontFaces own;
+    FontFaces& fonts = options.fonts != nullptr ? *options.fonts : own;
+    out += "<style>text{font-kerning:none;font-variant-ligatures:none}" + fonts.css(used) +
+           "</style>\n";
+  }
+
+  void add(const Group& group) {
+    const bool grouped = group.part != nullptr;
+    if (grouped) begin_group(*group.part);
+    // Neighbours without soft edges, as the rasterizer paints them: else the ground shines through.
+    const bool surface = grouped && group.part->role == "surface";
+    for (const Piece& piece : group.pieces) {
+      if (const auto* fill = std::get_if<FillPath>(&piece)) {
+        add(*fill, surface);
+      } else if (const auto* stroke = std::get_if<StrokePath>(&piece)) {
+        add(*stroke);
+      } else if (const auto* disc = std::get_if<Disc>(&piece)) {
+        add(*disc);
+      } else {
+        add(std::get<PlacedText>(piece));
+      }
+    }
+    if (grouped) out += "</g>\n";
+  }
+
+  void begin_group(const Part& part) {
+    // A panel or inset has a name; a role is no part of an id.
+    const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart;
+    std::string id = part.layer;
+    if (named && !part.role.empty()) id += "-" + part.role;
+    id = name_token(id);
+    const int count = ++ids[id];
+    const std::string classes = "layer " + name_token(part.layer);
+    out += "<g";
+    attribute("id", options.id_prefix + id + (count > 1 ? "-" + std::to_string(count) : ""));
+    attribute("class", classes);
+    if (!part.pair.empty()) attribute("data-pair", escaped(part.pair));
+    if (!part.role.empty()) attribute("data-role", escaped(part.role));
+    out += ">\n";
+  }
+
+  // Ids and classes have no spaces.
+  static std::string name_token(std::string name) {
+    for (char& c : name) {
+      if (static_cast<unsigned char>(c) <= ' ' || c == '"' || c == '<' || c == '&') c = '-';
+    }
+    return name;
+  }
+
+  void add(const FillPath& fill, bool surface) {
+    out += "<path d=\"";
+    PathData data(out);
+    for (const std::vector<Point2>& polygon : fill.polygons) {
+      data.move_to(polygon.front());
+      for (std::size_t i = 1; i < polygon.size(); ++i) data.line_to(polygon[i]);
+      data.close();
+    }
+    out += '"';
+    paint("fill", "fill-opacity", fill.color);
+    if (surface) attribute("shape-rendering", "crispEdges");
+    out += "/>\n";
+  }
+
+  void add(const StrokePath& stroke) {
+    out += "<path d=\"";
+    PathData data(out);
+    for (const Polyline& line : stroke.lines) {
+      data.move_to(line.points.front());
+      for (std::size_t i = 1; i < line.points.size(); ++i) data.line_to(line.points[i]);
+      if (line.closed) data.close();
+    }
+    out += '"';
+    attribute("fill", "none");
+    paint("stroke", "stroke-opacity", stroke.color);
+    if (stroke.width != 1) attribute("stroke-width", stroke.width);
+    if (stroke.cap == Cap::Round) attribute("stroke-linecap", "round");
+    if (stroke.gap > 0) {
+      attribute("stroke-dasharray", number(stroke.dash) + " " + number(stroke.gap));
+      if (stroke.phase != 0) attribute("stroke-dashoffset", stroke.phase);
+    }
+    out += "/>\n";
+  }
+
+  void add(const Disc& disc) {
+    const bool ring = disc.inner > 0;
+    out += "<circle";
+    attribute("cx", disc.center.x);
+    attribute("cy", disc.center.y);
+    attribute("r", ring ? 0.5f * (disc.inner + disc.outer) : disc.outer);
+    if (ring) {
+      attribute("fill", "none");
+      paint("stroke", "stroke-opacity", disc.color);
+      attribute("stroke-width", disc.outer - disc.inner);
+    } else {
+      paint("fill", "fill-opacity", disc.color);
+    }
+    out += "/>\n";
+  }
+
+  void add(const PlacedText& placed) {
+    const Text& text = *placed.text;
+    out += "<text";
+    // At the end that it is aligned by, so that it stands right in another font too.
+    attribute("x", placed.left.x + 0.5f * static_cast<float>(text.align) * placed.width);
+    attribute("y", placed.left.y);
+    if (text.align == draw::Align::Center) attribute("text-anchor", "middle");
+    if (text.align == draw::Align::Right) attribute("text-anchor", "end");
+    attribute("font-size", em_size(text.size, text.weight));
+    if (text.weight == draw::Weight::Bold) attribute("font-weight", "700");
+    paint("fill", "fill-opacity", text.color);
+    if (text.halo > 0 && text.halo_color.a > 0) {
+      paint("stroke", "stroke-opacity", text.halo_color);
+      attribute("stroke-width", 2 * text.halo);
+      attribute("paint-order", "stroke");
+    }
+    const std::string& words = text.text;
+    const bool spaced =
+        words.find("  ") != std::string::npos || words.front() == ' ' || words.back() == ' ';
+    if (spaced) attribute("xml:space", "preserve");
+    out += '>';
+    out += escaped(words);
+    out += "</text>\n";
+  }
+};
+
+}  // namespace
+
+std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options) {
+  return SvgWriter{drawing, options}.write();
+}
+
+}  // namespace contactscope::vector

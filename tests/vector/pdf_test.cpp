@@ -1,0 +1,54 @@
+#include "vector/pdf.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "draw/crate_on_slab.h"
+
+namespace contactscope::vector {
+namespace {
+
+using draw::crate_sample::CrateOnSlab;
+using testing::HasSubstr;
+
+draw::Drawing sample() {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes, Layer::Normals, Layer::Contacts, Layer::Ids};
+  return draw::illustrate(scene.staged(), scene.frames[0]);
+}
+
+TEST(Pdf, OnePageWithItsFontAndItsSize) {
+  const std::string pdf = pdf_of(sample());
+  EXPECT_THAT(pdf, testing::StartsWith("%PDF-1."));
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 960 540 ]"));
+  EXPECT_THAT(pdf, HasSubstr("Roboto"));
+  EXPECT_THAT(pdf, HasSubstr("/ToUnicode"));
+  EXPECT_THAT(pdf_of(sample(), {.points_per_pixel = 0.5}), HasSubstr("/MediaBox [ 0 0 640 360 ]"));
+}
+
+TEST(Pdf, EqualDrawingsGiveEqualBytesWithAPinnedDate) {
+  EXPECT_EQ(pdf_of(sample()), pdf_of(sample()));
+  EXPECT_THAT(pdf_of(sample()), HasSubstr("/CreationDate (D:19700101000000Z)"));
+  setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
+  EXPECT_THAT(pdf_of(sample()), HasSubstr("/CreationDate (D:20231114221320Z)"));
+  unsetenv("SOURCE_DATE_EPOCH");
+}
+
+TEST(Pdf, OriginIsInTheMetadata) {
+  const PictureOrigin origin{"1.2.3",
+                             "hull/face_contact",
+                             "Boxes",
+                             3,
+                             "main",
+                             "ab12",
+                             "contactscope render hull/face_contact"};
+  const std::string pdf = pdf_of(sample(), {.origin = &origin});
+  EXPECT_THAT(pdf, HasSubstr("/Title (Boxes)"));
+  EXPECT_THAT(pdf, HasSubstr("/Subject (contactscope render hull/face_contact)"));
+  EXPECT_THAT(pdf, HasSubstr("/Creator (contactscope 1.2.3)"));
+  EXPECT_THAT(pdf, HasSubstr("Scenario SHA-256: ab12"));
+}
+
+}  // namespace
+}  // namespace contactscope::vector
