@@ -116,7 +116,7 @@ TEST(Svg, ShapesAreWrittenBriefly) {
                         draw::Disc{{5, 6}, 2, 4, {0, 0, 1, 1}},
                         draw::Stroke{{2, 3}, {9, 3}, 2, {0, 1, 0, 1}, draw::Cap::Round, 4, 2, 1}};
   const std::string svg = svg_of(drawing);
-  EXPECT_THAT(svg, HasSubstr("<path d=\"M1 2h10.5v10l-10.5.26z\" fill=\"#f00\"/>"));
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M1 2h10.5v10l-10.5 .26z\" fill=\"#f00\"/>"));
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"5\" cy=\"6\" r=\"3\" fill=\"none\" stroke=\"#00f\" "
                              "stroke-width=\"2\"/>"));
   EXPECT_THAT(svg, HasSubstr("stroke-linecap=\"round\" stroke-dasharray=\"4 2\" "
