@@ -127,6 +127,7 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
 Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   if (staging.cells) return staging.cells->frame(frame.frame);
   Drawing drawing{.width = staging.layout.width, .height = staging.layout.height};
+  drawing.words = staging.layout.words;
   const Scene scene = scene_of(staging, frame);
   const Sketch sketch = sketched(staging, scene, false);
   compose(sketch, staging.camera, staging.layout, drawing);
@@ -137,9 +138,9 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     draw_inset(inset, picture, staging.layout, drawing);
   }
   explain_panels(staging.view, frame, legend);
-  draw_legend(legend.sorted(), staging.layout, drawing);
-  draw_captions(staging.header->title, staging.header->source,
-                printed("frame %d, t = %.3f s", frame.frame, frame.time), staging.layout, drawing);
+  if (staging.style.legend) draw_legend(legend.sorted(), staging.layout, drawing);
+  draw_captions(staging.header->title, staging.header->source, staging.moments.of(frame),
+                staging.layout, drawing);
   return drawing;
 }
 

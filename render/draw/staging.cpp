@@ -15,6 +15,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kFieldOfView = 30;     // degrees; stronger perspective would bend right angles
+constexpr double kParallelField = 2;    // degrees of a lens that takes the place of none
 constexpr double kElevation = 30;       // degrees above the contact plane
 constexpr double kPatchShare = 0.46;    // of the view's smaller side
 constexpr double kLeastPatch = 0.345;   // of it, where all shapes can be seen
@@ -135,7 +136,9 @@ Vec3d viewing_direction(const trace::Header& header, const Vec3d& normal) {
 
 Camera fit_camera(const trace::Header& header, const Extent& extent, const View& view,
                   const Rect& viewport) {
-  const double fov = radians(view.fov_degrees.value_or(kFieldOfView));
+  // Of a parallel projection that is fitted the eye is so far away that its rays are parallel.
+  const bool parallel = view.orthographic_height && !(*view.orthographic_height > 0);
+  const double fov = radians(parallel ? kParallelField : view.fov_degrees.value_or(kFieldOfView));
   const double half_height = std::tan(0.5 * fov);
   const double aspect = viewport.width / viewport.height;
 
@@ -161,8 +164,11 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
     if (close.distance < best.distance)
       best = {close.target, std::max(close.distance, kLeastShapes * best.distance)};
   }
+  const double parallel_height = 2 * half_height * best.distance;
   if (view.eye) best.distance = (*view.eye - best.target).norm();
   const Vec3d eye = view.eye.value_or(best.target + best.distance * direction);
+  if (parallel)
+    return Camera::orthographic(eye, best.target, up, parallel_height, viewport);
   return view.orthographic_height
              ? Camera::orthographic(eye, best.target, up, *view.orthographic_height, viewport)
              : Camera::perspective(eye, best.target, up, fov, viewport);
@@ -174,7 +180,7 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {
     std::vector<float> entries = mapped(legend_of(staging, frame), [&](const LegendEntry& entry) {
-      return legend_entry_width(entry, staging.layout.scale);
+      return legend_entry_width(entry, staging.layout.scale, staging.layout.words);
     });
     if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
   }
@@ -184,21 +190,27 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
 }  // namespace
 
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& asked, int width, int height, const LayerTable& layers) {
+              const View& asked, int width, int height, const FigureStyle& style,
+              const LayerTable& layers) {
   View view = asked;
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
   const Extent extent = gather(header, frames, view, meshes);
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
-    return make_layout(width, height, !view.panels.empty(), widths, count_of(insets));
+    return make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
+                       header.title);
   };
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
   // what each frame shows: explain all frames with a camera that only has to exist.
   Staging staging{&header,           view,       &layers,
                   std::move(meshes), layout({}), fit_camera(header, extent, view, layout({}).view)};
+  staging.style = style;
+  staging.layout.words = staging.style.words.get();
+  staging.moments = Moments(frames, view.story);
   if (view.kind == ViewKind::ContactPlane) {
     staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
-                                                   reduced(frames), view.choices, width, height);
+                                                   reduced(frames, staging.moments), view.choices,
+                                                   width, height, style);
     return staging;
   }
   if (view.shows(Layer::Trail)) {
@@ -211,7 +223,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
   };
   fit();
-  staging.layout = layout(legend_widths(staging, frames));
+  if (style.legend) staging.layout = layout(legend_widths(staging, frames));
   staging.camera = fit_camera(header, extent, view, staging.layout.view);
   fit();
   return staging;

@@ -7,6 +7,7 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
+#include "draw/moments.h"
 #include "trace/trace.h"
 
 namespace contactscope::draw {
@@ -20,6 +21,8 @@ struct Staging {
   Layout layout;
   Camera camera;
   std::shared_ptr<const ContactCells> cells{};  // of a contact plane, which has no camera
+  FigureStyle style{};
+  Moments moments{};
   SequenceScales scales{};
   std::shared_ptr<const SequencePoses> sequence{};  // where a layer looks back
   std::vector<Inset> insets{};                      // of the view's panels; `view` names the others
@@ -28,9 +31,10 @@ struct Staging {
 /// Looks through all frames, and draws none. The view's own eye, target and lens are used where it
 /// names them; the rest is fitted: to the contact patches, seen from 30 degrees above the contact
 /// plane and about half as wide as the view, or to all shapes when nothing touches or the view asks
-/// for it.
+/// for it. What a style leaves to do with complete drawings, finish() does.
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
-              const View& view, int width, int height, const LayerTable& layers = kLayers);
+              const View& view, int width, int height, const FigureStyle& style = {},
+              const LayerTable& layers = kLayers);
 
 /// One frame as the view shows it, made from the trace alone; nothing of the pipeline is computed
 /// again. The same frame gives the same drawing.

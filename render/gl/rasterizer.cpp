@@ -1,5 +1,6 @@
 #include "gl/rasterizer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -59,6 +60,21 @@ GLuint build_program(const Functions& gl, const char* fragment_source) {
   gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (!linked) reject("the driver cannot link a program: ", program, gl.GetProgramInfoLog);
   return program;
+}
+
+/// From colours that are premultiplied by alpha.
+Image straight(const std::vector<std::uint8_t>& rgba, int width, int height) {
+  Image image(width, height);
+  image.alpha.resize(rgba.size() / 4);
+  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+    const unsigned alpha = image.alpha[i] = rgba[4 * i + 3];
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
+      const unsigned channel = rgba[4 * i + c];
+      image.rgb[3 * i + c] =
+          static_cast<std::uint8_t>(std::min(255u, (255 * channel + alpha / 2) / alpha));
+    }
+  }
+  return image;
 }
 
 }  // namespace
@@ -156,7 +172,10 @@ void Rasterizer::paint(const draw::Drawing& drawing) {
   gl_.Viewport(0, 0, width_, height_);
   gl_.Disable(GL_SCISSOR_TEST);
   const draw::Color& background = drawing.background;
-  gl_.ClearColor(background.r, background.g, background.b, background.a);
+  // Blending as below leaves colours premultiplied by what they cover, if it begins with such.
+  opaque_ = background.a >= 1;
+  gl_.ClearColor(background.a * background.r, background.a * background.g,
+                 background.a * background.b, background.a);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
@@ -192,6 +211,7 @@ Image Rasterizer::read() {
   // As stored, and packed below: drivers convert to GL_RGB pixel by pixel.
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
   if (gl_.GetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL failed to paint a picture");
+  if (!opaque_) return straight(rgba_, width_, height_);
   Image image(width_, height_);
   const std::uint8_t* from = rgba_.data();
   std::uint8_t* to = image.rgb.data();

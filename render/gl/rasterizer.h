@@ -28,7 +28,8 @@ class Rasterizer {
   /// Clears to the drawing's background and paints its primitives in order, with as few draw calls
   /// as the glyph atlas allows.
   void paint(const draw::Drawing& drawing);
-  /// Copies out, top row first.
+  /// Copies out, top row first; with alpha where the drawing had a background that let something
+  /// through.
   Image read();
 
  private:
@@ -46,6 +47,7 @@ class Rasterizer {
   std::vector<GLuint> pages_;         // textures of the glyph atlas
   PrimitiveVertices triangles_;
   std::vector<std::uint8_t> rgba_;
+  bool opaque_ = true;  // what was painted last
 };
 
 }  // namespace contactscope::gl

@@ -4,8 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
+#include <optional>
 
 #include "image/glyph_coverage.h"
+#include "image/whole_file.h"
 
 // For reading the font alone. Static, so that a shared object of another version cannot stand in.
 #define STBTT_STATIC
@@ -15,23 +18,68 @@
 namespace contactscope {
 namespace {
 
-stbtt_fontinfo load(FontWeight weight) {
-  stbtt_fontinfo info;
-  const unsigned char* data = font_data(weight).data();
-  if (!stbtt_InitFont(&info, data, stbtt_GetFontOffsetForIndex(data, 0))) {
-    std::abort();  // the build embedded something that is no font
-  }
-  return info;
+/// A file, and what stb_truetype knows of it.
+struct Face {
+  std::span<const unsigned char> data;
+  stbtt_fontinfo info{};
+};
+
+/// Of one font in both weights.
+struct Font {
+  std::vector<unsigned char> regular, bold;  // of an added one, what it was read from
+  Face faces[2];
+
+  const Face& face(FontWeight weight) const { return faces[weight == FontWeight::Bold ? 1 : 0]; }
+};
+
+/// Nothing where the bytes are no font.
+std::optional<Face> load(std::span<const unsigned char> data) {
+  Face face{data};
+  if (data.size() < 12) return std::nullopt;
+  const int offset = stbtt_GetFontOffsetForIndex(data.data(), 0);
+  if (offset < 0 || !stbtt_InitFont(&face.info, data.data(), offset)) return std::nullopt;
+  return face;
+}
+
+Font embedded_font() {
+  const std::optional<Face> regular = load(font_data(FontWeight::Regular));
+  const std::optional<Face> bold = load(font_data(FontWeight::Bold));
+  if (!regular || !bold) std::abort();  // the build embedded something that is no font
+  return {{}, {}, {*regular, *bold}};
+}
+
+/// The embedded one first.
+std::deque<Font>& fonts() {
+  static std::deque<Font> all{embedded_font()};
+  return all;
 }
 
 const stbtt_fontinfo& font(FontWeight weight) {
-  static const stbtt_fontinfo regular = load(FontWeight::Regular);
-  static const stbtt_fontinfo bold = load(FontWeight::Bold);
-  return weight == FontWeight::Bold ? bold : regular;
+  return fonts().front().face(weight).info;
 }
 
 float scale_of(float size, FontWeight weight) {
   return stbtt_ScaleForPixelHeight(&font(weight), size);
+}
+
+/// Where a character's outline is, and pixels for one of its font's units.
+struct GlyphSource {
+  const stbtt_fontinfo* info;
+  int glyph;
+  float scale;
+};
+
+GlyphSource source_of(char32_t code_point, float size, FontWeight weight) {
+  const float own = scale_of(size, weight);
+  const stbtt_fontinfo& first = font(weight);
+  const int glyph = stbtt_FindGlyphIndex(&first, static_cast<int>(code_point));
+  if (glyph != 0) return {&first, glyph, own};
+  const std::size_t number = font_for(code_point, weight);
+  if (number == 0) return {&first, stbtt_FindGlyphIndex(&first, '?'), own};
+  const stbtt_fontinfo& info = fonts()[number].face(weight).info;
+  const float em = own / stbtt_ScaleForMappingEmToPixels(&first, 1);  // pixels
+  return {&info, stbtt_FindGlyphIndex(&info, static_cast<int>(code_point)),
+          stbtt_ScaleForMappingEmToPixels(&info, em)};
 }
 
 /// How far a chord may be from its curve, pixels.
@@ -142,8 +190,47 @@ float descent(float size, FontWeight weight) {
   return static_cast<float>(-down) * scale_of(size, weight);
 }
 
+void add_font(const std::string& regular, const std::string& bold) {
+  Font& added = fonts().emplace_back();
+  const auto read = [](const std::string& path, std::vector<unsigned char>& bytes) {
+    bytes = read_whole_file(path);
+    const std::optional<Face> face = load(bytes);
+    if (!face)
+      throw FontError(path + ": this is no TrueType font; give a .ttf, as of fonts-noto-core");
+    if (face->info.glyf == 0)
+      throw FontError(path +
+                      ": this font has no TrueType outlines (glyf), but others; give a .ttf of it");
+    return *face;
+  };
+  try {
+    added.faces[0] = added.faces[1] = read(regular, added.regular);
+    if (!bold.empty()) added.faces[1] = read(bold, added.bold);
+  } catch (...) {
+    fonts().pop_back();
+    throw;
+  }
+}
+
+std::size_t font_for(char32_t code_point, FontWeight weight) {
+  const std::deque<Font>& all = fonts();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (stbtt_FindGlyphIndex(&all[i].face(weight).info, static_cast<int>(code_point)) != 0)
+      return i;
+  }
+  return 0;
+}
+
+std::span<const unsigned char> font_data(FontWeight weight, std::size_t number) {
+  return fonts()[number].face(weight).data;
+}
+
+float line_of_em(FontWeight weight) {
+  return stbtt_ScaleForMappingEmToPixels(&font(weight), 1) / scale_of(1, weight);
+}
+
 bool has_glyph(char32_t code_point, FontWeight weight) {
-  return stbtt_FindGlyphIndex(&font(weight), static_cast<int>(code_point)) != 0;
+  return font_for(code_point, weight) > 0 ||
+         stbtt_FindGlyphIndex(&font(weight), static_cast<int>(code_point)) != 0;
 }
 
 float em_size(float size, FontWeight weight) {
@@ -151,9 +238,10 @@ float em_size(float size, FontWeight weight) {
 }
 
 float advance(char32_t code_point, float size, FontWeight weight) {
+  const GlyphSource source = source_of(code_point, size, weight);
   int width = 0, bearing = 0;
-  stbtt_GetCodepointHMetrics(&font(weight), static_cast<int>(code_point), &width, &bearing);
-  return static_cast<float>(width) * scale_of(size, weight);
+  stbtt_GetGlyphHMetrics(source.info, source.glyph, &width, &bearing);
+  return static_cast<float>(width) * source.scale;
 }
 
 float text_width(std::string_view utf8, float size, FontWeight weight) {
@@ -165,9 +253,10 @@ float text_width(std::string_view utf8, float size, FontWeight weight) {
 GlyphBitmap rasterize_glyph(char32_t code_point, float size, FontWeight weight, float subpixel_x,
                             float halo) {
   assert(size > 0 && subpixel_x >= 0 && subpixel_x < 1 && halo >= 0);
-  const stbtt_fontinfo& info = font(weight);
-  const float scale = scale_of(size, weight);
-  const int glyph = stbtt_FindGlyphIndex(&info, static_cast<int>(code_point));
+  const GlyphSource source = source_of(code_point, size, weight);
+  const stbtt_fontinfo& info = *source.info;
+  const float scale = source.scale;
+  const int glyph = source.glyph;
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph, scale, scale, subpixel_x, 0, &x0, &y0, &x1, &y1);
   if (x1 <= x0 || y1 <= y0) return {};  // a space

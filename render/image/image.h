@@ -6,11 +6,13 @@
 
 namespace contactscope {
 
-/// Pixels, three bytes each (sRGB red, green, blue), rows from the top, no padding.
+/// Pixels, three bytes each (sRGB red, green, blue), rows from the top, no padding; and
+/// where what lies beneath is to be seen, how much of it they cover.
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;  // 3 * width * height
+  std::vector<std::uint8_t> rgb;      // 3 * width * height
+  std::vector<std::uint8_t> alpha{};  // width * height, straight; empty: opaque
 
   Image() = default;
   Image(int w, int h)

@@ -3,15 +3,11 @@
 #include <libdeflate.h>
 
 #include <cassert>
-#include <cerrno>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <new>
-#include <system_error>
 
 #include "image/whole_file.h"
 
@@ -54,6 +50,19 @@ unsigned checksum(const unsigned char* data, int length) {
 #include <stb/stb_image.h>
 
 namespace contactscope {
+namespace {
+
+std::vector<std::uint8_t> interleaved(const Image& image) {
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(4 * image.alpha.size());
+  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+    const std::uint8_t* const rgb = &image.rgb[3 * i];
+    rgba.insert(rgba.end(), {rgb[0], rgb[1], rgb[2], image.alpha[i]});
+  }
+  return rgba;
+}
+
+}  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, int level) {
   assert(image.width > 0 && image.height > 0 && level >= 0 && level <= 12);
@@ -62,9 +71,12 @@ std::vector<std::uint8_t> encode_png(const Image& image, int level) {
   static_cast<void>(filter);
   compression_level = level;
   int length = 0;
+  const int channels = image.alpha.empty() ? 3 : 4;
+  std::vector<std::uint8_t> rgba;
+  if (channels == 4) rgba = interleaved(image);
   const std::unique_ptr<unsigned char, void (*)(void*)> png(
-      stbi_write_png_to_mem(image.rgb.data(), 3 * image.width, image.width, image.height, 3,
-                            &length),
+      stbi_write_png_to_mem(channels == 4 ? rgba.data() : image.rgb.data(), channels * image.width,
+                            image.width, image.height, channels, &length),
       std::free);
   if (!png) throw std::bad_alloc();
   return {png.get(), png.get() + length};
@@ -75,19 +87,7 @@ void write_png(const std::string& path, const Image& image, int level) {
 }
 
 Image read_png(const std::string& path) {
-  const auto fail = [&path](int error) {
-    throw std::filesystem::filesystem_error("cannot read", path,
-                                            std::error_code(error, std::generic_category()));
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) fail(errno);
-  std::vector<std::uint8_t> bytes;
-  std::uint8_t block[65536];
-  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
-    bytes.insert(bytes.end(), block, block + count);
-  }
-  if (std::ferror(file.get())) fail(errno);
+  const std::vector<std::uint8_t> bytes = read_whole_file(path);
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw PngError(path + ": cannot be read as a PNG: larger than 2 GB");
   }

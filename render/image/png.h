@@ -14,7 +14,7 @@ class PngError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An 8-bit RGB PNG. `level` is libdeflate's, 0 (stored) to 12 (smallest); level 1 takes 8 ms for
+/// An 8-bit RGB PNG, or RGBA of an image with alpha. `level` is libdeflate's, 0 (stored) to 12 (smallest); level 1 takes 8 ms for
 /// 1280x720. The picture has at least one pixel. Equal pictures give equal bytes. May be called
 /// from several threads at once.
 std::vector<std::uint8_t> encode_png(const Image& image, int level = 1);

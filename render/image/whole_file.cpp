@@ -5,15 +5,17 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <sstream>
 #include <system_error>
 
 namespace contactscope {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) {
-  throw std::filesystem::filesystem_error("cannot write", path,
+[[noreturn]] void fail(const std::string& path, int error, const char* what = "cannot write") {
+  throw std::filesystem::filesystem_error(what, path,
                                           std::error_code(error, std::generic_category()));
 }
 
@@ -48,6 +50,18 @@ void write_whole_file(const std::string& path, std::span<const std::uint8_t> byt
     ::unlink(aside.c_str());
     fail(path, error);
   }
+}
+
+std::vector<std::uint8_t> read_whole_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) fail(path, errno, "cannot read");
+  std::vector<std::uint8_t> bytes;
+  std::uint8_t block[65536];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+    bytes.insert(bytes.end(), block, block + count);
+  if (std::ferror(file.get())) fail(path, errno, "cannot read");
+  return bytes;
 }
 
 }  // namespace contactscope

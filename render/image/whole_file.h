@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace contactscope {
 
@@ -10,5 +11,8 @@ namespace contactscope {
 /// bytes go to a hidden name in the same folder, which is then renamed. Replaces an existing file.
 /// Throws std::filesystem::filesystem_error with the path and the system's reason.
 void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes);
+
+/// All bytes of a file. Throws std::filesystem::filesystem_error.
+std::vector<std::uint8_t> read_whole_file(const std::string& path);
 
 }  // namespace contactscope

@@ -52,12 +52,14 @@ struct Window {
   draw::Rect outer, inner;  // with and without its padding
 };
 
-Window open_window(const std::string& name, const ImVec2& corner, const ImVec2& size) {
+/// `ground`: whether the window paints one.
+Window open_window(const std::string& name, const ImVec2& corner, const ImVec2& size, bool ground) {
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize(size);
   ImGui::Begin(name.c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                   (ground ? 0 : ImGuiWindowFlags_NoBackground));
   const auto rect = [](const ImVec2& at, const ImVec2& extent) {
     return draw::Rect{at.x, at.y, extent.x, extent.y};
   };
@@ -124,6 +126,7 @@ PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::
 
 std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw::Drawing& drawing) {
   draw::Drawing contents;
+  contents.words = layout_.words;
   windows_.begin_frame();
   std::vector<draw::PanelNeed> needs;
   for (const draw::FilledPanel& panel : panels_)
@@ -144,7 +147,7 @@ std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw:
       without_room += (without_room.empty() ? "no room for " : ", ") + name;
       continue;
     }
-    const Window window = open_window(name, {left, y}, {width, heights[i]});
+    const Window window = open_window(name, {left, y}, {width, heights[i]}, layout_.ground);
     contents.begin(draw::kPanelPart, {}, name);
     draw::Sheet sheet(window.inner, layout_.scale, contents);
     draw_border(window.outer, sheet.pen());

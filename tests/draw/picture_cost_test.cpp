@@ -54,7 +54,7 @@ TEST(PictureCost, StagingDrawsNothingAndExplainsEachFrameOnce) {
   for (const int frames : {1, 10, 300}) {
     const CrateOnSlab scene = sliding(frames, 3);
     const Counts counts =
-        counted([&] { stage(scene.header, scene.frames, scene.view, 1280, 720, table); });
+        counted([&] { stage(scene.header, scene.frames, scene.view, 1280, 720, {}, table); });
     EXPECT_EQ(counts.drawn, 0) << frames;
     EXPECT_EQ(counts.explained, frames);
   }
@@ -64,7 +64,7 @@ TEST(PictureCost, APictureCostsWhatItsOwnFrameDoes) {
   const LayerTable table = counting_table();
   for (const int frames : {1, 10, 300}) {
     const CrateOnSlab scene = sliding(frames, 3);
-    const Staging staging = stage(scene.header, scene.frames, scene.view, 1280, 720, table);
+    const Staging staging = stage(scene.header, scene.frames, scene.view, 1280, 720, {}, table);
     const Counts counts = counted([&] { illustrate(staging, scene.frames.back()); });
     EXPECT_EQ(counts.drawn, 3) << frames;
     EXPECT_EQ(counts.explained, 1) << frames;
@@ -76,7 +76,7 @@ TEST(PictureCost, LayersThatAViewDoesNotNameAreNotAsked) {
   CrateOnSlab scene = sliding(10, 3);
   scene.view.layers = {};
   const Counts counts = counted([&] {
-    const Staging staging = stage(scene.header, scene.frames, scene.view, 1280, 720, table);
+    const Staging staging = stage(scene.header, scene.frames, scene.view, 1280, 720, {}, table);
     illustrate(staging, scene.frames.back());
   });
   EXPECT_EQ(counts.drawn, 0);

@@ -84,15 +84,19 @@ constexpr Swatch kKeptIdsSwatch{
 
 ContactCells::ContactCells(const std::string& title, const std::string& source,
                            const std::string& up, std::vector<ContactMoment> moments, int choices,
-                           int width, int height)
-    : title_(title), source_(source), moments_(std::move(moments)), choices_(choices) {
+                           int width, int height, const FigureStyle& style)
+    : title_(title),
+      source_(source),
+      moments_(std::move(moments)),
+      choices_(choices),
+      style_(style) {
   frame_patches(up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
   gather_ids();
   fit(width, height);
 }
 
 std::vector<LegendEntry> ContactCells::legend() const {
-  if (cell_count() == 0 || !shows(Detail::Legend)) return {};
+  if (cell_count() == 0 || !shows(Detail::Legend) || !style_.legend) return {};
   const auto any_cell = [&](const auto& holds) { return std::ranges::any_of(all_cells(), holds); };
   std::vector<LegendEntry> entries;
   // Assigned, not moved in: GCC 12 takes the move of a short string for an overread.
@@ -139,6 +143,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
 Drawing ContactCells::frame(int number) const {
   const auto moment = std::ranges::find(moments_, number, &ContactMoment::frame);
   Drawing drawing{.width = layout_.width, .height = layout_.height};
+  drawing.words = layout_.words;
   const Pen pen(drawing, layout_.scale, kNumber);
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, pen);
@@ -169,12 +174,12 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
   const auto width = static_cast<float>(rect.width);
   pen.drawing().begin(kPlanePart, cell.pair, cell.name);
   if (cell_count() > 1 && shows(Detail::Names)) {
-    pen.text(fitted(cell.name, pen.px(kName), Weight::Bold, width),
+    pen.text(pen.fitted(cell.name, Weight::Bold, width, kName),
              pixel(rect.x, rect.y + 0.8 * pen.px(kName)), Align::Left, kText, Weight::Bold, kName);
   }
   const Rect map{rect.x, rect.y + pen.px(name_height()), rect.width, grid_.map_height};
   if (cell.points.empty()) {
-    pen.text(fitted("no contact in this frame", pen.px(kNumber), Weight::Regular, width),
+    pen.text(pen.fitted("no contact in this frame", Weight::Regular, width),
              pixel(map.x + 0.5 * map.width, map.y + 0.5 * map.height), Align::Center, kQuietText);
   } else {
     const Patch& patch = patches_[number];
@@ -188,8 +193,8 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
   double baseline = map.bottom() + grid_.strip + 0.8 * pen.px(kNumberRow);
   for (const ContactCell::Row& row : shown_rows(cell)) {
     const Weight weight = row.strong ? Weight::Bold : Weight::Regular;
-    pen.text(fitted(left_of(row), pen.px(kNumber), weight, width), pixel(rect.x, baseline),
-             Align::Left, kText, weight);
+    pen.text(pen.fitted(left_of(row), weight, width), pixel(rect.x, baseline), Align::Left, kText,
+             weight);
     if (shows(Detail::RowEnds) && !row.right.empty())
       pen.text(row.right, pixel(rect.right(), baseline), Align::Right, kQuietText);
     baseline += pen.px(kNumberRow);

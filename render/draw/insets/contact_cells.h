@@ -7,6 +7,7 @@
 #include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
+#include "draw/moments.h"
 #include "trace/exploration.h"
 
 namespace contactscope::draw {
@@ -45,7 +46,8 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
 
 /// From recorded frames: a cell for every pair whose reduction was recorded, named by its label, or
 /// by its reducer where it has none.
-std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames);
+std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
+                                   const Moments& telling = {});
 
 /// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What
 /// a cell shows in any frame stands in the middle of its map, wherever in the world that is and
@@ -61,7 +63,8 @@ class ContactCells {
   /// `up`: "y" or "z". `choices` as in View: so many choices are shown, the last one with what made
   /// it; 0: all, and the result.
   ContactCells(const std::string& title, const std::string& source, const std::string& up,
-               std::vector<ContactMoment> moments, int choices, int width, int height);
+               std::vector<ContactMoment> moments, int choices, int width, int height,
+               const FigureStyle& style = {});
 
   /// The picture of the moment with this frame number.
   Drawing frame(int number) const;
@@ -115,6 +118,7 @@ class ContactCells {
   std::string title_, source_;
   std::vector<ContactMoment> moments_;
   int choices_;
+  FigureStyle style_;
   Layout layout_;
   std::vector<Patch> patches_;    // of each cell
   Vec2d extent_ = Vec2d::Zero();  // metres that the largest of them fill

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
@@ -26,9 +27,9 @@ void ContactCells::fit(int width, int height) {
   for (int given_up = 0; given_up <= static_cast<int>(Detail::None); ++given_up) {
     given_up_ = static_cast<Detail>(given_up);
     const std::vector<float> widths = mapped(legend(), [&](const LegendEntry& entry) {
-      return legend_entry_width(entry, interface_scale(width, height));
+      return legend_entry_width(entry, interface_scale(width, height, style_), style_.words.get());
     });
-    layout_ = make_layout(width, height, false, {widths});
+    layout_ = make_layout(width, height, false, {widths}, 0, style_, title_);
     grid_ = best_grid();
     if (grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width()) return;
   }
@@ -152,9 +153,12 @@ double ContactCells::row_width() const {
   double widest = 0;
   for (const ContactCell& cell : all_cells()) {
     for (const ContactCell::Row& row : shown_rows(cell)) {
-      double width = text_width(left_of(row), size, row.strong ? Weight::Bold : Weight::Regular);
+      const auto width_of = [&](const std::string& text, Weight weight) {
+        return text_width(style_.words ? style_.words->of(text) : text, size, weight);
+      };
+      double width = width_of(left_of(row), row.strong ? Weight::Bold : Weight::Regular);
       if (shows(Detail::RowEnds) && !row.right.empty())
-        width += layout_.px(kRowGap) + text_width(row.right, size, Weight::Regular);
+        width += layout_.px(kRowGap) + width_of(row.right, Weight::Regular);
       widest = std::max(widest, width);
     }
   }

@@ -75,15 +75,16 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
   return moments;
 }
 
-std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames) {
+std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
+                                   const Moments& telling) {
   // A pair may touch in some frames only; its cell is there in all.
   const std::vector<const trace::Pair*> cells =
       distinct_pairs(frames, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
   const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair* pair) {
     return pair->a != cells.front()->a || pair->b != cells.front()->b;
   });
-  std::vector<ContactMoment> moments = mapped(frames, [](const trace::Frame& frame) {
-    return ContactMoment{frame.frame, printed("frame %d, t = %.3f s", frame.frame, frame.time), {}};
+  std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
+    return ContactMoment{frame.frame, telling.of(frame), {}};
   });
   for (const trace::Pair* known : cells) {
     std::string name = known->label.empty() ? known->reduction->method : known->label;

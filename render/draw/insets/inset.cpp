@@ -78,10 +78,10 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
   const float left = static_cast<float>(inset.frame.x) + padding;
   const float right = static_cast<float>(inset.frame.right()) - padding;
   const float baseline = static_cast<float>(inset.frame.y) + padding + 0.8f * size;
-  const std::string heading = fitted(picture.heading, size, Weight::Bold, right - left);
+  const Said heading = pen.fitted(picture.heading, Weight::Bold, right - left, kInsetHeading);
   pen.text(heading, {left, baseline}, Align::Left, kText, Weight::Bold, kInsetHeading);
   // A word that lost its end tells nothing.
-  const float used = text_width(heading, size, Weight::Bold) + 2 * padding;
+  const float used = text_width(heading.text, size, Weight::Bold) + 2 * padding;
   if (pen.width_of(picture.note) <= right - left - used)
     pen.text(picture.note, {right, baseline}, Align::Right, kQuietText);
 }

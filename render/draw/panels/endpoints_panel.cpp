@@ -92,10 +92,9 @@ class EndpointsPanel : public PanelContent {
           {from, y + 0.5 * (row - bar), std::max(1.0, across(bounds.box.upper[axis]) - from), bar},
           with_alpha(kShapeEdge, 0.45f));
       if (named)
-        pen.text(
-            fitted(bounds.name, sheet.text_height(), FontWeight::Regular, pen.px(kBoxNames - 6)),
-            {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
-            kQuietText);
+        pen.text(pen.fitted(bounds.name, FontWeight::Regular, pen.px(kBoxNames - 6)),
+                 {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
+                 kQuietText);
       height_of[bounds.name] = y + 0.5 * row;
       y += row;
     }

@@ -28,9 +28,7 @@ class Sheet {
   void heading(const std::string& text);
   void line(const std::string& text, const Color& color) { lines({text}, color); }
   /// Close under each other.
-  void lines(const std::vector<std::string>& all, const Color& color) {
-    write(all, static_cast<float>(rect_.x), color);
-  }
+  void lines(const std::vector<std::string>& all, const Color& color);
   void paragraph(const std::string& text, const Color& color);
   /// Names in a column of their own, left of the values.
   void row(const std::string& name, const std::string& value);
@@ -51,8 +49,9 @@ class Sheet {
   /// Of a panel at this scale, pixels.
   static float line_height(float scale);
   static float heading_height(float scale);
-  /// Lines that the value of a row takes on a sheet so wide, pixels.
-  static std::size_t row_lines(const std::string& value, float width, float scale);
+  /// Lines that the value of a row takes on a sheet so wide, pixels, in the words of its reader.
+  static std::size_t row_lines(const std::string& value, float width, float scale,
+                               const Words* words);
 
  private:
   void write(const std::vector<std::string>& lines, float x, const Color& color);

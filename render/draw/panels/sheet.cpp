@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/at.h"
+#include "core/words.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
 
@@ -66,8 +68,9 @@ void Sheet::skip(float pixels) {
 void Sheet::heading(const std::string& text) {
   const float scale = pen_.scale(), size = whole_size(kHeadingSize, scale);
   const auto left = static_cast<float>(rect_.x), width = static_cast<float>(rect_.width);
-  pen_.text(fitted(text, size, Weight::Bold, width), {left, baseline_below(y_, size, Weight::Bold)},
-            Align::Left, kText, Weight::Bold, size / scale);
+  pen_.text(pen_.fitted(text, Weight::Bold, width, size / scale),
+            {left, baseline_below(y_, size, Weight::Bold)}, Align::Left, kText, Weight::Bold,
+            size / scale);
   skip(size);
   const float middle = y_ + 0.5f;  // of a row of pixels
   pen_.line({left, middle}, {left + width, middle}, std::max(1.0f, 1 / scale),
@@ -78,23 +81,31 @@ void Sheet::heading(const std::string& text) {
 void Sheet::write(const std::vector<std::string>& lines, float x, const Color& color) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const float top = y_ + text_ * static_cast<float>(i);
-    pen_.text(fitted(lines[i], text_, Weight::Regular, static_cast<float>(rect_.right()) - x),
+    const float room = static_cast<float>(rect_.right()) - x;
+    pen_.text(Said{fitted(lines[i], text_, Weight::Regular, room)},
               {x, baseline_below(top, text_, Weight::Regular)}, Align::Left, color);
   }
   skip(text_ * static_cast<float>(lines.size()));
 }
 
+void Sheet::lines(const std::vector<std::string>& all, const Color& color) {
+  write(mapped(all, [&](const std::string& one) { return pen_.said(one).text; }),
+        static_cast<float>(rect_.x), color);
+}
+
 void Sheet::paragraph(const std::string& text, const Color& color) {
-  lines(wrapped(text, text_, static_cast<float>(rect_.width)), color);
+  write(wrapped(pen_.said(text).text, text_, static_cast<float>(rect_.width)),
+        static_cast<float>(rect_.x), color);
 }
 
 void Sheet::row(const std::string& name, const std::string& value) {
   const auto left = static_cast<float>(rect_.x);
   const float values = left + value_column(pen_.scale());
   const float top = y_;
-  write({name}, left, kQuietText);
+  write({pen_.said(name).text}, left, kQuietText);
   y_ = top;
-  write(wrapped(value, text_, static_cast<float>(rect_.right()) - values), values, kText);
+  write(wrapped(pen_.said(value).text, text_, static_cast<float>(rect_.right()) - values), values,
+        kText);
 }
 
 std::string Sheet::more(std::size_t count, const char* one, const char* many) {
@@ -112,8 +123,11 @@ float Sheet::line_height(float scale) {
   return whole_size(kTextSize, scale) + spacing_at(scale);
 }
 
-std::size_t Sheet::row_lines(const std::string& value, float width, float scale) {
-  return wrapped(value, whole_size(kTextSize, scale), width - value_column(scale)).size();
+std::size_t Sheet::row_lines(const std::string& value, float width, float scale,
+                             const Words* words) {
+  return wrapped(words == nullptr ? value : words->of(value), whole_size(kTextSize, scale),
+                 width - value_column(scale))
+      .size();
 }
 
 float Sheet::heading_height(float scale) {

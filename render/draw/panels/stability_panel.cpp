@@ -177,8 +177,8 @@ class StabilityPanel : public PanelContent {
         const Point2 left = pixel(map.x, rect.y);
         const float swatch = pen.px(kNameSwatch);
         draw_series_swatch(h, {left.x, left.y + 0.5f * pen.px(kWordsLine)}, kNameSwatch - 6, pen);
-        pen.text(fitted(histories_[h].name, pen.px(kChartText), Weight::Bold,
-                        static_cast<float>(map.width) - swatch),
+        pen.text(pen.fitted(histories_[h].name, Weight::Bold,
+                            static_cast<float>(map.width) - swatch, kChartText),
                  left + Point2{swatch, 0.75f * pen.px(kWordsLine)}, Align::Left,
                  series_style(h).color, Weight::Bold);
       }
@@ -224,7 +224,7 @@ class StabilityPanel : public PanelContent {
   void draw_words(const trace::Pair* pair, const Rect& map, const Pen& pen) const {
     double baseline = map.bottom() + 0.75 * pen.px(kWordsLine);
     const auto write = [&](const std::string& what, Weight weight) {
-      pen.text(fitted(what, pen.px(kChartText), weight, static_cast<float>(map.width)),
+      pen.text(pen.fitted(what, weight, static_cast<float>(map.width), kChartText),
                pixel(map.x, baseline), Align::Left, kText, weight);
       baseline += pen.px(kWordsLine);
     };

@@ -76,7 +76,7 @@ std::size_t lines_of(const trace::Pair& pair, const Layout& layout) {
   const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kPanelPadding);
   std::size_t lines = pair.degenerate ? 1 : 0;
   for_each_row(pair, [&](const char*, auto&& spell) {
-    lines += pair.query ? Sheet::row_lines(spell(), width, layout.scale) : 1;
+    lines += pair.query ? Sheet::row_lines(spell(), width, layout.scale, layout.words) : 1;
   });
   return lines;
 }

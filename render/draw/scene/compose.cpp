@@ -240,8 +240,9 @@ struct Composer {
     const float size = px(label.size);
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
+    const Said text = pen.said(label.text);
     const std::optional<LabelPlacer::Place> place = placer.place(
-        *at, text_width(label.text, size, weight), up, descent(size, weight), px(label.clearance),
+        *at, text_width(text.text, size, weight), up, descent(size, weight), px(label.clearance),
         wanted_direction(label, *at), label.direction.has_value());
     if (!place) return;
     if (place->needs_leader || label.leader) {
@@ -255,7 +256,7 @@ struct Composer {
       callout.pair = sketch.parts[current].pair;
     }
     drawing.callouts.push_back(std::move(callout));
-    pen.text(label.text, place->left_baseline, Align::Left, label.color, weight, label.size, 2.5);
+    pen.text(text, place->left_baseline, Align::Left, label.color, weight, label.size, 2.5);
   }
 };
 

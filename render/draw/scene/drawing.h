@@ -10,6 +10,10 @@
 
 #include "image/font.h"
 
+namespace contactscope {
+class Words;
+}
+
 /// What a picture consists of, in pixels, in the order of painting. Perspective, depth order and
 /// hidden lines are already resolved, so that pixels and vector files come from one list.
 namespace contactscope::draw {
@@ -137,11 +141,15 @@ struct Callout {
 };
 
 struct Drawing {
-  int width = 0, height = 0;  // pixels
-  Color background{1, 1, 1, 1};
+  int width = 0, height = 0;            // pixels
+  Color background{1, 1, 1, 1};         // alpha 0: none, what lies beneath is seen
   std::vector<Primitive> primitives{};  // painted in this order
   std::vector<Part> parts{};            // in order of `first`
   std::vector<Callout> callouts{};      // in order of `text`
+  /// How large a pixel is where the picture has a size on paper; CSS has 96 pixels an inch.
+  double points_per_pixel = 0.75;
+  /// What stands in place of the texts that a Pen writes; null: they stay. Outlives the drawing.
+  const Words* words = nullptr;
 
   /// What is added from here on shows this.
   void begin(std::string_view layer, std::string_view pair = {}, std::string_view role = {});

@@ -1,6 +1,7 @@
 #include "draw/scene/layout.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
@@ -16,6 +17,29 @@ constexpr double kPanelColumn = 356;
 constexpr double kGutter = 16;
 // Letters of 14 px at 720 lines are still 10 px high on the smallest pictures.
 constexpr float kLeastScale = 0.72f;
+constexpr double kBodySize = 15;  // of legends and panels
+// Of a figure whose type the author sets: a title has lines, and does not outshout the page's own.
+constexpr double kFigureTitle = 18;
+constexpr int kMostTitleLines = 3;
+// A view that is narrower than this, or than a panel, has panels and insets below and not beside it.
+constexpr double kLeastView = 400;
+constexpr double kBelowShare = 0.45;  // of the room for both
+
+/// Words of a title in as many lines as they take; the last one has what is left.
+std::vector<std::string> title_lines(const std::string& title, float size, float room, int most) {
+  if (most == 1) return {title};
+  std::vector<std::string> lines(1);
+  std::istringstream words(title);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + ' ' + word;
+    const bool fits = text_width(longer, size, Weight::Bold) <= room;
+    if (fits || lines.back().empty() || static_cast<int>(lines.size()) == most)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
 
 int rows_of(const std::vector<float>& widths, double available) {
   int rows = widths.empty() ? 0 : 1;
@@ -32,9 +56,15 @@ int rows_of(const std::vector<float>& widths, double available) {
 
 }  // namespace
 
-float interface_scale(int width, int height) {
+float interface_scale(int width, int height, const FigureStyle& style) {
+  const auto asked = static_cast<float>(style.scale);
+  if (style.type > 0) return asked * static_cast<float>(style.type / kBodySize);
   const double fit = std::min(width / 1280.0, height / 720.0);
-  return std::max(kLeastScale, static_cast<float>(fit));
+  return asked * std::max(kLeastScale, static_cast<float>(fit));
+}
+
+double type_of_em(double em_pixels) {
+  return em_pixels * line_of_em(FontWeight::Regular);
 }
 
 std::string fitted(const std::string& text, float size, FontWeight weight, float available) {
@@ -51,29 +81,60 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
 }
 
 Layout make_layout(int width, int height, bool has_panels,
-                   const std::vector<std::vector<float>>& legend_widths, int insets) {
-  Layout layout{.width = width, .height = height, .scale = interface_scale(width, height)};
-  const double margin = layout.px(kMargin * (layout.scale < 1 ? 0.7 : 1.0));
+                   const std::vector<std::vector<float>>& legend_widths, int insets,
+                   const FigureStyle& style, const std::optional<std::string>& title) {
+  Layout layout{.width = width, .height = height, .scale = interface_scale(width, height, style)};
+  layout.words = style.words.get();
+  layout.footer = style.footer;
+  layout.ground = !style.background;
+  if (style.follows()) layout.title_size = kFigureTitle;
+  const double margin =
+      layout.px(style.margin.value_or(kMargin * (layout.scale < style.scale ? 0.7 : 1.0)));
   const double inner = width - 2 * margin;
+  layout.page = {margin, margin, inner, height - 2 * margin};
+  if (!style.title || (title && title->empty())) {
+    layout.title_lines = 0;
+  } else if (title && style.follows()) {
+    const std::string said = layout.words ? layout.words->of(*title) : *title;
+    layout.title_lines = static_cast<int>(
+        title_lines(said, layout.px(layout.title_size), static_cast<float>(inner), kMostTitleLines)
+            .size());
+  }
   int rows = 0;
   for (const std::vector<float>& widths : legend_widths)
     rows = std::max(rows, rows_of(widths, inner));
-  const double top = margin + layout.px(kTitleSize + 14);
-  const double source_top = height - margin - layout.px(kSourceSize);
+  const double title_height =
+      layout.title_lines == 0 ? 0 : layout.px(layout.title_lines * layout.title_size + 14);
+  const double top = margin + title_height;
+  const double source_top = height - margin - (style.footer ? layout.px(kSourceSize) : 0);
   const double legend_height = rows * layout.px(kLegendRow);
-  const double legend_top = source_top - layout.px(8) - legend_height;
-  const double column = has_panels ? layout.px(kPanelColumn) : 0;
-  const double gutter = has_panels ? layout.px(kGutter) : 0;
-  const double view_height = legend_top - layout.px(10) - top;
-  layout.view = {margin, top, inner - column - gutter, view_height};
-  layout.panels = {width - margin - column, top, column, view_height};
+  const double legend_top = source_top - (style.footer ? layout.px(8) : 0) - legend_height;
+  const bool is_last = rows == 0 && !style.footer;
+  const double room = legend_top - (is_last ? 0 : layout.px(10)) - top;
+  const double gutter = layout.px(kGutter), column = layout.px(kPanelColumn);
+  const bool is_narrow = style.follows() && inner - column - gutter < layout.px(kLeastView);
+  layout.view = {margin, top, inner, room};
   layout.legend = {margin, legend_top, inner, legend_height};
-  if (insets > 0) {
-    const double gap = layout.px(kGutter);
-    layout.view.width = 0.5 * (layout.view.width - gap);
-    const double inset_height = (view_height - (insets - 1) * gap) / insets;
+  layout.panels = {width - margin, top, 0, room};
+  if (has_panels && is_narrow) {
+    const double below = style.height_below > 0 ? style.height_below : kBelowShare * room;
+    layout.view.height = room - below - gutter;
+    layout.panels = {margin, layout.view.bottom() + gutter, inner, below};
+  } else if (has_panels) {
+    layout.view.width = inner - column - gutter;
+    layout.panels = {width - margin - column, top, column, room};
+  }
+  if (insets > 0 && style.follows() && layout.view.width < layout.px(2 * kLeastView)) {
+    // One below the other, the view first, all as large.
+    const double each = (layout.view.height - insets * gutter) / (insets + 1);
+    layout.view.height = each;
+    for (int i = 1; i <= insets; ++i)
+      layout.insets.push_back({margin, top + i * (each + gutter), layout.view.width, each});
+  } else if (insets > 0) {
+    layout.view.width = 0.5 * (layout.view.width - gutter);
+    const double inset_height = (room - (insets - 1) * gutter) / insets;
     for (int i = 0; i < insets; ++i)
-      layout.insets.push_back({layout.view.right() + gap, top + i * (inset_height + gap),
+      layout.insets.push_back({layout.view.right() + gutter, top + i * (inset_height + gutter),
                                layout.view.width, inset_height});
   }
   return layout;
@@ -81,20 +142,29 @@ Layout make_layout(int width, int height, bool has_panels,
 
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,
                    const Layout& layout, Drawing& drawing) {
-  const float left = static_cast<float>(layout.legend.x);
-  const float right = static_cast<float>(layout.legend.right());
+  const float left = static_cast<float>(layout.page.x);
+  const float right = static_cast<float>(layout.page.right());
   const float bottom = static_cast<float>(layout.height) - left;  // margins are equal
   const float room = right - left;
   const Pen pen(drawing, layout.scale, kSourceSize);
-  drawing.begin(kTitlePart);
-  pen.text(fitted(title, pen.px(kTitleSize), Weight::Bold, room),
-           {left, left + 0.8f * pen.px(kTitleSize)}, Align::Left, kText, Weight::Bold, kTitleSize);
-  const float size = pen.px(kSourceSize);
+  if (layout.title_lines > 0) {
+    drawing.begin(kTitlePart);
+    const float size = pen.px(layout.title_size);
+    float baseline = static_cast<float>(layout.page.y) + 0.8f * size;
+    for (const std::string& line :
+         title_lines(pen.said(title).text, size, room, layout.title_lines)) {
+      pen.text(Said{fitted(line, size, Weight::Bold, room)}, {left, baseline}, Align::Left, kText,
+               Weight::Bold, layout.title_size);
+      baseline += size;
+    }
+  }
+  if (!layout.footer) return;
+  const float used = moment.empty() ? 0 : pen.width_of(moment) + pen.px(kEntryGap);
   drawing.begin(kSourcePart);
-  pen.text(fitted(source, size, Weight::Regular, room - pen.width_of(moment) - pen.px(kEntryGap)),
-           {left, bottom}, Align::Left, kQuietText);
+  pen.text(pen.fitted(source, Weight::Regular, room - used), {left, bottom}, Align::Left,
+           kQuietText);
   drawing.begin(kMomentPart);
-  pen.text(fitted(moment, size, Weight::Regular, room), {right, bottom}, Align::Right, kQuietText);
+  pen.text(pen.fitted(moment, Weight::Regular, room), {right, bottom}, Align::Right, kQuietText);
 }
 
 }  // namespace contactscope::draw

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/words.h"
 #include "image/font.h"
 
 namespace contactscope::draw {
@@ -55,10 +56,10 @@ void SwatchPen::head(double tip, double size, const Color& color) const {
   fill({to, {to.x - s, to.y - half}, {to.x - s, to.y + half}}, color);
 }
 
-float legend_entry_width(const LegendEntry& entry, float scale) {
+float legend_entry_width(const LegendEntry& entry, float scale, const Words* words) {
   return scale * static_cast<float>(kSwatch + 6 + kEntryGap) +
-         text_width(entry.text, scale * static_cast<float>(SwatchPen::kLegendSize),
-                    FontWeight::Regular);
+         text_width(words == nullptr ? entry.text : words->of(entry.text),
+                    scale * static_cast<float>(SwatchPen::kLegendSize), FontWeight::Regular);
 }
 
 void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing) {
@@ -66,7 +67,7 @@ void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, 
   double x = layout.legend.x;
   double middle = layout.legend.y + layout.px(kLegendRow / 2);
   for (const LegendEntry& entry : entries) {
-    const double width = legend_entry_width(entry, layout.scale);
+    const double width = legend_entry_width(entry, layout.scale, layout.words);
     if (x > layout.legend.x && x + width > layout.legend.x + layout.legend.width) {
       x = layout.legend.x;
       middle += layout.px(kLegendRow);

@@ -161,8 +161,9 @@ inline constexpr Swatch kNarrowAxisSwatch{LegendGroup::Axes, 2, [](auto& pen) {
                                             pen.head(12, -8, kAxis);
                                           }};
 
-/// Width of an entry's swatch and text in pixels, and the gap to the next.
-float legend_entry_width(const LegendEntry& entry, float scale);
+/// Width of an entry's swatch and text in pixels, and the gap to the next. `words`: those of the
+/// picture's reader; null: the program's own.
+float legend_entry_width(const LegendEntry& entry, float scale, const Words* words);
 
 /// Paints the legend into its rectangle.
 void draw_legend(const std::vector<LegendEntry>& entries, const Layout& layout, Drawing& drawing);

@@ -6,6 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/words.h"
+#include "draw/scene/layout.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -75,14 +78,22 @@ std::vector<Point2> corners_of(const Rect& rect) {
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
-void Pen::text(const std::string& what, const Point2& at, Align align, const Color& color,
-               Weight weight, double size, double halo) const {
-  out_.primitives.push_back(
-      Text{what, at, px(size > 0 ? size : text_size_), weight, align, color, px(halo)});
+Said Pen::said(const std::string& what) const {
+  return {out_.words == nullptr ? what : out_.words->of(what)};
 }
 
-float Pen::width_of(const std::string& what, Weight weight) const {
-  return text_width(what, px(text_size_), weight);
+Said Pen::fitted(const std::string& what, Weight weight, float available, double size) const {
+  return {draw::fitted(said(what).text, px(size > 0 ? size : text_size_), weight, available)};
+}
+
+void Pen::text(const Said& what, const Point2& at, Align align, const Color& color, Weight weight,
+               double size, double halo) const {
+  out_.primitives.push_back(
+      Text{what.text, at, px(size > 0 ? size : text_size_), weight, align, color, px(halo)});
+}
+
+float Pen::width_of(const Said& what, Weight weight) const {
+  return text_width(what.text, px(text_size_), weight);
 }
 
 Stroke Pen::stroke(const Point2& from, const Point2& to, double width, const Color& color,

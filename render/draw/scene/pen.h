@@ -10,6 +10,11 @@
 
 namespace contactscope::draw {
 
+/// Text in the words of the drawing's reader, which is not to be put into them again.
+struct Said {
+  std::string text;
+};
+
 /// Adds flat things to a drawing: charts, maps and rows of text. Places are pixels of the canvas;
 /// widths of lines, dashes and sizes of text are pixels at 720 lines.
 class Pen {
@@ -21,11 +26,23 @@ class Pen {
   float scale() const { return scale_; }
   Drawing& drawing() const { return out_; }
 
+  /// The program's own words as the drawing's reader says them: as they are, where it has no others.
+  Said said(const std::string& what) const;
+  /// The same, shortened with an ellipsis where it does not fit into `available` pixels. A `size` of 0
+  /// is the pen's own.
+  Said fitted(const std::string& what, Weight weight, float available, double size = 0) const;
   /// `at` on the baseline. A `size` of 0 is the pen's own.
   void text(const std::string& what, const Point2& at, Align align, const Color& color,
+            Weight weight = Weight::Regular, double size = 0, double halo = 0) const {
+    text(said(what), at, align, color, weight, size, halo);
+  }
+  void text(const Said& what, const Point2& at, Align align, const Color& color,
             Weight weight = Weight::Regular, double size = 0, double halo = 0) const;
   /// Pixels of the canvas, at the pen's own size.
-  float width_of(const std::string& what, Weight weight = Weight::Regular) const;
+  float width_of(const std::string& what, Weight weight = Weight::Regular) const {
+    return width_of(said(what), weight);
+  }
+  float width_of(const Said& what, Weight weight = Weight::Regular) const;
 
   /// With butt caps. A `gap` of 0 after a dash is seven tenths of it.
   void line(const Point2& from, const Point2& to, double width, const Color& color, double dash = 0,

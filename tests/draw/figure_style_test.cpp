@@ -1,0 +1,156 @@
+#include "draw/scene/figure_style.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "crate_on_slab.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+using crate_sample::texts;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Figure : CrateOnSlab {
+  FigureStyle style;
+  int width = 1280, height = 720;
+
+  Staging staged() const { return stage(header, frames, view, width, height, style); }
+  Drawing drawn() const { return illustrate(staged(), frames[0]); }
+};
+
+TEST(FigureStyle, AsItStandsChangesNothing) {
+  const CrateOnSlab plain;
+  Drawing drawing = Figure().drawn();
+  const std::size_t count = drawing.primitives.size();
+  finish({}, drawing);
+  EXPECT_EQ(drawing.primitives.size(), count);
+  EXPECT_EQ(texts(drawing), texts(illustrate(plain.staged(), plain.frames[0])));
+  EXPECT_EQ(drawing.background.a, 1);
+}
+
+TEST(FigureStyle, WhatIsLeftOutGivesItsRoomToTheView) {
+  const Rect all = Figure().staged().layout.view;
+  Figure figure;
+  figure.style.title = false;
+  EXPECT_LT(figure.staged().layout.view.y, all.y);
+  EXPECT_THAT(texts(figure.drawn()), Not(Contains("A crate on a slab")));
+  figure = {};
+  figure.style.legend = false;
+  EXPECT_GT(figure.staged().layout.view.height, all.height);
+  figure = {};
+  figure.style.footer = false;
+  EXPECT_GT(figure.staged().layout.view.bottom(), all.bottom());
+  EXPECT_THAT(texts(figure.drawn()), Not(Contains("frame 0, t = 0.000 s")));
+  figure.style.title = figure.style.legend = false;
+  const Rect bare = figure.staged().layout.view;
+  EXPECT_EQ(bare.y, 24);
+  EXPECT_EQ(bare.bottom(), 720 - 24);
+}
+
+TEST(FigureStyle, AnEmptyTitleLeavesNoHole) {
+  Figure figure;
+  figure.header.title = "";
+  EXPECT_EQ(figure.staged().layout.view.y, 24);
+}
+
+TEST(FigureStyle, TypeHasTheSizeThatIsAskedFor) {
+  // 8 pt at 300 dots an inch: an em of 33.3 pixels, whose line is 39.
+  Figure figure;
+  figure.width = 992;
+  figure.height = 1400;
+  figure.style.type = type_of_em(8.0 / 72 * 300);
+  figure.style.margin = 2;
+  figure.view.panels = {Panel::Summary};
+  const Layout layout = figure.staged().layout;
+  EXPECT_NEAR(layout.px(15), 39.06, 0.05);
+  EXPECT_GE(layout.panels.y, layout.view.bottom()) << "too narrow for both side by side";
+  EXPECT_EQ(layout.panels.width, layout.view.width);
+  EXPECT_LE(layout.panels.bottom(), layout.legend.y);
+}
+
+TEST(FigureStyle, WideFiguresKeepPanelsBeside) {
+  Figure figure;
+  figure.width = 2126;  // 180 mm
+  figure.height = 1200;
+  figure.style.type = type_of_em(8.0 / 72 * 300);
+  figure.view.panels = {Panel::Summary};
+  const Layout layout = figure.staged().layout;
+  EXPECT_GE(layout.panels.x, layout.view.right());
+}
+
+TEST(FigureStyle, LinesAloneCanBeWider) {
+  Figure figure;
+  Drawing drawing = figure.drawn();
+  const Drawing before = drawing;
+  figure.style.line_width = 2;
+  finish(figure.style, drawing);
+  for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
+    const Primitive &then = before.primitives[i], &now = drawing.primitives[i];
+    if (const Stroke* const line = std::get_if<Stroke>(&now))
+      EXPECT_FLOAT_EQ(line->width, 2 * std::get<Stroke>(then).width);
+    if (const Text* const text = std::get_if<Text>(&now))
+      EXPECT_EQ(text->size, std::get<Text>(then).size);
+  }
+}
+
+TEST(FigureStyle, ScaleIsOfTypeAndLines) {
+  Figure figure;
+  figure.style.scale = 1.5;
+  EXPECT_FLOAT_EQ(figure.staged().layout.scale, 1.5f);
+}
+
+TEST(FigureStyle, WordsAreReplacedWhereTheyEnterAndMeasuredSo) {
+  Figure figure;
+  Words words;
+  words.replace("normal, from A to B", "Normale von A nach B, so lang dass die Zeile umbricht");
+  words.replace("frame {n}, t = {m}", "Bild {n} bei {m}");
+  words.replace("A crate on a slab", "Eine Kiste");
+  figure.style.words = std::make_shared<const Words>(words);
+  figure.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
+  const Staging staging = figure.staged();
+  const std::vector<std::string> all = texts(illustrate(staging, figure.frames[0]));
+  EXPECT_THAT(all, Contains("Eine Kiste"));
+  EXPECT_THAT(all, Contains("Bild 0 bei 0.000 s"));
+  EXPECT_THAT(all, Contains(HasSubstr("Normale von A nach B")));
+  EXPECT_THAT(all, Not(Contains("normal, from A to B")));
+  float widest = 0;
+  for (const LegendEntry& entry : legend_of(staging, figure.frames[0]))
+    widest = std::max(widest, legend_entry_width(entry, 1, staging.layout.words));
+  EXPECT_GT(widest, 300);
+}
+
+TEST(Moments, StoriesAndCountedFramesTellSteps) {
+  std::vector<trace::Frame> frames(5);
+  for (int i = 0; i < 5; ++i) {
+    frames[static_cast<std::size_t>(i)].frame = i;
+    frames[static_cast<std::size_t>(i)].time = 0.125 * i;
+  }
+  EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "frame 2, t = 0.250 s");
+  EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[2]), "step 2 of 4");
+  EXPECT_EQ(Moments(frames, Story::GjkSteps).of(frames[0]), "step 0 of 4");
+  for (trace::Frame& frame : frames) frame.time = frame.frame;
+  EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "step 3 of 5");
+  frames.resize(1);
+  EXPECT_EQ(Moments(frames, Story::None).of(frames[0]), "frame 0, t = 0.000 s");
+}
+
+TEST(Camera, OrthographicWithoutAHeightIsFitted) {
+  Figure figure;
+  figure.view.orthographic_height = 0;
+  const Camera camera = figure.staged().camera;
+  EXPECT_FALSE(camera.is_perspective());
+  for (const PlacedShape& shape : scene_of(figure.staged(), figure.frames[0]).shapes) {
+    if (shape.traced().name != "crate") continue;
+    for (const Vec3d& vertex : shape.vertices) EXPECT_TRUE(camera.project(vertex).has_value());
+  }
+  const double metres = camera.viewport().height / camera.pixels_per_metre(Vec3d::Zero());
+  EXPECT_GT(metres, 0.5);
+  EXPECT_LT(metres, 6);
+}
+
+}  // namespace
+}  // namespace contactscope::draw
