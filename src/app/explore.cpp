@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "app/catalogue.h"
+#include "app/figure_canvas.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/table.h"
@@ -91,8 +92,11 @@ std::filesystem::path folder_of(const Options& options, const trace::Exploration
 }
 
 void write_pictures(const Scenario& scenario, const Explorations& explorations,
-                    const Options& options, Ledger& ledger) {
-  const Size size = options.size.value_or(roomy_size(explorations.front().reducers.size()));
+                    const Options& options, std::shared_ptr<const Words> words, Ledger& ledger) {
+  View plane;
+  plane.kind = ViewKind::ContactPlane;
+  const auto [size, style] = canvas_of(
+      {}, {}, plane, options, roomy_size(explorations.front().reducers.size()), std::move(words));
   std::vector<Explorations> sequences = by_manifold(explorations);
   const bool several = sequences.size() > 1;
   // Of a mesh those triangles alone have a picture from which some reducer takes points: most of a
@@ -111,17 +115,21 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
       for (const Explorations& sequence : sequences) {
         const auto order = mapped(summarize(sequence), &ReducerSummary::name);
         const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
-                                       draw::explored(sequence, order), 0, size.width, size.height);
+                                       draw::explored(sequence, order), 0, size.width, size.height,
+                                       style);
         left_out = cells.left_out();
         const std::filesystem::path folder = folder_of(options, sequence.front(), several);
         std::filesystem::create_directories(folder);
         for (const trace::Exploration& exploration : sequence) {
           const std::string name = snapshot::frame_stem(exploration.frame) + ".png";
-          encoders.submit((folder / name).string(), studio.paint(cells.frame(exploration.frame)));
+          draw::Drawing drawing = cells.frame(exploration.frame);
+          studio.finish(style, drawing);
+          encoders.submit((folder / name).string(), studio.paint(drawing));
           progress.advance(scenario.name);
         }
       }
       encoders.finish();
+      if (!options.quiet) studio.missing_glyphs().tell(std::cerr);
     }
   }
   if (options.quiet) return;
@@ -173,6 +181,7 @@ ExitCode run_explore(const Options& options) {
                          deforming->name +
                          "' has no such measure, because it deforms; leave out its 'deform'");
   const std::vector<int>& frames = input.frames;
+  const std::shared_ptr<const Words> words = words_of(input, options);
   ExploreOptions explore_options;
   if (!options.reducer.empty()) explore_options.reducers = {known_reducer(options.reducer)};
   Explorations explorations =
@@ -196,7 +205,7 @@ ExitCode run_explore(const Options& options) {
   if (options.tables_only) {
     ledger.left_out("pictures and OpenGL, for --table asks for the table alone");
   } else if (!explorations.empty()) {
-    write_pictures(scenario, explorations, options, ledger);
+    write_pictures(scenario, explorations, options, words, ledger);
   }
   if (options.verbose) ledger.print(std::cerr, "explore");
   return ExitCode::Same;
@@ -209,7 +218,8 @@ Verb explore_verb() {
       "explore",
       "Compare all reducers on a scenario's manifolds",
       &run_explore,
-      "SCENARIO --size --table --json --frames --reducer --out --backend --view --jobs",
+      std::string("SCENARIO --size ") + kFigureArguments +
+          " --table --json --frames --reducer --out --backend --view --jobs",
       {{"SCENARIO", "A file or a name; or a trace, of whose points four are kept"},
        {"--size", "WxH, default 1280x720, and 1280x1440 for more than 9 reducers"},
        {"--json", "Print JSON lines, one a frame and pair"}},

@@ -8,6 +8,7 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
+#include "core/words.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 
@@ -32,6 +33,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "layers") return mapped(kLayerNames, name_alone);
   if (what == "panels") return mapped(kPanelNames, name_alone);
   if (what == "studies") return mapped(studies(), with_summary);
+  if (what == "words") return mapped(known_words(), name_alone);
   return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
     const Scenario scenario = load_scenario(file);
     return Item{scenario.name, scenario.title};
@@ -76,7 +78,9 @@ Verb list_verb() {
           "List what a scenario may name",
           &run_list,
           "[WHAT] --json",
-          {{"WHAT", "scenarios, reducers, broad_phases, continuous, layers, panels or studies"}}};
+          {{"WHAT",
+            "scenarios, reducers, broad_phases, continuous, layers, panels, studies, or the words "
+            "in pictures"}}};
 }
 
 }  // namespace contactscope::app

@@ -82,6 +82,18 @@ Size parse_size(const std::string& text) {
                    "' is no size; write WxH with both between 64 and 8192, as 1280x720");
 }
 
+/// Metres; 0: fitted.
+std::optional<double> parse_orthographic(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  if (text == "fitted") return 0;
+  double height = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
+  if (error == std::errc() && end == text.data() + text.size() && height > 0 && height < 1e9)
+    return height;
+  throw UsageError("--orthographic=" + text +
+                   " is no height; write --orthographic, or metres as --orthographic=1.5");
+}
+
 snapshot::Update parse_update(const std::string& text) {
   if (text == "never") return snapshot::Update::None;
   if (text == "failed") return snapshot::Update::Failed;
@@ -100,6 +112,7 @@ gl::Backend parse_backend(const std::string& where, const std::string& text) {
 struct Command : Options {
   std::string size_text, frames_text, update_text = "never", backend_text;
   std::vector<std::string> layer_names, panel_names;
+  std::string orthographic_text;
 };
 
 /// Adds an argument to a verb: where its value goes, and its help where the verb has no words of its
@@ -170,6 +183,15 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.target, "What it looks at, X,Y,Z in metres")
         ->allow_extra_args(false)
         ->delimiter(',');
+  if (name == "--camera")
+    return value(to.camera, "Eye, target and field of view at once, as 4,2,4,0,0,0,30")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  // As --update: a scenario that follows is not taken for the height.
+  if (name == "--orthographic")
+    return verb.add_flag("--orthographic{fitted}", to.orthographic_text,
+                         "Without perspective; --orthographic=1.5 shows so many metres of height");
+  if (CLI::Option* const option = add_figure_option(verb, name, to.figure)) return option;
   if (name == "--fov")
     return value(to.fov_degrees, "Its field of view, degrees")->check(CLI::Range(1.0, 150.0));
   if (name == "--engines")
@@ -215,6 +237,8 @@ std::string scenario_root(const std::string& named) {
 void finish(Command& command) {
   command.scenario_root = scenario_root(command.scenario_root);
   if (!command.size_text.empty()) command.size = parse_size(command.size_text);
+  command.orthographic_height = parse_orthographic(command.orthographic_text);
+  finish_figure(command.figure, command.size.has_value());
   if (!command.frames_text.empty()) command.frames = parse_frame_range(command.frames_text);
   command.layers = parse_words<Layer>("--layers", command.layer_names, kLayerNames);
   command.panels = parse_words<Panel>("--panels", command.panel_names, kPanelNames);

@@ -5,6 +5,7 @@
 #include "app/verbs.h"
 #include "core/at.h"
 #include "core/layers.h"
+#include "draw/scene/theme.h"
 #include "reduce/reducer.h"
 #include "scenario/nearest_word.h"
 #include "study/study.h"
@@ -103,6 +104,9 @@ Completion completion_of(const ManualArgument& argument) {
   if (name == "--layers") return {Kind::List, words(kLayerNames)};
   if (name == "--panels") return {Kind::List, words(kPanelNames)};
   if (name == "--backend") return {Kind::Words, {"auto", "egl", "osmesa"}};
+  if (name == "--theme") return {Kind::Words, words(draw::kThemeNames)};
+  if (name == "--background") return {Kind::Words, {"transparent", "white"}};
+  if (name == "--words" || name == "--font") return {Kind::File};
   if (name == "NAME") return {Kind::Words, words(names_in(studies()))};
   if (name == "WHAT") return {Kind::Words, kListed};
   if (name == "SCENARIO") return {Kind::Scenario};

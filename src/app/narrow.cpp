@@ -27,6 +27,22 @@ std::optional<Vec3d> place_named(const std::string& option, const std::vector<do
   return Vec3d(numbers[0], numbers[1], numbers[2]);
 }
 
+/// What --camera says in place of --eye, --target and --fov, which come first where they are told too.
+Options with_camera(Options options) {
+  const std::vector<double>& all = options.camera;
+  if (all.empty()) return options;
+  if (all.size() < 6 || all.size() > 7)
+    throw UsageError(
+        "--camera is where the eye is, what it looks at and its field of view in degrees, as "
+        "--camera=4,2,4,0,0,0,30");
+  if (all.size() == 7 && !(all[6] >= 1 && all[6] <= 150))
+    throw UsageError("the field of view of --camera may be 1 to 150 degrees");
+  if (options.eye.empty()) options.eye = {all[0], all[1], all[2]};
+  if (options.target.empty()) options.target = {all[3], all[4], all[5]};
+  if (all.size() == 7 && options.fov_degrees == 0) options.fov_degrees = all[6];
+  return options;
+}
+
 /// What a layer put into a picture.
 std::size_t drawn_by(const draw::Sketch& sketch) {
   return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
@@ -71,7 +87,8 @@ void narrow(Sequence& sequence, const Options& options) {
   std::ranges::for_each(sequence.frames, sequence.trim);
 }
 
-void place_camera(std::vector<View>& views, const Options& options) {
+void place_camera(std::vector<View>& views, const Options& all) {
+  const Options options = with_camera(all);
   const std::optional<Vec3d> eye = place_named("--eye", options.eye);
   const std::optional<Vec3d> target = place_named("--target", options.target);
   for (View& view : views) {
@@ -84,6 +101,7 @@ void place_camera(std::vector<View>& views, const Options& options) {
       view.fov_degrees = options.fov_degrees;
       view.orthographic_height.reset();
     }
+    if (options.orthographic_height) view.orthographic_height = options.orthographic_height;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
+#include "app/figure_canvas.h"
 #include "app/narrow.h"
 #include "app/progress.h"
 #include "app/studio.h"
@@ -114,11 +115,14 @@ ExitCode run_render(const Options& options) {
       const std::string& name = input.scenario.name;
       const std::vector<View> views = selected_views(input.scenario, options);
       const bool is_trace = input.trace.has_value();
+      const std::shared_ptr<const Words> words = words_of(input, options);
       Sequence sequence = sequence_of(input, views, options, total);
       for (const View& view : views) {
-        const Size size = options.size.value_or(Size{});
+        const FigureCanvas canvas =
+            canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
         const draw::Staging staging =
-            draw::stage(sequence.header, sequence.frames, view, size.width, size.height);
+            draw::stage(sequence.header, sequence.frames, view, canvas.size.width,
+                        canvas.size.height, canvas.style);
         const bool asked = options.layers || views_are_of_file(options);
         if (is_trace && asked && !options.quiet) {
           const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
@@ -147,6 +151,7 @@ ExitCode run_render(const Options& options) {
                std::to_string(pictures / seconds.count()) + " pictures a second");
     total.print(std::cerr, "render");
   }
+  if (!options.quiet) studio.missing_glyphs().tell(std::cerr);
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1) where /= inputs.front().scenario.name;
@@ -162,9 +167,11 @@ Verb render_verb() {
   return {"render",
           "Write PNG sequences",
           &run_render,
-          "SCENARIO... --size --layers --panels --pair --shapes --eye --target --fov --timing "
-          "--json --frames --reducer --out --backend "
-          "--view --jobs",
+          std::string("SCENARIO... --size ") + kFigureArguments +
+              " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
+              "--timing "
+              "--json --frames --reducer --out --backend "
+              "--view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
            {"--json", "Print the paths of the pictures as JSON"}}};

@@ -80,7 +80,7 @@ void Studio::render(const draw::Staging& staging, Sequence& sequence,
       const Timed timed(ledger_, "illustrate");
       drawing = sequence.file && staging.cells
                     ? draw::illustrate(draw::stage(sequence.header, sequence.frames, staging.view,
-                                                   width, height),
+                                                   width, height, staging.style),
                                        frame)
                     : draw::illustrate(staging, frame);
     }
@@ -94,8 +94,14 @@ void Studio::render(const draw::Staging& staging, Sequence& sequence,
                          "x" + std::to_string(height) + " has no room; a larger --size has");
       }
     }
+    finish(staging.style, drawing);
     sink(frame, paint(drawing));
   });
+}
+
+void Studio::finish(const draw::FigureStyle& style, draw::Drawing& drawing) {
+  draw::finish(style, drawing);
+  missing_glyphs_.look(drawing);
 }
 
 Image Studio::paint(const draw::Drawing& drawing) {

@@ -40,6 +40,11 @@ class Studio {
   void render(const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
               const std::function<void(const trace::Frame&, Image)>& sink);
 
+  /// Does what a style leaves to do with a complete drawing.
+  void finish(const draw::FigureStyle& style, draw::Drawing& drawing);
+  /// Characters of all drawings so far that no font has.
+  const MissingGlyphs& missing_glyphs() const { return missing_glyphs_; }
+
   /// A drawing by itself, as large as it says.
   Image paint(const draw::Drawing& drawing);
 
@@ -48,6 +53,7 @@ class Studio {
 
   gl::Backend backend_;
   Ledger& ledger_;
+  MissingGlyphs missing_glyphs_;
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<gl::Rasterizer> rasterizer_;
   int width_ = 0, height_ = 0;  // of the rasterizer

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/figure_options.h"
 #include "core/layers.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"
@@ -51,11 +52,14 @@ struct Options {
   gl::Backend backend = gl::Backend::Auto;
   std::optional<Size> size;
   std::optional<FrameRange> frames;
-  std::string view;                 // a name; of a trace also a TOML file, or file:name
-  std::vector<std::string> pair;    // two shapes: nothing else is shown
-  std::vector<std::string> shapes;  // those to show; none: all
-  std::vector<double> eye, target;  // of the camera, metres; none: the view's
-  double fov_degrees = 0;           // 0: the view's
+  std::string view;                           // a name; of a trace also a TOML file, or file:name
+  std::vector<std::string> pair;              // two shapes: nothing else is shown
+  std::vector<std::string> shapes;            // those to show; none: all
+  std::vector<double> eye, target;            // of the camera, metres; none: the view's
+  double fov_degrees = 0;                     // 0: the view's
+  std::vector<double> camera;                 // eye, target and, where it is told, field of view
+  std::optional<double> orthographic_height;  // metres; 0: fitted; none: the view's projection
+  FigureOptions figure;
   std::string reducer;
   std::vector<std::string> engines;          // of `versus`; none: all that are found
   bool rollout = false;                      // they step the scene themselves
@@ -105,7 +109,7 @@ const std::vector<Verb>& verbs();
 
 /// What `list` lists.
 inline const std::vector<std::string> kListed = {
-    "scenarios", "reducers", "broad_phases", "continuous", "layers", "panels", "studies"};
+    "scenarios", "reducers", "broad_phases", "continuous", "layers", "panels", "studies", "words"};
 
 /// The words of its arguments, also those that every verb has.
 std::vector<std::string> arguments_of(const Verb& verb);

@@ -94,6 +94,8 @@ auto word_of(const Keys& words, const char* kind) {
 
 /// Parses TOML; what is no TOML throws InputError.
 toml::table parse_document(const std::string& text, const std::string& file);
+/// Reads and parses a file, which may be as large as a scenario. Throws InputError.
+toml::table read_document(const std::string& path);
 
 // placement.cpp: where shapes stand and how they move, the keys position, rotation and motion
 

@@ -9,6 +9,7 @@
 
 #include "core/at.h"
 #include "scenario/readers.h"
+#include "scenario/words_file.h"
 
 namespace contactscope {
 namespace {
@@ -169,14 +170,15 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   using namespace scenario_file;
   check_text(text, path);
   const toml::table document = parse_document(text, path);
-  const Value file = Value(path, document, "")
-                         .table({"title", "source", "tags", "up", "time", "shapes", "pairs",
-                                 "pipeline", "world", "solver", "views", "expect", "snapshots"});
+  const Value file =
+      Value(path, document, "")
+          .table({"title", "source", "tags", "up", "time", "shapes", "pairs", "pipeline", "world",
+                  "solver", "views", "words", "expect", "snapshots"});
 
   Scenario scenario;
   scenario.name = name_of(path);
   scenario.path = path;
-  scenario.title = file.require("title", "title = \"What the scene shows\"").non_empty_string();
+  scenario.title = file.require("title", "title = \"What the scene shows\"").string();
   file.read("source", scenario.source, &Value::string);
   file.read("tags", scenario.tags,
             [](const Value& tags) { return mapped(tags.array(), &Value::non_empty_string); });
@@ -207,17 +209,31 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they stood for their kinds
   scenario.views = {default_view()};
   file.read("views", scenario.views, read_views);
+  // Pictures alone want the words; here they are checked.
+  if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
   scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames);
   return scenario;
 }
 
-std::vector<View> load_views(const std::string& path) {
-  using namespace scenario_file;
+toml::table scenario_file::read_document(const std::string& path) {
   const std::string text = read_text(path);
   check_text(text, path);
-  const toml::table document = parse_document(text, path);
+  return parse_document(text, path);
+}
+
+std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
+  std::vector<std::string_view> names = {scenario.title, scenario.source};
+  for (const ScenarioShape& shape : scenario.shapes) names.push_back(shape.name);
+  for (const ScenarioPair& pair : scenario.pairs) names.push_back(pair.label);
+  std::erase(names, "");
+  return names;
+}
+
+std::vector<View> load_views(const std::string& path) {
+  using namespace scenario_file;
+  const toml::table document = read_document(path);
   return read_views(Value(path, document, "").require("views", "a view as [[views]]"));
 }
 

@@ -1,0 +1,118 @@
+#include "app/figure_canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/at.h"
+#include "draw/panels/panel.h"
+#include "draw/staging.h"
+#include "scenario/words_file.h"
+
+namespace contactscope::app {
+namespace {
+
+constexpr int kLeastSide = 64, kMostSide = 8192;          // pixels, as of --size
+constexpr double kViewShape = 0.7;                        // height of a view by its width
+constexpr double kChartShape = 0.5;                       // of a chart or map
+constexpr double kAroundPanel = 20, kBetweenPanels = 12;  // pixels at 720 lines
+
+int side_of(const char* option, double pixels) {
+  const int side = static_cast<int>(std::lround(pixels));
+  if (side >= kLeastSide && side <= kMostSide) return side;
+  throw UsageError(std::string(option) + " makes " + std::to_string(side) +
+                   " pixels, and a picture has 64 to 8192; another --dpi changes that");
+}
+
+/// Pixels in which panels leave nothing out.
+double height_of_panels(const draw::Staging& staging, const std::vector<trace::Frame>& frames) {
+  if (frames.empty()) return 0;
+  const std::vector<draw::FilledPanel> panels = draw::make_panels(staging, frames);
+  double height = 0;
+  for (const draw::FilledPanel& panel : panels) {
+    const draw::PanelNeed need = panel.content->need({frames.size() - 1, {}});
+    // A chart or map that takes what it gets is well read at half its width.
+    const double wanted =
+        need.wanted > 0 ? double(need.wanted) : kChartShape * staging.layout.panels.width;
+    height +=
+        std::max<double>(need.good, wanted) + staging.layout.px(kAroundPanel + kBetweenPanels);
+  }
+  return height;
+}
+
+/// Where the lowest of view, insets and panels ends.
+double end_of(const draw::Layout& layout) {
+  double end = layout.view.bottom();
+  for (const draw::Rect& inset : layout.insets) end = std::max(end, inset.bottom());
+  return layout.panels.width > 0 ? std::max(end, layout.panels.bottom()) : end;
+}
+
+/// Sets the height of a canvas by what a first layout shows of its parts.
+void fit_height(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                const View& view, FigureCanvas& canvas) {
+  if (view.kind == ViewKind::ContactPlane) {
+    canvas.size.height = side_of("--width", kViewShape * canvas.size.width);
+    return;
+  }
+  const int width = canvas.size.width, trial_height = 2 * width;
+  const draw::Staging trial = draw::stage(header, frames, view, width, trial_height, canvas.style);
+  const draw::Layout& layout = trial.layout;
+  const double gutter = layout.px(16);
+  const bool has_panels = layout.panels.width > 0;
+  const bool below = has_panels && layout.panels.y >= layout.view.bottom();
+  const bool stacked = !layout.insets.empty() && layout.insets.front().y >= layout.view.bottom();
+  const double views = stacked ? 1.0 + static_cast<double>(layout.insets.size()) : 1.0;
+  const double scenes = views * kViewShape * layout.view.width + (views - 1) * gutter;
+  const double panels = has_panels ? height_of_panels(trial, frames) : 0;
+  const double around = trial_height - (end_of(layout) - layout.view.y);
+  if (below) canvas.style.height_below = panels;
+  const double height = around + (below ? scenes + gutter + panels : std::max(scenes, panels));
+  canvas.size.height = side_of("--width", height);
+}
+
+std::string words_path(const std::string& named) {
+  namespace fs = std::filesystem;
+  if (fs::exists(named)) return named;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "contactscope" / "words" / (named + ".toml");
+  if (fs::exists(installed, unknown)) return installed.string();
+  throw UsageError("--words '" + named +
+                   "': there is no such file; name a TOML file with a [words] table, whose keys "
+                   "`contactscope list words` prints");
+}
+
+}  // namespace
+
+FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                       const View& view, const Options& options, Size otherwise,
+                       std::shared_ptr<const Words> words) {
+  const FigureOptions& figure = options.figure;
+  FigureCanvas canvas{options.size.value_or(otherwise), figure.style};
+  canvas.style.words = std::move(words);
+  if (!figure.width) return canvas;
+  canvas.size.width = side_of("--width", figure.width->pixels(figure.dpi));
+  if (figure.height)
+    canvas.size.height = side_of("--height", figure.height->pixels(figure.dpi));
+  else
+    fit_height(header, frames, view, canvas);
+  return canvas;
+}
+
+std::shared_ptr<const Words> words_of(const Input& input, const Options& options) {
+  std::vector<std::string_view> names = names_in_pictures(input.scenario);
+  Words words;
+  if (input.trace) {
+    const trace::Header& header = input.trace->header;
+    names.insert(names.end(), {header.title, header.source});
+    for (const trace::Shape& shape : header.shapes) names.push_back(shape.name);
+  } else {
+    words = load_words(input.scenario.path, names);
+  }
+  if (!options.figure.words.empty())
+    words.replace(load_words(words_path(options.figure.words), names));
+  return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,193 @@
+#include "app/figure_options.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <ostream>
+
+#include "app/verbs.h"
+#include "core/at.h"
+#include "draw/scene/layout.h"
+#include "draw/scene/palette.h"
+#include "image/font.h"
+#include "scenario/nearest_word.h"
+
+namespace contactscope::app {
+namespace {
+
+// What a picture of a paper has where its author says how wide it is and no more.
+constexpr double kUsualType = 8;  // points
+// A figure has the white of its page around it; pixels at 720 lines.
+constexpr double kFigureMargin = 2;
+constexpr double kLeastContrast = 4.5;  // of text with what it stands on (WCAG 2.2, 1.4.3)
+
+FigureLength parse_length(const std::string& option, const std::string& text) {
+  struct Unit {
+    std::string_view name;
+    double points;  // 0: pixels
+  };
+  constexpr std::array<Unit, 5> kUnits{
+      {{"mm", 72 / 25.4}, {"cm", 720 / 25.4}, {"in", 72}, {"pt", 1}, {"px", 0}}};
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  for (const Unit& known : kUnits) {
+    if (error != std::errc() || unit != known.name || !(value > 0) || value > 1e5) continue;
+    return {known.points > 0 ? value * known.points : value, known.points == 0};
+  }
+  throw UsageError(option + " '" + text +
+                   "' is no length; write a number and mm, cm, in, pt or px, as " +
+                   (option == "--font-size" ? "8pt" : "84mm"));
+}
+
+draw::Color parse_background(const std::string& text) {
+  if (text == "transparent") return {1, 1, 1, 0};
+  if (text == "white") return draw::kWhite;
+  unsigned hex = 0;
+  const char* const begin = text.data() + 1;
+  const char* const end = text.data() + text.size();
+  if (text.size() == 7 && text[0] == '#' && std::from_chars(begin, end, hex, 16).ptr == end)
+    return draw::rgb(hex);
+  throw UsageError("--background '" + text +
+                   "' is no colour; write transparent, white or #RRGGBB, as '#14171a'");
+}
+
+draw::Theme parse_theme(const std::string& text) {
+  const std::vector<std::string_view> names(draw::kThemeNames.begin(), draw::kThemeNames.end());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (text == names[i]) return static_cast<draw::Theme>(i);
+  }
+  throw UsageError("--theme '" + text + "' is not known; " + did_you_mean(text, names) +
+                   "there is " + quoted_list(names));
+}
+
+std::string utf8_of(char32_t code) {
+  const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
+  const auto tail = [&](int shift) { return byte(0x80 | ((code >> shift) & 0x3F)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xC0 | code >> 6), tail(0)};
+  if (code < 0x10000) return {byte(0xE0 | code >> 12), tail(6), tail(0)};
+  return {byte(0xF0 | code >> 18), tail(12), tail(6), tail(0)};
+}
+
+void check_ground(const draw::FigureStyle& style) {
+  if (!style.background || style.background->a < 1) return;
+  const draw::Color text =
+      draw::themed(draw::kText, draw::ColorUse::Text, style.theme, *style.background);
+  if (draw::contrast(text, *style.background) < kLeastContrast)
+    throw UsageError(std::string("--background is too ") +
+                     (style.theme == draw::Theme::Dark
+                          ? "light for --theme dark; leave the theme out"
+                          : "dark for the text on it; add --theme dark"));
+}
+
+}  // namespace
+
+CLI::Option* add_figure_option(CLI::App& verb, const std::string& name, FigureOptions& to) {
+  const auto value = [&](auto& target, const char* help) {
+    return verb.add_option(name, target, help);
+  };
+  const auto factor = [&](double& target, const char* help) {
+    return verb.add_option(name, target, help)->check(CLI::Range(0.1, 10.0));
+  };
+  const auto flag = [&](bool& target, const char* help) {
+    return verb.add_flag(name, target, help);
+  };
+  if (name == "--width")
+    return value(
+        to.width_text,
+        "Width of the figure as 84mm, 8.4cm, 3.3in, 240pt or 992px, instead of --size; its "
+        "layout follows");
+  if (name == "--height")
+    return value(to.height_text, "Its height, as --width; default: what it shows needs");
+  if (name == "--font-size")
+    return value(to.font_size_text,
+                 "Size of type in legends and panels, as 8pt; with --width in mm, cm, in or pt by "
+                 "default 8pt");
+  if (name == "--dpi")
+    return value(to.dpi, "Pixels an inch of --width and --font-size; default 300")
+        ->check(CLI::Range(36.0, 2400.0));
+  if (name == "--scale") return factor(to.scale, "Factor of all sizes: type, lines and signs");
+  if (name == "--line-width") return factor(to.line_width, "Factor of the widths of lines");
+  if (name == "--bare") return flag(to.bare, "Without title, legend and footer");
+  if (name == "--no-title") return flag(to.no_title, "Without the title");
+  if (name == "--no-legend") return flag(to.no_legend, "Without the legend");
+  if (name == "--no-footer") return flag(to.no_footer, "Without source, frame and time");
+  if (name == "--background")
+    return value(to.background_text, "transparent, white or #RRGGBB; default: the theme's");
+  if (name == "--theme") return value(to.theme_text, "Colours: light, dark, grey or print");
+  if (name == "--words")
+    return value(to.words,
+                 "TOML file with what stands in place of the words in pictures, or de, which is "
+                 "installed");
+  if (name == "--font")
+    return verb
+        .add_option(name, to.fonts,
+                    "TrueType file for characters that the own font lacks; or two, regular,bold")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  return nullptr;
+}
+
+void finish_figure(FigureOptions& figure, bool has_size) {
+  const auto read = [](const char* option, const std::string& text,
+                       std::optional<FigureLength>& length) {
+    if (!text.empty()) length = parse_length(option, text);
+  };
+  read("--width", figure.width_text, figure.width);
+  read("--height", figure.height_text, figure.height);
+  read("--font-size", figure.font_size_text, figure.font_size);
+  if (figure.width && has_size) throw UsageError("--width and --size say the same; leave out one");
+  if (figure.height && !figure.width)
+    throw UsageError("--height goes with --width; write both, or --size WxH");
+  const bool on_paper = figure.width && !figure.width->in_pixels;
+  if (on_paper && !figure.font_size) figure.font_size = FigureLength{kUsualType};
+
+  draw::FigureStyle& style = figure.style;
+  style.scale = figure.scale;
+  style.line_width = figure.line_width;
+  style.title = !figure.bare && !figure.no_title;
+  style.legend = !figure.bare && !figure.no_legend;
+  style.footer = !figure.bare && !figure.no_footer;
+  if (figure.width) style.margin = kFigureMargin;
+  if (on_paper || (figure.font_size && !figure.font_size->in_pixels))
+    style.points_per_pixel = 72 / figure.dpi;
+  if (figure.font_size) style.type = draw::type_of_em(figure.font_size->pixels(figure.dpi));
+  if (!figure.theme_text.empty()) style.theme = parse_theme(figure.theme_text);
+  if (!figure.background_text.empty()) style.background = parse_background(figure.background_text);
+  check_ground(style);
+  if (figure.fonts.size() > 2)
+    throw UsageError("--font is one file, or two with a comma between: regular,bold");
+  if (!figure.fonts.empty())
+    add_font(figure.fonts[0], figure.fonts.size() > 1 ? figure.fonts[1] : std::string());
+}
+
+void MissingGlyphs::look(const draw::Drawing& drawing) {
+  for (const draw::Primitive& primitive : drawing.primitives) {
+    const auto* const text = std::get_if<draw::Text>(&primitive);
+    if (text == nullptr) continue;
+    for (const char32_t code : code_points(text->text)) {
+      if (code >= 0x80 && !has_glyph(code, text->weight)) missing_.insert(code);
+    }
+  }
+}
+
+void MissingGlyphs::tell(std::ostream& out) const {
+  if (missing_.empty()) return;
+  constexpr std::size_t kMost = 12;
+  out << "no font has the character" << (missing_.size() == 1 ? "" : "s");
+  std::size_t told = 0;
+  for (const char32_t code : missing_) {
+    if (told++ == kMost) break;
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "U+%04X", static_cast<unsigned>(code));
+    out << ' ' << utf8_of(code) << " (" << number.data() << ')';
+  }
+  if (missing_.size() > kMost) out << " and " << missing_.size() - kMost << " more";
+  out << "; '?' stands for " << (missing_.size() == 1 ? "it" : "them")
+      << ". Name a TrueType file that has " << (missing_.size() == 1 ? "it" : "them")
+      << " with --font FILE\n";
+}
+
+}  // namespace contactscope::app

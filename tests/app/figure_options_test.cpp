@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+#include "image/font.h"
+#include "image/png.h"
+#include "support/temporary_folder.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string kFigure = "render hull/face_contact --frames 12 ";
+
+TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
+  const auto fails = [](const std::string& arguments, const std::string& told) {
+    const ProgramRun result = run(kFigure + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(told)) << arguments;
+  };
+  fails("--width 84", "--width '84' is no length; write a number and mm, cm, in, pt or px");
+  fails("--width 84mm --size 640x360", "--width and --size say the same");
+  fails("--width 1mm", "makes 12 pixels");
+  fails("--height 50mm", "--height goes with --width");
+  fails("--font-size tall", "as 8pt");
+  fails("--theme drak", "did you mean 'dark'?");
+  fails("--background grey", "transparent, white or #RRGGBB");
+  fails("--background '#14171a'", "add --theme dark");
+  fails("--camera 1,2,3", "--camera=4,2,4,0,0,0,30");
+  fails("--orthographic=tall", "--orthographic=1.5");
+  fails("--words nowhere", "`contactscope list words`");
+  fails("--font README.md", "this is no TrueType font");
+}
+
+TEST(FigureOptions, UnknownWordsAreToldWithTheNearest) {
+  const TemporaryFolder folder;
+  const std::string words = folder.write("de.toml", "[words]\n\"referenze face\" = \"Fläche\"\n");
+  const ProgramRun result = run(kFigure + "--words '" + words + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("de.toml:2:"), HasSubstr("did you mean 'reference face'?")));
+}
+
+TEST(FigureOptions, EveryWordHasAGermanOne) {
+  const ProgramRun listed = run("list words");
+  ASSERT_EQ(listed.exit_code, 0);
+  EXPECT_THAT(listed.out, HasSubstr("reference face\n"));
+  const std::string german = read_text("src/package/words/de.toml");
+  std::istringstream lines(listed.out);
+  for (std::string word; std::getline(lines, word);)
+    EXPECT_THAT(german, HasSubstr("\"" + word + "\" = \"")) << word;
+}
+
+TEST(FigureOptions, AScenarioMayReplaceWordsAndNames) {
+  const TemporaryFolder folder;
+  const std::string good = folder.write(
+      "my/good.toml", small_scenario() + "\n[words]\n\"contact point\" = \"Kontakt\"\n");
+  EXPECT_EQ(run("trace '" + good + "'").exit_code, 0);
+  const std::string bad =
+      folder.write("my/bad.toml", small_scenario() + "\n[words]\n\"contact pont\" = \"Kontakt\"\n");
+  const ProgramRun result = run("trace '" + bad + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("did you mean 'contact point'?"));
+}
+
+}  // namespace
+}  // namespace contactscope::test

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+#include "image/png.h"
+#include "support/temporary_folder.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kFrame = "hull/face_contact/frame_0012.png";
+
+/// Renders one frame with these options.
+struct FigurePicture {
+  TemporaryFolder folder;
+  ProgramRun result;
+  std::string path = folder / kFrame;
+
+  explicit FigurePicture(const std::string& options)
+      : result(run("render hull/face_contact --frames 12 --out '" + folder.path().string() + "' " +
+                   options)) {
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+  Image image() const { return read_png(path); }
+};
+
+TEST(FigurePictures, AColumnOfAPaperIsAsWideAsItIs) {
+  // 84 mm at 300 pixels an inch.
+  const Image image = FigurePicture("--width 84mm --font-size 8pt").image();
+  EXPECT_EQ(image.width, 992);
+  EXPECT_GT(image.height, image.width) << "panels below the view";
+  EXPECT_EQ(FigurePicture("--width 84mm --height 60mm --dpi 150").image().height, 354);
+}
+
+TEST(FigurePictures, ATransparentGroundHasAlpha) {
+  const FigurePicture opaque("--size 320x180 --bare"),
+      clear("--size 320x180 --bare --background transparent");
+  constexpr std::size_t kColorType = 25;  // of a PNG: 2 RGB, 6 RGBA
+  EXPECT_EQ(read_text(opaque.path)[kColorType], 2);
+  EXPECT_EQ(read_text(clear.path)[kColorType], 6);
+}
+
+TEST(FigurePictures, BareIsWithoutTitleLegendAndFooterAlike) {
+  EXPECT_EQ(FigurePicture("--size 320x180 --bare").image(),
+            FigurePicture("--size 320x180 --no-title --no-legend --no-footer").image());
+}
+
+TEST(FigurePictures, ThemesAndCamerasChangeThePicture) {
+  const Image plain = FigurePicture("--size 320x180").image();
+  const Image dark = FigurePicture("--size 320x180 --theme dark").image();
+  EXPECT_EQ(int(plain.rgb[0]), 255);
+  EXPECT_EQ(int(dark.rgb[0]), 0x14);
+  EXPECT_EQ(FigurePicture("--size 320x180 --camera 4,2,4,0,0,0,30").image(),
+            FigurePicture("--size 320x180 --eye 4,2,4 --target 0,0,0 --fov 30").image());
+  EXPECT_NE(FigurePicture("--size 320x180 --orthographic").image(), plain);
+}
+
+TEST(FigurePictures, CharactersThatNoFontHasAreTold) {
+  const TemporaryFolder folder;
+  std::string text = small_scenario();
+  text.replace(text.find("title"), text.find('\n', text.find("title")) - text.find("title"),
+               "title = \"箱\"");
+  const std::string file = folder.write("my/box.toml", text);
+  const ProgramRun result =
+      run("render '" + file + "' --size 160x90 --out '" + (folder / "out") + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("no font has the character 箱 (U+7BB1)"));
+  EXPECT_THAT(result.err, HasSubstr("--font FILE"));
+}
+
+TEST(FigurePictures, AnEmptyTitleIsAllowed) {
+  const TemporaryFolder folder;
+  std::string text = small_scenario();
+  text.replace(text.find("title"), text.find('\n', text.find("title")) - text.find("title"),
+               "title = \"\"");
+  const std::string file = folder.write("my/box.toml", text);
+  const ProgramRun result =
+      run("render '" + file + "' --size 160x90 --out '" + (folder / "out") + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+}  // namespace
+}  // namespace contactscope::test
