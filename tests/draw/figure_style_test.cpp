@@ -90,10 +90,12 @@ TEST(FigureStyle, LinesAloneCanBeWider) {
   finish(figure.style, drawing);
   for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
     const Primitive &then = before.primitives[i], &now = drawing.primitives[i];
-    if (const Stroke* const line = std::get_if<Stroke>(&now))
+    if (const Stroke* const line = std::get_if<Stroke>(&now)) {
       EXPECT_FLOAT_EQ(line->width, 2 * std::get<Stroke>(then).width);
-    if (const Text* const text = std::get_if<Text>(&now))
+    }
+    if (const Text* const text = std::get_if<Text>(&now)) {
       EXPECT_EQ(text->size, std::get<Text>(then).size);
+    }
   }
 }
 

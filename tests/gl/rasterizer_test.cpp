@@ -59,6 +59,32 @@ TEST_F(RasterizerTest, BackgroundAndOpaqueFillsHaveExactlyTheirHexCodes) {
   }
 }
 
+TEST_F(RasterizerTest, ATransparentPictureComesOutRightOverAnyGround) {
+  Rasterizer rasterizer(*context_, 64, 48);
+  draw::Drawing drawing;
+  drawing.primitives = {rectangle(4, 4, 30, 30, hex(0x0072B2, 0.35f)),
+                        rectangle(20, 20, 60, 44, hex(0xD55E00, 0.5f)),
+                        draw::Stroke{{3, 45}, {60, 5}, 3, hex(0x1A1D21), draw::Cap::Round},
+                        draw::Disc{{40, 14}, 0, 7, hex(0x009E73, 0.8f)}};
+  drawing.background = {1, 1, 1, 0};
+  const Image clear = paint(rasterizer, drawing);
+  ASSERT_EQ(clear.alpha.size(), 64u * 48u);
+  EXPECT_EQ(int(clear.alpha[0]), 0);
+  for (const unsigned ground : {0xFFFFFFu, 0x14171Au, 0x56B4E9u}) {
+    drawing.background = hex(ground);
+    const Image solid = paint(rasterizer, drawing);
+    EXPECT_TRUE(solid.alpha.empty());
+    int worst = 0;
+    for (std::size_t i = 0; i < solid.rgb.size(); ++i) {
+      const double alpha = clear.alpha[i / 3] / 255.0;
+      const double beneath = ground >> (16 - 8 * (i % 3)) & 255;
+      const double over = alpha * clear.rgb[i] + (1 - alpha) * beneath;
+      worst = std::max(worst, static_cast<int>(std::abs(over - solid.rgb[i])));
+    }
+    EXPECT_LE(worst, 3) << "each of four layers rounds to 8 bits once";
+  }
+}
+
 TEST_F(RasterizerTest, ReadsTheTopRowFirst) {
   const Image image =
       paint(*context_, 20, 10,

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <string>
 
+#include "image/whole_file.h"
+
 namespace contactscope {
 namespace {
 
@@ -144,6 +146,39 @@ TEST(Glyph, HaloCoversTheLetterAndFadesOutAtItsWidth) {
       }
     }
   }
+}
+
+TEST(Font, AQuestionMarkStandsForWhatNoFontHas) {
+  constexpr char32_t kBox = 0x7BB1;
+  EXPECT_EQ(font_for(kBox, FontWeight::Regular), 0u);
+  EXPECT_FALSE(has_glyph(kBox, FontWeight::Regular));
+  EXPECT_EQ(advance(kBox, 14, FontWeight::Regular), advance(U'?', 14, FontWeight::Regular));
+  EXPECT_EQ(rasterize_glyph(kBox, 14, FontWeight::Bold, 0, 0).coverage,
+            rasterize_glyph(U'?', 14, FontWeight::Bold, 0, 0).coverage);
+}
+
+TEST(Font, TheEmbeddedOneComesFirst) {
+  const std::string path = ::testing::TempDir() + "added.ttf";
+  const auto data = font_data(FontWeight::Bold);
+  write_whole_file(path, data);
+  const float before = text_width("face contact", 14, FontWeight::Regular);
+  add_font(path);
+  EXPECT_EQ(text_width("face contact", 14, FontWeight::Regular), before);
+  EXPECT_EQ(font_for(U'a', FontWeight::Regular), 0u);
+  EXPECT_EQ(font_data(FontWeight::Regular, 1).size(), data.size());
+}
+
+TEST(Font, WhatIsNoFontIsRefusedAndForgotten) {
+  const std::string path = ::testing::TempDir() + "none.ttf";
+  const std::string text = "this is a text and no font at all";
+  write_whole_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  EXPECT_THROW(add_font(path), FontError);
+  EXPECT_EQ(font_for(0x7BB1, FontWeight::Regular), 0u);
+}
+
+TEST(Font, AnEmIsSmallerThanALine) {
+  // Roboto's ascender and descender are 1900 and 500 of 2048.
+  EXPECT_NEAR(line_of_em(FontWeight::Regular), 2400.0 / 2048, 1e-4);
 }
 
 }  // namespace

@@ -66,6 +66,18 @@ TEST_F(Png, KeepsNoiseAndOddSizes) {
   }
 }
 
+TEST_F(Png, KeepsAlphaWhereThereIsSome) {
+  Image picture = noise(33, 9, 7);
+  picture.alpha.assign(33 * 9, 200);
+  const std::vector<std::uint8_t> bytes = encode_png(picture);
+  constexpr std::size_t kColorType = 25;
+  EXPECT_EQ(int(bytes[kColorType]), 6) << "RGBA";
+  write_png(path("clear.png"), picture);
+  EXPECT_EQ(read_png(path("clear.png")).rgb, picture.rgb) << "colours are not premultiplied";
+  picture.alpha.clear();
+  EXPECT_EQ(int(encode_png(picture)[kColorType]), 2) << "RGB";
+}
+
 TEST_F(Png, EqualPicturesGiveEqualBytesFromManyThreads) {
   const Image picture = noise(160, 90, 5);
   const std::vector<std::uint8_t> fast = encode_png(picture, 1), small = encode_png(picture, 9);
