@@ -84,6 +84,13 @@ std::string subtitle(const trace::Study& study) {
          "or more nothing in the panel as fast is as close.";
 }
 
+/// With names as they are read and not as options spell them: "sweep and prune".
+trace::Study in_words(trace::Study study) {
+  for (trace::StudySeries& series : study.series) std::ranges::replace(series.method, '_', ' ');
+  std::ranges::replace(study.signal, '_', ' ');
+  return study;
+}
+
 /// One of so many equal cells of a page, row by row, with as much between them.
 Rect cell_of(const Rect& space, std::size_t columns, std::size_t rows, std::size_t i, double across,
              double down) {
@@ -177,7 +184,7 @@ std::vector<PlotPanel> panels_of(const trace::Study& study) {
 
 std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study, double left) {
   std::vector<PlotPanel> panels = panels_of(study);
-  const std::size_t rows = panels.size() > 2 ? 2 : 1;
+  const std::size_t rows = panels.size() > 3 ? 2 : 1;
   const std::size_t columns = (panels.size() + rows - 1) / rows;
   const double scale = page.scale, label = scale * left;
   const Rect space{page.panels.x + label, page.panels.y, page.panels.width - label,
@@ -191,7 +198,8 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
   return panels;
 }
 
-Drawing plot(const trace::Study& study, int width, int height) {
+Drawing plot(const trace::Study& measured, int width, int height) {
+  const trace::Study study = in_words(measured);
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
   if (study.form == trace::StudyForm::Answers) return plot_answers(study, width, height);

@@ -23,11 +23,10 @@ struct CurveStyle {
   double dash() const { return dashed ? 5 : 0; }
 };
 
-/// One colour for all series whose names begin alike.
+/// One colour for all series whose names begin alike: that which the study's other plots give the
+/// method of that number.
 CurveStyle style_of(const trace::Study& study, const std::string& method) {
   if (method == study.signal) return {kDropped, true, true};
-  constexpr Color kColors[] = {rgb(0xD55E00), rgb(0x0072B2), rgb(0x009E73),
-                               rgb(0xCC79A7), rgb(0xE69F00), rgb(0x56B4E9)};
   const auto stem_of = [](const std::string& name) { return name.substr(0, name.find(',')); };
   std::vector<std::string> stems;
   for (const trace::StudySeries& series : study.series) {
@@ -37,7 +36,7 @@ CurveStyle style_of(const trace::Study& study, const std::string& method) {
   }
   const auto index =
       static_cast<std::size_t>(std::ranges::find(stems, stem_of(method)) - stems.begin());
-  return {kColors[index % std::size(kColors)], method.find(',') != std::string::npos, false};
+  return {method_style(index).color, method.find(',') != std::string::npos, false};
 }
 
 /// The parameter goes up by one from point to point.

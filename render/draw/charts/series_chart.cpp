@@ -210,6 +210,12 @@ IdHistory::IdHistory(const std::vector<std::vector<IdState>>& rows,
   }
 }
 
+bool IdHistory::is_constant() const {
+  return std::ranges::all_of(rows_, [](const std::vector<Run>& runs) {
+    return runs.size() == 1 && runs.front().state == IdState::Kept;
+  });
+}
+
 Rect IdHistory::place_of(const Run& run, const Rect& strip, std::size_t until) const {
   const double column = strip.width / static_cast<double>(frames_);
   return {strip.x + column * static_cast<double>(run.from), strip.y,

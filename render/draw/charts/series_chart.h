@@ -75,6 +75,8 @@ class IdHistory {
 
   std::size_t row_count() const { return rows_.size(); }
   std::size_t pair_count() const { return bands_.size(); }
+  /// Each id is kept in every frame.
+  bool is_constant() const;
 
   /// Frames before `until`; a line marks frame `moment`.
   void draw_rows(const Rect& strip, std::size_t moment, std::size_t until, const Pen& pen) const;

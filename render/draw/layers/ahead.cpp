@@ -1,6 +1,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
 
 /// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by no
 /// more than the gap. Where a body would be a frame later without it, and the gap.
@@ -13,6 +14,25 @@ constexpr double kAside = 44;    // pixels of the gap from the point, whose impu
 constexpr LineStyle kGhost{2.0f, kDropped, true};
 
 constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
+
+// How far from the surface points are contacts: a dashed line there, and its distance on the other side
+// of the point than the gap.
+void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d& out,
+                             const Vec3d& aside, Sketch& sketch) {
+  const double margin = scene.frame.solver->speculative_margin;
+  const Vec3d to = from + margin * out;
+  if (!(margin > 0) || !scene.camera.sees(to)) return;
+  sketch.line(to - 4 * aside, to + 2 * aside, {1.5f, kAxis, true});
+  const Vec3d below = -3 * aside;
+  sketch.arrows.push_back({.from = from + below,
+                           .to = to + below,
+                           .double_headed = true,
+                           .width = 1.8f,
+                           .head = 10,
+                           .color = kAxis});
+  sketch.label(0.5 * (from + to) + below, "speculative margin " + spell_length(margin), kAxisText,
+               17, 10, Vec3d(-scene.camera.up()));
+}
 
 void draw_ahead(const Scene& scene, Sketch& sketch) {
   const double step = scene.scales.step;
@@ -39,6 +59,7 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
       const Vec3d aside = kAside * scene.scales.pixel / scene.camera.pixels_per_metre(from) * up;
       for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
       draw_gap(scene, from + aside, to + aside, point->separation, 12, up, sketch);
+      draw_speculative_margin(scene, from, side * manifold->normal, aside, sketch);
     }
   }
 }

@@ -96,7 +96,14 @@ void draw_specks(const trace::Pair& pair, Sketch& sketch) {
 
 void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::string factor = spell_factor(scene.scales.overlap);
+  // Where some normals are not those of the rest, the points of the rest step back.
+  const std::optional<Vec3d> usual =
+      scene.shows(Layer::Normals) ? usual_normal(scene.frame) : std::nullopt;
   for (const PairPoint& kept : kept_points(pair)) {
+    if (usual && is_like(*usual, kept.manifold->normal)) {
+      sketch.mark(MarkKind::Speck, kept.point->position, kDropped);
+      continue;
+    }
     // From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
     const auto [from, to] = whisker_at(scene, pair, kept);
     const bool apart = stands_off(*kept.point, scene.scales);
@@ -110,11 +117,34 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                          : MarkKind::Dot,
                 kept.point->position, kContact);
     if (apart)
-      sketch.explain(kApartSwatch, "point within the margin, not touching: line = gap" + factor);
+      sketch.explain(kApartSwatch, "point within the margin, not touching: line = gap" +
+                                       spell_factor(scene.scales.gap));
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
     else
       sketch.explain(kContactSwatch, "contact point, whisker = overlap" + factor);
+  }
+}
+
+// A corner that neighbouring triangles of a mesh share is told by each of them: how many points are
+// where one is seen.
+void count_shared(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  constexpr double kOneDot = 4;  // pixels
+  std::vector<std::pair<PairPoint, int>> places;
+  for (const PairPoint& kept : kept_points(pair)) {
+    const auto same = std::ranges::find_if(places, [&](const auto& place) {
+      const std::optional<float> apart =
+          seen_distance(scene.camera, place.first.point->position, kept.point->position);
+      return apart && *apart < kOneDot * scene.scales.pixel;
+    });
+    if (same == places.end())
+      places.emplace_back(kept, 1);
+    else
+      ++same->second;
+  }
+  for (const auto& [kept, count] : places) {
+    if (count < 2) continue;
+    sketch.label(kept.point->position, "×" + std::to_string(count), kContact, 15, 9);
   }
 }
 
@@ -125,6 +155,9 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   }
   if (pair.query) return;  // it has no contacts; see the layer answer
   if (!pair.incremental || !scene.shows(Layer::Persistent)) draw_points(scene, pair, sketch);
+  constexpr std::size_t kFewPoints = 16;  // of more, the counts would be a crowd
+  if (pair.manifolds.size() > kFewManifolds && all_points(pair).size() <= kFewPoints)
+    count_shared(scene, pair, sketch);
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
   const PlacedShape* a = scene.find(pair.a);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
@@ -104,27 +106,103 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
                                             : "friction, same scale");
 }
 
-// What the pair's points carry together, beside the one that is farthest to the right.
-void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch& sketch) {
+// What the pair's points carry together.
+struct PairLoad {
+  std::vector<Vec3d> at;                    // where the solver pushes
+  const trace::Point* outermost = nullptr;  // farthest to the right
+  Vec3d way = Vec3d::Zero();                // of the last one's normal, out of the other body
+  double normal = 0;                        // newton seconds
+  Vec3d friction = Vec3d::Zero();           // newton seconds
+};
+
+PairLoad load_of(const Scene& scene, const trace::Pair& pair, double side) {
   const Vec3d right = scene.camera.right();
-  const trace::Point* outermost = nullptr;
-  double normal = 0;
-  Vec3d friction = Vec3d::Zero();
-  for (const PairPoint& any : all_points(pair)) {
-    const trace::Point& point = *any.point;
-    if (!point.impulse) continue;
-    normal += point.impulse->normal;
-    friction += side * point.impulse->friction;
-    if (outermost == nullptr || right.dot(point.position - outermost->position) > 0)
-      outermost = &point;
+  PairLoad load;
+  for (const auto& [manifold, point] : all_points(pair)) {
+    if (!point->impulse) continue;
+    load.at.push_back(point->position);
+    load.way = side * manifold->normal;
+    load.normal += point->impulse->normal;
+    load.friction += side * point->impulse->friction;
+    if (load.outermost == nullptr || right.dot(point->position - load.outermost->position) > 0)
+      load.outermost = point;
   }
-  if (outermost == nullptr || !(normal > 0)) return;
+  return load;
+}
+
+// A sum is no arrow's: a bracket over the points that it is of, and the sum beside its tip.
+struct Bracket {
+  std::array<Vec3d, 4> line;  // from the end of one arm to that of the other
+  Vec3d middle, tip;
+  Vec3d out;  // unit, away from the points
+};
+
+// On the screen, in the plane of the first point: along the line through two points, on the side that
+// their arrows leave free; else upright, to the right of all. Nothing where a point is behind the eye.
+std::optional<Bracket> bracket_beside(const Scene& scene, const PairLoad& load) {
+  constexpr double kAway = 15, kArm = 7, kBeyond = 4, kLeast = 12;  // pixels
+  const Camera& camera = scene.camera;
+  const double metres = 1 / camera.pixels_per_metre(load.at.front());
+  const double pixel = scene.scales.pixel;
+  const std::optional<Point2> origin = camera.project(load.at.front());
+  if (!origin) return std::nullopt;
+  std::vector<Vec2d> seen;  // pixels from the first, y up
+  for (const Vec3d& at : load.at) {
+    const std::optional<Point2> place = camera.project(at);
+    if (!place) return std::nullopt;
+    seen.emplace_back(place->x - origin->x, origin->y - place->y);
+  }
+  Vec2d along = Vec2d::UnitY(), out = Vec2d::UnitX();
+  if (seen.size() == 2 && (seen[1] - seen[0]).norm() > 2 * kLeast * pixel) {
+    along = (seen[1] - seen[0]).normalized();
+    out = {along.y(), -along.x()};
+    const Vec2d arrows(load.way.dot(camera.right()), load.way.dot(camera.up()));
+    const double facing = out.dot(arrows);
+    if (facing > 0.1 || (std::abs(facing) <= 0.1 && out.x() < 0)) out = -out;
+  }
+  double low = 1e300, high = -1e300, reach = -1e300;
+  for (const Vec2d& at : seen) {
+    low = std::min(low, along.dot(at));
+    high = std::max(high, along.dot(at));
+    reach = std::max(reach, out.dot(at));
+  }
+  const double half = std::max(0.5 * (high - low) + kBeyond * pixel, 0.5 * kLeast * pixel);
+  const double middle = 0.5 * (low + high), away = reach + kAway * pixel;
+  const auto place = [&](double at, double beyond) -> Vec3d {
+    const Vec2d p = at * along + (away + beyond * pixel) * out;
+    return load.at.front() + metres * (p.x() * camera.right() + p.y() * camera.up());
+  };
+  return Bracket{{place(middle - half, -kArm), place(middle - half, 0), place(middle + half, 0),
+                  place(middle + half, -kArm)},
+                 place(middle, 0),
+                 place(middle, kArm),
+                 out.x() * camera.right() + out.y() * camera.up()};
+}
+
+void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch& sketch) {
+  const PairLoad load = load_of(scene, pair, side);
+  if (load.outermost == nullptr || !(load.normal > 0)) return;
   const double step = scene.scales.step;
-  sketch.label(outermost->position, spell_quantity(normal / step, "N"), kContact, 17, 12, right);
-  if (!scene.shows(Layer::Friction) || friction.norm() < 1e-6 * normal) return;
-  const Vec3d way = side * scene.scales.friction * outermost->impulse->friction;
-  sketch.label(outermost->position + way, spell_quantity(friction.norm() / step, "N"),
-               kFrictionText, 17, 10, Vec3d(friction.normalized()));
+  const std::string normal = spell_quantity(load.normal / step, "N");
+  const bool rubs = scene.shows(Layer::Friction) && load.friction.norm() >= 1e-6 * load.normal;
+  const std::string friction = spell_quantity(load.friction.norm() / step, "N");
+  if (load.at.size() == 1) {
+    const Vec3d& at = load.outermost->position;
+    sketch.label(at, normal, kContact, 17, 12, scene.camera.right());
+    if (!rubs) return;
+    const Vec3d way = side * scene.scales.friction * load.outermost->impulse->friction;
+    sketch.label(at + way, friction, kFrictionText, 17, 10, Vec3d(load.friction.normalized()));
+    return;
+  }
+  const std::optional<Bracket> bracket = bracket_beside(scene, load);
+  if (!bracket) return;
+  const LineStyle style{1.8f, kContact};
+  for (std::size_t i = 1; i < bracket->line.size(); ++i)
+    sketch.bordered_line(bracket->line[i - 1], bracket->line[i], style, 4.5f);
+  sketch.bordered_line(bracket->middle, bracket->tip, style, 4.5f);
+  sketch.label(bracket->tip, "Σ " + normal, kContact, 17, 5, bracket->out);
+  if (rubs)
+    sketch.label(bracket->tip, "friction Σ " + friction, kFrictionText, 17, 5, bracket->out);
 }
 
 void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -9,10 +9,11 @@ namespace {
 
 // Pixels. Shorter, an arrow would hide behind the dots of its contact.
 constexpr double kLeastArrow = 8;
-constexpr std::size_t kMany = 2;  // manifolds: a mesh's arrows, as long as usual, would be a wood
 
 constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
+constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
+                                    [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
 // Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one that
 // points at the eye has not.
@@ -38,18 +39,32 @@ Vec3d start_of_normal(const Scene& scene, const trace::Pair& pair,
 }
 
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const bool many = pair.manifolds.size() > kMany;
+  // A mesh's arrows, as long as elsewhere, would be a wood.
+  const bool many = pair.manifolds.size() > kFewManifolds;
+  const std::optional<Vec3d> usual = usual_normal(scene.frame);
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
+    const bool steps_back = usual && is_like(*usual, manifold.normal);
+    const bool stands_out = usual && !steps_back;
     const Arrow arrow{.from = start_of_normal(scene, pair, manifold),
                       .direction = manifold.normal,
-                      .pixels = many ? 44.0f : 78.0f,
-                      .width = many ? 2.0f : 3.0f,
-                      .head = many ? 9.0f : 13.0f,
-                      .color = kNormal};
+                      .pixels = steps_back            ? 26.0f
+                                : many && !stands_out ? 44.0f
+                                                      : 78.0f,
+                      .width = steps_back            ? 1.5f
+                               : many && !stands_out ? 2.0f
+                                                     : 3.0f,
+                      .head = steps_back            ? 7.0f
+                              : many && !stands_out ? 9.0f
+                                                    : 13.0f,
+                      .color = steps_back ? kDropped : kNormal};
     if (!has_room(scene.camera, arrow)) continue;
     sketch.arrows.push_back(arrow);
-    sketch.explain(kNormalSwatch, "normal, from A to B");
+    if (steps_back)
+      sketch.explain(kUsualNormalSwatch, "normal as most have it");
+    else
+      sketch.explain(kNormalSwatch,
+                     stands_out ? "normal more than 30° off" : "normal, from A to B");
   }
 }
 

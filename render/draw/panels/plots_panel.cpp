@@ -1,15 +1,17 @@
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
 constexpr double kLeastPlot = 46;
-constexpr double kMostPlot = 120;
+constexpr double kMostPlot = 165;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
 constexpr double kCurveSwatch = 22;
@@ -21,9 +23,9 @@ constexpr double kLeastIdRow = 2.6;
 constexpr double kLegibleIdRow = 3.4;  // thinner rows are a solid block
 
 /// What the solver made of it, up to the current frame: charts over each other, one time axis under
-/// them, and the strip of contact ids. Of two to four pairs each has lines of its own. Where there is
-/// little room, the strip, then the last charts are left out. The series are gathered for the first
-/// picture that has room for them.
+/// them, and the strip of contact ids. Of two to four pairs each has lines of its own. Points and ids
+/// that are the same in every frame are a line of words. Where there is little room, the strip, then
+/// the last charts are left out. The series are gathered for the first picture that has room for them.
 class PlotsPanel : public PanelContent {
  public:
   PlotsPanel(const Staging& staging, const Frames& frames) : staging_(staging), frames_(frames) {
@@ -49,9 +51,10 @@ class PlotsPanel : public PanelContent {
     const double named = draw_names(rect, pen);
     double room = 0, strip = 0;
     std::size_t shown = 0;
+    const double told = line * static_cast<double>(constants_.size());
     for (const double below : {0.0, line}) {  // where some are missing, a line that says so
       if (shown == charts_.size()) break;
-      room = rect.height - below - pen.px(kTimeAxis) - named;
+      room = rect.height - below - pen.px(kTimeAxis) - named - told;
       strip = strip_height(room, pen);
       const double fitting = std::max(0.0, room - strip) / pen.px(kLeastPlot);
       shown = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, charts_.size());
@@ -65,6 +68,8 @@ class PlotsPanel : public PanelContent {
     const double gutter = pen.px(kChartGutter);
     draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
                    y + strip + pen.px(kTimeAxis - 4), pen);
+    sheet.skip_to(y + strip + pen.px(kTimeAxis + 4));
+    for (const std::string& constant : constants_) sheet.line(constant, kText);
     sheet.skip_to(rect.bottom() - line);
     return sheet.more(charts_.size() - shown, "chart", "charts");
   }
@@ -102,11 +107,26 @@ class PlotsPanel : public PanelContent {
     ids_.emplace(ids, pairs);
     if (all.size() == 1) penetration.subjects = all[0].deepest;
     if (!all.empty()) penetration.changes = all[0].queries;
+    const bool same_points = std::ranges::all_of(points.curves, is_constant);
+    if (same_points && !points.curves.empty() && frames_.size() > 1) {
+      std::string counts;
+      for (const std::vector<double>& curve : points.curves)
+        counts += (counts.empty() ? "" : ", ") + spell_number(curve.front());
+      constants_.push_back("contact points: " + counts + " in every frame");
+    }
+    if (ids_->row_count() > 0 && ids_->is_constant() && frames_.size() > 1)
+      constants_.emplace_back("contact ids: none changes");
     for (SeriesChart* chart : {&penetration, &energy, &impulse, &points}) {
       if (chart->curves.empty() || chart->curves[0].empty()) continue;
+      if (chart == &points && same_points && frames_.size() > 1) continue;
       chart->fit();
       charts_.push_back(std::move(*chart));
     }
+  }
+
+  static bool is_constant(const std::vector<double>& curve) {
+    return !curve.empty() &&
+           std::ranges::adjacent_find(curve, std::not_equal_to<>()) == curve.end();
   }
 
   /// The names of the curves, in as many rows as they take. Returns the height of these.
@@ -130,7 +150,7 @@ class PlotsPanel : public PanelContent {
 
   /// 0 where the charts need all the room.
   double strip_height(double room, const Pen& pen) const {
-    if (ids_->row_count() == 0) return 0;
+    if (ids_->row_count() == 0 || (ids_->is_constant() && frames_.size() > 1)) return 0;
     const auto rows = static_cast<double>(ids_->row_count());
     const double share = kStripShare * room;
     const double wanted = std::min<double>({pen.px(kMostIdStrip), share, pen.px(kIdRow) * rows});
@@ -162,8 +182,9 @@ class PlotsPanel : public PanelContent {
   const Frames& frames_;
   bool solved_ = false;
   std::vector<SeriesChart> charts_;
-  std::vector<std::string> names_;  // of the curves
-  std::optional<IdHistory> ids_;    // once gathered
+  std::vector<std::string> names_;      // of the curves
+  std::vector<std::string> constants_;  // what is the same in every frame, in words
+  std::optional<IdHistory> ids_;        // once gathered
 };
 
 }  // namespace

@@ -83,8 +83,28 @@ OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& 
     return shape == nullptr ? 0.0 : shape->traced().radius;
   };
   const double behind_a = share_behind_a(pair, *manifold, *point, radius(pair.a), radius(pair.b));
-  const Vec3d overlap = scene.scales.overlap * point->separation * manifold->normal;
+  const double factor = point->separation > 0 ? scene.scales.gap : scene.scales.overlap;
+  const Vec3d overlap = factor * point->separation * manifold->normal;
   return {point->position - behind_a * overlap, point->position + (1 - behind_a) * overlap};
+}
+
+std::optional<Vec3d> usual_normal(const trace::Frame& frame) {
+  std::vector<Vec3d> normals;
+  for (const trace::Pair& pair : frame.pairs) {
+    if (pair.manifolds.size() <= kFewManifolds) continue;
+    for (const trace::Manifold& manifold : pair.manifolds)
+      if (!manifold.points.empty()) normals.push_back(manifold.normal);
+  }
+  const auto alike = [&](const Vec3d& usual) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        normals, [&](const Vec3d& normal) { return is_like(usual, normal); }));
+  };
+  for (const Vec3d& normal : normals) {
+    const std::size_t count = alike(normal);
+    if (count == normals.size()) return std::nullopt;
+    if (2 * count > normals.size()) return normal;
+  }
+  return std::nullopt;
 }
 
 std::vector<PairEdge> edges_in(std::string_view id) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,18 @@ struct OnBoth {
 /// to that of B, which is behind it. With the scene's scale the overlap is so many times as
 /// long, and begins at the surface on which the point lies, or in the middle of both.
 OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
+
+/// Manifolds of a pair. With more, as on a mesh, what they have in common is drawn smaller.
+inline constexpr std::size_t kFewManifolds = 2;
+
+/// Within 30 degrees of each other; both unit.
+inline bool is_like(const Vec3d& normal, const Vec3d& other) {
+  return normal.dot(other) > 0.866;
+}
+
+/// The normal that most manifolds of pairs with many have, where some of them have another: these are
+/// what a picture is to show. Nothing where all agree, or no half of them does.
+std::optional<Vec3d> usual_normal(const trace::Frame& frame);
 
 /// An edge of A or of B.
 struct PairEdge {

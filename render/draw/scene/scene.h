@@ -84,6 +84,7 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
 /// times a power of ten, so that a legend can state them.
 struct SequenceScales {
   double overlap = 1;          // overlaps are drawn this many times as long
+  double gap = 1;              // and gaps of points that do not touch yet
   double impulse = 0;          // metres for one newton second; 0 where there are no impulses
   double longest_impulse = 0;  // metres; longer arrows are cut there, and marked as such
   double friction = 0;         // metres for one newton second of friction

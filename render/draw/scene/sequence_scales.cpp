@@ -32,9 +32,8 @@ double usual(std::vector<double> values) {
   return *middle;
 }
 
-// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible, as long as the
-// widest gap, which is drawn so many times as wide too, stays beside its shapes. Pixels.
-double fit_overlap(double deepest, double widest_gap, double pixel) {
+// 1, 2, 5, 10, 20, 50, ...: the least round factor that makes the deepest overlap legible. Pixels.
+double fit_overlap(double deepest, double pixel) {
   if (deepest <= 0 || deepest >= kLegibleDepth * pixel) return 1;
   const double wanted = kExaggeratedDepth * pixel / deepest;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -42,7 +41,13 @@ double fit_overlap(double deepest, double widest_gap, double pixel) {
   for (const double step : {5.0, 2.0, 1.0}) {
     if (step * decade >= 0.75 * wanted) factor = step * decade;
   }
-  return factor * widest_gap > kWidestGap * pixel ? 1 : factor;
+  return factor;
+}
+
+// Gaps are drawn as many times as wide, but none so wide that it leaves its shapes.
+double fit_gap(double overlap, double widest, double pixel) {
+  if (overlap * widest <= kWidestGap * pixel) return overlap;
+  return std::max(1.0, round_down(kWidestGap * pixel / widest));
 }
 
 }  // namespace
@@ -96,7 +101,8 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
 
   scales.pixel = layout.scale;
-  scales.overlap = fit_overlap(deepest, gap, scales.pixel);
+  scales.overlap = fit_overlap(deepest, scales.pixel);
+  scales.gap = fit_gap(scales.overlap, gap, scales.pixel);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   const double height = layout.view.height;
