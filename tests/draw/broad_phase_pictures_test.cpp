@@ -110,7 +110,7 @@ TEST_F(BroadPhasePicture, WithoutABroadPhaseTheEndpointsPanelSaysSo) {
 TEST_F(BroadPhasePicture, ThePipelineCountsWhatEachStageLetsThrough) {
   EXPECT_THAT(panel(Panel::Pipeline),
               IsSupersetOf({"pairs of 2 shapes", "1", "1,234", "pairs in contact", "contact points",
-                            "2", "bars: by the number of digits"}));
+                            "2", "bars on a logarithmic scale"}));
 }
 
 TEST_F(BroadPhasePicture, AFewBoxesBearTheirNames) {

@@ -171,6 +171,29 @@ TEST(PlotCurves, WithoutFailuresNoneAreExplainedAndTheCurvesHaveTheirRoom) {
   EXPECT_LT(highest(), with_failures - 40);
 }
 
+TEST(PlotCurves, AMethodHasTheColourThatTheOtherPlotsOfItsStudyGiveIt) {
+  const Drawing drawing = plot(curves(), 1280, 720);
+  const auto strokes_like = [&](const Color& color) {
+    return std::ranges::count_if(drawing.primitives, [&](const Primitive& primitive) {
+      const auto* stroke = std::get_if<Stroke>(&primitive);
+      return stroke != nullptr && stroke->color.r == color.r && stroke->color.g == color.g &&
+             stroke->color.b == color.b;
+    });
+  };
+  EXPECT_GT(strokes_like(method_style(0).color), 100) << "float, first of its study";
+  EXPECT_GT(strokes_like(method_style(1).color), 100) << "double";
+  EXPECT_EQ(strokes_like(method_style(2).color), 0) << "the others are variants of these";
+}
+
+TEST(PlotCurves, NamesOfOptionsAreReadAsWords) {
+  trace::Study study = curves();
+  for (trace::StudySeries& series : study.series)
+    if (series.method == "double") series.method = "sweep_and_prune";
+  const std::vector<std::string> all = words(plot(study, 1280, 720));
+  EXPECT_THAT(all, Contains("sweep and prune"));
+  EXPECT_THAT(all, Not(Contains(HasSubstr("_"))));
+}
+
 TEST(PlotCurves, FramesAreEquallyFarApart) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   trace::StudySeries& line = study.series.emplace_back();

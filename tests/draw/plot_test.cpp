@@ -30,7 +30,7 @@ trace::Study crowded(int methods = 18) {
   study.error = "lost area";
   study.parameter = "points";
   for (int m = 0; m < methods; ++m) {
-    trace::StudySeries series{"method_" + std::to_string(m), {}};
+    trace::StudySeries series{"method " + std::to_string(m), {}};
     for (const double n : {5.0, 8.0, 16.0}) {
       series.points.push_back(point(n, 0.02 * (1 + 0.15 * m), 20 * n * (1 + 0.1 * (m * 7 % 5))));
     }
@@ -108,8 +108,8 @@ TEST(Plot, SaysTitleAxesDecadesContextAndWhichWayIsBetter) {
 TEST(Plot, FailuresAreCountedAlsoOfAMethodThatNeverWorks) {
   const std::vector<std::string> all = words(plot(crowded(), 1280, 720));
   EXPECT_THAT(all, Contains("failed"));
-  EXPECT_THAT(all, Contains("fails_twice: 2 of 200"));
-  EXPECT_THAT(all, Contains("never_works: 100 of 100"));
+  EXPECT_THAT(all, Contains("fails twice: 2 of 200"));
+  EXPECT_THAT(all, Contains("never works: 100 of 100"));
 }
 
 TEST(Plot, WithoutFailuresOrZerosThereIsNoRowForThem) {
@@ -149,7 +149,7 @@ trace::Study panelled() {
 TEST(Plot, PanelsHaveTheirNamesTheirLinesAndTheirFailures) {
   const std::vector<std::string> all = words(plot(panelled(), 1280, 720));
   for (const char* text : {"swift", "slow"}) EXPECT_EQ(std::ranges::count(all, text), 1) << text;
-  for (const char* text : {"method_0", "exact", "never_works: 100 of 100"})
+  for (const char* text : {"method 0", "exact", "never works: 100 of 100"})
     EXPECT_EQ(std::ranges::count(all, text), 2) << text;
   EXPECT_THAT(all, Contains(HasSubstr("mean lost area")));
 }

@@ -283,6 +283,17 @@ TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
   for (std::size_t f = 0; f < 5; ++f) plots_panel(f);  // stays inside
 }
 
+TEST(PlotsPanel, WhatIsTheSameInEveryFrameIsALineOfWords) {
+  std::vector<trace::Frame> frames = settling();
+  frames.erase(frames.begin());  // in the air
+  const std::vector<std::string> all = texts(panel_of(Panel::Plots, frames, 2));
+  EXPECT_THAT(all, Contains("contact points: 2 in every frame"));
+  EXPECT_THAT(all, Contains("contact ids: none changes"));
+  EXPECT_THAT(all, Not(Contains("contact points")));
+  EXPECT_THAT(all, Not(Contains(HasSubstr("a row each"))));
+  EXPECT_THAT(texts(plots_panel(2)), Not(Contains(HasSubstr("in every frame"))));
+}
+
 TEST(PlotsPanel, CurvesEndAtTheCurrentFrame) {
   const auto strokes = [](std::size_t moment) {
     return std::ranges::count_if(plots_panel(moment).primitives, [](const Primitive& primitive) {

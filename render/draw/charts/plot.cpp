@@ -85,7 +85,7 @@ std::string subtitle(const trace::Study& study) {
 }
 
 /// With names as they are read and not as options spell them: "sweep and prune".
-trace::Study in_words(trace::Study study) {
+trace::Study named_in_words(trace::Study study) {
   for (trace::StudySeries& series : study.series) std::ranges::replace(series.method, '_', ' ');
   std::ranges::replace(study.signal, '_', ' ');
   return study;
@@ -199,7 +199,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
 }
 
 Drawing plot(const trace::Study& measured, int width, int height) {
-  const trace::Study study = in_words(measured);
+  const trace::Study study = named_in_words(measured);
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
   if (study.form == trace::StudyForm::Answers) return plot_answers(study, width, height);

@@ -10,7 +10,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kDarkestAt = 1000;  // tests
-constexpr float kDarkest = 0.62f;    // alpha
+constexpr float kDarkest = 0.42f;    // alpha: what stands on it is still seen
 
 /// By the number's digits: 1 is faint, a hundred twice as dark as ten.
 float alpha_of(double tests) {

@@ -7,10 +7,28 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr float kLeftOut = 0.22f;  // alpha of what no query looks at
+
 constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kNormal, 0, 2); }};
 constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
 constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
-                             [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
+                             [](auto& pen) { pen.area(kDropped, kLeftOut, 1.5, true); }};
+
+// The cut through the middle of a box across its shortest side: all of a box over a flat mesh.
+std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
+  int shortest = 0;
+  const Vec3d sizes = box.upper - box.lower;
+  sizes.minCoeff(&shortest);
+  const int u = (shortest + 1) % 3, v = (shortest + 2) % 3;
+  std::vector<Vec3d> corners(4, box.lower);
+  corners[1][u] = corners[2][u] = box.upper[u];
+  corners[2][v] = corners[3][v] = box.upper[v];
+  for (Vec3d& corner : corners) {
+    corner[shortest] = 0.5 * (box.lower[shortest] + box.upper[shortest]);
+    corner = mesh.pose.transform(corner);
+  }
+  return corners;
+}
 
 void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape* mesh = pair.tree ? scene.find(pair.tree->shape) : nullptr;
@@ -30,6 +48,8 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     const LineStyle style =
         visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kSidePlane, inner ? 0.8f : 1)}
                        : LineStyle{1.5f, kDropped, true};
+    if (!visit.overlaps)
+      sketch.surfaces.push_back({widest_cut(visit.box, *mesh), with_alpha(kDropped, kLeftOut)});
     outline(visit.box, mesh->pose, style, sketch);
     sketch.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
                    visit.overlaps ? "box of the tree, entered" : "box left out, with all below");

@@ -106,7 +106,7 @@ class PipelinePanel : public PanelContent {
       pen.fill({rest.x, rest.y, width, pen.px(kBarHeight)}, stage.color);
       sheet.skip(pen.px(kBarHeight + kAfterBar));
     }
-    sheet.line("bars: by the number of digits", kQuietText);
+    sheet.line("bars on a logarithmic scale", kQuietText);
     return {};
   }
 
