@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/convex_polygon.h"
+#include "draw/scene/answers.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
@@ -73,6 +74,20 @@ bool overlap(const std::vector<Vec2d>& polygon, const Eigen::AlignedBox2d& box) 
   return true;
 }
 
+// A pair without a name is called by what touches, where the view is about that: "edge on face: 2
+// points". Bounds give their answer with their name: what the picture is about is said in it.
+std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
+  if (!pair.label.empty()) {
+    return pair.query && !pair.query->bounds.empty() ? label_with_answer(pair) : pair.label;
+  }
+  if (!scene.shows(Layer::Features) || pair.manifolds.size() != 1) return {};
+  const trace::Manifold& manifold = pair.manifolds.front();
+  const std::size_t dash = manifold.type.find('-'), count = manifold.points.size();
+  if (dash == std::string::npos) return {};
+  return manifold.type.substr(0, dash) + " on " + manifold.type.substr(dash + 1) + ": " +
+         std::to_string(count) + (count == 1 ? " point" : " points");
+}
+
 }  // namespace
 
 // Above the silhouette of its body, if that is free ground; else above both shapes, beneath or
@@ -84,12 +99,17 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     const PlacedShape* shape = scene.find(name);
     return shape != nullptr && in_view(scene.camera, *shape);
   };
-  if (pair.label.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
+  const std::string words = pair_label_text(scene, pair);
+  if (words.empty() || (!is_seen(pair.a) && !is_seen(pair.b))) return;
   const trace::Pair* end = scene.frame.pairs.data() + scene.frame.pairs.size();
-  if (std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end) return;
+  if (!pair.label.empty() &&
+      std::ranges::find(&pair + 1, end, pair.label, &trace::Pair::label) != end)
+    return;
   // Where the same two shapes are asked several things, no place in the picture is any one's.
   const auto is_asked_beside = [&](const trace::Pair& other) {
-    return &other != &pair && other.a == pair.a && other.b == pair.b && (pair.query || other.query);
+    const bool same = (other.a == pair.a && other.b == pair.b) ||
+                      (other.a == pair.b && other.b == pair.a);
+    return &other != &pair && same && (pair.query || other.query);
   };
   if (std::ranges::any_of(scene.frame.pairs, is_asked_beside)) return;
   const PlacedShape* body = labelled_body(scene, pair);
@@ -111,7 +131,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   }
   const double pixel = scene.scales.pixel;
   const float size = static_cast<float>(pixel) * kPairLabelSize;
-  const Vec2d half(0.5 * text_width(pair.label, size, FontWeight::Bold) + 2, 0.5 * size);
+  const Vec2d half(0.5 * text_width(words, size, FontWeight::Bold) + 2, 0.5 * size);
   const Vec2d origin(at->x, at->y);
   const Rect& view = camera.viewport();
   const Vec2d low(view.x, view.y), high(view.right(), view.bottom());
@@ -152,7 +172,7 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
   const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
     return metres * (pixels.x() * camera.right() - pixels.y() * camera.up());
   };
-  sketch.label(middle + in_world(begin - origin), pair.label, kText, kPairLabelSize, kPairLabelGap,
+  sketch.label(middle + in_world(begin - origin), words, kText, kPairLabelSize, kPairLabelGap,
                Vec3d(in_world(place.out).normalized()));
 }
 

@@ -18,6 +18,7 @@
   ROW(ClipPolygons, "clip_polygons")           \
   ROW(Dropped, "dropped")                      \
   ROW(IncidentFace, "incident_face")           \
+  ROW(Features, "features")                    \
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
@@ -27,12 +28,14 @@
   ROW(TestedAxes, "tested_axes")               \
   ROW(Answer, "answer")                        \
   ROW(SatAxes, "sat_axes")                     \
+  ROW(SatQueries, "sat_queries")               \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Core, "core")                            \
   ROW(Simplex, "simplex")                      \
   ROW(Support, "support")                      \
   ROW(Coherent, "coherent")                    \
   ROW(Normals, "normals")                      \
+  ROW(WaysOut, "ways_out")                     \
   ROW(Contacts, "contacts")                    \
   ROW(Reduced, "reduced")                      \
   ROW(Ids, "ids")                              \

@@ -346,7 +346,7 @@ TEST(GaussMapInset, OneMarkForEachCrossingInFront) {
   EXPECT_EQ(picture.note, "2 pairs of arcs cross, 1 in front");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Dot, kAxis), 1u);
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Ring, kAxisText), 1u);
-  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edge 0 of A × edge 3 of B: −0.200 m"));
+  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("edge 0 × edge 3, overlap 0.200 m"));
 }
 
 TEST(GaussMapInset, TheBestAxisIsNeverBehindTheSphere) {
@@ -378,7 +378,7 @@ TEST(GaussMapInset, ACapsulesRingCrossesTheArcsBetweenItsTwoSides) {
   const Staged staged({frame}, view_of({Panel::GaussMap}), {cube("lower", 0.5), pill});
   const InsetPicture picture = staged.picture();
   EXPECT_THAT(picture.note, testing::StartsWith("6 pairs of arcs cross, "));
-  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal: −0.100 m"));
+  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal, overlap 0.100 m"));
 }
 
 TEST(StagesShown, InsetsAndStepsRecordWhatTheyShowAndNothingElse) {

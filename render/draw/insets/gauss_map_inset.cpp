@@ -153,6 +153,11 @@ class ShapeMap {
   std::vector<MapArc> arcs_;
 };
 
+std::string spell_overlap_or_gap(double separation) {
+  const std::string length = spell_length(std::abs(separation));
+  return (separation < 0 ? "overlap " : "gap ") + length;
+}
+
 void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const Camera& camera,
                Sketch& sketch) {
   if (!camera.faces(normal, normal)) return;
@@ -165,14 +170,14 @@ void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch)
   const bool of_a = sat.chosen == "face_a";
   const auto& face = of_a ? sat.face_a : sat.face_b;
   if (face && (of_a || sat.chosen == "face_b"))
-    draw_best(face->normal, (of_a ? "face of A: " : "face of B: ") + spell_length(face->separation),
+    draw_best(face->normal, (of_a ? "face of A: " : "face of B: ") + spell_overlap_or_gap(face->separation),
               true, camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
-              "edge " + std::to_string(sat.edge->a) + " of A × edge " +
-                  std::to_string(sat.edge->b) + " of B: " + spell_length(sat.edge->separation),
+              "edge " + std::to_string(sat.edge->a) + " × edge " + std::to_string(sat.edge->b) +
+                  ", " + spell_overlap_or_gap(sat.edge->separation),
               sat.chosen == "edge_edge", camera, sketch);
-  sketch.explain(kBestAxisSwatch, "best axis of a query, its separation");
+  sketch.explain(kBestAxisSwatch, "best axis of a query");
 }
 
 /// The direction that the picture is about; zero where there is none.
@@ -230,9 +235,9 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
   if (pair->sat) {
     draw_best_axes(*pair->sat, inset.camera, sketch);
   } else if (!pair->manifolds.empty()) {
-    draw_best(pair->manifolds.front().normal, "normal: " + spell_length(pair->separation), true,
+    draw_best(pair->manifolds.front().normal, "normal, " + spell_overlap_or_gap(pair->separation), true,
               inset.camera, sketch);
-    sketch.explain(kBestAxisSwatch, "the contact's normal, its separation");
+    sketch.explain(kBestAxisSwatch, "normal of the contact");
   }
   const std::size_t count = crossings.size();
   if (count > 0)

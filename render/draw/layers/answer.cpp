@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "draw/layers/layer.h"
 #include "draw/scene/answers.h"
 #include "draw/scene/quantity.h"
@@ -8,14 +10,27 @@ namespace {
 
 constexpr Swatch kPointsSwatch{LegendGroup::Axes, 4, [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
+bool is_near(const std::optional<Vec3d>& p, const std::optional<Vec3d>& q) {
+  return p && q && (*p - *q).norm() <= 1e-6 * (p->norm() + q->norm());
+}
+
+/// Between the same two points, whichever shape was named first.
+bool is_same_measure(const trace::Pair& pair, const trace::Pair& other) {
+  const trace::Query &one = *pair.query, &two = *other.query;
+  // Methods may find different points of two faces that are equally deep all over: one measure says it.
+  const bool same_length = std::abs(*one.gap - *two.gap) <= 1e-5 * std::abs(*one.gap);
+  if (other.a == pair.a && other.b == pair.b)
+    return same_length || (is_near(one.point_a, two.point_a) && is_near(one.point_b, two.point_b));
+  return other.a == pair.b && other.b == pair.a && is_near(one.point_a, two.point_b) &&
+         is_near(one.point_b, two.point_a);
+}
+
 void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.query || !pair.query->gap || !pair.query->point_a || !pair.query->point_b) return;
   const trace::Query& query = *pair.query;
   // Another question that has the same points for an answer has drawn them already.
   for (const trace::Pair* other = scene.frame.pairs.data(); other != &pair; ++other)
-    if (other->a == pair.a && other->b == pair.b && other->query && other->query->gap &&
-        other->query->point_a == query.point_a && other->query->point_b == query.point_b)
-      return;
+    if (other->query && other->query->gap && is_same_measure(pair, *other)) return;
   const bool apart = *query.gap >= 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
   for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);

@@ -1,12 +1,13 @@
 #include <algorithm>
 
+#include "draw/layers/clip_story.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact Clipping": Sutherland-Hodgman, one side plane after
-/// the other. The polygon of the last shown step is at full strength, earlier ones fade.
+/// the other. The polygon of the last shown step is at full strength, earlier ones fade; a story is told in clip_story.cpp.
 namespace contactscope::draw {
 namespace {
 
@@ -16,64 +17,85 @@ constexpr double kPlaneHeight = 0.22;
 constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1,
                                   [](auto& pen) { pen.area(kSidePlane, 0.2f, 1.2); }};
 
-// Gregorius 2015, "Hull vs Hull: Face Contact".
+// Gregorius 2015, "Hull vs Hull: Face Contact". In a story the faces are what is known already once
+// the first side plane cuts: outlines alone, so that the polygon stands out.
 template <bool kReference>
-void draw_clip_face(const Scene&, const trace::Pair& pair, Sketch& sketch) {
+void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip) return;
   const trace::Polygon& polygon = (kReference ? pair.clip->reference : pair.clip->incident).polygon;
   const Color color = kReference ? kReferenceFace : kIncidentFace;
-  sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, !kReference});
+  const bool known = tells_clip_story(scene, pair) && clip_steps_to_show(scene, pair) > 0;
+  if (known)
+    sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
+  else
+    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, !kReference});
   sketch.explain(kReference ? kReferenceFaceSwatch : kIncidentFaceSwatch,
                  kReference ? "reference face" : "incident face");
 }
 
-std::size_t steps_to_show(const Scene& scene, const trace::Pair& pair) {
-  if (!pair.clip) return 0;
-  if (scene.view.story != Story::ClipSteps) return pair.clip->steps.size();
-  return std::min(pair.clip->steps.size(), static_cast<std::size_t>(scene.frame.frame));
-}
+enum class PlaneLook {
+  Plain,   // one of all
+  Active,  // that cuts in this step of a story
+  Done,    // that has cut before
+};
 
-void draw_side_plane(const trace::Clip& clip, std::size_t step, bool is_new, Sketch& sketch) {
+void draw_side_plane(const trace::Clip& clip, std::size_t step, PlaneLook look, Sketch& sketch) {
   const trace::Polygon& face = clip.reference.polygon;
   const Vec3d& from = face[step];
   const Vec3d& to = face[(step + 1) % face.size()];
-  const Vec3d rise = 0.5 * kPlaneHeight * reach_of(face) * clip.reference.normal;
-  const Color border = with_alpha(kSidePlane, is_new ? 1.0f : 0.6f);
-  sketch.face({from - rise, to - rise, to + rise, from + rise},
-              with_alpha(kSidePlane, is_new ? 0.36f : 0.12f), {is_new ? 1.5f : 1.0f, border});
+  const bool active = look == PlaneLook::Active, done = look == PlaneLook::Done;
+  const double height = (active ? 1.5 : 1.0) * kPlaneHeight;
+  const Vec3d rise = 0.5 * height * reach_of(face) * clip.reference.normal;
+  const Color border = with_alpha(kSidePlane, done ? 0.6f : 1.0f);
+  const trace::Polygon corners = {from - rise, to - rise, to + rise, from + rise};
+  if (done) {
+    sketch.outline(corners, {1.0f, border});
+    return;
+  }
+  sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f), {active ? 3.0f : 1.5f, border});
   sketch.arrows.push_back({.from = 0.5 * (from + to),
                            .direction = clip.steps[step].normal,
-                           .pixels = 30,
-                           .width = 1.5f,
-                           .head = 8,
+                           .pixels = active ? 46.0f : 30.0f,
+                           .width = active ? 3.0f : 1.5f,
+                           .head = active ? 12.0f : 8.0f,
                            .color = border,
-                           .halo = false});
+                           .halo = active});
 }
 
 void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::size_t shown = steps_to_show(scene, pair);
-  const bool story = scene.view.story == Story::ClipSteps;
+  const std::size_t shown = clip_steps_to_show(scene, pair);
+  const bool story = tells_clip_story(scene, pair);
+  const bool over = story && static_cast<std::size_t>(scene.frame.frame) > shown;
   for (std::size_t k = 0; k < shown; ++k)
-    draw_side_plane(*pair.clip, k, !story || k + 1 == shown, sketch);
+    draw_side_plane(*pair.clip, k,
+                    !story                      ? PlaneLook::Plain
+                    : k + 1 == shown && !over ? PlaneLook::Active
+                                                : PlaneLook::Done,
+                    sketch);
   if (shown > 0) sketch.explain(kSidePlaneSwatch, "side plane, outward normal");
 }
 
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::size_t shown = steps_to_show(scene, pair);
+  const std::size_t shown = clip_steps_to_show(scene, pair);
+  const bool story = tells_clip_story(scene, pair);
+  if (story) draw_clip_story(scene, pair, sketch);
   for (std::size_t k = 0; k < shown; ++k) {
     const trace::Polygon& polygon = pair.clip->steps[k].polygon;
     const bool last = k + 1 == shown;
-    if (polygon.empty()) continue;
-    sketch.outline(polygon, {2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
+    if (polygon.empty() || (story && !last)) continue;
+    sketch.outline(polygon,
+                   {story ? 3.5f : 2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     if (!last) continue;
-    sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, 0.22f)});
+    sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
     sketch.explain(kClipPolygonSwatch, "clip polygon");
   }
 }
 
 /// Points that the clipping took away for good, once all of its steps are shown.
 void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.clip || steps_to_show(scene, pair) < pair.clip->steps.size()) return;
+  if (!pair.clip) return;
+  const bool over = static_cast<std::size_t>(scene.frame.frame) > pair.clip->steps.size();
+  if (tells_clip_story(scene, pair) && !over) return;
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;
     sketch.mark(MarkKind::Cross, point.position, kDropped);

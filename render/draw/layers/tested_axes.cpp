@@ -56,17 +56,18 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                              .head = 11,
                              .color = color,
                              .open = axis->skipped});
-    std::string text = spell_axis(query, *axis);
-    if (is_short(*axis)) text += ", length " + printed("%.1e", axis->length);
+    const std::string text =
+        is_short(*axis) ? "length " + printed("%.1e", axis->length) : spell_axis(query, *axis);
     const double metres = kArrow * scene.scales.pixel / scene.camera.pixels_per_metre(middle);
     sketch.label(middle + metres * axis->direction, text, axis->separates ? kAxisText : kQuietText,
                  16, 8, axis->direction);
     sketch.explain(axis->separates ? kSeparatingSwatch
                    : axis->skipped ? kSkippedSwatch
                                    : kTestedSwatch,
-                   axis->separates ? "axis that separates"
-                   : axis->skipped ? "cross product, skipped"
-                                   : "axis without a gap");
+                   axis->separates ? is_short(*axis) ? "cross product of two edges, separates" : "axis that separates"
+                   : axis->skipped ? "cross product of two edges, skipped"
+                                   : is_short(*axis)    ? "cross product of two edges"
+                                      : "axis without a gap");
   }
 }
 

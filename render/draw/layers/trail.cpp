@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostSkins = 12;  // of one shape; older ones are left out
 
 constexpr LineStyle kPast{1.2f, kDropped};
-constexpr LineStyle kWay{1.2f, kDropped, true};
+constexpr LineStyle kTrailWay{1.2f, kDropped, true};
 
 constexpr Swatch kPastSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.area(kDropped, 0, 1.2); }};
 
@@ -38,7 +38,7 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
       draw_ghost(scene.camera,
                  moved(shape, now, then.transform(middle) - now, Vec3d(back.angle() * back.axis())),
                  kPast, sketch);
-      sketch.line(then.transform(middle), then.transform(middle) + way, kWay);
+      sketch.line(then.transform(middle), then.transform(middle) + way, kTrailWay);
       sketch.explain(kPastSwatch, "in the frames before");
     }
   }

@@ -16,7 +16,7 @@ constexpr Swatch kFalsePositiveSwatch{LegendGroup::Trees, 5, [](auto& pen) {
                                       }};
 constexpr Swatch kOverlappingSwatch{
     LegendGroup::Trees, 6, [](auto& pen) { pen.area(answer_color(AnswerKind::Yes), 0, 2.5); }};
-constexpr Swatch kApartSwatch{
+constexpr Swatch kBoundsApartSwatch{
     LegendGroup::Trees, 7, [](auto& pen) { pen.area(answer_color(AnswerKind::No), 0, 1.5, true); }};
 
 constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
@@ -26,7 +26,7 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
 void explain(AnswerKind kind, Sketch& sketch) {
   switch (kind) {
     case AnswerKind::No:
-      return sketch.explain(kApartSwatch, "bounds say no");
+      return sketch.explain(kBoundsApartSwatch, "bounds say no");
     case AnswerKind::Yes:
       return sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
     case AnswerKind::FalsePositive:
@@ -74,7 +74,7 @@ void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const Vec3d& corner : extent_points(volume))
     if (volume.half_extents && way.dot(corner) > way.dot(at)) at = corner;
   if (volume.radius) at += *volume.radius * (scene.camera.up() + scene.camera.right()).normalized();
-  sketch.label(at, pair.label, kText, 16, 8, Vec3d(at - volume.center));
+  sketch.label(at, label_with_answer(pair), kText, 16, 8, Vec3d(at - volume.center));
 }
 
 void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -49,7 +49,7 @@ class AnswersPanel : public PanelContent {
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
-    sheet.heading("answers, frame by frame");
+    sheet.heading(is_sequence() ? "answers, frame by frame" : "answers");
     if (histories_.empty()) {
       sheet.paragraph("does not apply: no pair is asked anything in this sequence", kQuietText);
       return {};
@@ -59,8 +59,9 @@ class AnswersPanel : public PanelContent {
       const bool fits = row_height() <= static_cast<float>(sheet.rest().height) + 1;
       if (shown > 0 && !fits) break;
       sheet.line(history.name + ": " + told(history, moment.frame), kText);
-      draw_cells(history, moment.frame, sheet);
-      sheet.skip((kBarLines * sheet.text_height()) + kBelowBar * scale_);
+      if (is_sequence()) draw_cells(history, moment.frame, sheet);
+      const float bar = is_sequence() ? kBarLines * sheet.text_height() : 0;
+      sheet.skip(bar + kBelowBar * scale_);
       ++shown;
     }
     return sheet.more(histories_.size() - shown, "pair", "pairs");
@@ -68,7 +69,14 @@ class AnswersPanel : public PanelContent {
 
  private:
   float row_height() const {
-    return Sheet::line_height(scale_) * (1 + kBarLines) + (kBelowBar + 2) * scale_;
+    const float bar = is_sequence() ? kBarLines : 0;
+    return Sheet::line_height(scale_) * (1 + bar) + (kBelowBar + 2) * scale_;
+  }
+
+  /// A frame alone has no history.
+  bool is_sequence() const {
+    return std::ranges::any_of(
+        histories_, [](const AnswerHistory& history) { return history.answers.size() > 1; });
   }
 
   /// Of shapes the answer of a frame; of bounds those up to it: "yes 12 of 24, 5 false (42 %)".

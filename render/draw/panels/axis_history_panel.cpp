@@ -16,12 +16,14 @@ constexpr std::array<AxisRow, 3> kAxisRows{
     {{"face_a", "face A"}, {"face_b", "face B"}, {"edge_edge", "edges"}}};
 
 // Lines of text.
-constexpr float kMostRow = 1.8f;
+constexpr float kMostRow = 3.6f;
 constexpr float kLeastRow = 0.9f;
-constexpr float kAroundHistory = 1.6f;  // a title and space below
+constexpr float kAroundHistory = 2.8f;  // a title, the frames and space below
+constexpr float kHeadline = 2.4f;       // how often the cache answered, where one pair is shown
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
-constexpr double kNameColumn = 62;  // pixels at 720 lines
+constexpr double kNameColumn = 62;    // pixels at 720 lines
+constexpr double kHeadlineSize = 30;  // likewise
 
 bool from_cache(const trace::Pair& pair) {
   return pair.cache && pair.cache->hit;
@@ -31,17 +33,27 @@ std::string number_of(int number, const std::string& one, const char* plural) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : plural);
 }
 
-/// Up to a frame: "2 switches", and where a cache is at work how often the full test ran.
-std::string told(const std::vector<AxisMoment>& moments, std::size_t now) {
+/// What happened up to a frame.
+struct AxisCounts {
   int switches = 0, hits = 0, tests = 0;
+};
+
+AxisCounts counted(const std::vector<AxisMoment>& moments, std::size_t now) {
+  AxisCounts counts;
   for (const AxisMoment& moment : std::span(moments).first(now + 1)) {
     if (moment.pair == nullptr) continue;
-    switches += moment.switched;
-    ++(from_cache(*moment.pair) ? hits : tests);
+    counts.switches += moment.switched;
+    ++(from_cache(*moment.pair) ? counts.hits : counts.tests);
   }
-  std::string text = number_of(switches, "switch", "es");
-  if (hits > 0)
-    text += ", " + number_of(tests, "full test", "s") + ", " + number_of(hits, "cache hit", "s");
+  return counts;
+}
+
+/// "2 switches", and where a cache is at work how often the full test ran.
+std::string told(const AxisCounts& counts) {
+  std::string text = number_of(counts.switches, "switch", "es");
+  if (counts.hits > 0)
+    text += ", " + number_of(counts.tests, "full test", "s") + ", " +
+            number_of(counts.hits, "cache hit", "s");
   return text;
 }
 
@@ -65,7 +77,7 @@ class AxisHistoryPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const float line = Sheet::line_height(scale_);
-    const float frame = Sheet::heading_height(scale_) + (cached_ ? line : 0);
+    const float frame = Sheet::heading_height(scale_) + (cached_ ? line : 0) + headline_height();
     const float each = kLeastHistory * line;
     return {frame + each + (count_ > 1 ? line : 0),
             frame + each * std::max(1.0f, static_cast<float>(count_)), 0, 1};
@@ -78,7 +90,8 @@ class AxisHistoryPanel : public PanelContent {
                       kQuietText);
       return {};
     }
-    if (cached_) sheet.line("half as high: from the cache, untested", kText);
+    if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
+    if (cached_) sheet.line("half as high: answered from the cache", kText);
     const float line = sheet.line_height();
     auto available = static_cast<float>(sheet.rest().height);
     if (kLeastHistory * line * static_cast<float>(count_) > available)
@@ -89,14 +102,43 @@ class AxisHistoryPanel : public PanelContent {
         std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
                                       static_cast<float>(kAxisRows.size()));
     for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
-      sheet.line(name + ": " + told(moments, moment.frame), kText);
+      sheet.line(name + ": " + told(counted(moments, moment.frame)), kText);
       draw_rows(moments, moment.frame, row, sheet);
-      sheet.skip(row * static_cast<float>(kAxisRows.size()) + 0.5f * line);
+      sheet.skip(row * static_cast<float>(kAxisRows.size()));
+      draw_ends(moments.size(), sheet);
+      sheet.skip(1.5f * line);
     }
     return sheet.more(count_ - shown, "pair", "pairs");
   }
 
  private:
+  /// Of a single pair whose answers came from the cache.
+  float headline_height() const {
+    return cached_ && count_ == 1 ? kHeadline * Sheet::line_height(scale_) : 0;
+  }
+
+  /// What the history comes to, large enough to be read on a thumbnail.
+  void draw_headline(const std::vector<AxisMoment>& moments, std::size_t now, Sheet& sheet) const {
+    const AxisCounts counts = counted(moments, now);
+    const Rect rest = sheet.rest();
+    const Pen& pen = sheet.pen();
+    const std::string number = std::to_string(counts.hits) + " of " + std::to_string(now + 1);
+    const Point2 at = pixel(rest.x, rest.y + pen.px(kHeadlineSize));
+    pen.text(number, at, Align::Left, kAxisText, Weight::Bold, kHeadlineSize);
+    const float used = text_width(number + " ", pen.px(kHeadlineSize), Weight::Bold);
+    pen.text("frames need no full test", {at.x + used, at.y}, Align::Left, kText, Weight::Bold, 17);
+    sheet.skip(headline_height());
+  }
+
+  /// Under the rows: the first and the last frame of the sequence.
+  static void draw_ends(std::size_t frames, const Sheet& sheet) {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double y = rest.y + sheet.text_height();
+    pen.text("frame 0", pixel(rest.x + pen.px(kNameColumn), y), Align::Left, kQuietText);
+    pen.text(std::to_string(frames - 1), pixel(rest.right(), y), Align::Right, kQuietText);
+  }
+
   static void draw_rows(const std::vector<AxisMoment>& moments, std::size_t now, float row,
                         const Sheet& sheet) {
     const Pen& pen = sheet.pen();

@@ -15,6 +15,7 @@ constexpr double kMapFree = 0.14;    // of the map's size, free on every side
 constexpr float kLeastMapLines = 5;  // lines of text that the map and its scale are high
 constexpr float kCaptionLines = 2.4f;
 constexpr int kRoundSteps = 96;
+constexpr double kProjectionRadius = 7.5;  // pixels at 720 lines
 
 /// Shapes of the pair that are round: their outline along the normal is context for one or two
 /// points, which have no extent of their own. Their vertices are the centre of a sphere, or both ends
@@ -63,6 +64,8 @@ class ContactPlanePanel : public PanelContent {
       const trace::Pair* pair = pair_of_contact_plane(frame);
       if (pair == nullptr) continue;
       append(points_, positions_of(*pair));
+      if (pair->stability && staging.view.shows(Layer::CenterOfMass))
+        points_.push_back(pair->stability->projection);
       if (pair->clip) append(points_, pair->clip->incident.polygon);
       const std::vector<PlacedShape> round = round_shapes(staging.meshes, frame, *pair);
       const auto smallest = std::ranges::min_element(
@@ -96,6 +99,7 @@ class ContactPlanePanel : public PanelContent {
     draw_round_shapes(*pair, frame, plane);
     if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane);
     const std::vector<std::string> words = draw_points(*pair, plane);
+    if (staging_.view.shows(Layer::CenterOfMass)) draw_projection(*pair, plane);
     plane.scale_bar(0.3, caption - 0.2 * line);
     sheet.skip_to(rest.bottom() - 2 * line);
     sheet.lines(words, kText);
@@ -149,22 +153,32 @@ class ContactPlanePanel : public PanelContent {
     }
   }
 
+  /// Of the centre of mass, along the normal: within the points or not.
+  static void draw_projection(const trace::Pair& pair, const ContactPlane& plane) {
+    if (!pair.stability || pair.stability->verdict == "no contact") return;
+    const Point2 at = plane.at(pair.stability->projection);
+    if (plane.map.contains(at))
+      draw_quartered_disc(at, plane.px(kProjectionRadius), plane.px(1.4), plane.drawing());
+  }
+
   /// Returns what they come to.
   std::vector<std::string> draw_points(const trace::Pair& pair, const ContactPlane& plane) const {
     if (reduction_in_contact_plane(pair)) return draw_reduction(*pair.reduction, plane);
     const std::vector<PairPoint> points = all_points(pair);
     for (const PairPoint& any : points) draw_point(*any.point, plane);
-    std::string text = std::to_string(points.size());
+    const std::string text = std::to_string(points.size());
     if (pair.manifolds.size() > 1) {
       // Each was reduced by itself, and the record holds one of these reductions.
       return {text + " points in " + std::to_string(pair.manifolds.size()) + " manifolds"};
     }
-    text += points.size() == 1 ? " point, no area" : " points";
-    if (points.size() == 2) {
-      const Vec3d way = points[1].point->position - points[0].point->position;
-      text += ", " + spell_length(way.norm()) + " apart";
-    }
-    return {text};
+    if (points.size() < 3)
+      return {words_without_area(mapped(points, [](const PairPoint& any) { return *any.point; }))};
+    return {text + " points"};
+  }
+
+  static std::string words_without_area(const std::vector<trace::Point>& points) {
+    if (points.size() != 2) return std::to_string(points.size()) + " point, no area";
+    return "2 points, " + spell_length((points[1].position - points[0].position).norm()) + " apart";
   }
 
   std::vector<std::string> draw_reduction(const trace::Reduction& reduction,
@@ -181,6 +195,7 @@ class ContactPlanePanel : public PanelContent {
         draw_point(reduction.points[i], plane);
     }
     if (fewer) plane.number_kept(places, kept, 1);
+    if (kept.size() < 3) return {words_without_area(mapped(kept, [&](int i) { return reduction.points[static_cast<std::size_t>(i)]; }))};
     std::vector<std::string> words = {"area of the kept points " + spell_area(reduction.area)};
     if (fewer && reduction.best_area > 0)
       words.push_back(printed("%.1f %% of the best %zu of %zu points",

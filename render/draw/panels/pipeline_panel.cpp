@@ -40,8 +40,9 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
   if (frame.broad_phase) {
     stages.push_back({"pairs of " + std::to_string(shapes) + " shapes",
                       std::int64_t{shapes} * (shapes - 1) / 2, kShapeEdge});
-    stages.push_back(
-        {"pairs of boxes compared", frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
+    const bool ends = frame.broad_phase->method == "sweep_and_prune";
+    stages.push_back({ends ? "ends that passed each other" : "pairs of boxes compared",
+                      frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
     stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kSidePlane});
   } else {
     stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kSidePlane});
@@ -62,6 +63,12 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
     stages.push_back({"contact points", points, kContact});
   }
   return stages;
+}
+
+/// "sweep and prune", as people call it.
+std::string spaced(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
 /// What a bar is as long as: a stage often lets one of a thousand through.
@@ -88,7 +95,7 @@ class PipelinePanel : public PanelContent {
   /// A bar a stage, on the same scale in every frame, so that a bar that grows is a count that does.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
-    sheet.heading(frame.broad_phase ? "what each stage lets through: " + frame.broad_phase->method
+    sheet.heading(frame.broad_phase ? "broad phase: " + spaced(frame.broad_phase->method)
                                     : "what each stage lets through");
     for (const StageCount& stage : stages_of(frame, use_)) {
       const Rect row = sheet.rest();

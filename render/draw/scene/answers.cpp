@@ -103,6 +103,20 @@ std::string spell_answer(const trace::Pair& pair) {
   return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair);
 }
 
+std::string label_with_answer(const trace::Pair& pair) {
+  switch (answer_kind(pair)) {
+    case AnswerKind::Yes:
+      return pair.label + ": yes";
+    case AnswerKind::No:
+      return pair.label + ": no";
+    case AnswerKind::FalsePositive:
+      return pair.label + ": yes, falsely";
+    case AnswerKind::Missed:
+      break;
+  }
+  return pair.label + ": no, falsely";
+}
+
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis) {
   if (query.bounds == "aabb") {
     constexpr const char* kNames[] = {"x", "y", "z"};

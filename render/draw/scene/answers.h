@@ -28,6 +28,9 @@ std::string spell_question(const trace::Query& query);
 /// "yes, though the shapes are 12.0 cm apart: a false positive"
 std::string spell_answer(const trace::Pair& pair);
 
+/// Of a pair whose bounds were asked, its label with what they say: "spheres: yes, falsely".
+std::string label_with_answer(const trace::Pair& pair);
+
 /// "x", "face 1 of A", "edges 0 × 2", "towards the nearest point"; of axis-aligned boxes the axes of
 /// the world.
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis);

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kJoin = 0.25f;    // pixels
 constexpr float kAvoided = 1.5f;  // pixels: labels keep off lines of this width
+constexpr double kHeadingSize = 21;  // pixels at 720 lines
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 
 struct Composer {
@@ -27,6 +28,7 @@ struct Composer {
     each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_inside);
     each_of(&Sketch::arrows, &SketchPart::arrows, "arrow", &Composer::draw_arrow);
     each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_outside);
+    draw_heading();
     each_of(&Sketch::labels, &SketchPart::labels, "label", &Composer::draw_label);
   }
 
@@ -221,6 +223,19 @@ struct Composer {
     if (!at || !layout.view.contains(*at)) return;
     const float reach = draw_mark(mark.kind, *at, mark.color, pen);
     if (reach > 0) placer.block(*at, reach);
+  }
+
+  // Always at the same place, so that the steps of a story can be paged through.
+  void draw_heading() {
+    if (sketch.heading.empty()) return;
+    drawing.begin("heading", {}, "label");
+    const float size = px(kHeadingSize);
+    const float width = static_cast<float>(layout.view.width);
+    const std::string text = fitted(sketch.heading, size, Weight::Bold, width);
+    const Point2 at = pixel(layout.view.x, layout.view.y + 0.8 * size);
+    pen.text(text, at, Align::Left, kText, Weight::Bold, kHeadingSize, 3);
+    const Point2 middle{at.x, at.y - 0.3f * size};
+    placer.block(middle, {middle.x + text_width(text, size, Weight::Bold), middle.y}, size);
   }
 
   Point2 wanted_direction(const Label& label, const Point2& at) const {

@@ -121,6 +121,7 @@ struct Sketch {
   std::vector<Mark> marks;
   std::vector<Label> labels;
   std::vector<Eigen::AlignedBox2d> pair_labels;  // text on the screen that others keep clear of
+  std::string heading;                           // over the view: which step of a story this is
   Legend legend;
   Vec3d center = Vec3d::Zero();  // labels stand away from it
 

@@ -1,0 +1,153 @@
+#include "draw/layers/clip_story.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/newell_normal.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr double kSameCorner = 1e-6;   // of the face's size: float leaves less
+constexpr double kHatchPixels = 9;     // between two lines, at 720 lines
+constexpr double kHatchTurn = 0.7;     // radians from the polygon's first edge
+
+constexpr Swatch kCutAwaySwatch{LegendGroup::Faces, 5, [](auto& pen) { pen.hatched(kDropped); }};
+constexpr Swatch kMadeCornerSwatch{LegendGroup::Points, 2,
+                                   [](auto& pen) { pen.dot(0, 4.8, kClipPolygon); }};
+
+const trace::Polygon& polygon_before(const trace::Clip& clip, std::size_t step) {
+  return step == 0 ? clip.incident.polygon : clip.steps[step - 1].polygon;
+}
+
+bool has_corner(const trace::Polygon& polygon, const Vec3d& corner, double tolerance) {
+  return std::ranges::any_of(
+      polygon, [&](const Vec3d& other) { return (other - corner).norm() <= tolerance; });
+}
+
+std::string count_spelled(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string words_of_step(const trace::Clip& clip, std::size_t steps) {
+  const std::string of = " of " + std::to_string(clip.steps.size());
+  const std::string plane = "Side plane " + std::to_string(steps) + of;
+  const trace::Polygon& before = polygon_before(clip, steps - 1);
+  const trace::Polygon& after = clip.steps[steps - 1].polygon;
+  const double tolerance = kSameCorner * reach_of(clip.incident.polygon);
+  const auto lost = static_cast<std::size_t>(std::ranges::count_if(
+      before, [&](const Vec3d& corner) { return !has_corner(after, corner, tolerance); }));
+  const auto made = static_cast<std::size_t>(std::ranges::count_if(
+      after, [&](const Vec3d& corner) { return !has_corner(before, corner, tolerance); }));
+  if (lost == 0 && made == 0) return plane + " cuts nothing";
+  return plane + " cuts " + count_spelled(lost, "corner", "corners") + " away and makes " +
+         std::to_string(made);
+}
+
+std::string words_of_result(const trace::Pair& pair) {
+  const std::size_t kept = all_points(pair).size();
+  const auto above = static_cast<std::size_t>(
+      std::ranges::count_if(pair.clip->dropped, [&](const trace::DroppedPoint& point) {
+        return !is_kept(pair, point);
+      }));
+  std::string words = count_spelled(kept, "corner is", "corners are") + " at or below the reference face";
+  if (above > 0) words += ", " + std::to_string(above) + " above it dropped";
+  return words;
+}
+
+}  // namespace
+
+bool tells_clip_story(const Scene& scene, const trace::Pair& pair) {
+  return pair.clip && scene.view.story == Story::ClipSteps;
+}
+
+std::size_t clip_steps_to_show(const Scene& scene, const trace::Pair& pair) {
+  if (!pair.clip) return 0;
+  if (!tells_clip_story(scene, pair)) return pair.clip->steps.size();
+  return std::min(pair.clip->steps.size(), static_cast<std::size_t>(scene.frame.frame));
+}
+
+std::vector<NumberedCorner> numbered_corners(const trace::Clip& clip, std::size_t steps) {
+  const double tolerance = kSameCorner * reach_of(clip.incident.polygon);
+  std::vector<NumberedCorner> made;
+  for (std::size_t k = 0; k < steps; ++k) {
+    for (NumberedCorner& corner : made) corner.is_new = false;
+    for (const Vec3d& corner : clip.steps[k].polygon) {
+      if (!has_corner(polygon_before(clip, k), corner, tolerance))
+        made.push_back({corner, static_cast<int>(made.size()) + 1, true});
+    }
+  }
+  std::erase_if(made, [&](const NumberedCorner& corner) {
+    return !has_corner(clip.steps[steps - 1].polygon, corner.position, tolerance);
+  });
+  return made;
+}
+
+trace::Polygon cut_away(const trace::Clip& clip, std::size_t step) {
+  const trace::ClipStep& plane = clip.steps[step];
+  const double tolerance = kSameCorner * reach_of(clip.incident.polygon);
+  trace::Polygon outside = clipped(
+      polygon_before(clip, step),
+      [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset; }, zero_between, tolerance);
+  // A polygon that lies beneath the plane keeps what is on its border, which has no area.
+  const bool any = std::ranges::any_of(outside, [&](const Vec3d& p) {
+    return plane.normal.dot(p) - plane.offset > tolerance;
+  });
+  return any && outside.size() > 2 ? outside : trace::Polygon{};
+}
+
+void hatch_in_space(const Camera& camera, const trace::Polygon& polygon, double pixels,
+                    const LineStyle& style, Sketch& sketch) {
+  if (polygon.size() < 3) return;
+  const Vec3d middle = mean_of(polygon);
+  const Vec3d normal = newell_normal(polygon).normalized();
+  const Vec3d edge = (polygon[1] - polygon[0]).normalized();
+  const Vec3d along = std::cos(kHatchTurn) * edge + std::sin(kHatchTurn) * normal.cross(edge);
+  const Vec3d across = normal.cross(along);
+  const double spacing = pixels / camera.pixels_per_metre(middle);
+  double least = 1e300, most = -1e300;
+  for (const Vec3d& p : polygon) {
+    least = std::min(least, across.dot(p - middle));
+    most = std::max(most, across.dot(p - middle));
+  }
+  for (double at = (std::floor(least / spacing) + 0.5) * spacing; at < most; at += spacing) {
+    std::vector<Vec3d> ends;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const double at_p = across.dot(p - middle) - at, at_q = across.dot(q - middle) - at;
+      if ((at_p < 0) != (at_q < 0)) ends.push_back(zero_between(p, q, at_p, at_q));
+    }
+    if (ends.size() == 2) sketch.line(ends[0], ends[1], style);
+  }
+}
+
+void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const trace::Clip& clip = *pair.clip;
+  const std::size_t steps = clip_steps_to_show(scene, pair);
+  if (steps == 0) {
+    sketch.heading = "The two faces before clipping";
+    return;
+  }
+  if (static_cast<std::size_t>(scene.frame.frame) > clip.steps.size()) {
+    sketch.heading = words_of_result(pair);
+    return;
+  }
+  sketch.heading = words_of_step(clip, steps);
+  const trace::Polygon gone = cut_away(clip, steps - 1);
+  if (!gone.empty()) {
+    hatch_in_space(scene.camera, gone, kHatchPixels * scene.scales.pixel,
+                   {1.6f, with_alpha(kDropped, 0.9f)}, sketch);
+    sketch.outline(gone, {1.6f, kDropped});
+    sketch.explain(kCutAwaySwatch, "cut away");
+  }
+  for (const NumberedCorner& corner : numbered_corners(clip, steps)) {
+    sketch.mark(corner.is_new ? MarkKind::Dot : MarkKind::Node, corner.position, kClipPolygon);
+    sketch.label(corner.position, std::to_string(corner.number), kClipPolygon,
+                 corner.is_new ? 22.0f : 17.0f, corner.is_new ? 11 : 8);
+    if (corner.is_new) sketch.explain(kMadeCornerSwatch, "new corner, in the order made");
+  }
+}
+
+}  // namespace contactscope::draw

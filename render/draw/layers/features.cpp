@@ -1,0 +1,83 @@
+#include <algorithm>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
+
+/// What touches: a corner, an edge or a face of the one shape on a face of the other, or two edges.
+/// It names the contact, and says how many points it can have.
+namespace contactscope::draw {
+namespace {
+
+constexpr Swatch kTouchingFeatureSwatch{
+    LegendGroup::Faces, 6, [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
+
+/// The edge of which both ends lie farthest along `way`.
+std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, const Vec3d& way) {
+  std::optional<std::array<Vec3d, 2>> best;
+  double most = -1e300;
+  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+    const Vec3d &from = shape.vertex(edge.from), &to = shape.vertex(edge.to);
+    const double reach = way.dot(from) + way.dot(to);
+    if (reach <= most) continue;
+    most = reach;
+    best = {from, to};
+  }
+  return best;
+}
+
+// In the colour of the incident face, whose features they are.
+void draw_feature(const PlacedShape& shape, const Vec3d& way, std::string_view kind,
+                  Sketch& sketch) {
+  if (shape.vertices.empty() || shape.mesh->normals.empty()) return;
+  if (kind == "point") {
+    const auto corner = std::ranges::max_element(
+        shape.vertices, {}, [&](const Vec3d& vertex) { return way.dot(vertex); });
+    sketch.mark(MarkKind::WideRing, *corner, kIncidentFace);
+    sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
+  } else if (kind == "edge") {
+    if (const auto edge = farthest_edge(shape, way)) {
+      sketch.line((*edge)[0], (*edge)[1], {6.0f, kIncidentFace});
+      sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
+    }
+  } else if (kind == "face") {
+    int best = 0;
+    for (int face = 1; face < count_of(shape.mesh->normals); ++face)
+      if (way.dot(shape.normal(face)) > way.dot(shape.normal(best))) best = face;
+    sketch.face(shape.polygon(best), with_alpha(kIncidentFace, 0.35f), {5.0f, kIncidentFace});
+    sketch.explain(kTouchingFeatureSwatch, "corner, edge or face that touches");
+  }
+}
+
+void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
+                        const trace::Manifold& manifold, Sketch& sketch) {
+  for (const PairEdge& edge : edges_in(manifold.points.front().id)) {
+    const auto ends = scene.edge(edge.of_a ? pair.a : pair.b, edge.index);
+    if (!ends) continue;
+    sketch.line((*ends)[0], (*ends)[1], {6.0f, kAxis});
+    sketch.explain(kDecidingEdgesSwatch, "edges that cross");
+  }
+}
+
+void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    if (manifold.points.empty()) continue;
+    if (manifold.axis == "edge_edge") {
+      draw_crossed_edges(scene, pair, manifold, sketch);
+      continue;
+    }
+    // The face is the reference; its type names the lesser feature first, which is the other's.
+    const bool of_b = manifold.axis != "face_b";
+    const PlacedShape* shape = scene.find(of_b ? pair.b : pair.a);
+    if (shape == nullptr) continue;
+    const std::string_view type = manifold.type;
+    draw_feature(*shape, of_b ? Vec3d(-manifold.normal) : manifold.normal,
+                 type.substr(0, type.find('-')), sketch);
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kFeaturesLayer{.search = draw_features};
+
+}  // namespace contactscope::draw

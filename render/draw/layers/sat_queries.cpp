@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
+
+/// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": its three queries side by side, each with
+/// the shapes again. Of each the best axis: the plane of the face, or those of the two edges, extended,
+/// the plane through the support point, and the separation between them. With a parallel projection all
+/// columns are the same picture of the shapes.
+namespace contactscope::draw {
+namespace {
+
+constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
+constexpr double kPlaneReach = 0.95;  // of an extended plane beyond its middle, of both shapes' size
+constexpr double kQueryName = 22;     // pixels
+
+constexpr Swatch kBestPlaneSwatch{LegendGroup::Axes, 5,
+                                  [](auto& pen) { pen.area(kAxis, 0.25f, 1.5); }};
+constexpr Swatch kSupportVertexSwatch{LegendGroup::Axes, 6,
+                                      [](auto& pen) { pen.dot(0, 5.0, kAxisText); }};
+
+/// What one query found: from the plane to the support point runs separation times normal.
+struct BestAxis {
+  Vec3d on_plane = Vec3d::Zero(), support = Vec3d::Zero();
+  Vec3d normal = Vec3d::Zero();  // unit, outward from the plane
+  double separation = 0;         // metres
+  std::vector<Vec3d> face{};     // the face whose plane it is; of edges none
+  std::vector<std::array<Vec3d, 2>> edges{};
+};
+
+std::array<std::optional<BestAxis>, 3> best_axes(const Scene& scene, const trace::Pair& pair) {
+  std::array<std::optional<BestAxis>, 3> found;
+  for (const bool of_a : {true, false}) {
+    const auto& axis = of_a ? pair.sat->face_a : pair.sat->face_b;
+    const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
+    if (!axis || shape == nullptr) continue;
+    const Vec3d normal = of_a ? axis->normal : Vec3d(-axis->normal);
+    found[of_a ? 0 : 1] = BestAxis{.on_plane = axis->support - axis->separation * normal,
+                                   .support = axis->support,
+                                   .normal = normal,
+                                   .separation = axis->separation,
+                                   .face = shape->polygon(axis->face)};
+  }
+  if (pair.sat->edge) {
+    const trace::EdgeAxis& edge = *pair.sat->edge;
+    BestAxis& best = found[2].emplace();
+    best = {.on_plane = edge.point_b - edge.separation * edge.normal,
+            .support = edge.point_b,
+            .normal = edge.normal,
+            .separation = edge.separation};
+    for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}})
+      if (const auto ends = scene.edge(*name, index)) best.edges.push_back(*ends);
+  }
+  return found;
+}
+
+/// All in the unit that suits the largest: "0.390 m", "68.6 mm".
+std::string in_unit_of(double largest, double metres) {
+  const Prefix prefix = prefix_for(largest);
+  return printed(prefix.size == 1 ? "%.3f " : "%.1f ", std::abs(metres) / prefix.size) +
+         prefix.name + "m";
+}
+
+trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
+                            double half) {
+  const Vec3d u = (along - along.dot(normal) * normal).normalized(), v = normal.cross(u);
+  return {middle - half * (u + v), middle + half * (u - v), middle + half * (u + v),
+          middle - half * (u - v)};
+}
+
+PlacedShape moved(const PlacedShape& shape, const Vec3d& by) {
+  PlacedShape copy = shape;
+  copy.pose.position += by;
+  for (Vec3d& vertex : copy.vertices) vertex += by;
+  return copy;
+}
+
+/// One column: the shapes and a query's best axis, moved there.
+struct Column {
+  const Scene& scene;
+  Sketch& sketch;
+  Vec3d offset;
+
+  void draw_best(const BestAxis& best, bool chosen, double size) const {
+    const Vec3d along = best.face.empty() ? Vec3d(best.edges[0][1] - best.edges[0][0])
+                                          : Vec3d(best.face[1] - best.face[0]);
+    const Vec3d middle = offset + (best.face.empty() ? best.on_plane : mean_of(best.face));
+    const Vec3d foot = offset + best.support - best.separation * best.normal;
+    const float strength = chosen ? 1.0f : 0.6f;
+    sketch.face(square_about(middle, best.normal, along, kPlaneReach * size),
+                with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
+    sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * kPlaneReach * size),
+                   {1.5f, with_alpha(kAxis, strength), true});
+    if (!best.face.empty()) {
+      std::vector<Vec3d> face = best.face;
+      for (Vec3d& corner : face) corner += offset;
+      sketch.face(face, with_alpha(kAxis, chosen ? 0.45f : 0.3f), {chosen ? 3.5f : 2.0f, kAxis});
+    }
+    for (const auto& [from, to] : best.edges)
+      sketch.line(from + offset, to + offset, {chosen ? 6.0f : 4.0f, kAxis});
+    sketch.arrows.push_back({.from = foot,
+                             .to = offset + best.support,
+                             .double_headed = true,
+                             .width = chosen ? 4.0f : 2.5f,
+                             .head = 11,
+                             .color = kAxisText});
+    sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
+    sketch.explain(kBestPlaneSwatch, "plane of the best face or edge, extended");
+    sketch.explain(kSupportVertexSwatch, "support point, farthest behind the plane");
+  }
+};
+
+void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  if (!pair.sat || a == nullptr || b == nullptr) return;
+  const std::array<std::optional<BestAxis>, 3> found = best_axes(scene, pair);
+  constexpr std::array<std::string_view, 3> kChosen = {"face_a", "face_b", "edge_edge"};
+  double largest = 0;
+  for (const auto& best : found)
+    if (best) largest = std::max(largest, std::abs(best->separation));
+  const double size = std::min(a->mesh->radius, b->mesh->radius);
+  std::vector<Vec3d> both = a->vertices;
+  append(both, b->vertices);
+  const Vec3d middle = center_of(both);
+  const Camera& camera = scene.camera;
+  const double pixels = camera.pixels_per_metre(middle);
+  const Rect& view = camera.viewport();
+  const std::optional<Point2> at = camera.project(middle);
+  if (!at) return;
+  const double top = (at->y - view.y) / pixels - 0.7 * kQueryName * scene.scales.pixel / pixels;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double column = view.x + (static_cast<double>(k) + 0.5) * view.width / 3;
+    const Vec3d offset = (column - at->x) / pixels * camera.right();
+    for (const PlacedShape* shape : {a, b})
+      draw_solid(camera, moved(*shape, offset), shape->is_a ? kShapeA : kShapeB, sketch);
+    const bool chosen = pair.sat->chosen == kChosen[k];
+    if (found[k] && (!found[k]->face.empty() || !found[k]->edges.empty()))
+      Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
+    const Vec3d above = middle + offset + top * camera.up();
+    sketch.label(above, kQueryNames[k], kText, kQueryName, 0, Vec3d(-camera.up()));
+    std::string words = "not asked any more";
+    if (found[k]) {
+      const bool apart = found[k]->separation > 0;
+      words = (apart ? "gap " : "overlap ") + in_unit_of(largest, found[k]->separation);
+      if (chosen) words += apart ? ": ends the test" : ": the least, chosen";
+    }
+    const double row = 1.45 * kQueryName * scene.scales.pixel / pixels;
+    sketch.label(above - row * camera.up(), words, chosen ? kAxisText : kQuietText, kQueryName - 3,
+                 0, Vec3d(-camera.up()))
+        .bold = chosen;
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kSatQueriesLayer{.needs = {&Stages::sat}, .search = draw_sat_queries};
+
+}  // namespace contactscope::draw

@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
+
+/// Catto 2007, "Extreme Fuzziness": deep in each other, hulls have several ways out, and the shortest
+/// is the contact's normal. Each is drawn from the centre of B, as long as the overlap along it.
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kMostWays = 3;
+constexpr double kSameWay = 0.951;  // cosine of 18 degrees: closer ones are one way to the eye
+constexpr double kTaken = 0.9999;   // cosine to the normal of the contact
+
+constexpr Swatch kWayTakenSwatch{LegendGroup::Axes, 5, [](auto& pen) { pen.arrow(4, 11, kAxisText); }};
+constexpr Swatch kOtherWaySwatch{LegendGroup::Axes, 6, [](auto& pen) { pen.arrow(2, 9, kAxis); }};
+
+struct WayOut {
+  Vec3d direction;     // unit: B moves along it
+  double overlap = 0;  // metres
+  bool of_edges = false;
+};
+
+double reach_along(const PlacedShape& shape, const Vec3d& way) {
+  double reach = -1e300;
+  for (const Vec3d& vertex : shape.vertices) reach = std::max(reach, way.dot(vertex));
+  return reach;
+}
+
+// Along the normals of all faces, and along the best cross product of two edges that is recorded.
+std::vector<WayOut> ways_out(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b) {
+  std::vector<WayOut> ways;
+  const auto add = [&](const Vec3d& way, bool of_edges) {
+    ways.push_back({way, reach_along(a, way) + reach_along(b, Vec3d(-way)), of_edges});
+  };
+  for (int face = 0; face < count_of(a.mesh->normals); ++face) add(a.normal(face), false);
+  for (int face = 0; face < count_of(b.mesh->normals); ++face) add(-b.normal(face), false);
+  if (pair.sat && pair.sat->edge) add(pair.sat->edge->normal, true);
+  std::ranges::stable_sort(ways, {}, &WayOut::overlap);
+  std::vector<WayOut> distinct;
+  for (const WayOut& way : ways) {
+    const auto same = [&](const WayOut& other) {
+      return other.direction.dot(way.direction) > kSameWay;
+    };
+    if (distinct.size() < kMostWays && std::ranges::none_of(distinct, same)) distinct.push_back(way);
+  }
+  return distinct;
+}
+
+void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  if (pair.manifolds.empty() || a == nullptr || b == nullptr) return;
+  if (a->mesh->normals.empty() || b->mesh->normals.empty() || a->is_mesh() || b->is_mesh()) return;
+  const Vec3d& normal = pair.manifolds.front().normal;
+  const Vec3d center = b->pose.transform(b->traced().center_of_mass);
+  for (const WayOut& way : ways_out(pair, *a, *b)) {
+    if (way.overlap <= 0) return;  // apart: there is nothing to get out of
+    const bool taken = normal.dot(way.direction) > kTaken;
+    const Vec3d end = center + way.overlap * way.direction;
+    const Color color = taken ? kAxisText : kAxis;
+    sketch.arrows.push_back(
+        arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
+    const std::string name = way.of_edges ? "edges: " : "";
+    sketch
+        .label(end, name + spell_length(way.overlap), kAxisText, taken ? 20.0f : 17.0f, 10,
+               way.direction)
+        .bold = taken;
+    if (taken)
+      sketch.explain(kWayTakenSwatch, "shortest way out of A, taken");
+    else
+      sketch.explain(kOtherWaySwatch, "other ways out, as long as the overlap");
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kWaysOutLayer{.needs = {&Stages::sat}, .result = draw_ways_out};
+
+}  // namespace contactscope::draw
