@@ -7,7 +7,6 @@ namespace contactscope::draw {
 namespace {
 
 using crate_sample::CrateOnSlab;
-using crate_sample::same;
 
 std::vector<std::string> layers_of(const Drawing& drawing) {
   std::vector<std::string> layers;
@@ -35,7 +34,7 @@ TEST(Parts, EveryPrimitiveOfAPictureIsOfALayerOrACaption) {
   for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
     const Part& part = part_of(drawing, i);
     const Disc* disc = std::get_if<Disc>(&drawing.primitives[i]);
-    if (disc != nullptr && same(disc->color, kContact) && part.layer != "legend") {
+    if (disc != nullptr && crate_sample::same(disc->color, kContact) && part.layer != "legend") {
       EXPECT_EQ(part.layer, "contacts");
       EXPECT_EQ(part.pair, "slab crate");
       EXPECT_EQ(part.role, "mark");
@@ -64,7 +63,7 @@ TEST(Parts, SurfacesCutAndSortedByDepthKeepTheirLayer) {
     const Fill* fill = std::get_if<Fill>(&drawing.primitives[i]);
     const Part& part = part_of(drawing, i);
     if (fill == nullptr || part.role != "surface") continue;
-    const bool green = same(fill->color, kClipPolygon);
+    const bool green = crate_sample::same(fill->color, kClipPolygon);
     EXPECT_EQ(part.layer, green ? "support" : "shapes");
     (green ? support : shapes) += 1;
   }

@@ -13,7 +13,6 @@ namespace contactscope::draw {
 namespace {
 
 using crate_sample::CrateOnSlab;
-using crate_sample::same;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -46,7 +45,8 @@ struct PushedCrate : CrateOnSlab {
 std::vector<Line> brackets(const Sketch& sketch) {
   std::vector<Line> found;
   std::ranges::copy_if(sketch.lines, std::back_inserter(found), [](const Line& line) {
-    return line.keep_clear && line.style.width == 1.8f && same(line.style.color, kContact);
+    return line.keep_clear && line.style.width == 1.8f &&
+           crate_sample::same(line.style.color, kContact);
   });
   return found;
 }
@@ -107,8 +107,8 @@ TEST(UsualNormal, StepsBackAndTheOthersStandOut) {
   float grey = 0, black = 0;
   std::size_t greys = 0, blacks = 0;
   for (const Arrow& arrow : sketch.arrows) {
-    if (same(arrow.color, kDropped)) ++greys, grey = arrow.pixels;
-    if (same(arrow.color, kNormal)) ++blacks, black = arrow.pixels;
+    if (crate_sample::same(arrow.color, kDropped)) ++greys, grey = arrow.pixels;
+    if (crate_sample::same(arrow.color, kNormal)) ++blacks, black = arrow.pixels;
   }
   EXPECT_EQ(greys, 6u);
   EXPECT_EQ(blacks, 2u);
