@@ -33,10 +33,10 @@ float area(const std::vector<Point2>& polygon) {
   return sum;
 }
 
-struct Extent {
+struct PolygonExtent {
   float left = 0, top = 0, right = 0, bottom = 0;
 
-  explicit Extent(const std::vector<Point2>& points)
+  explicit PolygonExtent(const std::vector<Point2>& points)
       : left(points[0].x), top(points[0].y), right(left), bottom(top) {
     for (const Point2& p : points) {
       left = std::min(left, p.x);
@@ -45,7 +45,7 @@ struct Extent {
       bottom = std::max(bottom, p.y);
     }
   }
-  bool apart(const Extent& other) const {
+  bool apart(const PolygonExtent& other) const {
     return left > other.right - kTouching || other.left > right - kTouching ||
            top > other.bottom - kTouching || other.top > bottom - kTouching;
   }
@@ -65,8 +65,9 @@ bool has_parting_side(const std::vector<Point2>& a, const std::vector<Point2>& b
 struct Grouping {
   Rect canvas;
   std::vector<Group> groups{};
-  std::vector<Extent> extents{};  // of the polygons of the path under way, where it is translucent
-  float run = 0;                  // pixels of the line under way
+  std::vector<PolygonExtent>
+      extents{};  // of the polygons of the path under way, where it is translucent
+  float run = 0;  // pixels of the line under way
 
   std::vector<Piece>& pieces() { return groups.back().pieces; }
   template <class Kind>
@@ -96,7 +97,7 @@ struct Grouping {
   bool may_join(const FillPath& path, const std::vector<Point2>& polygon) const {
     if (path.color.a >= 1) return true;
     if (path.polygons.size() >= kMostTranslucent) return false;
-    const Extent extent(polygon);
+    const PolygonExtent extent(polygon);
     for (std::size_t i = 0; i < extents.size(); ++i) {
       if (!extents[i].apart(extent) && !has_parting_side(path.polygons[i], polygon) &&
           !has_parting_side(polygon, path.polygons[i]))
