@@ -65,7 +65,7 @@ struct BoxOnSlab {
   }
 };
 
-std::vector<std::string> texts(const Drawing& drawing) {
+std::vector<std::string> picture_texts(const Drawing& drawing) {
   std::vector<std::string> result;
   for (const Primitive& primitive : drawing.primitives) {
     if (const Text* text = std::get_if<Text>(&primitive)) result.push_back(text->text);
@@ -98,13 +98,13 @@ TEST(Illustrate, EveryContactPointIsADotInsideTheView) {
 
 TEST(Illustrate, LegendListsWhatIsVisibleAndNothingElse) {
   BoxOnSlab scene;
-  std::vector<std::string> all = texts(illustrate(scene.staged(), scene.frame));
+  std::vector<std::string> all = picture_texts(illustrate(scene.staged(), scene.frame));
   EXPECT_THAT(all, testing::Contains("A: slab"));
   EXPECT_THAT(all, testing::Contains("B: crate"));
   EXPECT_THAT(all, testing::Contains("normal, from A to B"));
   EXPECT_THAT(all, testing::Not(testing::Contains("incident face")));
   scene.view.layers = {Layer::Shapes};
-  all = texts(illustrate(scene.staged(), scene.frame));
+  all = picture_texts(illustrate(scene.staged(), scene.frame));
   EXPECT_THAT(all, testing::Not(testing::Contains("normal, from A to B")));
 }
 
@@ -132,7 +132,7 @@ TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
       scene.view.target = i < 40 ? Vec3d(0, -0.05 * i, 0) : Vec3d(0, 0, 0);
       const Staging staging = scene.staged(width, height);
       const Drawing drawing = illustrate(staging, scene.frame);
-      const std::vector<std::string> all = texts(drawing);
+      const std::vector<std::string> all = picture_texts(drawing);
       const bool told = std::ranges::count(all, "normal, from A to B") > 0;
       EXPECT_EQ(told, normal_length(staging, drawing) > 0) << width << " wide, " << i;
       ++(told ? drawn : left_out);
@@ -147,7 +147,7 @@ TEST(Illustrate, ShallowOverlapIsExaggeratedByAStatedRoundFactor) {
   const Staging staging = scene.staged();
   EXPECT_GT(staging.scales.overlap, 1);
   const std::string stated = "contact point, whisker = overlap × ";
-  EXPECT_THAT(texts(illustrate(staging, scene.frame)),
+  EXPECT_THAT(picture_texts(illustrate(staging, scene.frame)),
               testing::Contains(testing::StartsWith(stated)));
 }
 
@@ -187,7 +187,7 @@ TEST(Illustrate, SameFrameGivesTheSameDrawing) {
   const Drawing one = illustrate(scene.staged(), scene.frame);
   const Drawing two = illustrate(scene.staged(), scene.frame);
   ASSERT_EQ(one.primitives.size(), two.primitives.size());
-  EXPECT_EQ(texts(one), texts(two));
+  EXPECT_EQ(picture_texts(one), picture_texts(two));
   const std::vector<Point2> a = dots(one), b = dots(two);
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].x, b[i].x);

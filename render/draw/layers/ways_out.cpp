@@ -67,9 +67,9 @@ void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                way.direction)
         .bold = taken;
     if (taken)
-      sketch.explain(kWayTakenSwatch, "shortest way out of A, taken");
+      sketch.explain(kWayTakenSwatch, "way out that is taken, as long as the overlap");
     else
-      sketch.explain(kOtherWaySwatch, "other ways out, as long as the overlap");
+      sketch.explain(kOtherWaySwatch, "other ways out");
   }
 }
 
