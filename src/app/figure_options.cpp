@@ -20,6 +20,8 @@ namespace {
 constexpr double kUsualType = 8;  // points
 // A figure has the white of its page around it; pixels at 720 lines.
 constexpr double kFigureMargin = 2;
+// On paper, beside type of 8 points, lines are 0.5 to 1 point wide, as printers have them.
+constexpr double kPaperLines = 0.65;
 constexpr double kLeastContrast = 4.5;  // of text with what it stands on (WCAG 2.2, 1.4.3)
 
 FigureLength parse_length(const std::string& option, const std::string& text) {
@@ -146,7 +148,7 @@ void finish_figure(FigureOptions& figure, bool has_size) {
 
   draw::FigureStyle& style = figure.style;
   style.scale = figure.scale;
-  style.line_width = figure.line_width;
+  style.line_width = figure.line_width * (on_paper ? kPaperLines : 1);
   style.title = !figure.bare && !figure.no_title;
   style.legend = !figure.bare && !figure.no_legend;
   style.footer = !figure.bare && !figure.no_footer;

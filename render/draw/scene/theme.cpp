@@ -16,6 +16,8 @@ constexpr double kTextContrast = 4.5, kLineContrast = 3;
 constexpr double kNeutral = 0.045;
 // Lightness from which a grey is a surface or a grid, and not ink.
 constexpr double kPale = 0.7;
+// Of a surface: chroma that is a tinge, and what that adds to the lightness where hues are left out.
+constexpr double kTinge = 0.008, kCoolShift = -0.06, kWarmShift = 0.02;
 // A press loses tints that are lighter than this.
 constexpr double kLeastTint = 0.08, kLeastLine = 0.35;
 
@@ -122,6 +124,8 @@ Color in_grey(const Color& color, ColorUse use, const Color& ground) {
   // A tinge counts as little as it is.
   lab.l += std::min(1.0, lab.chroma() / 0.1) * shift_of_hue(lab.hue());
   const bool is_colored = lab.chroma() >= kNeutral;
+  // The surfaces of A and B differ by a tinge, cool and warm.
+  if (lab.l > kPale && lab.chroma() > kTinge) lab.l += lab.b < 0 ? kCoolShift : kWarmShift;
   lab.a = lab.b = 0;
   if (use == ColorUse::Text || is_colored) lab = made_to_stand_out(lab, use, ground, -0.01);
   return to_color(lab, color.a);
