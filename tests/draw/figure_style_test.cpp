@@ -3,13 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "crate_on_slab.h"
+#include "draw/crate_on_slab.h"
 
 namespace contactscope::draw {
 namespace {
 
 using crate_sample::CrateOnSlab;
-using crate_sample::texts;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -28,7 +27,8 @@ TEST(FigureStyle, AsItStandsChangesNothing) {
   const std::size_t count = drawing.primitives.size();
   finish({}, drawing);
   EXPECT_EQ(drawing.primitives.size(), count);
-  EXPECT_EQ(texts(drawing), texts(illustrate(plain.staged(), plain.frames[0])));
+  EXPECT_EQ(crate_sample::texts(drawing),
+            crate_sample::texts(illustrate(plain.staged(), plain.frames[0])));
   EXPECT_EQ(drawing.background.a, 1);
 }
 
@@ -37,14 +37,14 @@ TEST(FigureStyle, WhatIsLeftOutGivesItsRoomToTheView) {
   Figure figure;
   figure.style.title = false;
   EXPECT_LT(figure.staged().layout.view.y, all.y);
-  EXPECT_THAT(texts(figure.drawn()), Not(Contains("A crate on a slab")));
+  EXPECT_THAT(crate_sample::texts(figure.drawn()), Not(Contains("A crate on a slab")));
   figure = {};
   figure.style.legend = false;
   EXPECT_GT(figure.staged().layout.view.height, all.height);
   figure = {};
   figure.style.footer = false;
   EXPECT_GT(figure.staged().layout.view.bottom(), all.bottom());
-  EXPECT_THAT(texts(figure.drawn()), Not(Contains("frame 0, t = 0.000 s")));
+  EXPECT_THAT(crate_sample::texts(figure.drawn()), Not(Contains("frame 0, t = 0.000 s")));
   figure.style.title = figure.style.legend = false;
   const Rect bare = figure.staged().layout.view;
   EXPECT_EQ(bare.y, 24);
@@ -114,7 +114,7 @@ TEST(FigureStyle, WordsAreReplacedWhereTheyEnterAndMeasuredSo) {
   figure.style.words = std::make_shared<const Words>(words);
   figure.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
   const Staging staging = figure.staged();
-  const std::vector<std::string> all = texts(illustrate(staging, figure.frames[0]));
+  const std::vector<std::string> all = crate_sample::texts(illustrate(staging, figure.frames[0]));
   EXPECT_THAT(all, Contains("Eine Kiste"));
   EXPECT_THAT(all, Contains("Bild 0 bei 0.000 s"));
   EXPECT_THAT(all, Contains(HasSubstr("Normale von A nach B")));

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "crate_on_slab.h"
+#include "draw/crate_on_slab.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

@@ -20,6 +20,7 @@ constexpr double kPale = 0.7;
 constexpr double kTinge = 0.008, kCoolShift = -0.06, kWarmShift = 0.02;
 // A press loses tints that are lighter than this.
 constexpr double kLeastTint = 0.08, kLeastLine = 0.35;
+constexpr float kAlmostOpaque = 0.99f;
 
 /// Perceived lightness, and green to red, blue to yellow. Ottosson 2020, "A perceptual color space
 /// for image processing".
@@ -145,7 +146,9 @@ Color in_print(const Color& color, ColorUse use, const Color& ground) {
   const auto darkness = [&] { return 1 - lab.l; };
   if (color.a > 0 && color.a * darkness() < least) {
     if (darkness() < least) lab.l = 1 - least;
-    strong = to_color(lab, std::min(1.0f, static_cast<float>(least / darkness())));
+    // What let something through still does: vector files leave out what is hidden for good.
+    const float most = color.a < 1 ? kAlmostOpaque : 1.0f;
+    strong = to_color(lab, std::min(most, static_cast<float>(least / darkness())));
   }
   return strong;
 }
