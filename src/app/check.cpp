@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/catalogue.h"
+#include "app/figure_canvas.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/verbs.h"
@@ -94,8 +95,11 @@ class Checker {
 
   void check_pictures(const Scenario& scenario, const View& view, Sequence& sequence,
                       Outcome& outcome) {
-    const draw::Staging staging = draw::stage(sequence.header, sequence.frames, view,
-                                              scenario.snapshots.width, scenario.snapshots.height);
+    draw::FigureStyle style;
+    style.words = words_of(scenario);
+    const draw::Staging staging =
+        draw::stage(sequence.header, sequence.frames, view, scenario.snapshots.width,
+                    scenario.snapshots.height, style);
     studio_.render(
         staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
           const int frame = shown.frame;

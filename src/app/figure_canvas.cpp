@@ -115,4 +115,10 @@ std::shared_ptr<const Words> words_of(const Input& input, const Options& options
   return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
 }
 
+std::shared_ptr<const Words> words_of(const Scenario& scenario) {
+  if (scenario.path.empty()) return nullptr;  // it stands for a trace
+  Words words = load_words(scenario.path, names_in_pictures(scenario));
+  return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
+}
+
 }  // namespace contactscope::app

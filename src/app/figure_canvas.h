@@ -28,4 +28,7 @@ FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Fra
 /// scenario itself. Null where both say nothing. Throws InputError and UsageError.
 std::shared_ptr<const Words> words_of(const Input& input, const Options& options);
 
+/// Those of the scenario alone, as `check` has its pictures. Throws InputError.
+std::shared_ptr<const Words> words_of(const Scenario& scenario);
+
 }  // namespace contactscope::app
