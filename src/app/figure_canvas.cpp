@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 
 #include "core/at.h"
 #include "draw/panels/panel.h"
@@ -70,6 +71,32 @@ void fit_height(const trace::Header& header, const std::vector<trace::Frame>& fr
   canvas.size.height = side_of("--width", height);
 }
 
+/// An author who tells a height is told what has no room in it.
+void tell_left_out(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                   const View& view, const FigureCanvas& canvas) {
+  if (view.kind == ViewKind::ContactPlane || frames.empty()) return;
+  const draw::Staging staging =
+      draw::stage(header, frames, view, canvas.size.width, canvas.size.height, canvas.style);
+  const draw::Layout& layout = staging.layout;
+  const std::vector<draw::FilledPanel> panels = draw::make_panels(staging, frames);
+  const std::vector<draw::PanelNeed> needs = mapped(panels, [&](const draw::FilledPanel& panel) {
+    draw::PanelNeed need = panel.content->need({frames.size() - 1, {}});
+    need.least += layout.px(kAroundPanel);
+    return need;
+  });
+  const std::vector<float> heights =
+      draw::divide_column(needs, static_cast<float>(layout.panels.height),
+                          layout.px(kBetweenPanels), draw::Sheet::line_height(layout.scale));
+  std::string names;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (heights[i] <= 0)
+      names += (names.empty() ? "" : ", ") + std::string(name_of(panels[i].panel));
+  }
+  if (!names.empty())
+    std::cerr << header.scenario << ": no room for " << names
+              << "; a larger --height has some, and without --height it is as large as it needs\n";
+}
+
 std::string words_path(const std::string& named) {
   namespace fs = std::filesystem;
   if (fs::exists(named)) return named;
@@ -93,10 +120,12 @@ FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Fra
   canvas.style.words = std::move(words);
   if (!figure.width) return canvas;
   canvas.size.width = side_of("--width", figure.width->pixels(figure.dpi));
-  if (figure.height)
-    canvas.size.height = side_of("--height", figure.height->pixels(figure.dpi));
-  else
+  if (!figure.height) {
     fit_height(header, frames, view, canvas);
+    return canvas;
+  }
+  canvas.size.height = side_of("--height", figure.height->pixels(figure.dpi));
+  if (!options.quiet) tell_left_out(header, frames, view, canvas);
   return canvas;
 }
 

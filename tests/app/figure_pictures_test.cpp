@@ -32,7 +32,9 @@ TEST(FigurePictures, AColumnOfAPaperIsAsWideAsItIs) {
   const Image image = FigurePicture("--width 84mm --font-size 8pt").image();
   EXPECT_EQ(image.width, 992);
   EXPECT_GT(image.height, image.width) << "panels below the view";
-  EXPECT_EQ(FigurePicture("--width 84mm --height 60mm --dpi 150").image().height, 354);
+  const FigurePicture low("--width 84mm --height 60mm --dpi 150 --panels summary,contact_plane");
+  EXPECT_EQ(low.image().height, 354);
+  EXPECT_THAT(low.result.err, HasSubstr("no room for contact_plane; a larger --height has some"));
 }
 
 TEST(FigurePictures, ATransparentGroundHasAlpha) {
