@@ -10,7 +10,10 @@ std::vector<std::pair<std::string, std::string>> entries_of(const PictureOrigin&
   add("Title", origin.title);
   if (!origin.version.empty()) add("Software", "contactscope " + origin.version);
   add("Scenario", origin.scenario);
-  add("Frame", std::to_string(origin.frame));
+  if (origin.frames.empty())
+    add("Frame", std::to_string(origin.frame));
+  else
+    add("Frames", origin.frames);
   add("View", origin.view);
   add("Scenario SHA-256", origin.sha256);
   add("Command", origin.command);

@@ -13,6 +13,7 @@ struct PictureOrigin {
   std::string scenario;  // "hull/face_contact"
   std::string title;     // what the scenario is called
   int frame = 0;
+  std::string frames{};  // where it is of several, "0, 8, 16"; the one of a sequence is then not told
   std::string view;     // its name
   std::string sha256;   // of the scenario's text, as sha256() gives it
   std::string command;  // "contactscope render hull/face_contact --frames 3 --format svg"

@@ -1,47 +1,12 @@
 #include "image/png.h"
 
-#include <libdeflate.h>
-
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <memory>
-#include <new>
 
 #include "image/whole_file.h"
-
-namespace {
-
-// stb takes the level from a global; encoders run in several threads with a level each.
-thread_local int compression_level = 1;
-
-/// stb_image_write's hook: a zlib stream in memory that free() releases, or null.
-unsigned char* compress(unsigned char* data, int length, int* out_length, int /*stb's level*/) {
-  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-      libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
-  if (!compressor) return nullptr;
-  const std::size_t input = static_cast<std::size_t>(length);
-  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), input);
-  unsigned char* out = static_cast<unsigned char*>(std::malloc(bound));
-  if (!out) return nullptr;
-  *out_length =
-      static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, input, out, bound));
-  return out;
-}
-
-unsigned checksum(const unsigned char* data, int length) {
-  return libdeflate_crc32(0, data, static_cast<std::size_t>(length));
-}
-
-}  // namespace
-
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#define STBIW_ZLIB_COMPRESS compress
-#define STBIW_CRC32 checksum
-#include <stb/stb_image_write.h>
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -52,44 +17,30 @@ unsigned checksum(const unsigned char* data, int length) {
 namespace contactscope {
 namespace {
 
-std::vector<std::uint8_t> interleaved(const Image& image) {
-  std::vector<std::uint8_t> rgba;
-  rgba.reserve(4 * image.alpha.size());
-  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
-    const std::uint8_t* const rgb = &image.rgb[3 * i];
-    rgba.insert(rgba.end(), {rgb[0], rgb[1], rgb[2], image.alpha[i]});
-  }
-  return rgba;
+std::uint32_t be32(const std::uint8_t* at) {
+  return std::uint32_t{at[0]} << 24 | std::uint32_t{at[1]} << 16 | std::uint32_t{at[2]} << 8 |
+         at[3];
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image, int level) {
+std::vector<std::uint8_t> encode_png(const Image& image, int level, const PngText& text) {
   assert(image.width > 0 && image.height > 0 && level >= 0 && level <= 12);
-  // Flat areas and thin lines compress as well unfiltered, and twice as fast.
-  static const int filter = stbi_write_force_png_filter = 0;
-  static_cast<void>(filter);
-  compression_level = level;
-  int length = 0;
-  const int channels = image.alpha.empty() ? 3 : 4;
-  std::vector<std::uint8_t> rgba;
-  if (channels == 4) rgba = interleaved(image);
-  const std::unique_ptr<unsigned char, void (*)(void*)> png(
-      stbi_write_png_to_mem(channels == 4 ? rgba.data() : image.rgb.data(), channels * image.width,
-                            image.width, image.height, channels, &length),
-      std::free);
-  if (!png) throw std::bad_alloc();
-  return {png.get(), png.get() + length};
+  Bytes png;
+  append_png_begin(image, png);
+  append_png_text(text, png);  // before the pixels, where `head -c` and viewers find it
+  append_chunk("IDAT", deflated_rows(image, {0, 0, image.width, image.height}, level), png);
+  append_chunk("IEND", {}, png);
+  return png;
 }
 
-void write_png(const std::string& path, const Image& image, int level) {
-  write_whole_file(path, encode_png(image, level));
+void write_png(const std::string& path, const Image& image, int level, const PngText& text) {
+  write_whole_file(path, encode_png(image, level, text));
 }
 
-Image read_png(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = read_whole_file(path);
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw PngError(path + ": cannot be read as a PNG: larger than 2 GB");
+    throw PngError(name + ": cannot be read as a PNG: larger than 2 GB");
   }
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
@@ -97,11 +48,43 @@ Image read_png(const std::string& path) {
                             &channels, 3),
       stbi_image_free);
   if (!pixels) {
-    throw PngError(path + ": cannot be read as a PNG: " + stbi_failure_reason());
+    throw PngError(name + ": cannot be read as a PNG: " + stbi_failure_reason());
   }
   Image image(width, height);
   image.rgb.assign(pixels.get(), pixels.get() + image.rgb.size());
   return image;
+}
+
+Image read_png(const std::string& path) {
+  return decode_png(read_whole_file(path), path);
+}
+
+PngText read_png_text(const std::string& path) {
+  const std::vector<std::uint8_t> bytes = read_whole_file(path);
+  if (!std::equal(
+          kPngSignature.begin(), kPngSignature.end(), bytes.begin(),
+          bytes.begin() + static_cast<std::ptrdiff_t>(std::min(kPngSignature.size(), bytes.size())),
+          [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }))
+    throw PngError(path + ": cannot be read as a PNG: not a PNG");
+  PngText text;
+  for (std::size_t at = kPngSignature.size(); at + 12 <= bytes.size();) {
+    const std::size_t length = be32(&bytes[at]);
+    if (length > bytes.size() - at - 12)
+      throw PngError(path + ": cannot be read as a PNG: cut off");
+    const auto* data = reinterpret_cast<const char*>(&bytes[at + 8]);
+    const std::string_view type(data - 4, 4), all(data, length);
+    const std::size_t end = std::min(all.find('\0'), length);
+    const std::string key(all.substr(0, end));
+    if (type == "tEXt" && end < length) text.emplace_back(key, all.substr(end + 1));
+    // Of others only those that are not compressed: two flags, a language and a translated keyword.
+    if (type == "iTXt" && end + 2 < length && all[end + 1] == 0) {
+      const std::size_t keyword = all.find('\0', end + 3);
+      const std::size_t value = keyword == all.npos ? keyword : all.find('\0', keyword + 1);
+      if (value != all.npos) text.emplace_back(key, all.substr(value + 1));
+    }
+    at += 12 + length;
+  }
+  return text;
 }
 
 }  // namespace contactscope

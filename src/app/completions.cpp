@@ -71,7 +71,7 @@ std::string bash_reply(const Completion& completion) {
     case Kind::Words:
       return "COMPREPLY=($(compgen -W '" + spaced(completion.words) + "' -- \"$cur\"))";
     case Kind::List:
-      return "_contactscope_list 'none " + spaced(completion.words) + "'";
+      return "_contactscope_list '" + spaced(completion.words) + "'";
     case Kind::Scenario:
       return std::string("COMPREPLY=($(compgen -W \"$(") + kNames +
              ")\" -- \"$cur\") $(compgen -f -- \"$cur\"))";
@@ -91,7 +91,7 @@ std::string zsh_action(const Completion& completion) {
     case Kind::Words:
       return "(" + spaced(completion.words) + ")";
     case Kind::List:
-      return "_values -s , word none " + spaced(completion.words);
+      return "_values -s , word " + spaced(completion.words);
     case Kind::Scenario:
       return "_contactscope_scenarios";
     case Kind::File:
@@ -110,7 +110,7 @@ std::string fish_values(const Completion& completion) {
     case Kind::Words:
       return " -x -a " + quoted(spaced(completion.words), "\\'");
     case Kind::List:
-      return " -x -a \"(__fish_complete_list , 'string split \\' \\' \\'none " +
+      return " -x -a \"(__fish_complete_list , 'string split \\' \\' \\'" +
              spaced(completion.words) + "\\'')\"";
     case Kind::Scenario:
       return std::string(" -a \"(") + kNames + ")\"";

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/formats/format.h"
 #include "app/manual.h"
+#include "app/origin.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "core/input_error.h"
@@ -142,6 +144,18 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
                  "Panels to draw instead of the views' own, as summary,contact_plane; or none")
         ->allow_extra_args(false)
         ->delimiter(',');
+  if (name == "--format") {
+    std::string help = "Formats, as png,apng:";
+    for (const Format& format : formats())
+      help += (help.ends_with(':') ? " " : "; ") + std::string(format.name) + " (" +
+              std::string(format.what) + ")";
+    return verb.add_option(name, to.formats, own_help.empty() ? help : own_help)
+        ->allow_extra_args(false)
+        ->delimiter(',');
+  }
+  if (name == "--fps")
+    return value(to.fps, "Pictures a second of an animation, instead of the frames' own times")
+        ->check(CLI::Range(0.1, 240.0));
   if (name == "--timing")
     return flag(to.timing, "Show the measured time of the pipeline in the summary panel");
   if (name == "--snapshots")
@@ -246,6 +260,27 @@ void finish(Command& command) {
   command.update = parse_update(command.update_text);
 }
 
+/// The options that were given, as they are given again, but for those on which no picture depends and
+/// those that each picture has for itself.
+std::string given_options(const CLI::App& verb) {
+  constexpr std::array<std::string_view, 10> kOwn = {
+      "--frames",  "--format", "--out",     "--jobs",      "--quiet",
+      "--verbose", "--json",   "--backend", "--scenarios", "--view"};
+  std::string all;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = "--" + option->get_lnames().front();
+    if (std::ranges::find(kOwn, name) != kOwn.end()) continue;
+    all += " " + name;
+    if (option->get_expected_max() == 0) continue;
+    std::string values;
+    for (const std::string& value : option->results())
+      values += (values.empty() ? "" : ",") + value;
+    all += " " + for_shell(values);
+  }
+  return all;
+}
+
 // Only for verbs that draw: a bad variable must not stop the others.
 void choose_backend(Command& command) {
   const char* variable = std::getenv("CONTACTSCOPE_BACKEND");
@@ -310,6 +345,7 @@ int run(int argc, char** argv) {
   }
   finish(command);
   CLI::App& chosen = *program.get_subcommands().front();
+  command.given = given_options(chosen);
   if (chosen.get_option_no_throw("--backend") != nullptr) choose_backend(command);
   const ExitCode code = std::ranges::find(verbs(), chosen.get_name(), &Verb::name)->run(command);
   flush_output();

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "app/formats/format.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "core/layers.h"
@@ -100,9 +101,14 @@ Completion completion_of(const ManualArgument& argument) {
   const auto words = [](const auto& names) {
     return mapped(names, [](const auto& word) { return std::string(word); });
   };
+  const auto or_none = [](std::vector<std::string> names) {
+    names.insert(names.begin(), "none");
+    return names;
+  };
   if (name == "--reducer") return {Kind::Words, words(names_in(reducers()))};
-  if (name == "--layers") return {Kind::List, words(kLayerNames)};
-  if (name == "--panels") return {Kind::List, words(kPanelNames)};
+  if (name == "--layers") return {Kind::List, or_none(words(kLayerNames))};
+  if (name == "--panels") return {Kind::List, or_none(words(kPanelNames))};
+  if (name == "--format") return {Kind::List, words(names_in(formats()))};
   if (name == "--backend") return {Kind::Words, {"auto", "egl", "osmesa"}};
   if (name == "--theme") return {Kind::Words, words(draw::kThemeNames)};
   if (name == "--background") return {Kind::Words, {"transparent", "white"}};

@@ -5,13 +5,14 @@
 
 #include "app/catalogue.h"
 #include "app/figure_canvas.h"
+#include "app/formats/sinks.h"
 #include "app/narrow.h"
+#include "app/origin.h"
 #include "app/progress.h"
 #include "app/studio.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "draw/staging.h"
-#include "snapshot/store.h"
 
 namespace contactscope::app {
 namespace {
@@ -93,8 +94,46 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
   return sequence;
 }
 
+/// What a view's staging leaves empty of what was asked for by name.
+void tell_idle_layers(const Input& input, const draw::Staging& staging, const Sequence& sequence,
+                      const Options& options) {
+  const bool asked = options.layers || views_are_of_file(options);
+  if (!input.trace || !asked || options.quiet) return;
+  const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
+  if (!idle.empty()) tell_idle(input.file, idle);
+}
+
+void draw_sequences(Input& input, const Options& options, Studio& studio, Sinks& sinks,
+                    Progress& progress, Ledger& ledger) {
+  const Scenario& scenario = input.scenario;
+  const std::vector<View> views = selected_views(scenario, options);
+  Sequence sequence = sequence_of(input, views, options, ledger);
+  const std::shared_ptr<const Words> words = words_of(input, options);
+  const PictureOrigin origin = origin_of(input, sequence.header, options);
+  for (const View& view : views) {
+    const FigureCanvas canvas =
+        canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
+    const draw::Staging staging = draw::stage(sequence.header, sequence.frames, view,
+                                              canvas.size.width, canvas.size.height, canvas.style);
+    tell_idle_layers(input, staging, sequence, options);
+    const bool is_one_of_several = scenario.views.size() > 1;
+    sinks.begin({scenario.name, is_one_of_several ? std::optional(view.name) : std::nullopt,
+                 of_view(origin, view, is_one_of_several, options), &staging, &sequence,
+                 input.frames});
+    studio.each_drawing(staging, sequence, input.frames,
+                        [&](const trace::Frame& frame, draw::Drawing drawing) {
+                          sinks.add(frame, std::move(drawing));
+                          progress.advance(scenario.name);
+                        });
+    sinks.end();
+  }
+}
+
 ExitCode run_render(const Options& options) {
   note_interrupts();
+  const std::vector<const Format*> chosen = formats_named(options.formats);
+  for (const Format* format : chosen)
+    if (format->require != nullptr) format->require();
   Ledger total;
   std::vector<Input> inputs;
   {
@@ -107,43 +146,19 @@ ExitCode run_render(const Options& options) {
 
   const auto begin = std::chrono::steady_clock::now();
   Studio studio(options.backend, total);
-  EncoderPool encoders(options.jobs);
+  Sinks sinks(chosen, options, studio);
   {
     Progress progress(pictures, options.quiet);
+    for (Input& input : inputs) draw_sequences(input, options, studio, sinks, progress, total);
+    sinks.finish();
+  }
+  if (options.json) {
     nlohmann::ordered_json written;
-    for (Input& input : inputs) {
-      const std::string& name = input.scenario.name;
-      const std::vector<View> views = selected_views(input.scenario, options);
-      const bool is_trace = input.trace.has_value();
-      const std::shared_ptr<const Words> words = words_of(input, options);
-      Sequence sequence = sequence_of(input, views, options, total);
-      for (const View& view : views) {
-        const FigureCanvas canvas =
-            canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
-        const draw::Staging staging =
-            draw::stage(sequence.header, sequence.frames, view, canvas.size.width,
-                        canvas.size.height, canvas.style);
-        const bool asked = options.layers || views_are_of_file(options);
-        if (is_trace && asked && !options.quiet) {
-          const std::vector<std::string> idle = idle_layers(staging, sequence.frames);
-          if (!idle.empty()) tell_idle(input.file, idle);
-        }
-        const std::optional<std::string> folder =
-            input.scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt;
-        studio.render(staging, sequence, input.frames, [&](const trace::Frame& frame, Image image) {
-          const snapshot::PictureKey key{name, folder, frame.frame};
-          const std::filesystem::path path = snapshot::picture_path(options.out, key);
-          std::filesystem::create_directories(path.parent_path());
-          written[name].push_back(path.string());
-          encoders.submit(path.string(), std::move(image));
-          progress.advance(name);
-        });
-      }
-    }
-    encoders.finish();
-    if (options.json) std::cout << written.dump() << '\n';
+    for (const auto& [scenario, paths] : sinks.written()) written[scenario] = paths;
+    std::cout << written.dump() << '\n';
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const EncoderPool& encoders = sinks.encoders();
   total.add("encode, beside the rest",
             std::chrono::duration_cast<std::chrono::nanoseconds>(encoders.busy()), pictures);
   if (options.verbose) {
@@ -155,8 +170,10 @@ ExitCode run_render(const Options& options) {
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1) where /= inputs.front().scenario.name;
-    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures") << " in " << where.string()
-              << '\n';
+    std::cerr << pictures << (pictures == 1 ? " picture" : " pictures");
+    if (const int files = sinks.files(); files != pictures)
+      std::cerr << ", " << files << (files == 1 ? " file" : " files");
+    std::cerr << " in " << where.string() << '\n';
   }
   return ExitCode::Same;
 }
@@ -165,13 +182,11 @@ ExitCode run_render(const Options& options) {
 
 Verb render_verb() {
   return {"render",
-          "Write PNG sequences",
+          "Write pictures: PNG, vector files, pages, animations",
           &run_render,
           std::string("SCENARIO... --size ") + kFigureArguments +
               " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
-              "--timing "
-              "--json --frames --reducer --out --backend "
-              "--view --jobs",
+              "--timing --format --fps --json --frames --reducer --out --backend --view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
            {"--json", "Print the paths of the pictures as JSON"}}};

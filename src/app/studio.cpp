@@ -55,13 +55,11 @@ gl::Rasterizer& Studio::canvas(int width, int height) {
   return *rasterizer_;
 }
 
-void Studio::render(const draw::Staging& staging, Sequence& sequence,
-                    const std::vector<int>& numbers,
-                    const std::function<void(const trace::Frame&, Image)>& sink) {
+void Studio::each_drawing(
+    const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
+    const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
   const int width = staging.layout.width;
   const int height = staging.layout.height;
-  canvas(width, height);  // a machine without OpenGL says so before anything else is made
-
   // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
   std::optional<overlay::PanelColumn> panels;
   const auto start_panels = [&] {
@@ -91,12 +89,21 @@ void Studio::render(const draw::Staging& staging, Sequence& sequence,
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
         ledger_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
-                         "x" + std::to_string(height) + " has no room; a larger --size has");
+                        "x" + std::to_string(height) + " has no room; a larger --size has");
       }
     }
     finish(staging.style, drawing);
-    sink(frame, paint(drawing));
+    sink(frame, std::move(drawing));
   });
+}
+
+void Studio::render(const draw::Staging& staging, Sequence& sequence,
+                    const std::vector<int>& numbers,
+                    const std::function<void(const trace::Frame&, Image)>& sink) {
+  open(staging.layout.width, staging.layout.height);
+  each_drawing(
+      staging, sequence, numbers,
+      [&](const trace::Frame& frame, draw::Drawing drawing) { sink(frame, paint(drawing)); });
 }
 
 void Studio::finish(const draw::FigureStyle& style, draw::Drawing& drawing) {

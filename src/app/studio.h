@@ -29,14 +29,24 @@ namespace contactscope::app {
 Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, bool timing,
                       Ledger& ledger);
 
-/// Turns sequences into pictures. OpenGL is opened with the first picture, Dear ImGui with the
-/// first view that has panels, so that a run without pictures opens neither.
+/// Turns drawings into pictures. OpenGL is opened with the first one, so that a run without
+/// pictures does not.
 class Studio {
  public:
   Studio(gl::Backend backend, Ledger& ledger) : backend_(backend), ledger_(ledger) {}
 
-  /// Renders the frames of a staged sequence whose numbers are given and hands each picture to `sink`. Measured
-  /// pipeline times go to the summary panel.
+  /// Opens OpenGL for pictures of this size, which the first of them would do otherwise: a machine
+  /// without it says so before anything is made.
+  void open(int width, int height) { canvas(width, height); }
+
+  /// The first half of pictures: draws the frames of a staged sequence whose numbers are given, panels
+  /// included, and hands each drawing to `sink`. Opens no OpenGL; Dear ImGui where the view has panels.
+  /// Measured pipeline times go to the summary panel.
+  void each_drawing(const draw::Staging& staging, Sequence& sequence,
+                    const std::vector<int>& numbers,
+                    const std::function<void(const trace::Frame&, draw::Drawing)>& sink);
+
+  /// Both halves: each_drawing(), and each of them painted.
   void render(const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
               const std::function<void(const trace::Frame&, Image)>& sink);
 
@@ -59,7 +69,7 @@ class Studio {
   int width_ = 0, height_ = 0;  // of the rasterizer
 };
 
-/// Writes PNG files on threads of its own, while the caller renders the next picture. No picture waits
+/// Writes files on threads of its own, while the caller renders the next picture. No picture waits
 /// for a thread, so that memory stays small when encoding is the slower part. Its end waits for what
 /// is under way; errors are lost there, so call finish() first.
 class EncoderPool {
@@ -73,13 +83,17 @@ class EncoderPool {
   /// Begins to write a picture; blocks while every thread has one. Throws the error of an earlier
   /// picture.
   void submit(std::string path, Image image) {
+    submit([path = std::move(path), image = std::move(image)] { write_png(path, image); });
+  }
+  /// The same of a file of any format, that `write` makes.
+  void submit(std::function<void()> write) {
     if (count_of(under_way_) == threads_) wait_for_first();
-    auto write = [path = std::move(path), image = std::move(image)] {
+    auto timed = [write = std::move(write)] {
       const auto begin = std::chrono::steady_clock::now();
-      write_png(path, image);
+      write();
       return std::chrono::steady_clock::now() - begin;
     };
-    under_way_.push_back(std::async(std::launch::async, std::move(write)));
+    under_way_.push_back(std::async(std::launch::async, std::move(timed)));
   }
   /// Waits until all is written. Throws the first error.
   void finish() {

@@ -52,6 +52,9 @@ struct Options {
   gl::Backend backend = gl::Backend::Auto;
   std::optional<Size> size;
   std::optional<FrameRange> frames;
+  std::vector<std::string> formats = {"png"};  // of `render`
+  std::optional<double> fps;  // of animations, pictures a second; none: by the frames' times
+  std::string given;          // what else of the command line pictures depend on, " --size 640x360"
   std::string view;                           // a name; of a trace also a TOML file, or file:name
   std::vector<std::string> pair;              // two shapes: nothing else is shown
   std::vector<std::string> shapes;            // those to show; none: all

@@ -154,5 +154,38 @@ TEST_F(Png, BrokenFilesAreErrorsWithThePath) {
   }
 }
 
+TEST_F(Png, SaysWhatItIsBeforeItsPixels) {
+  const PngText text = {{"Software", "contactscope 1.2.3"},
+                        {"Title", "Über zwei Zeilen:\n–40 °C"},
+                        {"Command", "contactscope render a --frames 1"}};
+  const Image picture = noise(8, 8, 1);
+  write_png(path("a.png"), picture, 1, text);
+  EXPECT_EQ(read_png_text(path("a.png")), text);
+  EXPECT_EQ(read_png(path("a.png")), picture);
+  EXPECT_EQ(encode_png(picture, 1, text), encode_png(picture, 1, text));
+  EXPECT_NE(encode_png(picture, 1, text), encode_png(picture, 1));
+
+  const std::vector<std::uint8_t> bytes = encode_png(picture, 1, text);
+  const std::string all(bytes.begin(), bytes.end());
+  EXPECT_LT(all.find("tEXtSoftware"), all.find("IDAT"));
+  EXPECT_LT(all.find("iTXtTitle"), all.find("IDAT")) << "what is no ASCII is UTF-8";
+}
+
+TEST_F(Png, TextsOfNoPngAreRefused) {
+  std::ofstream(path("a.png")) << "GIF89a and some more";
+  EXPECT_THROW(read_png_text(path("a.png")), PngError);
+  std::ofstream(path("b.png")) << std::string(kPngSignature) + "\x7f\xff\xff\xfftEXtand so on";
+  EXPECT_THROW(read_png_text(path("b.png")), PngError);
+}
+
+TEST_F(Png, AlphaIsWrittenAndItsColoursRead) {
+  Image picture = noise(9, 5, 1);
+  picture.alpha.assign(45, 3);
+  write_png(path("a.png"), picture);
+  const Image back = read_png(path("a.png"));
+  EXPECT_EQ(back.rgb, picture.rgb);
+  EXPECT_EQ(encode_png(picture)[25], 6) << "colour type: RGB and alpha";
+}
+
 }  // namespace
 }  // namespace contactscope

@@ -1,0 +1,63 @@
+#include "app/formats/animation.h"
+
+#include <cmath>
+#include <future>
+#include <utility>
+
+namespace contactscope::app {
+namespace {
+
+/// Where the frames' times do not rise.
+constexpr double kNoTime = 1.0 / 25;
+
+class AnimationReel : public Reel {
+ public:
+  AnimationReel(std::optional<double> fps, std::unique_ptr<Animation> animation)
+      : fps_(fps), animation_(std::move(animation)) {}
+
+  void add(const Shot& shot, const trace::Frame& frame) override {
+    if (held_) show(frame.time - time_);
+    held_ = shot.image;
+    time_ = frame.time;
+  }
+
+  void finish() override {
+    if (held_) show(last_);
+    wait();
+    animation_->finish();
+  }
+
+ private:
+  /// The held picture, for so many seconds by the frames' times.
+  void show(double seconds) {
+    last_ = seconds > 0 ? seconds : kNoTime;
+    const double shown = fps_ ? 1 / *fps_ : last_;
+    const auto milliseconds = [](double time) { return std::lround(1000 * time); };
+    const Duration duration{shown,
+                            static_cast<int>(milliseconds(begin_ + shown) - milliseconds(begin_))};
+    begin_ += shown;
+    wait();
+    under_way_ = std::async(std::launch::async, [this, image = std::move(held_), duration] {
+      animation_->add(*image, duration);
+    });
+    held_.reset();
+  }
+
+  void wait() {
+    if (under_way_.valid()) under_way_.get();
+  }
+
+  std::optional<double> fps_;
+  std::unique_ptr<Animation> animation_;
+  std::shared_ptr<const Image> held_{};
+  double time_ = 0, last_ = kNoTime, begin_ = 0;  // seconds
+  std::future<void> under_way_{};                 // its end waits, so that it goes first
+};
+
+}  // namespace
+
+std::unique_ptr<Reel> reel_of(const ReelPlan& plan, std::unique_ptr<Animation> animation) {
+  return std::make_unique<AnimationReel>(plan.fps, std::move(animation));
+}
+
+}  // namespace contactscope::app

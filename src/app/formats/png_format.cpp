@@ -1,0 +1,14 @@
+#include "app/formats/rows.h"
+#include "image/png.h"
+
+namespace contactscope::app {
+
+const Format kPngFormat{
+    .name = "png",
+    .extension = ".png",
+    .what = "pixels, a file a frame",
+    .needs_pixels = true,
+    .encode = [](const Shot& shot) { return encode_png(*shot.image, 1, entries_of(shot.origin)); },
+};
+
+}  // namespace contactscope::app

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/formats/format.h"
+
+namespace contactscope::app {
+
+// Each is in the file of its name.
+extern const Format kPngFormat, kSvgFormat, kPdfFormat, kApngFormat, kWebpFormat, kMp4Format;
+
+}  // namespace contactscope::app

@@ -1,0 +1,120 @@
+#include "app/formats/sinks.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/at.h"
+#include "image/whole_file.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// With what makes this file of it: its frames and its format.
+PictureOrigin completed(PictureOrigin origin, const std::string& frames, const Format& format) {
+  if (!frames.empty()) origin.command += " --frames " + frames;
+  if (&format != &formats().front()) origin.command += " --format " + std::string(format.name);
+  return origin;
+}
+
+/// What --frames names so; empty where no single range does.
+std::string range_of(const std::vector<int>& frames) {
+  if (frames.size() == 1) return std::to_string(frames.front());
+  const int step = frames[1] - frames[0];
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    if (frames[i] - frames[i - 1] != step) return "";
+  return std::to_string(frames.front()) + ":" + std::to_string(frames.back()) +
+         (step == 1 ? "" : ":" + std::to_string(step));
+}
+
+}  // namespace
+
+Sinks::Sinks(std::vector<const Format*> formats, const Options& options, Studio& studio)
+    : formats_(std::move(formats)),
+      options_(options),
+      studio_(studio),
+      needs_pixels_(std::ranges::any_of(formats_, &Format::needs_pixels)),
+      encoders_(options.jobs) {}
+
+int Sinks::files() const {
+  int count = 0;
+  for (const auto& [scenario, paths] : written_) count += count_of(paths);
+  return count;
+}
+
+std::string Sinks::path_of(const std::string& scenario, const fs::path& stem,
+                           const Format& format) {
+  const std::string path = stem.string() + std::string(format.extension);
+  fs::create_directories(stem.parent_path());
+  if (written_.empty() || written_.back().first != scenario)
+    written_.emplace_back(scenario, std::vector<std::string>());
+  written_.back().second.push_back(path);
+  return path;
+}
+
+void Sinks::begin(const Series& series) {
+  series_ = series;
+  if (needs_pixels_) studio_.open(series.staging->layout.width, series.staging->layout.height);
+  const bool is_one = series.frames.size() == 1;
+  const fs::path folder = snapshot::picture_folder(options_.out, series.scenario, series.view);
+  const std::string stem = is_one ? snapshot::frame_stem(series.frames.front()) : "sequence";
+  reels_.clear();
+  for (const Format* format : formats_) {
+    reels_.emplace_back();
+    if (format->begin == nullptr || (is_one && format->encode != nullptr)) continue;
+    ReelPlan plan{path_of(series.scenario, folder / stem, *format),
+                  completed(series.origin, range_of(series.frames), *format),
+                  series.staging,
+                  series.sequence,
+                  series.frames,
+                  options_.fps};
+    for (const int frame : series.frames)
+      plan.origin.frames += (plan.origin.frames.empty() ? "" : ", ") + std::to_string(frame);
+    reels_.back() = format->begin(plan);
+  }
+}
+
+Shot Sinks::shot_of(draw::Drawing drawing) {
+  Shot shot{std::make_shared<const draw::Drawing>(std::move(drawing))};
+  if (needs_pixels_) shot.image = std::make_shared<const Image>(studio_.paint(*shot.drawing));
+  return shot;
+}
+
+void Sinks::encode(const Format& format, const std::string& path, const Shot& shot) {
+  encoders_.submit([&format, path, shot] { write_whole_file(path, format.encode(shot)); });
+}
+
+void Sinks::add(const trace::Frame& frame, draw::Drawing drawing) {
+  Shot shot = shot_of(std::move(drawing));
+  const fs::path folder = snapshot::picture_folder(options_.out, series_.scenario, series_.view);
+  for (std::size_t i = 0; i < formats_.size(); ++i) {
+    const Format& format = *formats_[i];
+    shot.origin = completed(series_.origin, std::to_string(frame.frame), format);
+    shot.origin.frame = frame.frame;
+    if (reels_[i])
+      reels_[i]->add(shot, frame);
+    else
+      encode(format, path_of(series_.scenario, folder / snapshot::frame_stem(frame.frame), format),
+             shot);
+  }
+}
+
+void Sinks::end() {
+  for (const auto& reel : reels_)
+    if (reel) reel->finish();
+  reels_.clear();
+}
+
+void Sinks::add_alone(const std::string& stem, const std::string& scenario,
+                      const PictureOrigin& origin, draw::Drawing drawing) {
+  if (needs_pixels_) studio_.open(drawing.width, drawing.height);
+  Shot shot = shot_of(std::move(drawing));
+  for (const Format* format : formats_) {
+    shot.origin = completed(origin, "", *format);
+    encode(*format, path_of(scenario, fs::path(options_.out) / stem, *format), shot);
+  }
+}
+
+}  // namespace contactscope::app

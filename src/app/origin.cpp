@@ -1,0 +1,64 @@
+#include "app/origin.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "app/narrow.h"
+#include "image/sha256.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string hash_of_file(const std::string& path) {
+  constexpr std::uintmax_t kMost = 64u << 20;
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > kMost) return "";
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  return file ? sha256(bytes) : "";
+}
+
+/// As the command line names it, wherever the program is: by its name where it is one of the root.
+std::string argument_of(const Input& input, const Options& options) {
+  if (input.trace || !input.file.empty()) return input.file == "standard input" ? "-" : input.file;
+  const Scenario& scenario = input.scenario;
+  const fs::path named = fs::path(options.scenario_root) / (scenario.name + ".toml");
+  return fs::path(scenario.path).lexically_normal() == named.lexically_normal() ? scenario.name
+                                                                                : scenario.path;
+}
+
+}  // namespace
+
+std::string for_shell(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+:,./@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+PictureOrigin origin_of(const Input& input, const trace::Header& header, const Options& options) {
+  PictureOrigin origin;
+  origin.version = CONTACTSCOPE_VERSION;
+  origin.scenario = input.scenario.name;
+  origin.title = header.title;
+  origin.sha256 = hash_of_file(input.file.empty() ? input.scenario.path : input.file);
+  origin.command = "contactscope render " + for_shell(argument_of(input, options)) + options.given;
+  return origin;
+}
+
+PictureOrigin of_view(PictureOrigin origin, const View& view, bool is_one_of_several,
+                      const Options& options) {
+  origin.view = view.name;
+  if (views_are_of_file(options))
+    origin.command += " --view " + for_shell(options.view);
+  else if (is_one_of_several)
+    origin.command += " --view " + for_shell(view.name);
+  return origin;
+}
+
+}  // namespace contactscope::app
