@@ -88,7 +88,9 @@ CheckedPicture check_picture(const fs::path& root, const PictureKey& key, const 
   const Decision decision = decide(finding, policy);
   if (decision.verdict >= Verdict::Written) {
     fs::create_directories(checked.stored.parent_path());
-    // Written once, read by every clone: the smallest level that stays fast.
+    // Written once, read by every clone: the smallest level that stays fast. Without a word of its
+    // origin: its path and the trace beside it say that, and a version or a hash would rewrite every
+    // stored file with each release, or with a comment in a scenario.
     constexpr int kStoredLevel = 9;
     write_png(checked.stored.string(), actual, kStoredLevel);
   }

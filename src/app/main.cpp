@@ -153,6 +153,12 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
         ->allow_extra_args(false)
         ->delimiter(',');
   }
+  if (name == "--strip")
+    return value(to.strip, "One picture of so many of the frames, side by side, with one legend");
+  if (name == "--columns")
+    return value(to.columns, "Of the cells of --strip or --sheet; default: up to four");
+  if (name == "--sheet")
+    return flag(to.sheet, "One picture of all scenarios, a thumbnail of each with its name");
   if (name == "--fps")
     return value(to.fps, "Pictures a second of an animation, instead of the frames' own times")
         ->check(CLI::Range(0.1, 240.0));

@@ -9,6 +9,7 @@
 #include "app/narrow.h"
 #include "app/origin.h"
 #include "app/progress.h"
+#include "app/strip.h"
 #include "app/studio.h"
 #include "app/verbs.h"
 #include "core/at.h"
@@ -110,6 +111,11 @@ void draw_sequences(Input& input, const Options& options, Studio& studio, Sinks&
   Sequence sequence = sequence_of(input, views, options, ledger);
   const std::shared_ptr<const Words> words = words_of(input, options);
   const PictureOrigin origin = origin_of(input, sequence.header, options);
+  if (options.strip) {
+    draw_strips(input, sequence, origin, words, options, studio, sinks);
+    progress.advance(scenario.name);
+    return;
+  }
   for (const View& view : views) {
     const FigureCanvas canvas =
         canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
@@ -134,6 +140,7 @@ ExitCode run_render(const Options& options) {
   const std::vector<const Format*> chosen = formats_named(options.formats);
   for (const Format* format : chosen)
     if (format->require != nullptr) format->require();
+  const bool cells = wants_cells(options, chosen);
   Ledger total;
   std::vector<Input> inputs;
   {
@@ -142,16 +149,25 @@ ExitCode run_render(const Options& options) {
   }
   int pictures = 0;
   for (const Input& input : inputs)
-    pictures += count_of(input.frames) * count_of(selected_views(input.scenario, options));
+    pictures +=
+        cells ? 1 : count_of(input.frames) * count_of(selected_views(input.scenario, options));
 
   const auto begin = std::chrono::steady_clock::now();
   Studio studio(options.backend, total);
   Sinks sinks(chosen, options, studio);
   {
     Progress progress(pictures, options.quiet);
-    for (Input& input : inputs) draw_sequences(input, options, studio, sinks, progress, total);
+    if (options.sheet) {
+      const auto run = [&](Input& input) {
+        return sequence_of(input, selected_views(input.scenario, options), options, total);
+      };
+      draw_sheet(inputs, run, options, studio, sinks, progress);
+    } else {
+      for (Input& input : inputs) draw_sequences(input, options, studio, sinks, progress, total);
+    }
     sinks.finish();
   }
+  if (cells) pictures = sinks.files() / count_of(chosen);
   if (options.json) {
     nlohmann::ordered_json written;
     for (const auto& [scenario, paths] : sinks.written()) written[scenario] = paths;
@@ -169,7 +185,7 @@ ExitCode run_render(const Options& options) {
   if (!options.quiet) studio.missing_glyphs().tell(std::cerr);
   if (!options.quiet) {
     std::filesystem::path where = options.out;
-    if (inputs.size() == 1) where /= inputs.front().scenario.name;
+    if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;
     std::cerr << pictures << (pictures == 1 ? " picture" : " pictures");
     if (const int files = sinks.files(); files != pictures)
       std::cerr << ", " << files << (files == 1 ? " file" : " files");
@@ -186,7 +202,8 @@ Verb render_verb() {
           &run_render,
           std::string("SCENARIO... --size ") + kFigureArguments +
               " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
-              "--timing --format --fps --json --frames --reducer --out --backend --view --jobs",
+              "--timing --format --strip --columns --sheet --fps --json --frames --reducer --out "
+              "--backend --view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},
            {"--json", "Print the paths of the pictures as JSON"}}};

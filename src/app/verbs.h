@@ -53,9 +53,12 @@ struct Options {
   std::optional<Size> size;
   std::optional<FrameRange> frames;
   std::vector<std::string> formats = {"png"};  // of `render`
-  std::optional<double> fps;  // of animations, pictures a second; none: by the frames' times
-  std::string given;          // what else of the command line pictures depend on, " --size 640x360"
-  std::string view;                           // a name; of a trace also a TOML file, or file:name
+  std::optional<double> fps;   // of animations, pictures a second; none: by the frames' times
+  std::optional<int> strip;    // so many frames in one picture
+  std::optional<int> columns;  // of its cells, or those of a sheet
+  bool sheet = false;          // one picture of all scenarios
+  std::string given;  // what else of the command line pictures depend on, " --size 640x360"
+  std::string view;   // a name; of a trace also a TOML file, or file:name
   std::vector<std::string> pair;              // two shapes: nothing else is shown
   std::vector<std::string> shapes;            // those to show; none: all
   std::vector<double> eye, target;            // of the camera, metres; none: the view's

@@ -116,7 +116,7 @@ TEST(Render, TraceGivesThePicturesOfItsScenario) {
   EXPECT_THAT(files_below(folder / "two"),
               ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0001.png"));
   for (const char* file : {"/group/idea/frame_0000.png", "/group/idea/frame_0001.png"})
-    EXPECT_TRUE(read_text(folder / "one" + file) == read_text(folder / "two" + file)) << file;
+    EXPECT_EQ(read_png(folder / "one" + file), read_png(folder / "two" + file)) << file;
 }
 
 TEST(Render, FramesOfATraceAreChosenByNumber) {

@@ -1,0 +1,174 @@
+#include "draw/strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/at.h"
+#include "draw/panels/panel.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kCaptionSize = 15, kCaptionRoom = 24, kBetweenCells = 16, kBelowTitle = 4;
+constexpr double kBodyType = 15;    // what a style's type is of
+constexpr double kPageType = 1440;  // pixels of width at which type is as large as at 720 lines
+constexpr double kLeastType = 0.72;
+constexpr double kCellShape = 0.75;  // height by width
+constexpr double kThumbnailShape = 0.66;
+
+/// Where nobody sets the type, it follows the width alone: a row is not high.
+FigureStyle with_type(FigureStyle style, int width) {
+  if (style.type > 0) return style;
+  style.type = kBodyType * std::max(kLeastType, width / kPageType);
+  return style;
+}
+
+CellGrid grid_of(const Rect& room, int cells, int columns, double caption, double gap,
+                 double shape) {
+  CellGrid grid{.columns = std::min(columns, cells), .x = room.x, .y = room.y, .caption = caption};
+  const int rows = (cells + grid.columns - 1) / grid.columns;
+  grid.width = static_cast<int>((room.width - (grid.columns - 1) * gap) / grid.columns);
+  const double height =
+      shape > 0 ? shape * grid.width : (room.height - (rows - 1) * gap) / rows - caption;
+  grid.height = static_cast<int>(height);
+  grid.across = (room.width - grid.width) / std::max(1, grid.columns - 1);
+  grid.down = caption + grid.height + gap;
+  return grid;
+}
+
+/// The height of a page whose cells have the height that their grid says, `room` being what they had.
+int height_with(const CellGrid& grid, int cells, double room, double gap, int height) {
+  const int rows = (cells + grid.columns - 1) / grid.columns;
+  return static_cast<int>(std::ceil(height - room + rows * grid.down - gap));
+}
+
+void put(const CellGrid& grid, int i, const Drawing& cell, Drawing& page) {
+  const Rect at = grid.cell(i);
+  page.append(cell, pixel(at.x, at.y));
+}
+
+}  // namespace
+
+Rect CellGrid::cell(int i) const {
+  return {std::floor(x + i % columns * across), std::floor(y + i / columns * down + caption),
+          static_cast<double>(width), static_cast<double>(height)};
+}
+
+int usual_columns(int cells) {
+  constexpr int kMost = 4;
+  const int rows = (cells + kMost - 1) / kMost;
+  return (cells + rows - 1) / std::max(1, rows);
+}
+
+FigureStyle cell_style(FigureStyle page, float scale) {
+  page.title = page.legend = page.footer = false;
+  page.margin = 0;
+  page.type = kBodyType * scale / page.scale;
+  page.height_below = 0;
+  return page;
+}
+
+Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frames,
+             const std::vector<trace::Frame>& shown, const View& view, int width, int height,
+             int columns, const FigureStyle& style)
+    : header_(&header), shown_(&shown), style_(with_type(style, width)) {
+  // What the legend lists follows from the cells, and their size from its rows.
+  lay_out(frames, view, width, height, columns);
+  if (!style_.legend) return;
+  Legend legend;
+  for (const trace::Frame& frame : shown)
+    for (const LegendEntry& entry : legend_of(*cell_, frame))
+      legend.explain(*entry.swatch, entry.text);
+  legend_ = legend.sorted();
+  if (!legend_.empty()) lay_out(frames, view, width, height, columns);
+}
+
+void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, int width,
+                    int height, int columns) {
+  const int cells = count_of(*shown_);
+  const float scale = interface_scale(width, width, style_);
+  std::vector<float> widths = mapped(legend_, [&](const LegendEntry& entry) {
+    return legend_entry_width(entry, scale, style_.words.get());
+  });
+  const auto page_of = [&](int high) {
+    return make_layout(width, high, false, {widths}, 0, style_, header_->title);
+  };
+  page_ = page_of(height > 0 ? height : width);
+  const double gap = page_.px(kBetweenCells), caption = page_.px(kCaptionRoom);
+  if (height <= 0) {
+    const CellGrid trial = grid_of(page_.view, cells, columns, caption, gap, kCellShape);
+    page_ = page_of(height_with(trial, cells, page_.view.height, gap, width));
+  }
+  grid_ = grid_of(page_.view, cells, columns, caption, gap, 0);
+  cell_.emplace(stage(*header_, frames, view, std::max(grid_.width, 1), std::max(grid_.height, 1),
+                      cell_style(style_, page_.scale)));
+}
+
+Drawing Strip::page() const {
+  Drawing drawing{.width = page_.width, .height = page_.height};
+  drawing.words = page_.words;
+  const Pen pen(drawing, page_.scale, kCaptionSize);
+  drawing.begin(kMomentPart);
+  for (int i = 0; i < count_of(*shown_); ++i) {
+    const Rect at = grid_.cell(i);
+    pen.text(pen.fitted(cell_->moments.of(contactscope::at(*shown_, i)), Weight::Bold,
+                        static_cast<float>(at.width)),
+             pixel(at.x, at.y - page_.px(0.35 * kCaptionSize)), Align::Left, kText, Weight::Bold);
+  }
+  if (style_.legend) draw_legend(legend_, page_, drawing);
+  draw_captions(header_->title, header_->source, "", page_, drawing);
+  return drawing;
+}
+
+void Strip::place(int i, const Drawing& cell, Drawing& page) const {
+  put(grid_, i, cell, page);
+}
+
+ContactSheet::ContactSheet(std::string title, std::vector<Entry> entries, int width, int columns,
+                           const FigureStyle& style)
+    : title_(std::move(title)), entries_(std::move(entries)), style_(with_type(style, width)) {
+  style_.legend = style_.footer = false;
+  const int cells = count_of(entries_);
+  const auto page_of = [&](int high) {
+    return make_layout(width, high, false, {}, 0, style_, title_);
+  };
+  page_ = page_of(width);
+  // A name and two lines of a title.
+  const double gap = page_.px(kBetweenCells), caption = page_.px(3.6 * kCaptionSize);
+  const CellGrid trial = grid_of(page_.view, cells, columns, caption, gap, kThumbnailShape);
+  page_ = page_of(height_with(trial, cells, page_.view.height, gap, width));
+  grid_ = grid_of(page_.view, cells, columns, caption, gap, kThumbnailShape);
+}
+
+Drawing ContactSheet::page() const {
+  Drawing drawing{.width = page_.width, .height = page_.height};
+  drawing.words = page_.words;
+  const Pen pen(drawing, page_.scale, kCaptionSize);
+  drawing.begin(kTitlePart);
+  for (int i = 0; i < count_of(entries_); ++i) {
+    const Entry& entry = contactscope::at(entries_, i);
+    const Rect at = grid_.cell(i);
+    const auto room = static_cast<float>(at.width);
+    double baseline = at.y - grid_.caption + page_.px(kCaptionSize);
+    const auto line = [&](const std::string& text, Weight weight, const Color& color) {
+      pen.text(pen.fitted(text, weight, room), pixel(at.x, baseline), Align::Left, color, weight);
+      baseline += page_.px(1.1 * kCaptionSize);
+    };
+    line(entry.name, Weight::Bold, kText);
+    std::vector<std::string> lines = wrapped(entry.title, page_.px(kCaptionSize), room);
+    for (std::size_t l = 2; l < lines.size(); ++l) lines[1] += " " + lines[l];
+    for (std::size_t l = 0; l < std::min<std::size_t>(2, lines.size()); ++l)
+      line(lines[l], Weight::Regular, kQuietText);
+  }
+  draw_captions(title_, "", "", page_, drawing);
+  return drawing;
+}
+
+void ContactSheet::place(int i, const Drawing& thumbnail, Drawing& page) const {
+  put(grid_, i, thumbnail, page);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,165 @@
+#include "app/strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/figure_canvas.h"
+#include "app/origin.h"
+#include "core/at.h"
+#include "draw/strip.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+constexpr int kStripWidth = 1600, kSheetWidth = 1600;  // pixels, where nobody says
+
+std::string group_of(const std::string& scenario) {
+  return scenario.substr(0, scenario.find('/'));
+}
+
+/// A view of a scene: a contact plane has captions of its own, and stands in no cell.
+bool has_cells(const View& view) {
+  return view.kind == ViewKind::Scene;
+}
+
+/// Size and style of a page of cells; a height of 0 is as high as they need.
+FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                         const View& view, const Options& options, int width,
+                         const std::shared_ptr<const Words>& words) {
+  const bool has_height = options.size || options.figure.height;
+  FigureCanvas canvas = canvas_of(header, frames, view, options, Size{width, width}, words);
+  if (!has_height) canvas.size.height = 0;
+  return canvas;
+}
+
+std::string joined(const std::vector<int>& frames) {
+  std::string text;
+  for (const int frame : frames) text += (text.empty() ? "" : ", ") + std::to_string(frame);
+  return text;
+}
+
+}  // namespace
+
+bool wants_cells(const Options& options, const std::vector<const Format*>& formats) {
+  if (options.strip && (*options.strip < 2 || *options.strip > 64))
+    throw UsageError("--strip " + std::to_string(*options.strip) +
+                     " is no number of frames to stand side by side; write 2 to 64, as --strip 4");
+  if (options.columns && (*options.columns < 1 || *options.columns > 64))
+    throw UsageError("--columns " + std::to_string(*options.columns) +
+                     " is no number of columns; write 1 to 64, as --columns 2");
+  if (options.strip && options.sheet)
+    throw UsageError("--strip and --sheet are a picture each; leave one out");
+  if (options.columns && !options.strip && !options.sheet)
+    throw UsageError("--columns are those of --strip or --sheet; name one of them too");
+  if (!options.strip && !options.sheet) return false;
+  for (const Format* format : formats)
+    if (format->encode == nullptr)
+      throw UsageError(std::string(options.strip ? "--strip" : "--sheet") +
+                       " is one picture, and --format " + std::string(format->name) + " is " +
+                       std::string(format->what) + "; leave one of them out");
+  return true;
+}
+
+std::vector<int> evenly(const std::vector<int>& frames, int count) {
+  if (count_of(frames) <= count) return frames;
+  std::vector<int> chosen;
+  for (int i = 0; i < count; ++i) {
+    const double place = static_cast<double>(i) * (count_of(frames) - 1) / (count - 1);
+    chosen.push_back(at(frames, static_cast<int>(std::lround(place))));
+  }
+  return chosen;
+}
+
+void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& origin,
+                 const std::shared_ptr<const Words>& words, const Options& options, Studio& studio,
+                 Sinks& sinks) {
+  const Scenario& scenario = input.scenario;
+  std::vector<View> views = selected_views(scenario, options);
+  std::erase_if(views, [](const View& view) { return !has_cells(view); });
+  if (views.empty())
+    throw UsageError("--strip: " + scenario.name +
+                     " has contact planes alone here, whose cells stand side by side already; "
+                     "leave out --strip, or name another --view");
+  const std::vector<int> chosen = evenly(input.frames, *options.strip);
+  std::vector<trace::Frame> shown;
+  sequence.each(chosen, [&](std::size_t index) { shown.push_back(sequence.frames[index]); });
+  for (View& view : views) {
+    if (!options.panels) view.panels.clear();
+    const FigureCanvas canvas =
+        page_canvas(sequence.header, sequence.frames, view, options, kStripWidth, words);
+    const draw::Strip strip(
+        sequence.header, sequence.frames, shown, view, canvas.size.width, canvas.size.height,
+        options.columns.value_or(draw::usual_columns(count_of(shown))), canvas.style);
+    draw::Drawing page = strip.page();
+    studio.finish(canvas.style, page);
+    int cell = 0;
+    studio.each_drawing(strip.cell(), sequence, chosen,
+                        [&](const trace::Frame&, const draw::Drawing& drawing) {
+                          strip.place(cell++, drawing, page);
+                        });
+    const bool is_one_of_several = scenario.views.size() > 1;
+    PictureOrigin of_strip = of_view(origin, view, is_one_of_several, options);
+    of_strip.frames = joined(chosen);
+    if (options.frames)
+      of_strip.command += " --frames " + std::to_string(options.frames->first) + ":" +
+                          std::to_string(options.frames->last) + ":" +
+                          std::to_string(options.frames->step);
+    std::filesystem::path stem = scenario.name;
+    if (is_one_of_several) stem /= view.name;
+    sinks.add_alone((stem / "strip").string(), scenario.name, of_strip, std::move(page));
+  }
+}
+
+void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)>& run,
+                const Options& options, Studio& studio, Sinks& sinks, Progress& progress) {
+  std::set<std::string> groups;
+  std::vector<draw::ContactSheet::Entry> entries;
+  for (const Input& input : inputs) {
+    groups.insert(group_of(input.scenario.name));
+    const bool is_trace = input.trace.has_value();
+    entries.push_back(
+        {input.scenario.name, is_trace ? input.trace->header.title : input.scenario.title});
+  }
+  const std::string group = groups.size() == 1 ? *groups.begin() : "";
+  const std::shared_ptr<const Words> words = words_of(inputs.front(), options);
+  const FigureCanvas canvas = page_canvas({}, {}, View{.kind = ViewKind::ContactPlane}, options, kSheetWidth, words);
+  const draw::ContactSheet sheet(
+      (group.empty() ? "" : group + ": ") + std::to_string(inputs.size()) +
+          (inputs.size() == 1 ? " scenario" : " scenarios"),
+      std::move(entries), canvas.size.width,
+      options.columns.value_or(draw::usual_columns(count_of(inputs))), canvas.style);
+  draw::Drawing page = sheet.page();
+  studio.finish(canvas.style, page);
+  for (int i = 0; i < count_of(inputs); ++i) {
+    Input& input = at(inputs, i);
+    const std::vector<View> views = selected_views(input.scenario, options);
+    const auto scene = std::ranges::find_if(views, has_cells);
+    Sequence sequence = run(input);
+    if (scene != views.end()) {
+      View view = *scene;
+      if (!options.panels) view.panels.clear();
+      const draw::Staging staging =
+          draw::stage(sequence.header, sequence.frames, view, sheet.cell_width(),
+                      sheet.cell_height(), sheet.thumbnail_style());
+      const std::vector<int>& stored = input.scenario.snapshots.frames;
+      const int frame = options.frames || stored.empty() ? input.frames.front() : stored.front();
+      studio.each_drawing(staging, sequence, {frame},
+                          [&](const trace::Frame&, const draw::Drawing& drawing) {
+                            sheet.place(i, drawing, page);
+                          });
+    }
+    progress.advance(input.scenario.name);
+  }
+  PictureOrigin origin;
+  origin.title = group;
+  origin.version = CONTACTSCOPE_VERSION;
+  origin.command = "contactscope render";
+  for (const std::string& name : options.scenarios) origin.command += " " + for_shell(name);
+  origin.command += options.given;
+  sinks.add_alone((std::filesystem::path(group) / "sheet").string(), group, origin,
+                  std::move(page));
+}
+
+}  // namespace contactscope::app

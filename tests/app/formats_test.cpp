@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "image/png.h"
+#include "image/sha256.h"
+
+// `render --format`: what becomes which file, and what it says of itself.
+namespace contactscope::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class Formats : public testing::Test {
+ protected:
+  ProgramRun render(const std::string& options, const std::string& environment = "") {
+    return run(
+        "render '" + scenario_ + "' --size 160x90 --out '" + (folder_ / "out") + "' " + options,
+        environment);
+  }
+  std::string text(const std::string& file) { return read_text(folder_ / ("out/" + file)); }
+  std::set<std::string> files() { return files_below(folder_ / "out"); }
+
+  /// A program of that name that writes its arguments and counts what it reads, for PATH.
+  std::string fake_ffmpeg(const std::string& rest) {
+    const std::string path =
+        folder_.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$@\" > '" +
+                                        (folder_ / "arguments") + "'\n" + rest);
+    chmod(path.c_str(), 0755);
+    return "PATH='" + (folder_ / "bin") + "':/usr/bin:/bin";
+  }
+
+  TemporaryFolder folder_;
+  std::string scenario_ = folder_.write("group/idea.toml", small_scenario());
+};
+
+TEST_F(Formats, VectorsAloneOpenNoOpenGL) {
+  // A backend that is not there would be trouble.
+  const ProgramRun result = render("--format svg,pdf --frames 1 --verbose");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(), ElementsAre("group/idea/frame_0001.pdf", "group/idea/frame_0001.svg"));
+  EXPECT_THAT(result.err, AllOf(Not(HasSubstr("open OpenGL")), Not(HasSubstr("paint"))));
+  EXPECT_THAT(text("group/idea/frame_0001.svg"),
+              AllOf(HasSubstr("<svg"), HasSubstr("--format svg")));
+  EXPECT_THAT(text("group/idea/frame_0001.pdf"), StartsWith("%PDF-"));
+}
+
+TEST_F(Formats, SeveralAtOnceAreListed) {
+  const ProgramRun result = render("--format svg,png,apng,webp --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(), ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0000.svg",
+                                   "group/idea/frame_0001.png", "group/idea/frame_0001.svg",
+                                   "group/idea/sequence.apng", "group/idea/sequence.webp"));
+  std::set<std::string> told;
+  for (const std::string path : nlohmann::json::parse(result.out).at("group/idea"))
+    told.insert(path.substr((folder_ / "out/").size()));
+  EXPECT_EQ(told, files());
+  EXPECT_THAT(result.err, HasSubstr("2 pictures, 6 files"));
+  EXPECT_THAT(text("group/idea/sequence.webp"), AllOf(StartsWith("RIFF"), HasSubstr("ANIM")));
+  // Its first picture is the PNG of the first frame.
+  EXPECT_EQ(read_png(folder_ / "out/group/idea/sequence.apng"),
+            read_png(folder_ / "out/group/idea/frame_0000.png"));
+}
+
+TEST_F(Formats, AFileOfOneFrameHasItsName) {
+  ASSERT_EQ(render("--format webp,apng --frames 1").exit_code, 0);
+  EXPECT_THAT(files(), ElementsAre("group/idea/frame_0001.apng", "group/idea/frame_0001.webp"));
+  EXPECT_THAT(text("group/idea/frame_0001.webp"), Not(HasSubstr("ANIM")));
+}
+
+TEST_F(Formats, APngSaysHowItIsMadeAgain) {
+  ASSERT_EQ(render("--layers shapes,contacts --frames 1 --quiet --jobs 1").exit_code, 0);
+  const PngText said = read_png_text(folder_ / "out/group/idea/frame_0001.png");
+  const std::map<std::string, std::string> all(said.begin(), said.end());
+  EXPECT_THAT(all.at("Software"), StartsWith("contactscope "));
+  EXPECT_EQ(all.at("Scenario"), "group/idea");
+  EXPECT_EQ(all.at("Frame"), "1");
+  EXPECT_EQ(all.at("View"), "main");
+  EXPECT_EQ(all.at("Scenario SHA-256"), sha256(small_scenario()));
+  EXPECT_EQ(all.at("Command"), "contactscope render " + scenario_ +
+                                   " --size 160x90 --layers shapes,contacts --frames 1");
+  const std::string before = text("group/idea/frame_0001.png");
+  ASSERT_EQ(run(all.at("Command").substr(13) + " --out '" + (folder_ / "again") + "'").exit_code,
+            0);
+  EXPECT_TRUE(read_text(folder_ / "again/group/idea/frame_0001.png") == before);
+}
+
+TEST_F(Formats, WhatIsNotKnownIsAnsweredWithWhatThereIs) {
+  const ProgramRun result = render("--format gif");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--format 'gif'"), HasSubstr("png"), HasSubstr("svg"),
+                                HasSubstr("apng"), HasSubstr("mp4")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Formats, AFilmIsPipedToFfmpeg) {
+  const std::string path = fake_ffmpeg("for last; do :; done\nwc -c > \"$last\"\n");
+  // 61 pixels a row are made even.
+  const ProgramRun result =
+      run("render '" + scenario_ + "' --format mp4 --fps 20 --size 161x91 --out '" +
+              (folder_ / "out") + "'",
+          path);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(), ElementsAre("group/idea/sequence.mp4"));
+  EXPECT_EQ(std::stoi(text("group/idea/sequence.mp4")), 2 * 162 * 92 * 3);
+  const std::string told = read_text(folder_ / "arguments");
+  for (const char* words : {"-video_size\n162x92\n", "-framerate\n20.", "-pix_fmt\nyuv420p\n",
+                            "-movflags\n+faststart\n", "-crf\n18\n", "-pixel_format\nrgb24\n"})
+    EXPECT_THAT(told, HasSubstr(words));
+}
+
+TEST_F(Formats, AFilmThatFailsLeavesNothing) {
+  const std::string path = fake_ffmpeg("echo no such codec >&2\nexit 3\n");
+  const ProgramRun result = render("--format mp4", path);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("no such codec"), HasSubstr("ffmpeg could not make"),
+                                HasSubstr("sequence.mp4")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Formats, WithoutFfmpegNothingIsRendered) {
+  folder_.write("bin/empty", "");
+  const ProgramRun result = render("--format mp4,png", "PATH='" + (folder_ / "bin") + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("needs the program ffmpeg"), HasSubstr("apt-get install")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace contactscope::test
