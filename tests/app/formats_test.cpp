@@ -135,5 +135,44 @@ TEST_F(Formats, WithoutFfmpegNothingIsRendered) {
   EXPECT_THAT(files(), IsEmpty());
 }
 
+TEST_F(Formats, AStripIsOnePictureInEachFormat) {
+  const ProgramRun result =
+      run("render hull/clip_step_by_step --strip 4 --columns 2 --size 640x480 "
+          "--format png,svg --json --out '" +
+          (folder_ / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(),
+              ElementsAre("hull/clip_step_by_step/strip.png", "hull/clip_step_by_step/strip.svg"));
+  const Image image = read_png(folder_ / "out/hull/clip_step_by_step/strip.png");
+  EXPECT_EQ(image.width, 640);
+  EXPECT_EQ(image.height, 480);
+  const PngText said = read_png_text(folder_ / "out/hull/clip_step_by_step/strip.png");
+  EXPECT_THAT(said, testing::Contains(std::pair<std::string, std::string>("Frames", "0, 2, 3, 5")));
+}
+
+TEST_F(Formats, ASheetHasAllScenariosOfAGroup) {
+  folder_.write("group/other.toml", small_scenario());
+  const ProgramRun result = run("render '" + (folder_ / "group") +
+                                "' --sheet --format svg --out '" + (folder_ / "out") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(), ElementsAre("group/sheet.svg"));
+  EXPECT_THAT(text("group/sheet.svg"), AllOf(HasSubstr("group/idea"), HasSubstr("group/other")));
+}
+
+TEST_F(Formats, WhatDoesNotGoTogetherIsRefused) {
+  for (const auto& [options, told] :
+       {std::pair{"--strip 0", "2 to 64"},
+        {"--strip 4 --format apng", "--strip is one picture, and --format apng"},
+        {"--sheet --format mp4,png", "--sheet is one picture"},
+        {"--strip 4 --sheet", "leave one out"},
+        {"--columns 2", "--strip or --sheet"},
+        {"--strip 2 --columns 0", "1 to 64"}}) {
+    const ProgramRun result = render(options, fake_ffmpeg(""));
+    EXPECT_EQ(result.exit_code, 2) << options;
+    EXPECT_THAT(result.err, HasSubstr(told)) << options;
+  }
+  EXPECT_THAT(files(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace contactscope::test

@@ -1,0 +1,132 @@
+#include "draw/strip.h"
+
+#include <gmock/gmock.h>
+
+#include "crate_on_slab.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+
+/// Ten frames in which a crate rises by 1 cm each; the first alone touches.
+CrateOnSlab rising() {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
+  for (int f = 1; f < 10; ++f) {
+    trace::Frame frame = scene.frames.front();
+    frame.frame = f;
+    frame.time = 0.1 * f;
+    frame.poses[1].second.position.y() += 0.01 * f;
+    frame.pairs[0].manifolds.clear();
+    frame.pairs[0].state = "separated";
+    scene.frames.push_back(frame);
+  }
+  return scene;
+}
+
+Drawing strip_of(const CrateOnSlab& scene, const Strip& strip,
+                 const std::vector<trace::Frame>& shown) {
+  Drawing page = strip.page();
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    strip.place(static_cast<int>(i), illustrate(strip.cell(), shown[i]), page);
+  return page;
+}
+
+std::vector<Text> texts_of(const Drawing& drawing, const std::string& text) {
+  std::vector<Text> found;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Text* one = std::get_if<Text>(&primitive);
+    if (one != nullptr && one->text.find(text) != std::string::npos) found.push_back(*one);
+  }
+  return found;
+}
+
+TEST(Strip, HasOneTitleOneLegendAndAMomentACell) {
+  const CrateOnSlab scene = rising();
+  const std::vector<trace::Frame> shown = {scene.frames[0], scene.frames[5], scene.frames[9]};
+  const Strip strip(scene.header, scene.frames, shown, scene.view, 1200, 0, 3, {});
+  const Drawing page = strip_of(scene, strip, shown);
+  EXPECT_EQ(page.width, 1200);
+  EXPECT_EQ(texts_of(page, "A crate on a slab").size(), 1u);
+  EXPECT_EQ(texts_of(page, "none").size(), 1u) << "the source";
+  EXPECT_EQ(texts_of(page, "frame ").size(), 3u);
+  // Only the first frame has contacts, and the legend of all explains them.
+  const auto legend_of_one = legend_of(strip.cell(), scene.frames[0]);
+  for (const LegendEntry& entry : legend_of_one)
+    EXPECT_EQ(texts_of(page, entry.text).size(), 1u) << entry.text;
+  EXPECT_LT(legend_of(strip.cell(), scene.frames[9]).size(), legend_of_one.size());
+}
+
+TEST(Strip, CellsStandInRowsAndDoNotOverlap) {
+  const CrateOnSlab scene = rising();
+  const std::vector<trace::Frame> shown(scene.frames.begin(), scene.frames.begin() + 5);
+  const Strip strip(scene.header, scene.frames, shown, scene.view, 1200, 900, 3, {});
+  EXPECT_EQ(strip.height(), 900);
+  Drawing page = strip.page();
+  const std::vector<Text> moments = texts_of(page, "frame ");
+  ASSERT_EQ(moments.size(), 5u);
+  EXPECT_EQ(moments[0].at.y, moments[2].at.y);
+  EXPECT_EQ(moments[0].at.x, moments[3].at.x);
+  EXPECT_GT(moments[3].at.y, moments[0].at.y + static_cast<float>(strip.cell().layout.height));
+  const float across = moments[1].at.x - moments[0].at.x;
+  EXPECT_GT(across, static_cast<float>(strip.cell().layout.width));
+  // Every cell is on the page, below its moment.
+  const std::size_t own = page.primitives.size();
+  strip.place(4, illustrate(strip.cell(), shown[4]), page);
+  ASSERT_GT(page.primitives.size(), own);
+  const Rect canvas{0, 0, 1200, 900};
+  for (std::size_t i = own; i < page.primitives.size(); ++i) {
+    const Fill* fill = std::get_if<Fill>(&page.primitives[i]);
+    if (fill == nullptr) continue;
+    for (const Point2& corner : fill->polygon) {
+      EXPECT_TRUE(canvas.contains(corner));
+      EXPECT_GE(corner.y, moments[4].at.y);
+      EXPECT_GE(corner.x, moments[4].at.x - 1);
+    }
+  }
+}
+
+TEST(Strip, TypeOfACellIsAsLargeAsThePages) {
+  const CrateOnSlab scene = rising();
+  const std::vector<trace::Frame> shown = {scene.frames[0], scene.frames[9]};
+  for (const double asked : {0.0, 20.0}) {
+    FigureStyle style;
+    style.type = asked;
+    const Strip strip(scene.header, scene.frames, shown, scene.view, 1440, 0, 2, style);
+    EXPECT_NEAR(strip.cell().layout.scale, asked > 0 ? asked / 15 : 1.0, 1e-5);
+  }
+}
+
+TEST(Strip, RowsAreOfAboutTheSameLength) {
+  for (const auto& [cells, columns] :
+       {std::pair{1, 1}, {2, 2}, {4, 4}, {5, 3}, {6, 3}, {8, 4}, {9, 3}})
+    EXPECT_EQ(usual_columns(cells), columns) << cells;
+}
+
+TEST(Strip, ASheetNamesEachThumbnailAboveIt) {
+  const CrateOnSlab scene = rising();
+  const ContactSheet sheet("two", {{"group/a", "First title"}, {"group/b", "Second title"}}, 1000,
+                           2, {});
+  Drawing page = sheet.page();
+  ASSERT_EQ(texts_of(page, "group/b").size(), 1u);
+  const Point2 name = texts_of(page, "group/b").front().at;
+  EXPECT_GT(texts_of(page, "Second title").front().at.y, name.y);
+  const std::size_t own = page.primitives.size();
+  const Staging staging = stage(scene.header, scene.frames, scene.view, sheet.cell_width(),
+                                sheet.cell_height(), sheet.thumbnail_style());
+  sheet.place(1, illustrate(staging, scene.frames[0]), page);
+  ASSERT_GT(page.primitives.size(), own);
+  for (std::size_t i = own; i < page.primitives.size(); ++i) {
+    const Fill* fill = std::get_if<Fill>(&page.primitives[i]);
+    if (fill == nullptr) continue;
+    for (const Point2& corner : fill->polygon) {
+      EXPECT_GE(corner.x, name.x - 1);
+      EXPECT_GT(corner.y, name.y);
+      EXPECT_LE(corner.y, static_cast<float>(sheet.height()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::draw
