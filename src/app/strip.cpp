@@ -124,7 +124,9 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   }
   const std::string group = groups.size() == 1 ? *groups.begin() : "";
   const std::shared_ptr<const Words> words = words_of(inputs.front(), options);
-  const FigureCanvas canvas = page_canvas({}, {}, View{.kind = ViewKind::ContactPlane}, options, kSheetWidth, words);
+  View none;  // of no scene: its height follows from the thumbnails
+  none.kind = ViewKind::ContactPlane;
+  const FigureCanvas canvas = page_canvas({}, {}, none, options, kSheetWidth, words);
   const draw::ContactSheet sheet(
       (group.empty() ? "" : group + ": ") + std::to_string(inputs.size()) +
           (inputs.size() == 1 ? " scenario" : " scenarios"),
