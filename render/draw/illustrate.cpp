@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <list>
+#include <optional>
+
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/pairs.h"
@@ -7,6 +11,9 @@
 
 namespace contactscope::draw {
 namespace {
+
+constexpr float kInPlace = 15;  // size of a label that stands for an entry of the legend, pixels
+constexpr double kAway = 22;    // pixels of its leader at least
 
 using Needs = std::array<bool Stages::*, 3>;
 
@@ -104,6 +111,59 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   return sketch;
 }
 
+// Without the anchors that the camera does not see: a label there would not be drawn.
+Legend seen_by(const Camera& camera, const Legend& legend) {
+  Legend seen;
+  for (const LegendEntry& entry : legend.entries())
+    seen.explain(*entry.swatch, entry.text,
+                 entry.anchor && camera.sees(*entry.anchor) ? entry.anchor : std::nullopt);
+  return seen;
+}
+
+// What panels show has no place in the view.
+void explain_beside(const View& view, const trace::Frame& frame, Legend& legend) {
+  Legend of_panels;
+  explain_panels(view, frame, of_panels);
+  for (const LegendEntry& entry : of_panels.entries()) legend.explain(*entry.swatch, entry.text);
+}
+
+// Says at the thing what the legend has no room for.
+void label_in_place(const LegendChoice& choice, Sketch& sketch) {
+  sketch.begin(kLegendPart);
+  for (const LegendEntry& entry : choice.labelled) {
+    if (std::ranges::find(sketch.legend.entries(), entry) == sketch.legend.entries().end())
+      continue;
+    Label& label = sketch.label(*entry.anchor, label_of(entry), entry.swatch->ink, kInPlace, kAway);
+    label.bold = false;
+    label.leader = true;
+  }
+}
+
+// One view of the picture: that of all, or that of a pair that has one to itself.
+struct Shot {
+  const PairViewport* viewport = nullptr;
+  Layout layout;
+  std::optional<trace::Frame> part{};  // what of the frame the scene is
+  std::optional<Scene> scene{};
+};
+
+// Scenes refer to their frames, so that they stay where they are.
+std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
+  std::list<Shot> shots;
+  if (staging.viewports.empty()) {
+    Shot& shot = shots.emplace_back(Shot{.layout = staging.layout});
+    if (staging.magnifier) shot.layout.insets.push_back(staging.magnifier->frame);
+    shot.scene.emplace(scene_of(staging, frame));
+  }
+  for (const PairViewport& viewport : staging.viewports) {
+    Shot& shot = shots.emplace_back(Shot{&viewport, staging.layout, part_of(frame, viewport)});
+    shot.layout.view = inside_of(viewport, staging.layout);
+    shot.scene.emplace(Scene{staging.view, *staging.header, *shot.part, staging.meshes,
+                             *viewport.camera, staging.scales, staging.sequence.get()});
+  }
+  return shots;
+}
+
 }  // namespace
 
 Scene scene_of(const Staging& staging, const trace::Frame& frame) {
@@ -111,13 +171,16 @@ Scene scene_of(const Staging& staging, const trace::Frame& frame) {
           staging.scales, staging.sequence.get()};
 }
 
-std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame) {
-  const Scene scene = scene_of(staging, frame);
-  Legend legend = sketched(staging, scene, true).legend;
-  for (const Inset& inset : staging.insets)
-    legend.explain(sketch_inset(inset, scene).sketch.legend);
-  explain_panels(staging.view, frame, legend);
-  return legend.sorted();
+LegendChoice legend_of(const Staging& staging, const trace::Frame& frame) {
+  Legend legend;
+  for (const Shot& shot : shots_of(staging, frame)) {
+    const Scene& scene = *shot.scene;
+    legend.explain(seen_by(scene.camera, sketched(staging, scene, true).legend));
+    for (const Inset& inset : staging.insets)
+      legend.explain(seen_by(inset.camera, sketch_inset(inset, scene).sketch.legend));
+  }
+  explain_beside(staging.view, frame, legend);
+  return choose_legend(legend.sorted());
 }
 
 Sketch sketch_frame(const Staging& staging, const trace::Frame& frame) {
@@ -128,21 +191,50 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
   if (staging.cells) return staging.cells->frame(frame.frame);
   Drawing drawing{.width = staging.layout.width, .height = staging.layout.height};
   drawing.words = staging.layout.words;
-  const Scene scene = scene_of(staging, frame);
-  const Sketch sketch = sketched(staging, scene, false);
-  compose(sketch, staging.camera, staging.layout, drawing);
-  Legend legend = sketch.legend;
-  for (const Inset& inset : staging.insets) {
-    const InsetPicture picture = sketch_inset(inset, scene);
-    legend.explain(picture.sketch.legend);
-    draw_inset(inset, picture, staging.layout, drawing);
+  const std::list<Shot> shots = shots_of(staging, frame);
+  Legend legend;
+  std::vector<Sketch> sketches;  // of each shot
+  std::vector<InsetPicture> insets;
+  for (const Shot& shot : shots) {
+    sketches.push_back(sketched(staging, *shot.scene, false));
+    legend.explain(seen_by(shot.scene->camera, sketches.back().legend));
   }
-  explain_panels(staging.view, frame, legend);
-  if (staging.style.legend) draw_legend(legend.sorted(), staging.layout, drawing);
-  draw_captions(staging.header->title, staging.header->source, staging.moments.of(frame),
+  for (const Inset& inset : staging.insets) {
+    insets.push_back(sketch_inset(inset, *shots.front().scene));
+    legend.explain(seen_by(inset.camera, insets.back().sketch.legend));
+  }
+  explain_beside(staging.view, frame, legend);
+  const LegendChoice choice = choose_legend(legend.sorted());
+  // Once is enough, where the same is to be seen side by side.
+  label_in_place(choice, sketches.front());
+  auto sketch = sketches.begin();
+  for (const Shot& shot : shots) {
+    const Camera& camera = shot.scene->camera;
+    sketch->begin(kShapeNamesPart);
+    draw_shape_names(*shot.scene, *sketch);
+    compose(*sketch, camera, shot.layout, drawing);
+    if (shot.viewport != nullptr) draw_viewport_frame(*shot.viewport, staging.layout, drawing);
+    const auto middle = staging.magnifier ? magnified_middle(staging.view, frame) : std::nullopt;
+    if (middle) {
+      sketch->labels.clear();
+      draw_magnified(*staging.magnifier, *middle, *sketch, camera, staging.layout, drawing);
+    }
+    ++sketch;
+  }
+  for (std::size_t i = 0; i < insets.size(); ++i) {
+    label_in_place(choice, insets[i].sketch);
+    draw_inset(staging.insets[i], insets[i], staging.layout, drawing);
+  }
+  if (staging.style.legend) draw_legend(choice.listed, staging.layout, drawing);
+  draw_captions(fill_title(staging, frame), staging.header->source, staging.moments.of(frame),
                 staging.layout, drawing);
   return drawing;
 }
+
+// Those that a title may look at.
+constexpr std::array kTitleStages = {&Stages::reduction,   &Stages::clip,      &Stages::gjk,
+                                     &Stages::penetration, &Stages::stability, &Stages::tree,
+                                     &Stages::query};
 
 Stages stages_shown(const std::vector<View>& views) {
   Stages stages = Stages::none();
@@ -155,6 +247,10 @@ Stages stages_shown(const std::vector<View>& views) {
     for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);
     for (const Panel panel : view.panels) add(needs_of(panel));
     add(needs_of(view.story));
+    if (view.title) {
+      const Stages of_title = stages_of(parse_title(*view.title).title);
+      for (const auto stage : kTitleStages) stages.*stage = stages.*stage || of_title.*stage;
+    }
     stages.reduction = stages.reduction || view.kind == ViewKind::ContactPlane;
   }
   return stages;

@@ -69,8 +69,9 @@ Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
   return normal.dot(usual) < 0 ? Vec3d(-normal) : normal;
 }
 
-// Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known by
-// their outline alone, and the ground with all that is on it; else the subject is all but floors.
+// Also gives every plane of `meshes` its patch. Not to be cropped are round shapes, which are known
+// by their outline alone, and the ground with all that is on it; else the subject is all but
+// floors.
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, ShapeMeshes& meshes) {
   const Vec3d usual = default_direction(header);
@@ -167,11 +168,51 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
   const double parallel_height = 2 * half_height * best.distance;
   if (view.eye) best.distance = (*view.eye - best.target).norm();
   const Vec3d eye = view.eye.value_or(best.target + best.distance * direction);
-  if (parallel)
-    return Camera::orthographic(eye, best.target, up, parallel_height, viewport);
+  if (parallel) return Camera::orthographic(eye, best.target, up, parallel_height, viewport);
   return view.orthographic_height
              ? Camera::orthographic(eye, best.target, up, *view.orthographic_height, viewport)
              : Camera::perspective(eye, best.target, up, fov, viewport);
+}
+
+// All viewports of pairs show as many pixels of a metre, from the same side: the one that needs
+// most room decides. What each shows stands in its middle in all frames.
+void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                   const Extent& all, Staging& staging) {
+  const View& view = staging.view;
+  Vec3d direction = viewing_direction(header, all.normal);
+  if (view.eye) direction = (*view.eye - view.target.value_or(center_of(all.shapes))).normalized();
+  const Vec3d up = up_axis(header);
+  const Camera any = Camera::orthographic(direction, Vec3d::Zero(), up, 1, staging.layout.view);
+  const auto flat = [&](const Vec3d& p) { return Vec2d(any.right().dot(p), any.up().dot(p)); };
+  std::vector<Vec3d> middles;
+  double height = 0, reach = 0;
+  for (const PairViewport& viewport : staging.viewports) {
+    const Rect inside = inside_of(viewport, staging.layout);
+    ShapeMeshes meshes = staging.meshes;
+    const Extent own = gather(
+        header, mapped(frames, [&](const trace::Frame& frame) { return part_of(frame, viewport); }),
+        view, meshes);
+    const auto high = [&](const std::vector<Vec3d>& points, double share) {
+      Eigen::AlignedBox2d box;
+      for (const Vec3d& p : points) box.extend(flat(p));
+      const Vec2d size = box.sizes();
+      return std::max(size.y(), size.x() * inside.height / inside.width) / share;
+    };
+    const bool close = view.focus == Focus::Contact && !own.contact.empty();
+    middles.push_back(center_of(close ? own.contact : own.shapes));
+    const double whole = high(own.shapes, kShapesShare);
+    height = std::max(height, close ? std::clamp(high(own.contact, kPatchShare),
+                                                 kLeastShapes * kLeastShapes * whole, whole)
+                                    : whole);
+    reach = std::max(reach, box_around(own.shapes).diagonal().norm());
+  }
+  height = view.orthographic_height.value_or(height);
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    PairViewport& viewport = staging.viewports[i];
+    viewport.camera =
+        Camera::orthographic(middles[i] + 2 * (reach + height) * direction, middles[i], up, height,
+                             inside_of(viewport, staging.layout));
+  }
 }
 
 // For the legend of each frame the widths of its entries.
@@ -179,9 +220,10 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
                                               const std::vector<trace::Frame>& frames) {
   std::vector<std::vector<float>> widths;
   for (const trace::Frame& frame : frames) {
-    std::vector<float> entries = mapped(legend_of(staging, frame), [&](const LegendEntry& entry) {
-      return legend_entry_width(entry, staging.layout.scale, staging.layout.words);
-    });
+    std::vector<float> entries =
+        mapped(legend_of(staging, frame).listed, [&](const LegendEntry& entry) {
+          return legend_entry_width(entry, staging.layout.scale, staging.layout.words);
+        });
     if (widths.empty() || widths.back() != entries) widths.push_back(std::move(entries));
   }
   return widths;
@@ -198,7 +240,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   const Extent extent = gather(header, frames, view, meshes);
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
     return make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
-                       header.title);
+                       plain_title(view.title.value_or(header.title)));
   };
   // The camera needs the view's rectangle, that needs the rows of the legend, and these follow from
   // what each frame shows: explain all frames with a camera that only has to exist.
@@ -207,18 +249,27 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   staging.style = style;
   staging.layout.words = staging.style.words.get();
   staging.moments = Moments(frames, view.story);
+  staging.title = stage_title(view.title.value_or(header.title), frames);
   if (view.kind == ViewKind::ContactPlane) {
-    staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
-                                                   reduced(frames, staging.moments), view.choices,
-                                                   width, height, style);
+    std::vector<ContactMoment> moments = reduced(frames, staging.moments);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i].title = fill_title(staging, frames[i]);
+    staging.cells =
+        std::make_shared<ContactCells>(header.title, header.source, header.up, std::move(moments),
+                                       view.choices, width, height, style);
     return staging;
   }
-  if (view.shows(Layer::Trail)) {
+  if (view.shows(Layer::Trail) || view.shows(Layer::Islands)) {
     auto sequence = std::make_shared<SequencePoses>();
     for (const trace::Frame& frame : frames) sequence->push_back({frame.frame, frame.poses});
     staging.sequence = std::move(sequence);
   }
   const auto fit = [&] {
+    if (view.side_by_side) {
+      staging.viewports = split_view(frames, staging.layout);
+      fit_viewports(header, frames, extent, staging);
+      if (!staging.viewports.empty()) staging.camera = *staging.viewports.front().camera;
+    }
     staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view);
     staging.insets = stage_insets(insets, up_axis(header), staging.camera, staging.layout, frames);
   };
@@ -226,6 +277,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   if (style.legend) staging.layout = layout(legend_widths(staging, frames));
   staging.camera = fit_camera(header, extent, view, staging.layout.view);
   fit();
+  if (staging.viewports.empty())
+    staging.magnifier = stage_magnifier(staging.view, staging.camera, staging.layout, frames);
   return staging;
 }
 

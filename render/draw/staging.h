@@ -7,7 +7,10 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
+#include "draw/magnifier.h"
 #include "draw/moments.h"
+#include "draw/title.h"
+#include "draw/viewports.h"
 #include "trace/trace.h"
 
 namespace contactscope::draw {
@@ -26,6 +29,9 @@ struct Staging {
   SequenceScales scales{};
   std::shared_ptr<const SequencePoses> sequence{};  // where a layer looks back
   std::vector<Inset> insets{};                      // of the view's panels; `view` names the others
+  StagedTitle title{};
+  std::vector<PairViewport> viewports{};  // of a view whose pairs stand side by side
+  std::optional<Magnifier> magnifier{};
 };
 
 /// Looks through all frames, and draws none. The view's own eye, target and lens are used where it
@@ -46,13 +52,19 @@ Sketch sketch_frame(const Staging& staging, const trace::Frame& frame);
 /// What the frame is to the layers of a staged view.
 Scene scene_of(const Staging& staging, const trace::Frame& frame);
 
-/// The legend of the whole picture, without drawing it. What layers, insets and panels show alike is
-/// explained once.
-std::vector<LegendEntry> legend_of(const Staging& staging, const trace::Frame& frame);
+/// The legend of the whole picture, without drawing it, and what labels say in its place. What
+/// layers, insets and panels show alike is explained once.
+LegendChoice legend_of(const Staging& staging, const trace::Frame& frame);
 
-/// What a scenario calls the pair, above its shapes where it covers none. Of several pairs that share
-/// a name the last one bears it: of a stack the uppermost. `pair` is one of the scene's.
+/// What a scenario calls the pair, above its shapes where it covers none. Of several pairs that
+/// share a name the last one bears it: of a stack the uppermost. `pair` is one of the scene's.
 void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
+
+/// Whether shapes bear their names in the picture, so that no legend needs to list them.
+bool names_shapes(const Scene& scene);
+/// Names up to three shapes, copies once, on their own ground and away from the contact: "A:
+/// floor".
+void draw_shape_names(const Scene& scene, Sketch& sketch);
 
 /// The optional stages of the pipeline that the layers and panels of these views look at. Manifolds
 /// are always there.

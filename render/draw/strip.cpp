@@ -80,7 +80,7 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
   if (!style_.legend) return;
   Legend legend;
   for (const trace::Frame& frame : shown)
-    for (const LegendEntry& entry : legend_of(*cell_, frame))
+    for (const LegendEntry& entry : legend_of(*cell_, frame).listed)
       legend.explain(*entry.swatch, entry.text);
   legend_ = legend.sorted();
   if (!legend_.empty()) lay_out(frames, view, width, height, columns);

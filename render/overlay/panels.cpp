@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "draw/scene/camera.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::overlay {
@@ -144,7 +145,7 @@ std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw:
     const std::string name(name_of(panels_[i].panel));
     if (heights[i] <= 0) {
       left_out.push_back("panel " + name);
-      without_room += (without_room.empty() ? "no room for " : ", ") + name;
+      without_room += (without_room.empty() ? "no room for " : ", ") + draw::in_words(name);
       continue;
     }
     const Window window = open_window(name, {left, y}, {width, heights[i]}, layout_.ground);

@@ -9,6 +9,7 @@
 #include "app/table.h"
 #include "app/verbs.h"
 #include "core/at.h"
+#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "reduce/reducer.h"
 #include "snapshot/store.h"
@@ -114,7 +115,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
       Progress progress(static_cast<int>(pictures), options.quiet);
       for (const Explorations& sequence : sequences) {
         const auto order = mapped(summarize(sequence), &ReducerSummary::name);
-        const draw::ContactCells cells(scenario.title, scenario.source, scenario.up,
+        const draw::ContactCells cells(plain_title(scenario.title), scenario.source, scenario.up,
                                        draw::explored(sequence, order), 0, size.width, size.height,
                                        style);
         left_out = cells.left_out();

@@ -8,6 +8,7 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
+#include "core/title.h"
 #include "core/words.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
@@ -36,7 +37,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "words") return mapped(known_words(), name_alone);
   return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
     const Scenario scenario = load_scenario(file);
-    return Item{scenario.name, scenario.title};
+    return Item{scenario.name, plain_title(scenario.title)};
   });
 }
 

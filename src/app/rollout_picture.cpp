@@ -7,6 +7,7 @@
 #include "app/studio.h"
 #include "app/table.h"
 #include "core/at.h"
+#include "core/title.h"
 #include "draw/charts/time_chart.h"
 #include "draw/scene/quantity.h"
 #include "draw/staging.h"
@@ -168,9 +169,10 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   }
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const trace::Header& asked = rollout.request.header;
-  const draw::RolloutPage page = draw::rollout_page(
-      result_of(rollout), asked.title, asked.source, "scenes of frame " + std::to_string(shown),
-      charts_of(rollout), cells, page_size.width, page_size.height);
+  const draw::RolloutPage page =
+      draw::rollout_page(result_of(rollout), plain_title(asked.title), asked.source,
+                         "scenes of frame " + std::to_string(shown), charts_of(rollout), cells,
+                         page_size.width, page_size.height);
   Image picture = studio.paint(page.drawing);
   if (drawn.empty()) return picture;
 

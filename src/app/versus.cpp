@@ -9,6 +9,7 @@
 #include "app/rollout.h"
 #include "app/studio.h"
 #include "app/table.h"
+#include "core/title.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 #include "scenario/run.h"
@@ -45,7 +46,8 @@ trace::Trace run_whole(const Input& input) {
   return whole;
 }
 
-/// The trace's own contacts, or this program's for a scenario, are the first contender where they are asked.
+/// The trace's own contacts, or this program's for a scenario, are the first contender where they
+/// are asked.
 Match match_of(Input input, const std::vector<std::string>& engines) {
   const bool wants_own = std::ranges::count(engines, kOwn) > 0;
   trace::Trace whole =
@@ -114,7 +116,8 @@ nlohmann::ordered_json json_of(const Score& score, const Contender& contender) {
   return json;
 }
 
-/// What the table has no room for: why an engine did not answer, where it was off most, what lint says.
+/// What the table has no room for: why an engine did not answer, where it was off most, what lint
+/// says.
 void print_notes(const Match& match, const std::vector<Score>& scores, std::ostream& out) {
   for (const Score& score : scores) {
     const Contender& contender = *std::ranges::find(match.contenders, score.name, &Contender::name);
@@ -184,8 +187,8 @@ void write_pictures(const Match& match, const Options& options, Studio& studio) 
             cell_of(contender, frame == frames.end() ? nullptr : &*frame, names));
       }
     }
-    const draw::ContactCells cells(match.title, match.source, match.request.header.up, moments, 0,
-                                   size.width, size.height);
+    const draw::ContactCells cells(plain_title(match.title), match.source, match.request.header.up,
+                                   moments, 0, size.width, size.height);
     const fs::path folder = pairs.size() > 1 ? root / (names.first + "-" + names.second) : root;
     fs::create_directories(folder);
     for (const trace::Frame& asked : match.request.frames) {

@@ -6,6 +6,23 @@ namespace contactscope {
 // the like by themselves. What is added here belongs into src/package/words as well.
 const std::vector<std::string_view>& known_words() {
   static const std::vector<std::string_view> words = {
+      // States.
+      "apart",
+      "overlap, contact skipped",
+      "unstable",
+      "edges of A and B",
+      "box of the shape that asks",
+      "axis-aligned box of a shape",
+      "island: bodies that contacts join",
+      "on the surface of A",
+      "on the surface of B",
+      "face on face",
+      "edge on face",
+      "edge on edge",
+      "point on face",
+      "point on edge",
+      "point on point",
+      "hull and hull",
       // Frames and steps.
       "frame {n}, t = {m}",
       "step {n} of {m}",

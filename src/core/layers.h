@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-/// The layers that a view may show, in drawing order: a row has the enumerator and the word for it in
-/// scenarios and on the command line. All else about a layer stands in its own file, in
+/// The layers that a view may show, in drawing order: a row has the enumerator and the word for it
+/// in scenarios and on the command line. All else about a layer stands in its own file, in
 /// render/draw/layers, which defines kShapesLayer and so on.
 // clang-format off
 #define CONTACTSCOPE_LAYERS(ROW)               \
@@ -22,6 +22,7 @@
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
+  ROW(Islands, "islands")                      \
   ROW(Field, "field")                          \
   ROW(Intersections, "intersections")          \
   ROW(Volumes, "volumes")                      \
@@ -38,6 +39,7 @@
   ROW(WaysOut, "ways_out")                     \
   ROW(Contacts, "contacts")                    \
   ROW(Reduced, "reduced")                      \
+  ROW(SurfacePoints, "surface_points")         \
   ROW(Ids, "ids")                              \
   ROW(Persistent, "persistent")                \
   ROW(Impulses, "impulses")                    \

@@ -38,8 +38,15 @@ struct View {
   std::optional<Vec3d> target;
   std::optional<double> fov_degrees;
   std::optional<double> orthographic_height;  // metres
-  /// Metres of an arrow for one newton second, where loads are shown for one newton; default: fitted.
+  /// Metres of an arrow for one newton second, where loads are shown for one newton; default:
+  /// fitted.
   std::optional<double> impulse_scale;
+  /// Over its pictures; see core/title.h. Default: the scenario's.
+  std::optional<std::string> title;
+  /// Each pair in a viewport of its own, all with the same parallel projection, side by side.
+  bool side_by_side = false;
+  /// A subject under 20 pixels is shown again, magnified.
+  bool inset = true;
   Focus focus = Focus::Contact;
   Story story = Story::None;
   std::vector<Layer> layers;

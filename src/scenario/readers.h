@@ -80,8 +80,8 @@ class Value {
   std::string name_;
 };
 
-/// Readers of Value::read(): an integer from `low` to `high`, and the enumerator that has the place of
-/// a string among `words`.
+/// Readers of Value::read(): an integer from `low` to `high`, and the enumerator that has the place
+/// of a string among `words`.
 inline auto integer_in(int low, int high) {
   return [=](const Value& value) { return value.integer(low, high); };
 }
@@ -116,8 +116,8 @@ Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
 /// The key `key` of a motion, at most 1e9 `unit`; zero when it is missing.
 Vec3d read_velocity(const Value& table, const char* key, const char* unit);
 /// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose;
-/// `end_time` the time of the last frame in seconds, until which constant velocities must stay within
-/// kLargestLength.
+/// `end_time` the time of the last frame in seconds, until which constant velocities must stay
+/// within kLargestLength.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
 // shapes.cpp, mesh_shape.cpp, sdf_shape.cpp, deform_keys.cpp
@@ -166,7 +166,8 @@ auto load_obj(const Value& file, const std::filesystem::path& folder, const Load
   }
 }
 
-/// What `build` makes; a hull or mesh that cannot be made is an error of the value that describes it.
+/// What `build` makes; a hull or mesh that cannot be made is an error of the value that describes
+/// it.
 template <class Build>
 auto build_at(const Value& at, const char* kind, const Build& build) {
   try {
@@ -184,17 +185,17 @@ std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<Scena
                                      const PipelineSettings& settings);
 /// The key broad_phase of [world]; empty where there is none. Refused beside [[pairs]].
 std::string read_broad_phase(const std::optional<Value>& world, const std::optional<Value>& pairs);
-/// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair of
-/// which one is. Too many throw, at `where`.
+/// Every pair of `shapes` in file order, each with `settings`; where some are dynamic, every pair
+/// of which one is. Too many throw, at `where`.
 std::vector<ScenarioPair> every_pair(const std::vector<ScenarioShape>& shapes,
                                      const PipelineSettings& settings, const Value& where);
-/// The first of these of every two types of shapes: what can be said of the pairs that a broad phase
-/// may choose, before it does.
+/// The first of these of every two types of shapes: what can be said of the pairs that a broad
+/// phase may choose, before it does.
 std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& shapes,
                                            const PipelineSettings& settings, const Value& where);
-/// Takes out the pairs that cannot be asked what they are, as planes and meshes make no contacts with
-/// each other: where nothing was looked for, "separated" would be a lie. Warns once of each two kinds
-/// of them, and says what to ask instead.
+/// Takes out the pairs that cannot be asked what they are, as planes and meshes make no contacts
+/// with each other: where nothing was looked for, "separated" would be a lie. Warns once of each
+/// two kinds of them, and says what to ask instead.
 void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape that `value` names.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
@@ -217,9 +218,15 @@ double read_share(const Value& value);
 
 // views.cpp
 
+/// A title, whose placeholders are known; see core/title.h.
+std::string read_title(const Value& value);
+/// Refuses what placeholders of a title name, `of` a pair or a shape, where there is none.
+void check_title(const Value& value, const Scenario& scenario);
+
 /// [[views]], at least one.
 std::vector<View> read_views(const Value& value);
-/// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is missing.
+/// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is
+/// missing.
 SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames);
 
 // expect.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read

@@ -178,7 +178,9 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   Scenario scenario;
   scenario.name = name_of(path);
   scenario.path = path;
-  scenario.title = file.require("title", "title = \"What the scene shows\"").string();
+  const Value title = file.require("title", "title = \"What the scene shows\"");
+  scenario.title = title.string();
+  read_title(title);
   file.read("source", scenario.source, &Value::string);
   file.read("tags", scenario.tags,
             [](const Value& tags) { return mapped(tags.array(), &Value::non_empty_string); });
@@ -208,7 +210,16 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   warn_of_idle_keys(file, scenario);
   if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they stood for their kinds
   scenario.views = {default_view()};
-  file.read("views", scenario.views, read_views);
+  check_title(title, scenario);
+  if (const auto views = file.find("views")) {
+    scenario.views = read_views(*views);
+    for (const Value& view : views->array_of_tables()) {
+      if (const auto own = view.find("title")) check_title(*own, scenario);
+    }
+  }
+  for (View& view : scenario.views) {
+    if (!view.title) view.title = scenario.title;
+  }
   // Pictures alone want the words; here they are checked.
   if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))

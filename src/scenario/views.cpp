@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/title.h"
 #include "scenario/readers.h"
 
 namespace contactscope {
@@ -13,6 +14,17 @@ constexpr int kSmallestSide = 64;   // pixels
 constexpr int kLargestSide = 8192;  // pixels
 // Narrower and wider lenses leave no picture worth looking at.
 constexpr double kNarrowest = 1, kWidest = 150;  // degrees
+
+}  // namespace
+
+std::string read_title(const Value& value) {
+  std::string text = value.string();
+  const ParsedTitle parsed = parse_title(text);
+  if (!parsed.problem.empty()) value.fail(parsed.problem);
+  return text;
+}
+
+namespace {
 
 /// The name of a view is the name of a folder of pictures.
 std::string read_view_name(const Value& value) {
@@ -58,20 +70,21 @@ View read_contact_plane(const Value& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
   for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
-                          "layers", "panels", "impulse_scale"}) {
+                          "layers", "panels", "impulse_scale", "layout", "inset"}) {
     if (const auto value = table.find(key))
       value->fail(std::string("'") + key +
                   "' has no effect on a view of kind \"contact_plane\"; remove it");
   }
   table.read("name", view.name, read_view_name);
+  table.read("title", view.title, read_title);
   table.read("choices", view.choices, integer_in(0, 64));
   return view;
 }
 
 View read_view(const Value& value) {
-  const Value& table =
-      value.table({"name", "eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
-                   "layers", "panels", "kind", "choices", "impulse_scale"});
+  const Value& table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
+                                    "focus", "story", "layers", "panels", "kind", "choices",
+                                    "impulse_scale", "title", "layout", "inset"});
   const auto kind = table.find("kind");
   if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
     return read_contact_plane(table);
@@ -80,6 +93,7 @@ View read_view(const Value& value) {
   View view = default_view();
   view.focus = Focus::Contact;  // who asks for a view wants to see the contact
   table.read("name", view.name, read_view_name);
+  table.read("title", view.title, read_title);
   table.read("eye", view.eye, read_position);
   table.read("target", view.target, read_position);
   if (view.eye && view.target) {
@@ -99,6 +113,13 @@ View read_view(const Value& value) {
   if (height) view.orthographic_height = read_length(*height);
   table.read("impulse_scale", view.impulse_scale, read_impulse_scale);
   table.read("focus", view.focus, word_of<Focus>({"contact", "shapes"}, "focus"));
+  view.side_by_side = [&] {
+    const auto layout = table.find("layout");
+    return layout && layout->one_of({"one", "side_by_side"}, "layout") == "side_by_side";
+  }();
+  if (view.side_by_side && (view.eye && view.target))
+    table.find("target")->fail("side by side each viewport looks at its own pair; remove 'target'");
+  table.read("inset", view.inset, &Value::boolean);
   table.read("story", view.story,
              word_of<Story>({"none", "clip_steps", "gjk_steps", "epa_steps"}, "story"));
   table.read("layers", view.layers,
@@ -109,6 +130,22 @@ View read_view(const Value& value) {
 }
 
 }  // namespace
+
+void check_title(const Value& value, const Scenario& scenario) {
+  const auto is_known = [&](const std::string& name) {
+    return std::ranges::find(scenario.shapes, name, &ScenarioShape::name) !=
+               scenario.shapes.end() ||
+           std::ranges::find(scenario.pairs, name, &ScenarioPair::label) != scenario.pairs.end();
+  };
+  for (const TitleAlternative& pieces : parse_title(value.string()).title) {
+    for (const TitlePiece& piece : pieces) {
+      for (const std::string& name : {piece.of, piece.of_other})
+        if (!name.empty() && !is_known(name))
+          value.fail("the title asks for something of '" + name +
+                     "', which is no shape and no label of a pair");
+    }
+  }
+}
 
 std::vector<View> read_views(const Value& value) {
   std::vector<View> views;

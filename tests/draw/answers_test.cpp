@@ -62,7 +62,7 @@ TEST(Answers, AreSaidInWords) {
   EXPECT_EQ(answer_kind(asked.pair()), AnswerKind::FalsePositive);
   asked.query().shapes->overlap = true;
   EXPECT_EQ(answer_kind(asked.pair()), AnswerKind::Yes);
-  EXPECT_EQ(spell_answer(asked.pair()), "yes, 2.00 mm deep in each other");
+  EXPECT_EQ(spell_answer(asked.pair()), "yes, overlap 2.00 mm");
   asked.pair().overlap = false;
   EXPECT_EQ(spell_answer(asked.pair()), "no, though the shapes overlap: a miss");
   asked.pair().overlap = true;
@@ -74,7 +74,7 @@ TEST(Answers, AreSaidInWords) {
   EXPECT_EQ(spell_question(asked.query()), "how far apart are the oriented boxes?");
   EXPECT_EQ(spell_answer(asked.pair()), "0 m: they overlap");
   asked.query().gap = 0.12;
-  EXPECT_EQ(spell_answer(asked.pair()), "0.120 m apart");
+  EXPECT_EQ(spell_answer(asked.pair()), "gap 0.120 m");
   asked.query().gap = 0.0;
   EXPECT_EQ(spell_answer(asked.pair()), "0 m: they touch");
   EXPECT_EQ(spell_axis(asked.query(), asked.query().axes[1]), "edges 0 × 2");
@@ -119,7 +119,7 @@ TEST(Answers, ColourTheBoundsThatWereAsked) {
     const Staging staging = asked.staged();
     const Sketch sketch = sketch_frame(staging, asked.frames[0]);
     EXPECT_EQ(lines_in(sketch, answer_color(kind)), 12 + 2) << "a box, and a ball with its horizon";
-    EXPECT_EQ(legend_of(staging, asked.frames[0]).size(), 1u);
+    EXPECT_EQ(legend_of(staging, asked.frames[0]).listed.size(), 1u);
     // The picture holds the whole of both.
     for (const auto& volume : {asked.query().bounds_a, asked.query().bounds_b})
       for (const Vec3d& corner : extent_points(*volume)) EXPECT_TRUE(staging.camera.sees(corner));
@@ -134,7 +134,7 @@ TEST(Answers, WhatBoundsSayIsToldWhateverTheyWereAsked) {
         {false, true, "bounds say no, the shapes yes"}}) {
     AskedCrate asked(bounds, shapes);
     asked.view.layers = {Layer::Volumes};
-    EXPECT_EQ(legend_of(asked.staged(), asked.frames[0])[0].text, words);
+    EXPECT_EQ(legend_of(asked.staged(), asked.frames[0]).listed[0].text, words);
   }
 }
 

@@ -244,35 +244,6 @@ TEST(PairLabel, OfPairsThatShareABodyEachHasAPlaceOfItsOwn) {
   }
 }
 
-TEST(Legend, OfManyShapesHasOneEntryARole) {
-  CrateOnSlab scene;
-  scene.view.layers = {Layer::Shapes};
-  const auto legend = [&] {
-    std::vector<std::string> words;
-    for (const LegendEntry& entry : legend_of(scene.staged(), scene.frames[0]))
-      words.push_back(entry.text);
-    return words;
-  };
-  const auto add = [&](const std::string& name) {
-    Pose<double> aside;
-    aside.position = {2.0 * static_cast<double>(scene.header.shapes.size()), 0, 0};
-    scene.header.shapes.push_back(crate_sample::cuboid(name, {0.1, 0.1, 0.1}));
-    scene.frames[0].poses.emplace_back(name, aside);
-    trace::Pair pair = scene.pair();
-    pair.b = name;
-    scene.frames[0].pairs.push_back(pair);
-  };
-  scene.view.focus = Focus::Shapes;
-  add("box_2");
-  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: crate", "B: box_2"));
-  add("ball");
-  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: crate, box_2, ball"));
-  add("box_4");
-  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: 4 shapes"));
-  scene.header.shapes[1].name = scene.frames[0].poses[1].first = scene.pair().b = "box_1";
-  EXPECT_THAT(legend(), ::testing::ElementsAre("A: slab", "B: box_1 to box_4"));
-}
-
 TEST(Legend, NamesWhatOnlyTheContactPlaneShows) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts};

@@ -232,7 +232,7 @@ TEST(MinkowskiInset, TheNearestFaceBearsItsDistance) {
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "EPA: converged");
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::HeldOrigin, kNormal), 1u);
-  EXPECT_THAT(label_texts(picture.sketch), testing::IsSupersetOf({"origin", "depth 0.200 m"}));
+  EXPECT_THAT(label_texts(picture.sketch), testing::IsSupersetOf({"origin", "overlap 0.200 m"}));
   ASSERT_EQ(picture.sketch.arrows.size(), 1u);
   EXPECT_EQ(picture.sketch.arrows[0].from, Vec3d(0, 0, 0));
   EXPECT_NEAR((*picture.sketch.arrows[0].to - Vec3d(0, -0.2, 0)).norm(), 0, 1e-12);
@@ -242,7 +242,7 @@ TEST(MinkowskiInset, AStepThatIsNotTheLastShowsWhatComesNext) {
   const Staged staged({two_cubes()}, view_of({Panel::Minkowski}, Story::EpaSteps));
   const InsetPicture picture = staged.picture();
   EXPECT_EQ(picture.note, "EPA, expansion 0 of 1");
-  EXPECT_EQ(marks_of(picture.sketch, MarkKind::Hollow, kReferenceFace), 1u);
+  EXPECT_EQ(marks_of(picture.sketch, MarkKind::Hollow, kPolytope), 1u);
 }
 
 TEST(MinkowskiInset, ASimplexHasAnEdgeForEveryTwoVertices) {
@@ -286,7 +286,7 @@ TEST(MinkowskiInset, TheBorderOfTheDifferenceIsAsFarAsTheBoxesAreDeepOrApart) {
     ASSERT_EQ(picture.sketch.arrows.size(), 1u);
     EXPECT_NEAR((*picture.sketch.arrows[0].to - Vec3d(0, lift - 0.2, 0)).norm(), 0, 1e-9);
     EXPECT_THAT(label_texts(picture.sketch),
-                testing::Contains(lift > 0 ? "gap 0.300 m" : "depth 0.200 m"));
+                testing::Contains(lift > 0 ? "gap 0.300 m" : "overlap 0.200 m"));
     EXPECT_EQ(marks_of(picture.sketch, MarkKind::Origin, kNormal), lift > 0 ? 1u : 0u);
     EXPECT_EQ(marks_of(picture.sketch, MarkKind::HeldOrigin, kNormal), lift > 0 ? 0u : 1u);
   }

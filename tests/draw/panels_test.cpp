@@ -64,8 +64,8 @@ TEST_F(PanelSheet, SummaryNamesThePairAndSpellsItsFacts) {
   scene.pair().separation = -0.002;
   const Drawing drawing = filled(Panel::Summary).drawing;
   EXPECT_THAT(texts(drawing),
-              ElementsAre("slab, crate", "pair", "hull-hull", "state", "touching", "contact",
-                          "face-face", "separation", "−2.00 mm", "points", "2", "time", "0.000 s"));
+              ElementsAre("slab, crate", "pair", "hull and hull", "state", "touching", "contact",
+                          "face on face", "overlap", "2.00 mm", "points", "2", "time", "0.000 s"));
   expect_inside(drawing, kSheet);
 }
 

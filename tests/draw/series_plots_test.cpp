@@ -86,13 +86,14 @@ TEST(StabilityPanel, SaysTheVerdictAndTheMarginInWords) {
   const std::vector<trace::Frame> frames = settling();
   EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("stable"));
   EXPECT_THAT(texts(stability_panel(frames, 3)), Contains("50.0 mm inside of the support"));
-  EXPECT_THAT(texts(stability_panel(frames, 2)), Contains("turns about a line"));
+  EXPECT_THAT(texts(stability_panel(frames, 2)), Contains("unstable: turns about a line"));
   EXPECT_THAT(texts(stability_panel(frames, 2)), Contains("50.0 mm outside of the support"));
   EXPECT_THAT(texts(stability_panel(frames, 0)), Contains("no contact"));
   for (std::size_t f = 0; f < frames.size(); ++f) stability_panel(frames, f);  // stays inside
 }
 
-/// Level lines of the verdicts' rows, in the style of the only pair: height and length, from the left.
+/// Level lines of the verdicts' rows, in the style of the only pair: height and length, from the
+/// left.
 std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {
   std::vector<std::pair<float, float>> levels;
   float rows = 0;  // top of the rows: the first of the bands behind them

@@ -52,10 +52,10 @@ TEST(Strip, HasOneTitleOneLegendAndAMomentACell) {
   EXPECT_EQ(texts_of(page, "none").size(), 1u) << "the source";
   EXPECT_EQ(texts_of(page, "frame ").size(), 3u);
   // Only the first frame has contacts, and the legend of all explains them.
-  const auto legend_of_one = legend_of(strip.cell(), scene.frames[0]);
+  const auto legend_of_one = legend_of(strip.cell(), scene.frames[0]).listed;
   for (const LegendEntry& entry : legend_of_one)
     EXPECT_EQ(texts_of(page, entry.text).size(), 1u) << entry.text;
-  EXPECT_LT(legend_of(strip.cell(), scene.frames[9]).size(), legend_of_one.size());
+  EXPECT_LT(legend_of(strip.cell(), scene.frames[9]).listed.size(), legend_of_one.size());
 }
 
 TEST(Strip, CellsStandInRowsAndDoNotOverlap) {

@@ -9,7 +9,7 @@ namespace {
 constexpr float kZeroSlot = 12;
 constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
-constexpr float kMargin = 16;
+constexpr float kPlotMargin = 16;
 constexpr float kMostLabelShare = 0.2f;  // of the width, kept free on the right
 constexpr float kMostCountShare = 0.4f;  // likewise, where counts of failures have no place else
 
@@ -91,8 +91,8 @@ struct Mapping {
     for (const trace::StudySeries& series : study.series)
       widest_name = std::max(widest_name, width_of(series.method, FontWeight::Bold));
     const auto leave_room = [&](float widest, float share) {
-      const float room = std::min(widest + px(kMargin), share * static_cast<float>(area.width));
-      x = times.axis(left, right, px(kMargin), room);
+      const float room = std::min(widest + px(kPlotMargin), share * static_cast<float>(area.width));
+      x = times.axis(left, right, px(kPlotMargin), room);
     };
     leave_room(widest_name, kMostLabelShare);
     if (!failures_fit()) leave_room(widest_count, kMostCountShare);
@@ -103,7 +103,7 @@ struct Mapping {
     for (const trace::StudyPoint& point : points_of(whole)) {
       if (!is_zero(point)) errors.include(error_of(point, kind).value_or(0));
     }
-    return errors.axis(from, to, px(kMargin), px(kMargin));
+    return errors.axis(from, to, px(kPlotMargin), px(kPlotMargin));
   }
 
   /// The text beside crosses.
@@ -141,7 +141,7 @@ struct Mapping {
     const bool fits_right = end + width <= right;
     const float text_left = fits_right ? end : std::max(left + px(2), begin - width);
     begin = std::min(begin, text_left);
-    end = std::max(end, text_left + width) + px(kMargin);
+    end = std::max(end, text_left + width) + px(kPlotMargin);
     auto row = std::ranges::find_if(rows, [&](const std::vector<Stretch>& taken) {
       return std::ranges::none_of(
           taken, [&](const Stretch& other) { return begin < other[1] && other[0] < end; });

@@ -145,7 +145,7 @@ void SeriesChart::fit() {
 
 SeriesStyle series_style(std::size_t index) {
   constexpr std::array<SeriesStyle, 4> kStyles{
-      {{kContact, 0}, {kReferenceFace, 8}, {kText, 2.5f}, {kClipPolygon, 14}}};
+      {{kContact, 0}, {kMotion, 8}, {kText, 2.5f}, {kClipPolygon, 14}}};
   return kStyles[index % kStyles.size()];
 }
 

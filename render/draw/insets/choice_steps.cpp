@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLabelSize = 17;
 constexpr double kDigit = 22;
-constexpr Color kEdgeSeenInside = kReferenceFace;
+constexpr Color kEdgeSeenInside = kMotion;
 
 struct ChoicePen : Pen {
   struct Label {

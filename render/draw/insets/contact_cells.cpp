@@ -62,10 +62,9 @@ constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](auto& pen) {
                                   }};
 constexpr Swatch kOutsideTriangleSwatch{LegendGroup::Points, 18,
                                         [](auto& pen) { pen.hatched(kContact); }};
-constexpr Swatch kInsideTriangleSwatch{LegendGroup::Points, 19, [](auto& pen) {
-                                         pen.box(with_alpha(kReferenceFace, 0.12f),
-                                                 with_alpha(kReferenceFace, 0.6f), 1.2, true);
-                                       }};
+constexpr Swatch kInsideTriangleSwatch{
+    LegendGroup::Points, 19,
+    [](auto& pen) { pen.box(with_alpha(kMotion, 0.12f), with_alpha(kMotion, 0.6f), 1.2, true); }};
 // Two rows of a strip: one kept to the end, one given up for the other.
 constexpr Swatch kKeptIdsSwatch{
     LegendGroup::Points, 20, [](auto& pen) {
@@ -159,7 +158,8 @@ Drawing ContactCells::frame(int number) const {
     }
   }
   draw_legend(legend(), layout_, drawing);
-  draw_captions(title_, source_, moment->caption, layout_, drawing);
+  draw_captions(moment->title.empty() ? title_ : moment->title, source_, moment->caption, layout_,
+                drawing);
   return drawing;
 }
 

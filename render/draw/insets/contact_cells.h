@@ -38,6 +38,7 @@ struct ContactMoment {
   int frame = 0;
   std::string caption;
   std::vector<ContactCell> cells;
+  std::string title{};  // empty: that of all
 };
 
 /// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -41,7 +43,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept == deepest;
   return {{"area " + area + (has_best ? ", " + share : ""), "", "area " + share},
-          {has_deepest ? "deepest kept, " + spell_length(deepest)
+          {has_deepest ? "deepest kept, " + spell_length(std::abs(deepest))
                        : "deepest lost by " + spell_length(kept - deepest),
            "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest}};
 }
@@ -87,7 +89,7 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
     return ContactMoment{frame.frame, telling.of(frame), {}};
   });
   for (const trace::Pair* known : cells) {
-    std::string name = known->label.empty() ? known->reduction->method : known->label;
+    std::string name = known->label.empty() ? in_words(known->reduction->method) : known->label;
     if (several_bodies) name = known->a + " and " + known->b + ": " + name;
     const std::vector<const trace::Pair*> history = pair_history(frames, *known);
     for (std::size_t f = 0; f < frames.size(); ++f) {

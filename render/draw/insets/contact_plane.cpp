@@ -95,12 +95,16 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Point2& place = contactscope::at(places, kept[k]);
     const std::string digit = std::to_string(k + 1);
-    const auto found = placer.place(place, text_width(digit, height, FontWeight::Bold),
-                                    0.76f * ascent(height, FontWeight::Bold), 0,
-                                    px(kKeptReach * size + 2), pixel(way_out(middle, flat(place))));
+    const float width = text_width(digit, height, FontWeight::Bold);
+    const float up = 0.76f * ascent(height, FontWeight::Bold), room = kBadgeRoom * up;
+    auto found = placer.place(place, width + 2 * room, up + room, room, px(kKeptReach * size + 2),
+                              pixel(way_out(middle, flat(place))));
     if (!found) continue;
+    found->left_baseline.x += room;
     if (found->needs_leader) line(place, found->leader_end, 1, kContact);
-    text(digit, found->left_baseline, Align::Left, kContact, Weight::Bold, kOrderDigit, 2);
+    draw_badge(Badge::Choice, found->left_baseline + Point2{0.5f * width, -0.5f * up}, width, up,
+               kContact, *this);
+    text(digit, found->left_baseline, Align::Left, kContact, Weight::Bold, kOrderDigit);
   }
 }
 

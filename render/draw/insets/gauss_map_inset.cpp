@@ -6,13 +6,14 @@
 #include <set>
 
 #include "draw/insets/inset.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
-/// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge an
-/// arc between the faces that it joins. Two edges make a face of the Minkowski difference where their
-/// arcs cross. Gregorius 2013, "The Separating Axis Test"; a capsule's edge is a whole ring:
+/// The Gauss maps of A and of B turned inside out, on one sphere: each face is a point, each edge
+/// an arc between the faces that it joins. Two edges make a face of the Minkowski difference where
+/// their arcs cross. Gregorius 2013, "The Separating Axis Test"; a capsule's edge is a whole ring:
 /// Gregorius 2015, "Capsule vs Hull".
 namespace contactscope::draw {
 namespace {
@@ -153,11 +154,6 @@ class ShapeMap {
   std::vector<MapArc> arcs_;
 };
 
-std::string spell_overlap_or_gap(double separation) {
-  const std::string length = spell_length(std::abs(separation));
-  return (separation < 0 ? "overlap " : "gap ") + length;
-}
-
 void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const Camera& camera,
                Sketch& sketch) {
   if (!camera.faces(normal, normal)) return;
@@ -166,16 +162,17 @@ void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const 
   sketch.label(normal, text, kAxisText, chosen ? 18.0f : 15.0f, 15).bold = chosen;
 }
 
-void draw_best_axes(const trace::Sat& sat, const Camera& camera, Sketch& sketch) {
+void draw_best_axes(const trace::Sat& sat, double noise, const Camera& camera, Sketch& sketch) {
   const bool of_a = sat.chosen == "face_a";
   const auto& face = of_a ? sat.face_a : sat.face_b;
   if (face && (of_a || sat.chosen == "face_b"))
-    draw_best(face->normal, (of_a ? "face of A: " : "face of B: ") + spell_overlap_or_gap(face->separation),
+    draw_best(face->normal,
+              (of_a ? "face of A: " : "face of B: ") + spell_separation(face->separation, noise),
               true, camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
               "edge " + std::to_string(sat.edge->a) + " × edge " + std::to_string(sat.edge->b) +
-                  ", " + spell_overlap_or_gap(sat.edge->separation),
+                  ", " + spell_separation(sat.edge->separation, noise),
               sat.chosen == "edge_edge", camera, sketch);
   sketch.explain(kBestAxisSwatch, "best axis of a query");
 }
@@ -233,9 +230,10 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
     sketch.explain(kCrossingSwatch, "arcs that cross");
   }
   if (pair->sat) {
-    draw_best_axes(*pair->sat, inset.camera, sketch);
+    draw_best_axes(*pair->sat, scene.noise(*pair), inset.camera, sketch);
   } else if (!pair->manifolds.empty()) {
-    draw_best(pair->manifolds.front().normal, "normal, " + spell_overlap_or_gap(pair->separation), true,
+    draw_best(pair->manifolds.front().normal,
+              "normal, " + spell_separation(pair->separation, scene.noise(*pair)), true,
               inset.camera, sketch);
     sketch.explain(kBestAxisSwatch, "normal of the contact");
   }

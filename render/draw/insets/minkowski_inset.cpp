@@ -21,11 +21,13 @@ constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0,
 constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1,
                                 [](auto& pen) { pen.area(kClipPolygon, 0.16f, 2); }};
 constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
-                                 [](auto& pen) { pen.area(kReferenceFace, 0.06f, 1.2); }};
+                                 [](auto& pen) { pen.area(kPolytope, 0.06f, 1.2); }};
+constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
+                                    [](auto& pen) { pen.area(kPolytope, 0.35f, 2.5); }};
 constexpr Swatch kNextOfSimplexSwatch{LegendGroup::Differences, 5,
                                       [](auto& pen) { pen.dot(2.6, 4.8, kClipPolygon); }};
 constexpr Swatch kNextOfPolytopeSwatch{LegendGroup::Differences, 6,
-                                       [](auto& pen) { pen.dot(2.6, 4.8, kReferenceFace); }};
+                                       [](auto& pen) { pen.dot(2.6, 4.8, kPolytope); }};
 
 constexpr std::size_t kManyFaces = 120;
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
@@ -44,11 +46,11 @@ std::vector<Vec3d> differences(const std::vector<trace::SimplexVertex>& vertices
 }
 
 Color step_color(const SimplexStep& step) {
-  return step.of == SimplexStep::Of::Epa ? kReferenceFace : kClipPolygon;
+  return step.of == SimplexStep::Of::Epa ? kPolytope : kClipPolygon;
 }
 
-/// Adds to a sketch of the difference. Nearer to the origin than `smallest` (metres) is as good as in
-/// it.
+/// Adds to a sketch of the difference. Nearer to the origin than `smallest` (metres) is as good as
+/// in it.
 struct DifferencePen {
   const Camera& camera;
   float scale;  // pixels for one at 720 lines
@@ -58,7 +60,8 @@ struct DifferencePen {
   void vertex(const SimplexStep& step, std::size_t i) const {
     const Vec3d at = difference(step.vertices[i]);
     sketch.mark(MarkKind::Dot, at, step_color(step));
-    sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 17, 10);
+    sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 15, 10).badge =
+        Badge::Support;
   }
 
   /// From the origin to a point, with its length. A number that is longer than its arrow would hide
@@ -116,31 +119,31 @@ struct DifferencePen {
     std::set<std::pair<int, int>> edges;
     std::set<int> corners;  // of faces: the others are inside by now
     for (const std::array<int, 3>& face : polytope.faces) {
-      sketch.surfaces.push_back({triangle_of(face), with_alpha(kReferenceFace, 0.06f)});
+      sketch.surfaces.push_back({triangle_of(face), with_alpha(kPolytope, 0.06f)});
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
       corners.insert(face.begin(), face.end());
     }
     for (const auto& [from, to] : edges)
-      sketch.line(at(points, from), at(points, to), {1.5f, with_alpha(kReferenceFace, 0.75f)});
-    for (const int corner : corners)
-      sketch.mark(MarkKind::Core, at(points, corner), kReferenceFace);
-    sketch.explain(kPolytopeSwatch, "polytope");
+      sketch.line(at(points, from), at(points, to), {1.5f, with_alpha(kPolytope, 0.75f)});
+    for (const int corner : corners) sketch.mark(MarkKind::Core, at(points, corner), kPolytope);
+    sketch.explain(kPolytopeSwatch, "polytope",
+                   corners.empty() ? std::optional<Vec3d>() : at(points, *corners.begin()));
     if (polytope.nearest < 0) return;
     const std::array<int, 3>& face = at(polytope.faces, polytope.nearest);
     const std::vector<Vec3d> triangle = triangle_of(face);
-    sketch.surfaces.push_back({triangle, with_alpha(kReferenceFace, 0.35f)});
+    sketch.surfaces.push_back({triangle, with_alpha(kPolytope, 0.35f)});
     for (std::size_t i = 0; i < 3; ++i)
-      sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kReferenceFace}, true});
+      sketch.lines.push_back({triangle[i], triangle[(i + 1) % 3], {3.0f, kPolytope}, true});
     for (const int corner : face) vertex(step, static_cast<std::size_t>(corner));
-    sketch.explain(kReferenceFaceSwatch, "face nearest to the origin");
+    sketch.explain(kNearestFaceSwatch, "face nearest to the origin", mean_of(triangle));
     next(step);
     const Vec3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-    distance(polytope.distance * normal, polytope.distance, step.last() ? "depth " : "");
+    distance(polytope.distance * normal, polytope.distance, step.last() ? "overlap " : "");
     sketch.explain(kAxisSwatch, "distance of its plane");
   }
 
-  /// Without steps of an algorithm the difference itself tells how far the origin is from its border:
-  /// outside the gap, inside the depth, along the normal of the nearest face.
+  /// Without steps of an algorithm the difference itself tells how far the origin is from its
+  /// border: outside the gap, inside the depth, along the normal of the nearest face.
   void border_distance(const trace::Minkowski& difference, bool held) const {
     std::optional<Vec3d> nearest;
     for (const std::vector<int>& face : difference.faces) {
@@ -151,7 +154,7 @@ struct DifferencePen {
       }
     }
     if (!nearest) return;
-    distance(*nearest, nearest->norm(), held ? "depth " : "gap ");
+    distance(*nearest, nearest->norm(), held ? "overlap " : "gap ");
     if (nearest->norm() > smallest)
       sketch.explain(kAxisSwatch, "from the origin to the nearest point of the border");
   }

@@ -3,8 +3,8 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by no
-/// more than the gap. Where a body would be a frame later without it, and the gap.
+/// Catto 2013, "Continuous Collision": a contact of shapes that are still apart lets them close by
+/// no more than the gap. Where a body would be a frame later without it, and the gap.
 namespace contactscope::draw {
 namespace {
 
@@ -46,7 +46,7 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
     const Vec3d turn = step * body.angular_velocity;
     draw_ghost(scene.camera, moved(*shape, center, way, turn), kGhost, sketch);
     sketch.line(center, center + way, {1.2f, kDropped, true});
-    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it");
+    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + way));
   }
   for (const trace::Pair& pair : scene.frame.pairs) {
     const PlacedShape* a = scene.find(pair.a);
@@ -58,7 +58,8 @@ void draw_ahead(const Scene& scene, Sketch& sketch) {
       const Vec3d up = scene.camera.up();
       const Vec3d aside = kAside * scene.scales.pixel / scene.camera.pixels_per_metre(from) * up;
       for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
-      draw_gap(scene, from + aside, to + aside, point->separation, 12, up, sketch);
+      draw_gap(scene, from + aside, to + aside, point->separation, scene.noise(pair), 12, up,
+               sketch);
       draw_speculative_margin(scene, from, side * manifold->normal, aside, sketch);
     }
   }

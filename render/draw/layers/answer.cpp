@@ -34,11 +34,11 @@ void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const bool apart = *query.gap >= 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
   for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);
-  sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points");
+  sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
   if (from == to || *query.gap == 0) return;  // a measure of rounding
-  draw_measure(scene, from, to, 3, apart ? "distance" : "depth", sketch);
-  sketch.label(0.5 * (from + to), spell_length(std::abs(*query.gap)), kAxisText, 17, 14,
-               scene.camera.right());
+  draw_measure(scene, from, to, 3, apart ? "gap" : "overlap", sketch);
+  sketch.label(0.5 * (from + to), spell_length(std::abs(*query.gap), scene.noise(pair)), kAxisText,
+               17, 14, scene.camera.right());
 }
 
 }  // namespace

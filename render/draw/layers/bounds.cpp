@@ -2,6 +2,7 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
+#include "draw/scene/points.h"
 
 /// The boxes by which a broad phase chose the pairs.
 namespace contactscope::draw {
@@ -10,8 +11,9 @@ namespace {
 constexpr std::size_t kMostNamed = 12;      // boxes
 constexpr double kRoundingOfBounds = 1e-5;  // of a box's size; those of float are traced
 
-constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3,
-                                [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
+constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
+constexpr Swatch kShapeBoxSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); },
+                                 kBox};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
                               [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
 
@@ -32,8 +34,20 @@ Vec3d free_corner(const trace::Bounds& bounds, const std::vector<trace::Bounds>&
   return box.upper;
 }
 
+// What debuggers of engines draw first: the axis-aligned box of each shape.
+void draw_boxes_of_shapes(const Scene& scene, Sketch& sketch) {
+  for (const PlacedShape& shape : scene.shapes) {
+    if (shape.traced().half_space || shape.vertices.empty()) continue;
+    const Eigen::AlignedBox3d around = box_around(shape.vertices);
+    const Vec3d radius = Vec3d::Constant(shape.traced().radius);
+    const trace::Box box{around.min() - radius, around.max() + radius};
+    outline(box, {}, {1.5f, kBox}, sketch);
+    sketch.explain(kShapeBoxSwatch, "axis-aligned box of a shape", box.upper);
+  }
+}
+
 void draw_bounds(const Scene& scene, Sketch& sketch) {
-  if (!scene.frame.broad_phase) return;
+  if (!scene.frame.broad_phase) return draw_boxes_of_shapes(scene, sketch);
   const auto meets = [&](const trace::Bounds& bounds) {
     return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& pair) {
       return pair.a == bounds.name || pair.b == bounds.name;
@@ -43,7 +57,7 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
   const auto meeting = std::ranges::stable_partition(all, std::not_fn(meets)).begin();
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
-    outline(bounds->box, {}, alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kSidePlane},
+    outline(bounds->box, {}, alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kBox},
             sketch);
     if (all.size() <= kMostNamed) {
       const Vec3d corner = free_corner(*bounds, all);
@@ -52,7 +66,8 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     }
     sketch.explain(
         alone ? kAloneSwatch : kMeetingSwatch,
-        alone ? "box that meets no other" : "box that meets another: the pair is collided");
+        alone ? "box that meets no other" : "box that meets another: the pair is collided",
+        bounds->box.upper);
   }
 }
 

@@ -29,8 +29,9 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
   else
     sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, !kReference});
+  if (kReference && !known) sketch.surfaces.back().kind = Surface::Kind::Ground;
   sketch.explain(kReference ? kReferenceFaceSwatch : kIncidentFaceSwatch,
-                 kReference ? "reference face" : "incident face");
+                 kReference ? "reference face" : "incident face", near_corner(polygon));
 }
 
 enum class PlaneLook {
@@ -39,13 +40,22 @@ enum class PlaneLook {
   Done,    // that has cut before
 };
 
+double rise_of(const trace::Clip& clip) {
+  return 0.5 * kPlaneHeight * reach_of(clip.reference.polygon);
+}
+
+Vec3d top_of_side_plane(const trace::Clip& clip, std::size_t step) {
+  const trace::Polygon& face = clip.reference.polygon;
+  const Vec3d middle = 0.3 * face[step] + 0.7 * face[(step + 1) % face.size()];
+  return middle + rise_of(clip) * clip.reference.normal;
+}
+
 void draw_side_plane(const trace::Clip& clip, std::size_t step, PlaneLook look, Sketch& sketch) {
   const trace::Polygon& face = clip.reference.polygon;
   const Vec3d& from = face[step];
   const Vec3d& to = face[(step + 1) % face.size()];
   const bool active = look == PlaneLook::Active, done = look == PlaneLook::Done;
-  const double height = (active ? 1.5 : 1.0) * kPlaneHeight;
-  const Vec3d rise = 0.5 * height * reach_of(face) * clip.reference.normal;
+  const Vec3d rise = (active ? 1.5 : 1.0) * rise_of(clip) * clip.reference.normal;
   const Color border = with_alpha(kSidePlane, done ? 0.6f : 1.0f);
   const trace::Polygon corners = {from - rise, to - rise, to + rise, from + rise};
   if (done) {
@@ -72,7 +82,8 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                     : k + 1 == shown && !over ? PlaneLook::Active
                                                 : PlaneLook::Done,
                     sketch);
-  if (shown > 0) sketch.explain(kSidePlaneSwatch, "side plane, outward normal");
+  if (shown > 0) sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
+                                top_of_side_plane(*pair.clip, shown - 1));
 }
 
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -87,7 +98,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
                    {story ? 3.5f : 2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     if (!last) continue;
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
-    sketch.explain(kClipPolygonSwatch, "clip polygon");
+    sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
   }
 }
 
@@ -99,7 +110,7 @@ void draw_dropped(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::DroppedPoint& point : pair.clip->dropped) {
     if (is_kept(pair, point)) continue;
     sketch.mark(MarkKind::Cross, point.position, kDropped);
-    sketch.explain(kDroppedSwatch, point.reason);
+    sketch.explain(kDroppedSwatch, point.reason, point.position);
   }
 }
 

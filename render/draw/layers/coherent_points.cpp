@@ -10,7 +10,10 @@ constexpr Swatch kBeforeMoveSwatch{LegendGroup::Points, 2,
 // on the reference face. Kept points were moved along the reference normal by their separation.
 void draw_coherent_points(const Scene&, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.clip || pair.manifolds.empty()) return;
-  sketch.explain(kBeforeMoveSwatch, "as clipped, on the incident face");
+  sketch.explain(kBeforeMoveSwatch, "as clipped, on the incident face",
+                 pair.manifolds.front().points.empty()
+                     ? std::optional<Vec3d>()
+                     : pair.manifolds.front().points.front().position);
   sketch.explain(kContactSwatch, "moved onto the reference face");
   const Vec3d& normal = pair.clip->reference.normal;
   for (const trace::Point& point :

@@ -107,8 +107,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     // From the surface of A to that of B. Of a point that does not touch yet, the gap, thinner.
     const auto [from, to] = whisker_at(scene, pair, kept);
     const bool apart = stands_off(*kept.point, scene.scales);
-    // Points that have an age are drawn by it, with the way between the places that met. Beside them
-    // a filled dot means a new point, which those of a one-shot manifold all are and none is.
+    // Points that have an age are drawn by it, with the way between the places that met. Beside
+    // them a filled dot means a new point, which those of a one-shot manifold all are and none is.
     const bool square = !apart && scene.shows(Layer::Persistent);
     const float width = apart ? 1.5f : 2.5f;
     sketch.bordered_line(from, to, {width, kContact}, 2 * width);
@@ -166,11 +166,13 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   // Gregorius 2015, "Sphere vs Sphere": all follows from the line between the centres.
   if (is_sphere(*a) && is_sphere(*b) && !a->vertices[0].isApprox(b->vertices[0], 1e-6)) {
     sketch.line(a->vertices[0], b->vertices[0], {1.2f, with_alpha(kShapeEdge, 0.8f), true});
-    sketch.explain(kLineOfCentersSwatch, "line between the centres");
+    sketch.explain(kLineOfCentersSwatch, "line between the centres",
+                   Vec3d(0.8 * a->vertices[0] + 0.2 * b->vertices[0]));
   }
   if (pair.state != "separated" || !(pair.separation > 0)) return;
   if (const auto gap = gap_of(pair, *a, *b))
-    draw_gap(scene, gap->on_a, gap->on_b, pair.separation, 16, scene.camera.right(), sketch);
+    draw_gap(scene, gap->on_a, gap->on_b, pair.separation, scene.noise(pair), 16,
+             scene.camera.right(), sketch);
 }
 
 /// How deep the pair is, beside its deepest point: of equally deep ones the outermost.
@@ -193,7 +195,8 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
   const Vec3d from = whisker.on_a + aside, to = whisker.on_b + aside;
   draw_measure(scene, from, to, 2.5f, "overlap" + spell_factor(scene.scales.overlap), sketch);
-  sketch.label(0.5 * (from + to), spell_length(-point.separation), kAxisText, 17, 12, left);
+  sketch.label(0.5 * (from + to), spell_length(-point.separation, scene.noise(pair)), kAxisText, 17,
+               12, left);
 }
 
 }  // namespace

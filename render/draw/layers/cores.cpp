@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "core/plane.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 
@@ -17,21 +18,18 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr LineStyle kCoreFront{1.5f, with_alpha(kReferenceFace, 0.75f), true,
-                               LineStyle::Hidden::Same};
-constexpr LineStyle kCoreBack{1.0f, with_alpha(kReferenceFace, 0.35f), true,
-                              LineStyle::Hidden::Same};
-constexpr LineStyle kRoundedSurface{2.0f, kReferenceFace};
+constexpr LineStyle kCoreFront{1.5f, with_alpha(kMargin, 0.75f), true, LineStyle::Hidden::Same};
+constexpr LineStyle kCoreBack{1.0f, with_alpha(kMargin, 0.35f), true, LineStyle::Hidden::Same};
+constexpr LineStyle kRoundedSurface{2.0f, kMargin};
 constexpr LineStyle kExtension{1.0f, with_alpha(kQuietText, 0.8f)};
 constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0,
-                             [](auto& pen) { pen.area(kReferenceFace, 0, 1.8, true); }};
-constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1,
-                                [](auto& pen) { pen.area(kReferenceFace, 0, 2); }};
+                             [](auto& pen) { pen.area(kMargin, 0, 1.8, true); }};
+constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) { pen.area(kMargin, 0, 2); }};
 // A length between two ticks.
 constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](auto& pen) {
-                                  pen.level_line(2, 20, 1.8, kReferenceFace);
+                                  pen.level_line(2, 20, 1.8, kMargin);
                                   for (const double at : {2.0, 20.0})
-                                    pen.line(pen.at(at, -4), pen.at(at, 4), 1.8, kReferenceFace);
+                                    pen.line(pen.at(at, -4), pen.at(at, 4), 1.8, kMargin);
                                 }};
 
 constexpr int kRoundedSteps = 180;
@@ -186,7 +184,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                              .color = color});
   };
   const auto line = [&](int column, double from, double to) {
-    const LineStyle style{2.2f, kReferenceFace};
+    const LineStyle style{2.2f, kMargin};
     sketch.bordered_line(place(column, from), place(column, to), style, 5.0f);
     const Vec3d tick = 4 * pixel * side;
     for (const double end : {from, to})
@@ -200,9 +198,9 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   arrow(0, 0, distance, kAxis);
   if (distance < 0) {
     label(0, 0.5 * distance,
-          "cores overlap " + spell_length(-distance) + ", by " + pair.incremental->query, kAxisText,
-          -side);
-    sketch.explain(kAxisSwatch, "overlap of the cores");
+          "cores overlap " + spell_length(-distance) + ", by " + in_words(pair.incremental->query),
+          kAxisText, -side);
+    sketch.explain(kAxisSwatch, "overlap of the cores", place(0, 0.5 * distance));
     return;
   }
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
@@ -213,13 +211,15 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.line(place(from, along), place(to, along) + kBeyondColumn * pixel * side, kExtension);
   line(1, 0, a);
   line(2, b, distance);
-  label(1, 0.3 * a, "A's margin " + spell_length(margin_a), kReferenceFace, side - 2 * normal);
-  label(2, distance - 0.3 * margin_b, "B's margin " + spell_length(margin_b), kReferenceFace,
+  label(1, 0.3 * a, "A's margin " + spell_length(margin_a), kMargin, side - 2 * normal);
+  label(2, distance - 0.3 * margin_b, "B's margin " + spell_length(margin_b), kMargin,
         side + 2 * normal);
   const bool apart = b >= a;
-  sketch.explain(kMarginsSwatch, "margins");
-  sketch.explain(kAxisSwatch, apart ? "distance of the cores, and the gap that the margins leave"
-                                    : "distance of the cores");
+  sketch.explain(kMarginsSwatch, "margins", place(1, 0.5 * a));
+  sketch.explain(
+      kAxisSwatch,
+      apart ? "distance of the cores, and the gap that the margins leave" : "distance of the cores",
+      place(0, 0.5 * distance));
   arrow(3, a, b, apart ? kAxis : kContact);
   label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_length(std::abs(b - a)),
         apart ? kAxisText : kContact, side);

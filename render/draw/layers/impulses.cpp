@@ -16,25 +16,25 @@ constexpr double kLeastFriction = 10;       // pixels: shorter, an open head is 
 constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these would be a crowd
 
 // The colour of friction is too light for letters on white; the same hue, darkened.
-constexpr Color kFrictionText = rgb(0x8A5F00);
+constexpr Color kFrictionText = rgb(0x8F4B3E);
 
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
-                                      [](auto& pen) { pen.arrow(3, 10, kContact); }};
+                                      [](auto& pen) { pen.arrow(3, 10, kImpulse); }};
 constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2, [](auto& pen) {
-                                    pen.level_line(0, 22, 9, kContact);
+                                    pen.level_line(0, 22, 9, kImpulse);
                                     pen.level_line(1.5, 20.5, 6, kWhite);
                                   }};
 constexpr Swatch kFrictionSwatch{LegendGroup::Forces, 3,
-                                 [](auto& pen) { pen.open_arrow(2.5, kIncidentFace); }};
+                                 [](auto& pen) { pen.open_arrow(2.5, kFriction); }};
 // Two strokes across a line that goes on.
 constexpr Swatch kBreakSwatch{LegendGroup::Forces, 4, [](auto& pen) {
-                                pen.level_line(0, 8.5, 3, kContact);
-                                pen.level_line(14, 22, 3, kContact);
+                                pen.level_line(0, 8.5, 3, kImpulse);
+                                pen.level_line(14, 22, 3, kImpulse);
                                 for (const double at : {9.0, 13.0}) {
                                   const Point2 middle = pen.at(at);
                                   const float rise = pen.px(6), lean = pen.px(2);
                                   pen.line({middle.x - lean, middle.y + rise},
-                                           {middle.x + lean, middle.y - rise}, 1.8, kContact);
+                                           {middle.x + lean, middle.y - rise}, 1.8, kImpulse);
                                 }
                               }};
 
@@ -72,18 +72,18 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     const double shown = std::min(whole, scene.scales.longest_impulse);
     if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
     if (warm) {
-      sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kContact);
-      sketch.explain(kWarmStartSwatch, "kept of the step before");
+      sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kImpulse);
+      sketch.explain(kWarmStartSwatch, "kept of the step before", Vec3d(at + 0.5 * shown * out));
     } else {
-      sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kContact));
+      sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kImpulse));
       sketch.arrows.back().halo = false;
       sketch.explain(kNormalImpulseSwatch,
                      (shows_loads(scene) ? "normal force, " : "normal impulse, ") +
                          spell_scale(scene, scene.scales.impulse));
     }
     if (whole <= shown) continue;
-    draw_break(scene, at + 0.6 * shown * out, out, kContact, sketch);
-    sketch.explain(kBreakSwatch, "longer than drawn");
+    draw_break(scene, at + 0.6 * shown * out, out, kImpulse, sketch);
+    sketch.explain(kBreakSwatch, "longer than drawn", Vec3d(at + 0.6 * shown * out));
   }
 }
 
@@ -99,9 +99,9 @@ void draw_friction(const Scene& scene, const trace::Point& point, double side, S
   // As it is seen: towards the eye it would be a blot too.
   const auto seen = seen_distance(scene.camera, at, at + way);
   if (!seen || !(*seen >= kLeastFriction * scales.pixel)) return;
-  sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kIncidentFace));
+  sketch.arrows.push_back(arrow_to_scale(at, way, 2.5f, 10, kFriction));
   sketch.arrows.back().open = true;
-  if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kIncidentFace, sketch);
+  if (share < 1) draw_break(scene, at + 0.6 * way, way.normalized(), kFriction, sketch);
   sketch.explain(kFrictionSwatch, own_scale ? "friction, " + spell_scale(scene, scales.friction)
                                             : "friction, same scale");
 }
@@ -188,7 +188,7 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
   const std::string friction = spell_quantity(load.friction.norm() / step, "N");
   if (load.at.size() == 1) {
     const Vec3d& at = load.outermost->position;
-    sketch.label(at, normal, kContact, 17, 12, scene.camera.right());
+    sketch.label(at, normal, kImpulse, 17, 12, scene.camera.right());
     if (!rubs) return;
     const Vec3d way = side * scene.scales.friction * load.outermost->impulse->friction;
     sketch.label(at + way, friction, kFrictionText, 17, 10, Vec3d(load.friction.normalized()));
@@ -196,11 +196,11 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
   }
   const std::optional<Bracket> bracket = bracket_beside(scene, load);
   if (!bracket) return;
-  const LineStyle style{1.8f, kContact};
+  const LineStyle style{1.8f, kImpulse};
   for (std::size_t i = 1; i < bracket->line.size(); ++i)
     sketch.bordered_line(bracket->line[i - 1], bracket->line[i], style, 4.5f);
   sketch.bordered_line(bracket->middle, bracket->tip, style, 4.5f);
-  sketch.label(bracket->tip, "Σ " + normal, kContact, 17, 5, bracket->out);
+  sketch.label(bracket->tip, "Σ " + normal, kImpulse, 17, 5, bracket->out);
   if (rubs)
     sketch.label(bracket->tip, "friction Σ " + friction, kFrictionText, 17, 5, bracket->out);
 }
@@ -228,7 +228,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     const double pixels = scene.camera.pixels_per_metre(at);
     if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
     sketch.label(at + std::min(length, scene.scales.longest_impulse) * out,
-                 spell_quantity(point->impulse->normal, "N s"), kContact, 15, 8, out);
+                 spell_quantity(point->impulse->normal, "N s"), kImpulse, 15, 8, out);
   }
 }
 

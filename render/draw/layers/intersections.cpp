@@ -33,7 +33,7 @@ void draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, con
 void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   if (mesh == nullptr || triangle < 0 || triangle >= count_of(mesh->traced().faces)) return;
   sketch.outline(mesh->polygon(triangle), {4.0f, with_alpha(kAxisText, 0.8f)});
-  sketch.explain(kDegenerateSwatch, "triangle without an area");
+  sketch.explain(kDegenerateSwatch, "triangle without an area", mesh->polygon(triangle)[0]);
 }
 
 /// What two triangles share; a lone point where it is no end of a line that is drawn anyway.
@@ -57,7 +57,7 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   for (const Vec3d& point : points) {
     if (std::ranges::binary_search(ends, point, before)) continue;
     sketch.mark(MarkKind::Dot, point, kContact);
-    sketch.explain(kTouchSwatch, "a point where they touch");
+    sketch.explain(kTouchSwatch, "a point where they touch", point);
   }
 }
 

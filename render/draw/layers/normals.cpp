@@ -15,8 +15,8 @@ constexpr Swatch kNormalSwatch{LegendGroup::Forces, 0,
 constexpr Swatch kUsualNormalSwatch{LegendGroup::Forces, 1,
                                     [](auto& pen) { pen.arrow(2, 8, kDropped); }};
 
-// Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one that
-// points at the eye has not.
+// Whether an arrow that starts here has room in the view for so many pixels, as it is seen: one
+// that points at the eye has not.
 bool has_room(const Camera& camera, const Arrow& arrow) {
   const std::optional<Point2> a = camera.project(arrow.from);
   const std::optional<Point2> b = camera.project(
@@ -60,11 +60,14 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                       .color = steps_back ? kDropped : kNormal};
     if (!has_room(scene.camera, arrow)) continue;
     sketch.arrows.push_back(arrow);
+    const Vec3d ahead = arrow.from + 0.7 * arrow.pixels /
+                                         scene.camera.pixels_per_metre(arrow.from) *
+                                         arrow.direction;
     if (steps_back)
-      sketch.explain(kUsualNormalSwatch, "normal as most have it");
+      sketch.explain(kUsualNormalSwatch, "normal as most have it", ahead);
     else
-      sketch.explain(kNormalSwatch,
-                     stands_out ? "normal more than 30° off" : "normal, from A to B");
+      sketch.explain(kNormalSwatch, stands_out ? "normal more than 30° off" : "normal, from A to B",
+                     ahead);
   }
 }
 

@@ -33,8 +33,8 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
                            const trace::PersistentPoint& point, PointState state, Sketch& sketch) {
   const Vec3d& at = point.point.position;
   const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
-  // Where the two places that met when the point was found are now. As long as the dot is wide, they
-  // say nothing.
+  // Where the two places that met when the point was found are now. As long as the dot is wide,
+  // they say nothing.
   if (factor * pixels * (point.on_b() - point.on_a()).norm() >= kLeastAnchors) {
     const Vec3d middle = 0.5 * (point.on_a() + point.on_b());
     const Vec3d from = middle + factor * (point.on_a() - middle);
@@ -43,20 +43,22 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
     for (const Vec3d& end : {from, to}) sketch.mark(MarkKind::Core, end, kContact);
     sketch.explain(kAnchorsSwatch,
                    factor == 1 ? "places that met, and how far they are apart now"
-                               : "places that met, now apart (× " + spell_number(factor) + ")");
+                               : "places that met, now apart (× " + spell_number(factor) + ")",
+                   from);
   }
   if (state == PointState::Broken) {
-    sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why");
+    sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
     sketch.label(at, point.reason, kDropped, 16, 12).bold = false;
     return;
   }
   const bool is_new = state == PointState::New;
   sketch.explain(is_new ? kStateSwatch<PointState::New> : kStateSwatch<PointState::Persisted>,
-                 is_new ? "new point" : "kept point, its age in frames");
+                 is_new ? "new point" : "kept point, its age in frames", at);
   sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
   if (scene.shows(Layer::Ids)) return;  // its id stands there
-  sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 18, 12);
+  Label& label = sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 17, 12);
+  if (!is_new) label.badge = Badge::Age;
 }
 
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -5,10 +5,10 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 
-/// Where the centre of a ball is when the ball touches a triangle: a prism with rounded edges. Its flat
-/// sides belong to the face, its cylinders to the edges, its balls to the vertices. A ball that is
-/// swept meets the triangle where the way of its centre enters (Ericson 2005, "Real-Time Collision
-/// Detection", section 5.5.6).
+/// Where the centre of a ball is when the ball touches a triangle: a prism with rounded edges. Its
+/// flat sides belong to the face, its cylinders to the edges, its balls to the vertices. A ball
+/// that is swept meets the triangle where the way of its centre enters (Ericson 2005, "Real-Time
+/// Collision Detection", section 5.5.6).
 namespace contactscope::draw {
 namespace {
 
@@ -117,7 +117,7 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   sketch.explain(kFaceSwatch, "touches the face");
   sketch.explain(kEdgeSwatch, "an edge");
   sketch.explain(kVertexSwatch, "a vertex");
-  sketch.explain(kWaySwatch, "way of a ball's centre");
+  sketch.explain(kWaySwatch, "way of a ball's centre", Vec3d(center + 0.3 * way->displacement));
 }
 
 }  // namespace

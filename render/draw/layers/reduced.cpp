@@ -23,7 +23,8 @@ void draw_reduced(const Scene&, const trace::Pair& pair, Sketch& sketch) {
       sketch.mark(crowded ? MarkKind::SmallCross : MarkKind::Cross, at, kDropped);
     } else {
       sketch.mark(MarkKind::Ring, at, kContact);
-      sketch.label(at, std::to_string(choice - kept.begin() + 1), kContact, 20, 14);
+      sketch.label(at, std::to_string(choice - kept.begin() + 1), kContact, 17, 12).badge =
+          Badge::Choice;
     }
   }
   sketch.explain(kReducedSwatch, "reduced away");

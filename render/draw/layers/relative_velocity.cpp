@@ -11,9 +11,8 @@ namespace {
 constexpr double kLeastClosing = 4;  // pixels
 
 constexpr Swatch kWholeSwatch{LegendGroup::Motion, 1,
-                              [](auto& pen) { pen.open_arrow(2, kClipPolygon); }};
-constexpr Swatch kPartSwatch{LegendGroup::Motion, 2,
-                             [](auto& pen) { pen.arrow(4, 11, kClipPolygon); }};
+                              [](auto& pen) { pen.open_arrow(2, kMotion); }};
+constexpr Swatch kPartSwatch{LegendGroup::Motion, 2, [](auto& pen) { pen.arrow(4, 11, kMotion); }};
 
 // With the decimals that the fastest of the sequence has in three digits: what is left of it when
 // the contact has stopped it is then seen to be nothing.
@@ -24,8 +23,8 @@ std::string spell_closing(double speed, double fastest) {
   return (speed < 0 ? "−" : "") + printed("%.*f m/s", decimals, std::abs(speed));
 }
 
-// Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part along
-// the normal, which is all that the contact sees.
+// Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point the part
+// along the normal, which is all that the contact sees.
 void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const SequenceScales& scales = scene.scales;
   for (const auto& [manifold, point] : all_points(pair)) {
@@ -39,15 +38,15 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       return way.norm() * scene.camera.pixels_per_metre(at) >= kLeastClosing;
     };
     if (is_seen(whole)) {
-      sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kClipPolygon));
+      sketch.arrows.push_back(arrow_to_scale(at, whole, 2, 10, kMotion));
       sketch.arrows.back().open = true;
-      sketch.line(at + whole, at + part, {1.2f, kClipPolygon, true});
-      sketch.explain(kWholeSwatch, "relative velocity at the contact");
+      sketch.line(at + whole, at + part, {1.2f, kMotion, true});
+      sketch.explain(kWholeSwatch, "relative velocity at the contact", Vec3d(at + 0.8 * whole));
     }
-    sketch.explain(kPartSwatch, "its part along the normal");
-    if (is_seen(part)) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kClipPolygon));
+    sketch.explain(kPartSwatch, "its part along the normal", Vec3d(at + 0.8 * part));
+    if (is_seen(part)) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kMotion));
     sketch.label(is_seen(part) ? Vec3d(at + part) : at, spell_closing(speed, scales.closing),
-                 rgb(0x00694D), 18, 12, scene.camera.right());
+                 kMotion, 18, 12, scene.camera.right());
   }
 }
 

@@ -1,4 +1,5 @@
 #include "draw/layers/layer.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -48,10 +49,11 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
   }
   const Vec3d begin = from + aside, end = to + aside;
   draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
-  const std::string note = !chosen ? "" : metres > 0 ? ", the gap" : ", chosen";
+  const std::string note = chosen && metres <= 0 ? ", chosen" : "";
   sketch
-      .label(0.5 * (begin + end), std::string(name) + ": " + spell_length(metres) + note, kAxisText,
-             chosen ? 18.0f : 15.0f, 17)
+      .label(0.5 * (begin + end),
+             std::string(name) + ": " + spell_separation(metres, scene.noise(pair)) + note,
+             kAxisText, chosen ? 18.0f : 15.0f, 17)
       .bold = chosen;
 }
 
@@ -82,7 +84,7 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
   if (chosen) {
     for (const Vec3d& point : {edge.point_a, edge.point_b})
       sketch.mark(MarkKind::Node, point, kAxisText);
-    sketch.explain(kClosestPointsSwatch, "closest points of the edges");
+    sketch.explain(kClosestPointsSwatch, "closest points of the edges", edge.point_a);
   }
   draw_separation(scene, pair, {"edges", edge.point_b, edge.normal, edge.separation, chosen}, all,
                   sketch);

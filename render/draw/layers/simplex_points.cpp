@@ -15,7 +15,7 @@ namespace {
 constexpr Swatch kSimplexPointsSwatch{LegendGroup::Differences, 3,
                                       [](auto& pen) { pen.dot(0, 4.8, kClipPolygon); }};
 constexpr Swatch kFacePointsSwatch{LegendGroup::Differences, 4,
-                                   [](auto& pen) { pen.dot(0, 4.8, kReferenceFace); }};
+                                   [](auto& pen) { pen.dot(0, 4.8, kPolytope); }};
 
 /// A point of a shape, which may be in several vertices.
 struct SupportPoint {
@@ -45,10 +45,11 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
     const std::array<int, 3>& nearest = at(step->polytope->faces, step->polytope->nearest);
     shown.assign(nearest.begin(), nearest.end());
   }
-  const Color color = epa ? kReferenceFace : kClipPolygon;
+  const Color color = epa ? kPolytope : kClipPolygon;
   if (!shown.empty())
     sketch.explain(epa ? kFacePointsSwatch : kSimplexPointsSwatch,
-                   epa ? "support points of the nearest face" : "support points of the simplex");
+                   epa ? "support points of the nearest face" : "support points of the simplex",
+                   step->vertices[static_cast<std::size_t>(shown.front())].a);
   for (const bool of_a : {true, false}) {
     const std::vector<SupportPoint> points = points_of(*step, shown, of_a);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -58,7 +59,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
       for (const int number : points[i].numbers)
         text += (text.empty() ? "" : " ") + std::to_string(number);
       sketch.mark(MarkKind::Dot, points[i].at, color);
-      sketch.label(points[i].at, text, color, 17, 10);
+      sketch.label(points[i].at, text, color, 15, 10).badge = Badge::Support;
     }
   }
   const bool apart = !epa && pair.gjk && pair.gjk->status == "separated";
@@ -69,7 +70,8 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
       {.from = from, .to = to, .double_headed = true, .width = 3, .color = kAxis});
   sketch.label(
       0.5 * (from + to),
-      epa ? "depth " + spell_length(pair.penetration->depth) : spell_length(pair.gjk->distance),
+      (epa ? "overlap " : "gap ") +
+          spell_length(epa ? pair.penetration->depth : pair.gjk->distance, scene.noise(pair)),
       kAxisText, 17, 14);
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -24,7 +25,9 @@ constexpr Swatch kCenterOfMassSwatch{
 void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
   std::set<std::string_view> drawn;
   bool any_projected = false;
+  std::optional<Vec3d> first;
   const auto draw = [&](const std::string& name, const Vec3d& center) {
+    if (!first) first = center;
     if (drawn.insert(name).second) sketch.mark(MarkKind::Quartered, center, kNormal);
   };
   for (const trace::Pair& pair : scene.frame.pairs) {
@@ -40,7 +43,7 @@ void draw_centers_of_mass(const Scene& scene, Sketch& sketch) {
   for (const trace::Body& body : scene.bodies()) draw(body.name, body.center_of_mass);
   if (!drawn.empty())
     sketch.explain(kCenterOfMassSwatch,
-                   any_projected ? "centre of mass, and its projection" : "centre of mass");
+                   any_projected ? "centre of mass, and its projection" : "centre of mass", first);
 }
 
 void draw_free_axis(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -80,10 +83,15 @@ bool turns(const trace::Pair& pair) {
 }
 
 std::string verdict_of(const trace::Stability& stability) {
-  if (stability.support.size() < 3 || stability.verdict == "no contact") return stability.verdict;
-  if (stability.margin == 0) return stability.verdict + ", on the border";
+  const std::string balance = spell_balance(balance_of(stability));
+  if (stability.verdict == "no contact") return balance;
+  // How it turns is said where it does.
+  const std::string verdict =
+      stability.verdict == "stable" ? balance : balance + ": " + stability.verdict;
+  if (stability.support.size() < 3) return verdict;
+  if (stability.margin == 0) return verdict + ", on the border";
   const std::string margin = spell_margin(std::abs(stability.margin));
-  return stability.verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
+  return verdict + ", " + margin + (stability.margin < 0 ? " outside" : " inside");
 }
 
 // Gregorius 2015, "Incremental Manifold Stability": a body is stable while its centre of mass

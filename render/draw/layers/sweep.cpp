@@ -1,9 +1,9 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 
-/// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous Collision".
-/// Onion skins at the times up to which the search knew them apart; where they meet; and where they
-/// are at the end of the step, as somebody who looks at frames alone would have it.
+/// How two shapes go through the step, and where they first meet: Catto 2013, "Continuous
+/// Collision". Onion skins at the times up to which the search knew them apart; where they meet;
+/// and where they are at the end of the step, as somebody who looks at frames alone would have it.
 namespace contactscope::draw {
 namespace {
 
@@ -55,7 +55,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   for (const Vec3d& ghost : impact.ghosts) {
     sketch.mark(MarkKind::WideRing, ghost, kAxis);
-    sketch.explain(kGhostSwatch, "ghost: holds back what would go past");
+    sketch.explain(kGhostSwatch, "ghost: holds back what would go past", ghost);
   }
   for (const std::vector<Vec3d>* corners : {&impact.corners_a, &impact.corners_b}) {
     for (std::size_t i = 0; i < corners->size(); ++i)

@@ -3,8 +3,8 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 
-/// Onion skins: where the moving shapes have been in the frames before that are drawn. What jumps over
-/// something leaves no skin in between.
+/// Onion skins: where the moving shapes have been in the frames before that are drawn. What jumps
+/// over something leaves no skin in between.
 namespace contactscope::draw {
 namespace {
 
@@ -39,7 +39,7 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
                  moved(shape, now, then.transform(middle) - now, Vec3d(back.angle() * back.axis())),
                  kPast, sketch);
       sketch.line(then.transform(middle), then.transform(middle) + way, kTrailWay);
-      sketch.explain(kPastSwatch, "in the frames before");
+      sketch.explain(kPastSwatch, "in the frames before", then.transform(middle));
     }
   }
 }

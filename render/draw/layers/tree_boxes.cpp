@@ -2,6 +2,7 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
+#include "draw/scene/points.h"
 
 /// How the triangles of a mesh were collected: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {
@@ -10,7 +11,7 @@ namespace {
 constexpr float kLeftOut = 0.22f;  // alpha of what no query looks at
 
 constexpr Swatch kQuerySwatch{LegendGroup::Trees, 0, [](auto& pen) { pen.area(kNormal, 0, 2); }};
-constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kSidePlane, 0, 2.5); }};
+constexpr Swatch kBoxSwatch{LegendGroup::Trees, 1, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kMissSwatch{LegendGroup::Trees, 2,
                              [](auto& pen) { pen.area(kDropped, kLeftOut, 1.5, true); }};
 
@@ -36,7 +37,7 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const int candidate : pair.tree->candidates) {
     if (candidate < 0 || candidate >= count_of(mesh->traced().faces)) continue;
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
-    sketch.explain(kClipPolygonSwatch, "candidate triangle");
+    sketch.explain(kClipPolygonSwatch, "candidate triangle", mean_of(mesh->polygon(candidate)));
   }
   // What was left out beneath what was entered, and the deepest last: it is what the query found.
   std::vector<trace::TreeVisit> visits = pair.tree->visits;
@@ -46,20 +47,21 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::TreeVisit& visit : visits) {
     const bool inner = !visit.leaf;
     const LineStyle style =
-        visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kSidePlane, inner ? 0.8f : 1)}
+        visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kBox, inner ? 0.8f : 1)}
                        : LineStyle{1.5f, kDropped, true};
     if (!visit.overlaps)
       sketch.surfaces.push_back({widest_cut(visit.box, *mesh), with_alpha(kDropped, kLeftOut)});
     outline(visit.box, mesh->pose, style, sketch);
     sketch.explain(visit.overlaps ? kBoxSwatch : kMissSwatch,
-                   visit.overlaps ? "box of the tree, entered" : "box left out, with all below");
+                   visit.overlaps ? "box of the tree, entered" : "box left out, with all below",
+                   mesh->pose.transform(visit.box.upper));
   }
   outline(pair.tree->box, mesh->pose, {2.0f, kNormal}, sketch);
-  sketch.explain(kQuerySwatch, "box of " + (pair.tree->shape == pair.a ? pair.b : pair.a));
+  sketch.explain(kQuerySwatch, "box of the shape that asks",
+                 mesh->pose.transform(pair.tree->box.upper));
 }
 
-constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5,
-                                 [](auto& pen) { pen.area(kSidePlane, 0, 1.5); }};
+constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); }};
 
 /// What the tree of a mesh that deforms is made of.
 void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
@@ -67,7 +69,7 @@ void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
     const PlacedShape* mesh = scene.find(deformed.name);
     if (mesh == nullptr) continue;
     for (const trace::Box& box : deformed.boxes)
-      outline(box, mesh->pose, {1.5f, with_alpha(kSidePlane, 0.9f)}, sketch);
+      outline(box, mesh->pose, {1.5f, with_alpha(kBox, 0.9f)}, sketch);
     sketch.explain(kDeformedSwatch, "boxes of the tree, four levels down");
   }
 }

@@ -14,7 +14,7 @@ constexpr double kSpinRadius = 0.42;        // of the body's radius
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
 
 constexpr Swatch kVelocitySwatch{LegendGroup::Motion, 0,
-                                 [](auto& pen) { pen.arrow(3.5, 11, kReferenceFace); }};
+                                 [](auto& pen) { pen.arrow(3.5, 11, kMotion); }};
 // Three quarters of a turn.
 constexpr Swatch kSpinSwatch{
     LegendGroup::Motion, 3, [](auto& pen) {
@@ -26,12 +26,12 @@ constexpr Swatch kSpinSwatch{
             std::numbers::pi_v<float> * (0.3f + 1.5f * static_cast<float>(i) / kSteps);
         return Point2{m.x + r * std::cos(angle), m.y - r * std::sin(angle)};
       };
-      for (int i = 0; i + 1 < kSteps - 3; ++i) pen.path({at(i), at(i + 1)}, 2.5, kReferenceFace);
+      for (int i = 0; i + 1 < kSteps - 3; ++i) pen.path({at(i), at(i + 1)}, 2.5, kMotion);
       const Point2 tip = at(kSteps), back = at(kSteps - 4);
       const Point2 across{0.6f * (tip.y - back.y), -0.6f * (tip.x - back.x)};
       pen.fill(
           {tip, {back.x + across.x, back.y + across.y}, {back.x - across.x, back.y - across.y}},
-          kReferenceFace);
+          kMotion);
     }};
 
 // A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn. A
@@ -44,10 +44,10 @@ void draw_velocity(const Scene& scene, const trace::Body& body, bool numbered, S
   sketch.explain(kVelocitySwatch,
                  "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
   const bool drawn = pixels >= kLeastVelocity;
-  if (drawn) sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kReferenceFace));
+  if (drawn) sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kMotion));
   if (numbered)
     sketch.label(drawn ? Vec3d(center + way) : center, spell_quantity(body.velocity.norm(), "m/s"),
-                 kReferenceFace, 16, 9, way.normalized());
+                 kMotion, 16, 9, way.normalized());
 }
 
 void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
@@ -59,10 +59,10 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
   const Vec3d axis = body.angular_velocity / spin;
   const Vec3d& center = body.center_of_mass;
   const Vec3d tip = center + 1.3 * radius * axis;
-  sketch.line(center - 1.3 * radius * axis, tip, {1.5f, kReferenceFace, true});
-  draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kReferenceFace,
+  sketch.line(center - 1.3 * radius * axis, tip, {1.5f, kMotion, true});
+  draw_curved_arrow(scene.camera, center, axis, radius, spin * scene.scales.spin, 3, kMotion,
                     sketch);
-  if (numbered) sketch.label(tip, spell_quantity(spin, "rad/s"), kReferenceFace, 16, 9, axis);
+  if (numbered) sketch.label(tip, spell_quantity(spin, "rad/s"), kMotion, 16, 9, axis);
 }
 
 void draw_velocities(const Scene& scene, Sketch& sketch) {

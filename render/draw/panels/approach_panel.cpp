@@ -1,10 +1,12 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
-/// When two moving shapes first meet: Catto 2013, "Continuous Collision"; Mirtich 1996, section 2.3.
+/// When two moving shapes first meet: Catto 2013, "Continuous Collision"; Mirtich 1996, section
+/// 2.3.
 namespace contactscope::draw {
 namespace {
 
@@ -51,11 +53,6 @@ class ApproachPanel : public PanelContent {
   }
 
  private:
-  static std::string in_words(std::string name) {
-    std::ranges::replace(name, '_', ' ');
-    return name;
-  }
-
   static void draw_chart(const trace::Impact& impact, const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();

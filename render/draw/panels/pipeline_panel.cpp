@@ -4,10 +4,11 @@
 
 #include "draw/panels/panel.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/quantity.h"
 
-/// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline", Gregorius
-/// 2015, "Collision Pipeline".
+/// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline",
+/// Gregorius 2015, "Collision Pipeline".
 namespace contactscope::draw {
 namespace {
 
@@ -43,9 +44,9 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
     const bool ends = frame.broad_phase->method == "sweep_and_prune";
     stages.push_back({ends ? "ends that passed each other" : "pairs of boxes compared",
                       frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
-    stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kSidePlane});
+    stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kBox});
   } else {
-    stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kSidePlane});
+    stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kBox});
   }
   int asked = 0, overlapping = 0, touching = 0, points = 0;
   for (const trace::Pair& pair : frame.pairs) {
@@ -55,7 +56,7 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
     for (const trace::Manifold& manifold : pair.manifolds) points += count_of(manifold.points);
   }
   if (use.asked) {
-    stages.push_back({"pairs asked, no contacts made", asked, with_alpha(kSidePlane, 0.6f)});
+    stages.push_back({"pairs asked, no contacts made", asked, with_alpha(kBox, 0.6f)});
     stages.push_back({"of these overlap or touch", overlapping, answer_color(AnswerKind::Yes)});
   }
   if (use.collided) {
@@ -63,12 +64,6 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
     stages.push_back({"contact points", points, kContact});
   }
   return stages;
-}
-
-/// "sweep and prune", as people call it.
-std::string spaced(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return name;
 }
 
 /// What a bar is as long as: a stage often lets one of a thousand through.
@@ -92,10 +87,11 @@ class PipelinePanel : public PanelContent {
     return {height, height, height, 0};
   }
 
-  /// A bar a stage, on the same scale in every frame, so that a bar that grows is a count that does.
+  /// A bar a stage, on the same scale in every frame, so that a bar that grows is a count that
+  /// does.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
-    sheet.heading(frame.broad_phase ? "broad phase: " + spaced(frame.broad_phase->method)
+    sheet.heading(frame.broad_phase ? "broad phase: " + in_words(frame.broad_phase->method)
                                     : "what each stage lets through");
     for (const StageCount& stage : stages_of(frame, use_)) {
       const Rect row = sheet.rest();

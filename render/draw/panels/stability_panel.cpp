@@ -7,6 +7,7 @@
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -57,12 +58,12 @@ void draw_margin(const Point2& from, const std::vector<Point2>& border, const Pe
   pen.fill({nearest, nearest + back + aside, nearest + back - aside}, kAxis);
 }
 
-/// Whether the centre of mass projects into the manifold, by what margin, and over time. For each pair
-/// whose stability was recorded (the first three) the contact plane seen along the normal, right as in
-/// the camera's picture, with the points, the hull of them that a body can rest on, its projected
-/// centre of mass and how far that is from the border; what that means in words; then the margin over
-/// the time up to a moment, and in which row, one a verdict, each pair is. One scale in all frames and
-/// pairs. Without room for both, the map goes first.
+/// Whether the centre of mass projects into the manifold, by what margin, and over time. For each
+/// pair whose stability was recorded (the first three) the contact plane seen along the normal,
+/// right as in the camera's picture, with the points, the hull of them that a body can rest on, its
+/// projected centre of mass and how far that is from the border; what that means in words; then the
+/// margin over the time up to a moment, and in which row, one a verdict, each pair is. One scale in
+/// all frames and pairs. Without room for both, the map goes first.
 class StabilityPanel : public PanelContent {
  public:
   StabilityPanel(const Staging& staging, const Frames& frames)
@@ -228,7 +229,10 @@ class StabilityPanel : public PanelContent {
                pixel(map.x, baseline), Align::Left, kText, weight);
       baseline += pen.px(kWordsLine);
     };
-    write(pair == nullptr ? "no contact" : pair->stability->verdict, Weight::Bold);
+    write(pair == nullptr                        ? "no contact"
+          : pair->stability->verdict == "stable" ? spell_balance(balance_of(*pair->stability))
+                                                 : "unstable: " + pair->stability->verdict,
+          Weight::Bold);
     if (pair == nullptr) return;
     const double margin = pair->stability->margin;
     std::string side = margin < 0 ? " outside" : " inside";

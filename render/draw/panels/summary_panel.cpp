@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/answers.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -12,22 +14,21 @@ constexpr std::size_t kUsualRows = 5;  // of two hulls that touch
 constexpr float kAroundRows = 2.2f;    // lines of text: a heading, and space below
 constexpr float kBetweenPairs = 0.4f;  // of the height of text
 
-std::string spoken(const std::string& axis) {
-  if (axis == "face_a") return "face of A";
-  if (axis == "face_b") return "face of B";
-  if (axis == "edge_edge") return "edge of A, edge of B";
-  return axis;
-}
-
-// "point-face", or of a mesh's many manifolds each type once.
+// "point on face", or of a mesh's many manifolds each type once.
 std::string types_of(const trace::Pair& pair) {
   std::vector<std::string> types;
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (std::ranges::find(types, manifold.type) == types.end()) types.push_back(manifold.type);
   }
   std::string text;
-  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + type;
+  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + spell_features(type);
   return text;
+}
+
+// "hull and hull" of "hull-hull".
+std::string kinds_in_words(std::string kind) {
+  const std::size_t dash = kind.find('-');
+  return dash == std::string::npos ? kind : kind.replace(dash, 1, " and ");
 }
 
 std::string counted(const trace::Pair& pair) {
@@ -37,29 +38,34 @@ std::string counted(const trace::Pair& pair) {
     return text + " in " + std::to_string(pair.manifolds.size()) + " manifolds";
   if (!pair.reduction || pair.reduction->points.size() <= kept) return text;
   return text + " of " + std::to_string(pair.reduction->points.size()) + ", by " +
-         pair.reduction->method;
+         in_words(pair.reduction->method);
 }
 
 /// Calls `add` with the name of each row and with what spells its value.
 template <class Add>
-void for_each_row(const trace::Pair& pair, Add&& add) {
+void for_each_row(const Staging& staging, const trace::Frame& frame, const trace::Pair& pair,
+                  Add&& add) {
   if (pair.query) {
     add("asked", [&] { return spell_question(*pair.query); });
     add("answer", [&] { return spell_answer(pair); });
-    add("by", [&] { return pair.query->method; });
+    add("by", [&] { return in_words(pair.query->method); });
     return;
   }
-  add("pair", [&] { return pair.kind; });
-  add("state", [&] { return pair.state; });
-  if (pair.sat) add("axis", [&] { return spoken(pair.sat->chosen); });
+  add("pair", [&] { return kinds_in_words(pair.kind); });
+  add("state", [&] { return spell_state(state_of(pair, staging.scales.touching)); });
+  if (pair.sat) add("axis", [&] { return spell_axis(pair.sat->chosen); });
   if (!pair.manifolds.empty() && !types_of(pair).empty())  // other engines tell no types
     add("contact", [&] { return types_of(pair); });
-  add(pair.separation > 0 ? "gap" : "separation", [&] { return spell_length(pair.separation); });
+  add(gap_or_overlap(pair.separation), [&] {
+    return spell_length(std::abs(pair.separation),
+                        noise_of(*staging.header, staging.meshes, frame, pair));
+  });
   if (pair.state != "separated") add("points", [&] { return counted(pair); });
   if (pair.incremental) {
     const trace::Incremental& incremental = *pair.incremental;
     add("cores", [&] {
-      return incremental.query == "gjk" ? "apart, by gjk" : "overlap, by " + incremental.query;
+      return std::string(incremental.query == "gjk" ? "apart, by " : "overlap, by ") +
+             in_words(incremental.query);
     });
     add("confirmed", [&] { return "by " + incremental.confirm; });
   }
@@ -72,10 +78,11 @@ void for_each_row(const trace::Pair& pair, Add&& add) {
 }
 
 // A degenerate geometry's name takes a second line. A question and its answer are sentences.
-std::size_t lines_of(const trace::Pair& pair, const Layout& layout) {
+std::size_t lines_of(const Staging& staging, const trace::Frame& frame, const trace::Pair& pair) {
+  const Layout& layout = staging.layout;
   const float width = static_cast<float>(layout.panels.width) - layout.px(2 * kPanelPadding);
   std::size_t lines = pair.degenerate ? 1 : 0;
-  for_each_row(pair, [&](const char*, auto&& spell) {
+  for_each_row(staging, frame, pair, [&](const char*, auto&& spell) {
     lines += pair.query ? Sheet::row_lines(spell(), width, layout.scale, layout.words) : 1;
   });
   return lines;
@@ -87,12 +94,12 @@ class SummaryPanel : public PanelContent {
   // A pair has the rows of a touching one, so that panels below keep their place when it comes
   // apart; and those of the frame that has most to say.
   SummaryPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {
+      : staging_(staging), frames_(frames), scale_(staging.layout.scale) {
     std::size_t rows = 1;
     for (const trace::Frame& frame : frames) {
       for (const trace::Pair& pair : frame.pairs) {
         const std::size_t least = pair.query ? 1 : kUsualRows;
-        rows = std::max({rows, least, lines_of(pair, staging.layout)});
+        rows = std::max({rows, least, lines_of(staging, frame, pair)});
       }
     }
     pair_height_ = (kAroundRows + static_cast<float>(rows)) * Sheet::line_height(scale_);
@@ -118,7 +125,8 @@ class SummaryPanel : public PanelContent {
     for (std::size_t i = 0; i < shown; ++i) {
       const std::string label = pairs[i].label.empty() ? "" : pairs[i].label + ": ";
       sheet.heading(label + pairs[i].a + ", " + pairs[i].b);
-      for_each_row(pairs[i], [&](const char* name, auto&& spell) { sheet.row(name, spell()); });
+      for_each_row(staging_, frames_[moment.frame], pairs[i],
+                   [&](const char* name, auto&& spell) { sheet.row(name, spell()); });
       sheet.skip(kBetweenPairs * sheet.text_height());
     }
     std::string missing = sheet.more(pairs.size() - shown, "pair", "pairs");
@@ -137,6 +145,7 @@ class SummaryPanel : public PanelContent {
            Sheet::line_height(scale_) * static_cast<float>(lines);
   }
 
+  const Staging& staging_;
   const Frames& frames_;
   float scale_;
   float pair_height_ = 0;  // pixels

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -15,10 +16,10 @@ std::string things_of(const trace::Query& query) {
   return "the shapes";
 }
 
-/// "12.0 cm apart", "3.00 mm deep in each other".
+/// "gap 120 mm", "overlap 3.00 mm".
 std::string spell_gap(double gap) {
   if (gap == 0) return "they touch";
-  return gap > 0 ? spell_length(gap) + " apart" : spell_length(-gap) + " deep in each other";
+  return spell_separation(gap, 0);
 }
 
 /// Where two meshes are that do not cross.
@@ -70,7 +71,7 @@ Color answer_color(AnswerKind kind) {
     case AnswerKind::No:
       return kDropped;
     case AnswerKind::Yes:
-      return kSidePlane;
+      return kBox;
     case AnswerKind::Missed:
       return kText;
     case AnswerKind::FalsePositive:

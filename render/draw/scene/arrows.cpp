@@ -21,7 +21,7 @@ void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float 
   if (*pixels >= kLeastMeasure * scene.scales.pixel || *pixels <= 0) {
     arrow.double_headed = true;
     sketch.arrows.push_back(arrow);
-    sketch.explain(kAxisSwatch, text);
+    sketch.explain(kAxisSwatch, text, Vec3d(0.5 * (from + to)));
     return;
   }
   // As drawings measure what is narrow. The arrows are as long on the screen as if seen squarely.
@@ -31,13 +31,13 @@ void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float 
     arrow.to = tip;
     sketch.arrows.push_back(arrow);
   }
-  sketch.explain(kNarrowAxisSwatch, text);
+  sketch.explain(kNarrowAxisSwatch, text, Vec3d(0.5 * (from + to)));
 }
 
-void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres,
+void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres, double noise,
               double clearance, const Vec3d& aside, Sketch& sketch) {
   draw_measure(scene, from, to, 3, "gap", sketch);
-  sketch.label(0.5 * (from + to), spell_length(metres), kAxisText, 17, clearance, aside);
+  sketch.label(0.5 * (from + to), spell_length(metres, noise), kAxisText, 17, clearance, aside);
 }
 
 void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& axis, double radius,

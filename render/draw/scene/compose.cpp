@@ -1,5 +1,11 @@
+#include <map>
+#include <span>
+
+#include "core/at.h"
+#include "core/convex_polygon.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pen.h"
+#include "draw/scene/points.h"
 #include "draw/scene/sketch.h"
 #include "image/font.h"
 
@@ -10,6 +16,71 @@ constexpr float kJoin = 0.25f;    // pixels
 constexpr float kAvoided = 1.5f;  // pixels: labels keep off lines of this width
 constexpr double kHeadingSize = 21;  // pixels at 720 lines
 constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
+
+// Of what is marked on the ground behind a body.
+constexpr float kFaintGround = 0.2f;  // of its opacity
+constexpr double kLeastSeen = 0.2;    // of its area: less to be seen, it shows through bodies
+constexpr std::size_t kMostBodySides =
+    160;  // faces of bodies before it: of a landscape all counts as seen
+
+using Outline = std::vector<Vec2d>;  // a convex polygon of the screen, counter-clockwise
+
+Outline as_outline(const std::vector<Point2>& polygon) {
+  return convex_polygon(mapped(polygon, [](const Point2& p) { return Vec2d(p.x, p.y); }));
+}
+
+/// The part of `polygon` on one side of the line through two points: on its left, or not.
+Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool left) {
+  const double sign = left ? 1 : -1;
+  return clipped(
+      polygon, [&](const Vec2d& p) { return sign * turn(from, to, p); },
+      [](const Vec2d& p, const Vec2d& q, double at_p, double at_q) -> Vec2d {
+        return p + at_p / (at_p - at_q) * (q - p);
+      });
+}
+
+/// What of the polygons is outside of a convex one.
+std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
+  constexpr double kLeastArea = 0.25;  // square pixels
+  std::vector<Outline> result;
+  for (Outline rest : polygons) {
+    for (std::size_t i = 0; i < hole.size() && rest.size() > 2; ++i) {
+      const Vec2d &from = hole[i], &to = hole[(i + 1) % hole.size()];
+      Outline outside = cut(rest, from, to, false);
+      if (outside.size() > 2 && area_of(outside) > kLeastArea) result.push_back(std::move(outside));
+      rest = cut(rest, from, to, true);
+    }
+  }
+  return result;
+}
+
+/// The bodies among the surfaces that are seen before a polygon of the screen: flat faces one by
+/// one, round bodies as a whole.
+std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const Camera& camera,
+                                     std::span<const Surface> surfaces) {
+  const Outline whole = as_outline(polygon);
+  Eigen::AlignedBox2d box;
+  for (const Vec2d& p : whole) box.extend(p);
+  std::vector<Outline> found;
+  std::map<int, std::vector<Vec2d>> round;
+  for (const Surface& surface : surfaces) {
+    if (surface.kind != Surface::Kind::Body) continue;
+    std::vector<Point2> seen = project_polygon(camera, surface.polygon);
+    if (seen.empty()) continue;
+    if (surface.body >= 0) {
+      for (const Point2& p : seen) round[surface.body].emplace_back(p.x, p.y);
+      continue;
+    }
+    Eigen::AlignedBox2d own;
+    for (const Point2& p : seen) own.extend(Vec2d(p.x, p.y));
+    if (!own.intersects(box)) continue;
+    if (found.size() == kMostBodySides) return {};
+    found.push_back(as_outline(seen));
+  }
+  for (auto& [body, points] : round) found.push_back(convex_polygon(std::move(points)));
+  std::erase_if(found, [](const Outline& outline) { return outline.size() < 3; });
+  return found;
+}
 
 struct Composer {
   const Sketch& sketch;
@@ -22,6 +93,12 @@ struct Composer {
   std::size_t current = 0;  // part of what is drawn now
 
   void run() {
+    // Drawn over the view afterwards: no label goes there.
+    for (const Rect& inset : layout.insets) {
+      const double half = 0.5 * inset.height, middle = inset.y + half;
+      placer.block(pixel(inset.x + half, middle), pixel(inset.right() - half, middle),
+                   static_cast<float>(inset.height));
+    }
     draw_surfaces();
     each_of(&Sketch::curves, &SketchPart::curves, "line", &Composer::draw_curve);
     each_of(&Sketch::lines, &SketchPart::lines, "line", &Composer::draw_line);
@@ -32,7 +109,8 @@ struct Composer {
     each_of(&Sketch::labels, &SketchPart::labels, "label", &Composer::draw_label);
   }
 
-  // The primitives that follow show a part of the sketch; nothing of it where the sketch tells none.
+  // The primitives that follow show a part of the sketch; nothing of it where the sketch tells
+  // none.
   void begin(std::size_t part, std::string_view role) {
     if (part < sketch.parts.size())
       drawing.begin(sketch.parts[part].layer, sketch.parts[part].pair, role);
@@ -63,16 +141,41 @@ struct Composer {
       surfaces[i].part = next - 1;
     }
     std::size_t last = sketch.parts.size();
-    for (const Surface& surface : depth_ordered(std::move(surfaces), camera, sketch.bodies)) {
+    surfaces = depth_ordered(std::move(surfaces), camera, sketch.bodies);
+    for (const Surface& surface : surfaces) {
       std::vector<Point2> polygon = project_polygon(camera, surface.polygon);
       if (polygon.empty()) continue;
       if (surface.part != last) begin(surface.part, "surface");
       last = surface.part;
-      pen.fill(std::move(polygon), surface.color);
+      if (surface.kind == Surface::Kind::Ground)
+        draw_ground(polygon, surface.color, {&surface + 1, surfaces.data() + surfaces.size()});
+      else
+        pen.fill(std::move(polygon), surface.color);
     }
   }
 
   float px(double at_720) const { return layout.px(at_720); }
+
+  // What is marked on the ground: faint where one of the surfaces that are painted later covers it,
+  // so that the bodies there keep their colour. What is hardly to be seen otherwise shows through
+  // them all the same.
+  void draw_ground(const std::vector<Point2>& polygon, const Color& color,
+                   std::span<const Surface> later) {
+    const std::vector<Outline> bodies = outlines_before(polygon, camera, later);
+    const Outline whole = as_outline(polygon);
+    std::vector<Outline> seen = {whole};
+    for (const Outline& body : bodies) seen = without(seen, body);
+    double area = 0;
+    for (const Outline& part : seen) area += area_of(part);
+    if (bodies.empty() || area < kLeastSeen * area_of(whole)) return pen.fill(polygon, color);
+    Color faint = color;
+    faint.a *= kFaintGround;
+    pen.fill(polygon, faint);
+    Color rest = color;  // over the faint one it is the whole
+    rest.a = (color.a - faint.a) / (1 - faint.a);
+    for (const Outline& part : seen)
+      pen.fill(mapped(part, [](const Vec2d& p) { return pixel(p.x(), p.y()); }), rest);
+  }
 
   void draw_line(const Line& line) {
     const std::optional<Segment2> seen = project_segment(camera, line.from, line.to);
@@ -256,22 +359,29 @@ struct Composer {
     const Weight weight = label.bold ? Weight::Bold : Weight::Regular;
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
     const Said text = pen.said(label.text);
-    const std::optional<LabelPlacer::Place> place = placer.place(
-        *at, text_width(text.text, size, weight), up, descent(size, weight), px(label.clearance),
-        wanted_direction(label, *at), label.direction.has_value());
+    const bool has_badge = label.badge != Badge::None;
+    const float room = has_badge ? (label.badge == Badge::Support ? 2 : 1) * kBadgeRoom * up : 0;
+    const float width = text_width(text.text, size, weight);
+    std::optional<LabelPlacer::Place> place = placer.place(
+        *at, width + 2 * room, up + room, has_badge ? room : descent(size, weight),
+        px(label.clearance), wanted_direction(label, *at), label.direction.has_value());
     if (!place) return;
+    place->left_baseline.x += room;
     if (place->needs_leader || label.leader) {
       pen.line(*at, place->leader_end, 3.5, with_alpha(kWhite, 0.8f));
       pen.line(*at, place->leader_end, 1, label.color);
       placer.block(*at, place->leader_end, px(2));
     }
+    draw_badge(label.badge, place->left_baseline + Point2{0.5f * width, -0.5f * up}, width, up,
+               label.color, pen);
     Callout callout{drawing.primitives.size(), *at, {}, {}, label.of};
     if (current < sketch.parts.size()) {
       callout.layer = sketch.parts[current].layer;
       callout.pair = sketch.parts[current].pair;
     }
     drawing.callouts.push_back(std::move(callout));
-    pen.text(text, place->left_baseline, Align::Left, label.color, weight, label.size, 2.5);
+    pen.text(text, place->left_baseline, Align::Left, label.color, weight, label.size,
+             has_badge ? 0 : 2.5);
   }
 };
 

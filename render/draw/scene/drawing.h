@@ -23,8 +23,8 @@ struct Color {
   float r = 0, g = 0, b = 0, a = 1;
 };
 
-/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also a way
-/// from one point to another.
+/// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also a
+/// way from one point to another.
 struct Point2 {
   float x = 0, y = 0;
 
@@ -116,8 +116,8 @@ struct Text {
 
 using Primitive = std::variant<Fill, Stroke, Disc, Text>;
 
-/// What consecutive primitives of a drawing show. It begins at primitive `first` and lasts until the
-/// next part.
+/// What consecutive primitives of a drawing show. It begins at primitive `first` and lasts until
+/// the next part.
 struct Part {
   std::size_t first = 0;
   std::string layer;   // a layer of the view as scenarios spell it, or one of those below
@@ -130,7 +130,8 @@ struct Part {
 inline constexpr std::string_view kTitlePart = "title", kSourcePart = "source",
                                   kMomentPart = "moment", kLegendPart = "legend",
                                   kPanelPart = "panel", kInsetPart = "inset",
-                                  kPairLabelPart = "pair_label", kPlanePart = "contact_plane";
+                                  kPairLabelPart = "pair_label", kShapeNamesPart = "shape_names",
+                                  kPlanePart = "contact_plane";
 
 /// Text that names something, with the place of what it names.
 struct Callout {

@@ -1,6 +1,7 @@
 #include "draw/scene/layout.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "draw/scene/palette.h"
@@ -10,8 +11,10 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMargin = 24;
+constexpr double kPageMargin = 24;
 constexpr double kTitleSize = 28;
+constexpr double kLeastTitle = 22;  // smaller ones go on in a second line
+constexpr double kTitleOfTwoLines = 19, kLeastTwoLines = 15;
 constexpr double kSourceSize = 14;
 constexpr double kPanelColumn = 356;
 constexpr double kGutter = 16;
@@ -89,7 +92,7 @@ Layout make_layout(int width, int height, bool has_panels,
   layout.ground = !style.background;
   if (style.follows()) layout.title_size = kFigureTitle;
   const double margin =
-      layout.px(style.margin.value_or(kMargin * (layout.scale < style.scale ? 0.7 : 1.0)));
+      layout.px(style.margin.value_or(kPageMargin * (layout.scale < style.scale ? 0.7 : 1.0)));
   const double inner = width - 2 * margin;
   layout.page = {margin, margin, inner, height - 2 * margin};
   if (!style.title || (title && title->empty())) {
@@ -140,6 +143,32 @@ Layout make_layout(int width, int height, bool has_panels,
   return layout;
 }
 
+FittedTitle fit_title(const std::string& title, float room, float scale) {
+  const auto width = [&](const std::string& text, double size) {
+    return text_width(text, scale * static_cast<float>(size), Weight::Bold);
+  };
+  const double whole = width(title, kTitleSize);
+  if (whole <= room) return {{title}, kTitleSize};
+  // A step of a pixel at a time, so that a longer number in the next frame seldom changes it.
+  for (double size = kTitleSize - 1; size >= kLeastTitle; --size)
+    if (width(title, size) <= room) return {{title}, size};
+  for (double size = kTitleOfTwoLines; size >= kLeastTwoLines; --size) {
+    // The break that leaves both lines most alike.
+    std::optional<std::size_t> best;
+    double least = 0;
+    for (std::size_t i = title.find(' '); i != std::string::npos; i = title.find(' ', i + 1)) {
+      const double wider =
+          std::max(width(title.substr(0, i), size), width(title.substr(i + 1), size));
+      if (best && wider >= least) continue;
+      best = i;
+      least = wider;
+    }
+    if (best && least <= room) return {{title.substr(0, *best), title.substr(*best + 1)}, size};
+  }
+  return {{fitted(title, scale * static_cast<float>(kLeastTitle), Weight::Bold, room)},
+          kLeastTitle};
+}
+
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,
                    const Layout& layout, Drawing& drawing) {
   const float left = static_cast<float>(layout.page.x);
@@ -149,13 +178,18 @@ void draw_captions(const std::string& title, const std::string& source, const st
   const Pen pen(drawing, layout.scale, kSourceSize);
   if (layout.title_lines > 0) {
     drawing.begin(kTitlePart);
-    const float size = pen.px(layout.title_size);
-    float baseline = static_cast<float>(layout.page.y) + 0.8f * size;
-    for (const std::string& line :
-         title_lines(pen.said(title).text, size, room, layout.title_lines)) {
-      pen.text(Said{fitted(line, size, Weight::Bold, room)}, {left, baseline}, Align::Left, kText,
-               Weight::Bold, layout.title_size);
-      baseline += size;
+    const std::string said = pen.said(title).text;
+    // At the size that an author asked for, in as many lines as the layout has room for; else as it fits.
+    FittedTitle fit = fit_title(said, room, layout.scale);
+    if (layout.title_size != kTitleSize || layout.title_lines > 1)
+      fit = {title_lines(said, pen.px(layout.title_size), room, layout.title_lines),
+             layout.title_size};
+    const float size = pen.px(fit.size);
+    double baseline = layout.page.y + 0.8 * size;
+    for (const std::string& line : fit.lines) {
+      pen.text(Said{fitted(line, size, Weight::Bold, room)}, pixel(left, baseline), Align::Left,
+               kText, Weight::Bold, fit.size);
+      baseline += (fit.lines.size() > 1 ? 1.15 : 1) * size;
     }
   }
   if (!layout.footer) return;

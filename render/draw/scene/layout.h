@@ -48,6 +48,16 @@ float interface_scale(int width, int height, const FigureStyle& style = {});
 /// many: the size of a font in print.
 double type_of_em(double em_pixels);
 
+/// A title in as many lines as it takes.
+struct FittedTitle {
+  std::vector<std::string> lines;  // one or two
+  double size = 0;                 // of its letters, pixels at 720 lines
+};
+
+/// Smaller where it is wider than `room` pixels, in two lines where that would be too small, and
+/// cut with an ellipsis where even these are too narrow.
+FittedTitle fit_title(const std::string& title, float room, float scale);
+
 /// Title top left, source bottom left, frame and time bottom right.
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,
                    const Layout& layout, Drawing& drawing);

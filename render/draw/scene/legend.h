@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/vec3.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
@@ -28,27 +30,54 @@ enum class LegendGroup {
   Directions,
 };
 
-/// How a sign looks in the legend, and where it stands there. Each is a constant beside the code that
-/// draws the sign, and is known by its address.
+/// How a sign looks in the legend, and where it stands there. Each is a constant beside the code
+/// that draws the sign, and is known by its address.
 struct Swatch {
   LegendGroup group;
   int place;  // within the group
   void (*draw)(const SwatchPen&);
+  Color ink = kText;  // of a label that stands at the thing in its place
 };
 
 struct LegendEntry {
   const Swatch* swatch = nullptr;
   std::string text;
+  /// Where a label at the thing itself can say it, world; nothing: the legend alone can, because
+  /// the sign is everywhere, or because its scale stands there.
+  std::optional<Vec3d> anchor{};
 
-  bool operator==(const LegendEntry&) const = default;
+  /// Whether both say the same.
+  bool operator==(const LegendEntry& other) const {
+    return swatch == other.swatch && text == other.text;
+  }
 };
+
+/// So many at most stand in a legend, where the others can be labelled.
+inline constexpr std::size_t kMostLegendEntries = 5;
+
+/// Of a picture's signs those that its legend explains, and those that labels do.
+struct LegendChoice {
+  std::vector<LegendEntry> listed;    // in the order in which a picture lists them
+  std::vector<LegendEntry> labelled;  // each with an anchor
+};
+
+/// Up to kMostLegendEntries are listed. Of more, those that have no place in the picture are listed
+/// first, then points, forces and motion, which are many in a picture, before faces, lines and
+/// bodies, of which each is one thing that can be pointed at. Never left out: what has no anchor is
+/// listed in any case.
+LegendChoice choose_legend(const std::vector<LegendEntry>& sorted);
+
+/// What a label at the thing says: the words before the first ", " or ": ".
+std::string label_of(const LegendEntry& entry);
 
 class Legend {
  public:
   /// Adds an entry unless it stands there already.
-  void explain(const Swatch& swatch, const std::string& text);
+  void explain(const Swatch& swatch, const std::string& text,
+               const std::optional<Vec3d>& anchor = std::nullopt);
   /// Adds those of another that are new.
   void explain(const Legend& other);
+  const std::vector<LegendEntry>& entries() const { return entries_; }
   /// In the order in which a picture lists them.
   std::vector<LegendEntry> sorted() const;
 
@@ -56,8 +85,8 @@ class Legend {
   std::vector<LegendEntry> entries_;
 };
 
-/// Draws a swatch. Its own lengths and places are in pixels at 720 lines, places from the left end of
-/// the swatch, halfway up.
+/// Draws a swatch. Its own lengths and places are in pixels at 720 lines, places from the left end
+/// of the swatch, halfway up.
 class SwatchPen : public Pen {
  public:
   SwatchPen(const Layout& layout, const Point2& left, Drawing& drawing)
@@ -140,10 +169,13 @@ inline constexpr Swatch kFreeAxisSwatch{LegendGroup::Masses, 1,
 /// What a body stands on, and the axis about which it turns where it is not stable.
 inline void explain_support(const trace::Stability& stability, bool turns, Legend& legend) {
   if (stability.support.size() > 2)
-    legend.explain(kSupportSwatch, "support: hull of the contact points");
+    legend.explain(kSupportSwatch, "support: hull of the contact points",
+                   Vec3d(0.5 * (stability.support[0] + stability.support[1])));
   if (stability.support.size() == 2)
-    legend.explain(kSupportSwatch, "support: a line between two points");
-  if (turns) legend.explain(kFreeAxisSwatch, "axis about which the body turns");
+    legend.explain(kSupportSwatch, "support: a line between two points",
+                   Vec3d(0.3 * stability.support[0] + 0.7 * stability.support[1]));
+  if (turns)
+    legend.explain(kFreeAxisSwatch, "axis about which the body turns", (*stability.axis)[1]);
 }
 
 inline constexpr Swatch kDecidingEdgesSwatch{LegendGroup::Axes, 0,

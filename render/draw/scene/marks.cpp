@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -120,6 +121,44 @@ void draw_quartered_disc(const Point2& center, float radius, float border, Drawi
     drawing.primitives.push_back(
         sector(center, radius - 0.5f * border, quarter, quarter + 1, kNormal));
   drawing.primitives.push_back(Disc{center, radius - border, radius, kNormal});
+}
+
+void draw_badge(Badge badge, const Point2& middle, float width, float height, const Color& color,
+                const Pen& pen) {
+  if (badge == Badge::None) return;
+  const double border = 1.6;  // pixels
+  const float room = kBadgeRoom * height;
+  const float x = std::max(0.5f * width, 0.35f * height) + room, y = 0.5f * height + room;
+  if (badge == Badge::Choice && width <= height) {
+    const double radius = std::hypot(0.5f * width, 0.5f * height) + 0.5f * room;
+    pen.disc(middle, radius / pen.scale(), kWhite);
+    pen.ring(middle, radius / pen.scale() - border, radius / pen.scale(), color);
+    return;
+  }
+  std::vector<Point2> outline;
+  if (badge == Badge::Support) {
+    const float reach = x + 0.6f * y;
+    outline = {{middle.x - reach, middle.y},
+               {middle.x, middle.y - 1.5f * y},
+               {middle.x + reach, middle.y},
+               {middle.x, middle.y + 1.5f * y}};
+  } else if (badge == Badge::Choice) {  // of two digits: a circle that is drawn out
+    constexpr int kHalf = 8;
+    for (int i = 0; i <= 2 * kHalf + 1; ++i) {
+      const bool right = i <= kHalf;
+      const float turn =
+          std::numbers::pi_v<float> * (static_cast<float>(right ? i : i - 1) / kHalf - 0.5f);
+      outline.push_back({middle.x + (right ? 0.5f : -0.5f) * width + y * std::cos(turn),
+                         middle.y + y * std::sin(turn)});
+    }
+  } else {
+    outline = {{middle.x - x, middle.y - y},
+               {middle.x + x, middle.y - y},
+               {middle.x + x, middle.y + y},
+               {middle.x - x, middle.y + y}};
+  }
+  pen.fill(outline, kWhite);
+  pen.outline(outline, border, color);
 }
 
 void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing) {

@@ -150,8 +150,10 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
     sketch.face(
         mesh->polygon(triangle), with_alpha(color, 0.35f),
         {width, color, incident, many ? LineStyle::Hidden::Faint : LineStyle::Hidden::Same});
+    if (!incident) sketch.surfaces.back().kind = Surface::Kind::Ground;
     sketch.explain(incident ? kIncidentFaceSwatch : kReferenceFaceSwatch,
-                   incident ? "triangle touched, incident" : "triangle touched");
+                   incident ? "triangle touched, incident" : "triangle touched",
+                   near_corner(mesh->polygon(triangle)));
   }
 }
 

@@ -29,6 +29,14 @@ inline constexpr Color kIncidentFace = rgb(0xE69F00);
 inline constexpr Color kClipPolygon = rgb(0x009E73);
 inline constexpr Color kContact = rgb(0xD55E00);
 inline constexpr Color kDropped = rgb(0x666666);
+// One meaning each, beside the roles above: what moves, what is within a margin, the polytope of
+// EPA, boxes of trees and broad phases, and what bounds or shapes answer.
+inline constexpr Color kMotion = rgb(0x5B3FA0);
+inline constexpr Color kMargin = rgb(0x7A6A00);
+inline constexpr Color kPolytope = rgb(0x8A5A2B);
+inline constexpr Color kBox = rgb(0x2B8A99);
+inline constexpr Color kImpulse = rgb(0xB2182B);
+inline constexpr Color kFriction = rgb(0xC27A6B);
 inline constexpr Color kNormal = rgb(0x000000);
 inline constexpr Color kAxis = rgb(0xCC79A7);
 // The axis colour is too light for letters on white; the same hue, darkened to a contrast of 4.6.

@@ -29,6 +29,15 @@ inline Vec3d mean_of(std::span<const Vec3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// A place inside of a polygon, near to its first corner; and one on its border. At least two
+/// corners.
+inline Vec3d near_corner(std::span<const Vec3d> polygon) {
+  return 0.3 * mean_of(polygon) + 0.7 * polygon.front();
+}
+inline Vec3d middle_of_side(std::span<const Vec3d> polygon) {
+  return 0.5 * (polygon[0] + polygon[1]);
+}
+
 /// How far a corner of a polygon is at most from its first one, metres.
 inline double reach_of(std::span<const Vec3d> polygon) {
   double reach = 0;
@@ -36,9 +45,9 @@ inline double reach_of(std::span<const Vec3d> polygon) {
   return reach;
 }
 
-/// The part of a convex polygon where the `value` of a corner is not negative (Sutherland and Hodgman
-/// 1974). New corners are mix(from, to, value there, value here). What is within `tolerance` of the
-/// border lies on it, stays, and makes no new corner.
+/// The part of a convex polygon where the `value` of a corner is not negative (Sutherland and
+/// Hodgman 1974). New corners are mix(from, to, value there, value here). What is within
+/// `tolerance` of the border lies on it, stays, and makes no new corner.
 template <class P, class Value, class Mix>
 std::vector<P> clipped(const std::vector<P>& polygon, const Value& value, const Mix& mix,
                        double tolerance = 0) {
@@ -55,8 +64,8 @@ std::vector<P> clipped(const std::vector<P>& polygon, const Value& value, const 
   return result;
 }
 
-/// Where a value that runs evenly from `at_p` to `at_q` is 0. Made from the lower to the higher end,
-/// so that neighbours that are cut there get the very same point.
+/// Where a value that runs evenly from `at_p` to `at_q` is 0. Made from the lower to the higher
+/// end, so that neighbours that are cut there get the very same point.
 inline Vec3d zero_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
   if (at_p > at_q) return zero_between(q, p, at_q, at_p);
   return p + at_p / (at_p - at_q) * (q - p);

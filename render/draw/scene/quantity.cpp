@@ -12,8 +12,8 @@ std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
 }
 
-/// `value` as it is with so many significant digits. Numbers are rounded first and then given a unit,
-/// so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
+/// `value` as it is with so many significant digits. Numbers are rounded first and then given a
+/// unit, so that 0.9999 mm is spelled as 1.00 mm and not as 1.000 mm.
 double rounded_to(int digits, double value) {
   return std::strtod(printed("%.*e", digits - 1, value).c_str(), nullptr);
 }
@@ -45,6 +45,29 @@ std::string spell_length(double metres) {
   Prefix prefix = prefix_for(rounded);
   if (prefix.size > 1) prefix = {1e3, "k"};
   return spelled(rounded / prefix.size, 3, std::string(prefix.name) + "m");
+}
+
+std::string spell_length(double metres, double noise) {
+  if (metres == 0 || !(noise > 0)) return spell_length(metres);
+  const double decade = std::pow(10.0, std::floor(std::log10(noise) + 1e-9));
+  if (std::abs(metres) < noise) {
+    const double most = decade * std::ceil(noise / decade - 1e-6);
+    const Prefix prefix = prefix_for(most);
+    return printed("< %.4g ", most / prefix.size) + prefix.name + "m";
+  }
+  const double most_digits = std::floor(std::log10(std::abs(metres) / decade) + 1e-9) + 1;
+  const int digits = static_cast<int>(std::clamp(most_digits, 1.0, 3.0));
+  const double rounded = rounded_to(digits, metres);
+  Prefix prefix = prefix_for(rounded);
+  if (prefix.size > 1) prefix = {1e3, "k"};
+  return spelled(rounded / prefix.size, digits, std::string(prefix.name) + "m");
+}
+
+std::string spell_share(double share) {
+  const double percent = 100 * share;
+  if (percent == 0 || percent >= 99.95) return printed("%.0f %%", percent);
+  const int whole = static_cast<int>(std::floor(std::log10(std::abs(percent)))) + 1;
+  return with_minus_sign(printed("%.*f %%", std::clamp(2 - whole, 0, 2), percent));
 }
 
 std::string spell_factor(double factor) {

@@ -24,11 +24,18 @@ std::string spell_count(std::int64_t count);
 /// A length in the unit that fits (km, m, mm, µm, nm), three significant digits: "−5.00 mm".
 std::string spell_length(double metres);
 
+/// The same of what was computed with an error of up to `noise` metres: digits end there, and less
+/// is "< 60 nm".
+std::string spell_length(double metres, double noise);
+
+/// 0.987 as "98.7 %", with three significant digits and none behind 99.95.
+std::string spell_share(double share);
+
 /// " × 20" for what is drawn so many times as long; nothing for 1.
 std::string spell_factor(double factor);
 
-/// How far a projected centre of mass is from the border of its support: in millimetres, as the chart
-/// of the stability panel has it, unless that would be a strange number of them.
+/// How far a projected centre of mass is from the border of its support: in millimetres, as the
+/// chart of the stability panel has it, unless that would be a strange number of them.
 std::string spell_margin(double metres);
 
 /// An area in the unit that fits (km², m², mm², µm²), four significant digits: "0.5858 m²".

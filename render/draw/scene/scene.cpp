@@ -129,6 +129,34 @@ const trace::Body* Scene::body(std::string_view name) const {
   return found == bodies().end() ? nullptr : &*found;
 }
 
+double Scene::noise(const trace::Pair& pair) const {
+  return noise_of(header, meshes, frame, pair);
+}
+
+double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const trace::Frame& frame,
+                const trace::Pair& pair) {
+  const double half_digit = header.scalar == "float"    ? 0x1p-24
+                            : header.scalar == "double" ? 0x1p-53
+                                                        : 0;
+  if (half_digit == 0) return 0;
+  double smaller = std::numeric_limits<double>::infinity(), reach = 0;
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const std::optional<std::size_t> place = meshes.find(*name);
+    if (!place || !(meshes[*place].radius < smaller)) continue;
+    const auto pose =
+        std::ranges::find(frame.poses, *name, [](const auto& placed) { return placed.first; });
+    if (pose == frame.poses.end()) continue;
+    smaller = meshes[*place].radius;
+    reach = pose->second.position.cwiseAbs().maxCoeff();
+  }
+  if (!std::isfinite(smaller)) return 0;
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points)
+      return half_digit * std::max(point.position.cwiseAbs().maxCoeff(), smaller);
+  }
+  return half_digit * std::max(reach, smaller);
+}
+
 Vec3d up_axis(const trace::Header& header) {
   return header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
 }

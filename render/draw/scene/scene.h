@@ -72,8 +72,8 @@ struct PlacedShape {
   Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
   const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
-  /// Ends of an edge, numbered as in the trace; nothing where there is no such edge. Of a shape with a margin
-  /// the edge is inside, where the trace has it.
+  /// Ends of an edge, numbered as in the trace; nothing where there is no such edge. Of a shape
+  /// with a margin the edge is inside, where the trace has it.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
 
@@ -133,17 +133,26 @@ struct Scene {
   /// What the solver moves.
   std::span<const trace::Body> bodies() const;
   const trace::Body* body(std::string_view name) const;
+  /// Metres: what the separation of this pair may be off by; see noise_of().
+  double noise(const trace::Pair& pair) const;
 };
+
+/// Metres: half a last digit of the scalar at the pair's contact, or at the smaller shape where
+/// there is none, counted from the origin and with the smaller shape's size. 0 where the trace
+/// names no scalar.
+double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const trace::Frame& frame,
+                const trace::Pair& pair);
 
 Vec3d up_axis(const trace::Header& header);
 
-/// A length between two points, which `text` explains: a two-headed arrow, or where that would be too
-/// short to be one, two that point at it from outside.
+/// A length between two points, which `text` explains: a two-headed arrow, or where that would be
+/// too short to be one, two that point at it from outside.
 void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
                   const std::string& text, Sketch& sketch);
 
-/// A gap of `metres` between two points, with its length `clearance` pixels away along `aside`.
-void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres,
+/// A gap of `metres`, known to `noise` metres, between two points, with its length `clearance`
+/// pixels away along `aside`.
+void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres, double noise,
               double clearance, const Vec3d& aside, Sketch& sketch);
 
 /// Adds an arc of a circle about `axis` (unit) through `center` that ends in a head: a turn by

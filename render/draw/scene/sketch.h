@@ -88,6 +88,14 @@ struct Mark {
   Color color;
 };
 
+/// What a number beside a point counts: each has a form of its own around it, everywhere alike.
+enum class Badge {
+  None,
+  Choice,   // the place in the order in which a reducer chose it: a circle
+  Age,      // frames since it was found: a square
+  Support,  // which vertex of a simplex or polytope it is of: a diamond
+};
+
 /// Text that wants to stand near a point and finds its own place.
 struct Label {
   Vec3d at;
@@ -100,6 +108,7 @@ struct Label {
   std::optional<Vec3d> direction;
   bool leader = false;  // a line to the point also from near by
   std::string of{};     // what it names, "point b:v4", where another drawing may ask for it
+  Badge badge = Badge::None;
 };
 
 /// What is added to a sketch from here on shows this: a layer, and of which pair.
@@ -155,11 +164,15 @@ struct Sketch {
     labels.push_back({at, text, color, size, true, clearance, direction});
     return labels.back();
   }
-  void explain(const Swatch& swatch, const std::string& text) { legend.explain(swatch, text); }
+  /// `anchor`: a place at the thing, where a label can say it in the legend's place.
+  void explain(const Swatch& swatch, const std::string& text,
+               const std::optional<Vec3d>& anchor = std::nullopt) {
+    legend.explain(swatch, text, anchor);
+  }
 };
 
-/// A mark at its place on the screen. Returns the radius that labels keep off, pixels of the canvas;
-/// 0: they may cover it.
+/// A mark at its place on the screen. Returns the radius that labels keep off, pixels of the
+/// canvas; 0: they may cover it.
 float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen);
 
 /// A disc quartered black and white, as drawings mark a centre of mass, with a white halo; pixels.
@@ -167,6 +180,14 @@ void draw_quartered_disc(const Point2& center, float radius, float border, Drawi
 
 /// A filled square with a white halo; `half`: of its width, pixels.
 void draw_square(const Point2& center, float half, const Color& color, Drawing& drawing);
+
+/// The form around a number, on white: `middle` of the number, `height` of its digits and `width`
+/// of all of them, pixels of the canvas.
+void draw_badge(Badge badge, const Point2& middle, float width, float height, const Color& color,
+                const Pen& pen);
+/// How much wider and higher than its number a badge is, on each side, as shares of the digits'
+/// height.
+inline constexpr float kBadgeRoom = 0.34f;
 
 /// What became of a point of an incremental manifold in a frame.
 enum class PointState { New, Persisted, Broken };

@@ -25,7 +25,8 @@ std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, con
     front.push_back(camera.faces(polygon.front(), normal));
     if (!front.back() && !both_sides) continue;
     sketch.occluders.push_back(polygon);
-    sketch.surfaces.push_back({polygon, toned(fill, (front.back() ? 1 : -1) * normal.dot(light))});
+    sketch.surfaces.push_back({polygon, toned(fill, (front.back() ? 1 : -1) * normal.dot(light)),
+                               kFlatSurface, Surface::Kind::Body});
   }
   return front;
 }
@@ -47,7 +48,8 @@ void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
                const LineStyle& outline, Sketch& sketch) {
   const int index = count_of(sketch.bodies);
   for (RoundBody::Facet& facet : body.front(camera))
-    sketch.surfaces.push_back({std::move(facet.polygon), toned(fill, facet.lit), index});
+    sketch.surfaces.push_back(
+        {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
   const std::vector<Vec3d> around = body.outline(camera);
   if (!around.empty()) {
     sketch.shadows.push_back(body.shadow(camera));
@@ -111,7 +113,8 @@ void draw_plane(const Camera& camera, const PlacedShape& shape, const Color& fil
   const bool outside = camera.faces(center, normal);
   if (outside) {
     sketch.occluders.push_back(corners);
-    sketch.surfaces.push_back({corners, toned(fill, normal.dot(key_light(camera)))});
+    sketch.surfaces.push_back(
+        {corners, toned(fill, normal.dot(key_light(camera))), kFlatSurface, Surface::Kind::Body});
   }
   sketch.outline(corners, kFeature);
   if (!outside) return;

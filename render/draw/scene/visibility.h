@@ -8,8 +8,8 @@
 #include "core/vec3.h"
 #include "draw/scene/camera.h"
 
-/// What is in front of what: surfaces in the order in which to paint them, the hidden parts of lines,
-/// and round bodies, of which both need to know what the eye sees.
+/// What is in front of what: surfaces in the order in which to paint them, the hidden parts of
+/// lines, and round bodies, of which both need to know what the eye sees.
 namespace contactscope::draw {
 
 /// A sphere or a capsule in the world: all that is within a radius of a point or a segment. Its
@@ -51,7 +51,10 @@ struct Surface {
   std::vector<Vec3d> polygon;
   Color color;
   int body = kFlatSurface;  // facet of this round body, or one of the two above
-  std::size_t part = 0;     // of the sketch; known to compose() alone
+  /// A body keeps its own colour before what is marked on the ground behind it, as the reference
+  /// face is: there the mark is faint. What else lies on a face is seen through bodies.
+  enum class Kind { Overlay, Body, Ground } kind = Kind::Overlay;
+  std::size_t part = 0;  // of the sketch; known to compose() alone
 };
 
 /// The surfaces in the order in which to paint them, farthest first, cut where they pass through

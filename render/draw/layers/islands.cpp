@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "draw/layers/layer.h"
+#include "draw/scene/pairs.h"
+
+/// Bodies that contacts join are solved, and fall asleep, together: Catto 2010, "Islands". The
+/// solver here knows neither, so both are worked out from what is seen: islands are the bodies that
+/// contact points join, but for those that nothing moves; and an island rests for as many frames as
+/// none of its bodies has moved.
+namespace contactscope::draw {
+namespace {
+
+constexpr double kUnmoved = 1e-4;  // of a body's radius, from frame to frame
+constexpr int kLeastRest = 2;      // frames: fewer is a turning point
+
+constexpr Swatch kIslandSwatch{LegendGroup::Trees, 9,
+                               [](auto& pen) {
+                                 pen.level_line(3, 19, 2.5, kBox);
+                                 for (const double at : {3.0, 19.0}) pen.disc(pen.at(at), 4, kBox);
+                               },
+                               kBox};
+
+/// The bodies that the solver moves, and the number of each one's island.
+std::vector<std::size_t> islands_of(const Scene& scene) {
+  const auto bodies = scene.bodies();
+  std::vector<std::size_t> island(bodies.size());
+  std::iota(island.begin(), island.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (island[i] != i) i = island[i] = island[island[i]];
+    return i;
+  };
+  const auto place = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(bodies, name, &trace::Body::name) -
+                                    bodies.begin());
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    if (all_points(pair).empty()) continue;
+    const std::size_t a = place(pair.a), b = place(pair.b);
+    if (a == bodies.size() || b == bodies.size()) continue;
+    const std::size_t of_a = root(a), of_b = root(b);
+    island[std::max(of_a, of_b)] = std::min(of_a, of_b);
+  }
+  for (std::size_t i = 0; i < island.size(); ++i) island[i] = root(i);
+  return island;
+}
+
+/// For how many frames up to this one the body has not moved.
+int rest_of(const Scene& scene, const trace::Body& body) {
+  const PlacedShape* shape = scene.find(body.name);
+  if (scene.sequence == nullptr || shape == nullptr || !std::isfinite(shape->mesh->radius))
+    return 0;
+  const double radius = shape->mesh->radius;
+  const Pose<double>* later = &shape->pose;
+  int frames = 0;
+  for (auto past = scene.sequence->rbegin(); past != scene.sequence->rend(); ++past) {
+    if (past->frame >= scene.frame.frame) continue;
+    const auto pose =
+        std::ranges::find(past->poses, body.name, [](const auto& placed) { return placed.first; });
+    if (pose == past->poses.end()) break;
+    const double way = (pose->second.position - later->position).norm();
+    const double turn = pose->second.rotation.angularDistance(later->rotation);
+    if (way + radius * turn > kUnmoved * radius) break;
+    later = &pose->second;
+    ++frames;
+  }
+  return frames;
+}
+
+void draw_islands(const Scene& scene, Sketch& sketch) {
+  const auto bodies = scene.bodies();
+  const std::vector<std::size_t> island = islands_of(scene);
+  const Vec3d up = scene.camera.up();
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    const trace::Body* a = scene.body(pair.a);
+    const trace::Body* b = scene.body(pair.b);
+    if (a == nullptr || b == nullptr || all_points(pair).empty()) continue;
+    sketch.bordered_line(a->center_of_mass, b->center_of_mass, {2.5f, kBox}, 5.0f);
+  }
+  int number = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (island[i] != i) continue;
+    int members = 0, rest = std::numeric_limits<int>::max();
+    const trace::Body* highest = &bodies[i];
+    for (std::size_t k = i; k < bodies.size(); ++k) {
+      if (island[k] != i) continue;
+      const trace::Body& body = bodies[k];
+      ++members;
+      rest = std::min(rest, rest_of(scene, body));
+      if (up.dot(body.center_of_mass - highest->center_of_mass) > 0) highest = &body;
+      sketch.mark(MarkKind::Node, body.center_of_mass, kBox);
+    }
+    ++number;
+    sketch.explain(kIslandSwatch, "island: bodies that contacts join");
+    if (scene.crowded()) continue;
+    std::string text = "island " + std::to_string(number) + ": " + std::to_string(members) +
+                       (members == 1 ? " body" : " bodies");
+    if (rest >= kLeastRest) text += ", unmoved for " + std::to_string(rest) + " frames";
+    sketch.label(highest->center_of_mass, text, kBox, 16, 12, up);
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kIslandsLayer{.above = draw_islands};
+
+}  // namespace contactscope::draw

@@ -1,0 +1,33 @@
+#include "draw/layers/layer.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// Engines store a contact as one point or as two: where it is on the surface of A, and where on
+/// that of B. Both, with the way between them, as debuggers of physics engines draw them.
+namespace contactscope::draw {
+namespace {
+
+constexpr Swatch kOnASwatch{LegendGroup::Points, 21, [](auto& pen) { pen.dot(0, 4.0, kArcOfA); },
+                            kArcOfA};
+constexpr Swatch kOnBSwatch{LegendGroup::Points, 22, [](auto& pen) { pen.dot(2.6, 4.8, kArcOfB); },
+                            kArcOfB};
+
+void draw_surface_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::string factor = spell_factor(scene.scales.overlap);
+  for (const PairPoint& any : kept_points(pair)) {
+    const OnBoth places = whisker_at(scene, pair, any);
+    sketch.bordered_line(places.on_a, places.on_b, {1.2f, kShapeEdge}, 3.0f);
+    sketch.mark(MarkKind::Hollow, places.on_b, kArcOfB);
+    sketch.mark(MarkKind::Node, places.on_a, kArcOfA);
+    sketch.explain(kOnASwatch, "on the surface of A", places.on_a);
+    sketch.explain(kOnBSwatch,
+                   "on the surface of B" + (factor.empty() ? factor : ", their distance" + factor));
+  }
+}
+
+}  // namespace
+
+const LayerDrawing kSurfacePointsLayer{.needs = {&Stages::reduction},
+                                       .result = draw_surface_points};
+
+}  // namespace contactscope::draw

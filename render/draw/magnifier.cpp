@@ -1,0 +1,124 @@
+#include "draw/magnifier.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/scene/pairs.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
+#include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kLargeEnough = 20;  // a subject that is, needs no magnifier
+constexpr double kLeastSubject = 0.05;
+constexpr double kMagnified = 105;                                 // that the subject gets at most
+constexpr double kMagnifierHeight = 0.3, kMagnifierAspect = 1.25;  // of the view's
+constexpr double kMagnifierText = 15;
+
+// What the picture is about: points that lie beside each other, or the two ends of a distance.
+std::vector<Vec3d> subject_of(const View& view, const trace::Frame& frame) {
+  std::vector<Vec3d> points;
+  for (const trace::Pair& pair : frame.pairs) {
+    if (pair.manifolds.size() > 1) return {};
+    if (const std::vector<Vec3d> own = positions_of(pair); own.size() > 1) append(points, own);
+    if (pair.sat && pair.sat->edge && pair.sat->chosen == "edge_edge" &&
+        (view.shows(Layer::ContactAxis) || view.shows(Layer::SatAxes)))
+      append(points, std::array{pair.sat->edge->point_a, pair.sat->edge->point_b});
+    if (pair.query && pair.query->point_a && pair.query->point_b && view.shows(Layer::Answer))
+      append(points, std::array{*pair.query->point_a, *pair.query->point_b});
+  }
+  return points;
+}
+
+/// Pixels of the canvas between the two that are farthest apart, as they are seen.
+double seen_size(const std::vector<Vec3d>& points, const Camera& camera) {
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      const auto seen = seen_distance(camera, points[i], points[j]);
+      largest = std::max<double>(largest, seen.value_or(0));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& frame) {
+  const std::vector<Vec3d> points = subject_of(view, frame);
+  return points.empty() ? std::nullopt : std::optional(center_of(points));
+}
+
+std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
+                                         const Layout& layout,
+                                         const std::vector<trace::Frame>& frames) {
+  if (!view.inset || frames.empty()) return std::nullopt;
+  double largest = 0;
+  std::vector<Vec3d> middles;
+  for (const trace::Frame& frame : frames) {
+    const std::vector<Vec3d> points = subject_of(view, frame);
+    if (points.empty()) continue;
+    if (points.size() > 64) return std::nullopt;  // a crowd, which is no one thing to look at
+    largest = std::max(largest, seen_size(points, camera));
+    if (largest >= kLargeEnough * layout.scale) return std::nullopt;
+    middles.push_back(center_of(points));
+  }
+  if (middles.empty() || largest < kLeastSubject * layout.scale) return std::nullopt;
+  const Rect& view_rect = layout.view;
+  const double height = kMagnifierHeight * view_rect.height;
+  const double width = kMagnifierAspect * height;
+  const std::optional<Point2> subject = camera.project(mean_of(middles));
+  if (!subject || !view_rect.contains(*subject)) return std::nullopt;
+  // The corner that is farthest from what it magnifies; of two alike the one on the right.
+  Magnifier magnifier{{}, round_down(kMagnified * layout.scale / largest)};
+  double farthest = -1;
+  for (const bool right : {true, false}) {
+    for (const bool low : {true, false}) {
+      const Rect frame{right ? view_rect.right() - width - 2 : view_rect.x + 2,
+                       low ? view_rect.bottom() - height - 2 : view_rect.y + 2, width, height};
+      const Point2 center = pixel(frame.x + 0.5 * width, frame.y + 0.5 * height);
+      const double away = distance(center, *subject);
+      if (away <= farthest + 1 || frame.contains(*subject)) continue;
+      farthest = away;
+      magnifier.frame = frame;
+    }
+  }
+  if (farthest < 0 || magnifier.factor < 2) return std::nullopt;
+  return magnifier;
+}
+
+void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketch& sketch,
+                    const Camera& camera, const Layout& layout, Drawing& drawing) {
+  const std::optional<Point2> at = camera.project(middle);
+  if (!at) return;
+  const Rect& frame = magnifier.frame;
+  const Pen pen(drawing, layout.scale, kMagnifierText);
+  // Where it comes from: as large as what the magnifier shows of it, but to be seen.
+  const double half = std::max<double>(0.5 * frame.height / magnifier.factor, pen.px(7));
+  const Rect source{at->x - kMagnifierAspect * half, at->y - half, 2 * kMagnifierAspect * half,
+                    2 * half};
+  const Color border = with_alpha(kText, 0.75f);
+  const Point2 end = frame.nearest(*at), begin = source.nearest(end);
+  pen.line(begin, end, 1.2, border);
+  pen.frame(source, 1.5, border);
+  pen.fill(frame, kWhite);
+  Layout inner = layout;
+  inner.view = frame;
+  const double pixels = camera.pixels_per_metre(middle) * magnifier.factor;
+  const Vec3d back = camera.to_eye(middle);
+  const double away = (camera.eye() - middle).norm();
+  const Camera near =
+      Camera::orthographic(middle + away * back, middle, camera.up(), frame.height / pixels, frame);
+  compose(sketch, near, inner, drawing);
+  pen.frame(frame, 1.5, border);
+  const std::string words = "×" + spell_number(magnifier.factor);
+  pen.text(words, pixel(frame.x, frame.bottom()) + Point2{pen.px(7), -pen.px(7)}, Align::Left,
+           kText, Weight::Bold, 0, 3);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "core/convex_polygon.h"
+#include "draw/scene/solid.h"
+#include "draw/staging.h"
+#include "image/font.h"
+
+/// What shapes are called, each on its own ground, so that no legend has to list them.
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kMostNamedShapes =
+    3;                                  // more names are a crowd, and the picture is about none
+constexpr std::size_t kMostCopies = 3;  // more of them are a stack or a heap, as anybody sees
+constexpr float kNameSize = 15;         // pixels
+constexpr int kColumns = 28, kRowsTried = 20;
+constexpr double kNameFarEnough = 260;  // pixels from the contact: farther is no better
+constexpr double kFromBorder = 5;       // pixels between letters and the border of the shape
+constexpr double kFromPairLabel = 10;   // pixels
+
+/// "small crate" of "small_crate_3": the number tells copies apart, and says nothing of them.
+std::string name_in_words(std::string_view name) {
+  const std::size_t last = name.find_last_not_of("0123456789_- ");
+  if (last == std::string_view::npos) return std::string(name);
+  std::string words(name.substr(0, last + 1));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+/// Shapes of one name, of which one bears it.
+struct Named {
+  std::string words;
+  const PlacedShape* shape = nullptr;
+  bool of_a = false, of_b = false;
+  std::size_t copies = 0;
+};
+
+/// Corners of the shape as it is seen, a convex polygon of the screen, y down. Of a mesh those of
+/// its box.
+std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) {
+  std::vector<Vec3d> points;
+  if (shape.mesh->patch) {
+    points = patch_corners(*shape.mesh->patch, shape.pose);
+  } else if (shape.is_mesh()) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& p : shape.vertices) box.extend(p);
+    for (int i = 0; i < 8; ++i)
+      points.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  } else {
+    points = extent_points(shape);
+  }
+  std::vector<Vec2d> seen;
+  for (const Vec3d& p : points) {
+    if (const std::optional<Point2> at = camera.project(p)) seen.emplace_back(at->x, at->y);
+  }
+  return seen.size() < 3 ? std::vector<Vec2d>() : convex_polygon(std::move(seen));
+}
+
+/// How far inside of a convex polygon, in the winding of convex_polygon(), a point is; negative
+/// outside.
+double depth_in(const std::vector<Vec2d>& polygon, const Vec2d& p) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const double length = edge.norm();
+    if (length > 0) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
+  }
+  return polygon.size() < 3 ? -1 : depth;
+}
+
+std::vector<Named> named_shapes(const Scene& scene) {
+  std::vector<Named> named;
+  for (const PlacedShape& shape : scene.shapes) {
+    if (!in_view(scene.camera, shape)) continue;
+    std::string words = name_in_words(shape.traced().name);
+    auto known = std::ranges::find(named, words, &Named::words);
+    if (known == named.end()) known = named.insert(known, Named{std::move(words), &shape});
+    (shape.is_a ? known->of_a : known->of_b) = true;
+    ++known->copies;
+  }
+  return named;
+}
+
+/// Where a text box of this size is wholly on the shape, and on no smaller one that may stand
+/// before it; as far from `contact` as it needs to be.
+std::optional<Vec2d> place_on(const std::vector<Vec2d>& own,
+                              const std::vector<std::vector<Vec2d>>& smaller, const Vec2d& half,
+                              const Vec2d& contact, const Rect& view, const Sketch& sketch,
+                              double pixel) {
+  Eigen::AlignedBox2d around;
+  for (const Vec2d& p : own) around.extend(p);
+  const Vec2d low = around.min().cwiseMax(Vec2d(view.x, view.y)) + half;
+  const Vec2d high = around.max().cwiseMin(Vec2d(view.right(), view.bottom())) - half;
+  if ((high - low).minCoeff() <= 0) return std::nullopt;
+  std::optional<Vec2d> best;
+  double most = 0;
+  for (int row = 0; row <= kRowsTried; ++row) {
+    for (int column = 0; column <= kColumns; ++column) {
+      const Vec2d at =
+          low +
+          (high - low).cwiseProduct(Vec2d(double(column) / kColumns, double(row) / kRowsTried));
+      double inside = std::numeric_limits<double>::infinity(), clear = inside;
+      for (const Vec2d& corner : {Vec2d(half.x(), half.y()), Vec2d(-half.x(), half.y()),
+                                  Vec2d(half.x(), -half.y()), Vec2d(-half.x(), -half.y())}) {
+        inside = std::min(inside, depth_in(own, at + corner));
+        for (const std::vector<Vec2d>& other : smaller)
+          clear = std::min(clear, -depth_in(other, at + corner));
+      }
+      for (const std::vector<Vec2d>& other : smaller) clear = std::min(clear, -depth_in(other, at));
+      if (inside < kFromBorder * pixel || clear < 0) continue;
+      const Eigen::AlignedBox2d box(Vec2d(at - half), Vec2d(at + half));
+      const auto near_label = [&](const Eigen::AlignedBox2d& label) {
+        return label.squaredExteriorDistance(box.center()) <
+               std::pow(half.norm() + kFromPairLabel * pixel, 2);
+      };
+      if (std::ranges::any_of(sketch.pair_labels, near_label)) continue;
+      const double value = std::min((at - contact).norm(), kNameFarEnough * pixel) +
+                           0.2 * std::min(inside, 40 * pixel);
+      if (best && value <= most) continue;
+      best = at;
+      most = value;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+bool names_shapes(const Scene& scene) {
+  return scene.shows(Layer::Shapes) && !scene.shows(Layer::Names) && !scene.crowded() &&
+         !scene.frame.broad_phase && scene.frame.field_slices.empty() && !scene.frame.pairs.empty();
+}
+
+void draw_shape_names(const Scene& scene, Sketch& sketch) {
+  if (!names_shapes(scene)) return;
+  const std::vector<Named> named = named_shapes(scene);
+  if (named.size() > kMostNamedShapes) return;
+  const Camera& camera = scene.camera;
+  const Rect& view = camera.viewport();
+  const std::optional<Point2> middle = camera.project(sketch.center);
+  const Vec2d contact = middle ? Vec2d(middle->x, middle->y)
+                               : Vec2d(view.x + 0.5 * view.width, view.y + 0.5 * view.height);
+  std::vector<std::pair<std::vector<Vec2d>, const PlacedShape*>> outlines;
+  for (const PlacedShape& shape : scene.shapes)
+    outlines.emplace_back(seen_outline(camera, shape), &shape);
+  const double pixel = scene.scales.pixel;
+  const float size = static_cast<float>(pixel) * kNameSize;
+  for (const Named& each : named) {
+    const auto says_so = [&](const trace::Pair& pair) {
+      return name_in_words(pair.label) == each.words;
+    };
+    if (each.copies > kMostCopies || std::ranges::any_of(scene.frame.pairs, says_so)) continue;
+    const bool has_role = each.of_a != each.of_b;
+    const std::string text = (!has_role ? "" : each.of_a ? "A: " : "B: ") + each.words;
+    const auto own = std::ranges::find(outlines, each.shape,
+                                       &std::pair<std::vector<Vec2d>, const PlacedShape*>::second);
+    const double area = std::abs(area_of(own->first));
+    std::vector<std::vector<Vec2d>> smaller;
+    for (const auto& [outline, shape] : outlines) {
+      if (shape != each.shape && !outline.empty() && std::abs(area_of(outline)) <= area)
+        smaller.push_back(outline);
+    }
+    const Vec2d half(0.5 * text_width(text, size, FontWeight::Bold) + 2 * pixel, 0.5 * size);
+    const Color ink = each.shape->is_a ? kArcOfA : kArcOfB;
+    // A place in the world that is seen there, at the depth of the shape.
+    const Vec3d at = each.shape->mesh->patch || each.shape->vertices.empty()
+                         ? sketch.center
+                         : Vec3d(each.shape->pose.transform(each.shape->traced().center_of_mass));
+    const std::optional<Point2> foot = camera.project(at);
+    if (!foot) continue;
+    const auto in_world = [&](const Vec2d& pixels) -> Vec3d {
+      const Vec2d way = (pixels - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(at);
+      return at + way.x() * camera.right() - way.y() * camera.up();
+    };
+    if (const auto place = place_on(own->first, smaller, half, contact, view, sketch, pixel)) {
+      // The text's middle is there: it begins half of its height below, on the way down.
+      sketch.label(in_world(*place + Vec2d(0, 0.5 * size)), text, ink, kNameSize, 0, camera.up());
+      continue;
+    }
+    // Beside it, at the corner that is farthest from the contact.
+    std::optional<Vec2d> corner;
+    for (const Vec2d& p : own->first) {
+      if (!view.contains(draw::pixel(p.x(), p.y()))) continue;
+      if (!corner || (p - contact).norm() > (*corner - contact).norm()) corner = p;
+    }
+    if (!corner) continue;
+    const Vec2d out = (*corner - contact).normalized();
+    sketch.label(in_world(*corner), text, ink, kNameSize, 7,
+                 Vec3d(out.x() * camera.right() - out.y() * camera.up()));
+  }
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,373 @@
+#include "draw/title.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "draw/scene/answers.h"
+#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+#include "draw/staging.h"
+
+namespace contactscope::draw {
+namespace {
+
+using Words = std::optional<std::string>;
+using Pairs = std::vector<const trace::Pair*>;
+
+/// Pairs that a placeholder is about.
+Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
+  Pairs pairs;
+  for (const trace::Pair& pair : frame.pairs) {
+    const auto has = [&](const std::string& name) { return pair.a == name || pair.b == name; };
+    const bool meant = piece.of.empty()         ? true
+                       : piece.of_other.empty() ? pair.label == piece.of || has(piece.of)
+                                                : has(piece.of) && has(piece.of_other);
+    if (meant) pairs.push_back(&pair);
+  }
+  return pairs;
+}
+
+/// What the pair says of how far it is apart or in: metres, negative in overlap; nothing where
+/// nobody knows.
+std::optional<double> separation_of(const trace::Pair& pair) {
+  if (pair.query) return pair.query->gap;
+  if (pair.manifolds.empty() && pair.separation == 0) return std::nullopt;
+  return pair.separation;
+}
+
+Words counted(std::int64_t count, const TitlePiece& piece) {
+  std::string text = spell_count(count);
+  if (!piece.many.empty()) text += " " + (count == 1 ? piece.one : piece.many);
+  return text;
+}
+
+template <class Count>
+Words sum_over(const Pairs& pairs, const TitlePiece& piece, const Count& count) {
+  std::int64_t total = 0;
+  for (const trace::Pair* pair : pairs) total += static_cast<std::int64_t>(count(*pair));
+  return counted(total, piece);
+}
+
+const trace::Pair* first_of(const Pairs& pairs, const auto& holds) {
+  const auto found = std::ranges::find_if(pairs, [&](const auto* pair) { return holds(*pair); });
+  return found == pairs.end() ? nullptr : *found;
+}
+
+const trace::Pair* reduced_one(const Pairs& pairs) {
+  return first_of(pairs, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
+}
+
+/// Points before and after the reduction of a pair.
+std::size_t candidates_of(const trace::Pair& pair) {
+  const std::size_t kept = all_points(pair).size();
+  return pair.reduction && pair.manifolds.size() < 2 ? std::max(kept, pair.reduction->points.size())
+                                                     : kept;
+}
+
+std::size_t persistent(const trace::Pair& pair, const char* state) {
+  if (!pair.incremental) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count(pair.incremental->points, state, &trace::PersistentPoint::state));
+}
+
+double impulse_of(const Pairs& pairs) {
+  double total = 0;
+  for (const trace::Pair* pair : pairs) {
+    for (const PairPoint& any : all_points(*pair))
+      if (any.point->impulse) total += any.point->impulse->normal;
+  }
+  return total;
+}
+
+// What is about one frame.
+struct Filler {
+  const Staging& staging;
+  const trace::Frame& frame;
+
+  Words operator()(const TitlePiece& piece) const {
+    const Pairs pairs = pairs_of(piece, frame);
+    switch (*piece.fact) {
+      case TitleFact::Frame:
+        return counted(frame.frame, piece);
+      case TitleFact::Time:
+        return printed("%.3f s", frame.time);
+      case TitleFact::Shapes:
+        return counted(count_of(frame.poses), piece);
+      case TitleFact::Bodies:
+        if (!frame.solver) return {};
+        return counted(count_of(frame.solver->bodies), piece);
+      case TitleFact::Pairs:
+        return counted(count_of(pairs), piece);
+      case TitleFact::Touching:
+        return sum_over(pairs, piece,
+                        [](const trace::Pair& pair) { return !pair.manifolds.empty(); });
+      case TitleFact::State:
+        if (pairs.empty() || pairs.front()->query) return {};
+        return spell_state(state_of(*pairs.front(), staging.scales.touching));
+      case TitleFact::Overlap:
+      case TitleFact::Gap:
+        return gap(pairs, *piece.fact == TitleFact::Gap);
+      case TitleFact::Kept:
+        return sum_over(pairs, piece,
+                        [](const trace::Pair& pair) { return all_points(pair).size(); });
+      case TitleFact::Candidates:
+        return sum_over(pairs, piece, candidates_of);
+      case TitleFact::Dropped:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          return candidates_of(pair) - all_points(pair).size();
+        });
+      case TitleFact::Clipped:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          return pair.clip ? pair.clip->dropped.size() : 0;
+        });
+      case TitleFact::Manifolds:
+        return sum_over(pairs, piece,
+                        [](const trace::Pair& pair) { return pair.manifolds.size(); });
+      case TitleFact::Ids:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          std::set<std::string> ids;
+          for (const PairPoint& any : all_points(pair)) ids.insert(any.point->id);
+          return ids.size();
+        });
+      case TitleFact::Area:
+      case TitleFact::BestArea:
+      case TitleFact::AreaKept:
+        return area(pairs, *piece.fact);
+      case TitleFact::Axis:
+      case TitleFact::Type:
+        return features(pairs, *piece.fact == TitleFact::Axis);
+      case TitleFact::Iterations: {
+        const trace::Pair* pair = first_of(pairs, [](const trace::Pair& each) {
+          return each.gjk.has_value() || each.penetration.has_value();
+        });
+        if (pair == nullptr) return {};
+        return counted(pair->penetration ? pair->penetration->iterations : pair->gjk->iterations,
+                       piece);
+      }
+      case TitleFact::Stability:
+      case TitleFact::Margin: {
+        const trace::Pair* pair =
+            first_of(pairs, [](const trace::Pair& each) { return each.stability.has_value(); });
+        if (pair == nullptr) return {};
+        if (*piece.fact == TitleFact::Stability) return spell_balance(balance_of(*pair->stability));
+        return spell_margin(std::abs(pair->stability->margin));
+      }
+      case TitleFact::New:
+        return sum_over(pairs, piece, [](const auto& pair) { return persistent(pair, "new"); });
+      case TitleFact::Persisted:
+        return sum_over(pairs, piece,
+                        [](const auto& pair) { return persistent(pair, "persisted"); });
+      case TitleFact::Broken:
+        return sum_over(pairs, piece, [](const auto& pair) { return persistent(pair, "broken"); });
+      case TitleFact::Impulse:
+        return spell_quantity(impulse_of(pairs), "N s");
+      case TitleFact::Load:
+        if (!(staging.scales.step > 0)) return {};
+        return spell_quantity(impulse_of(pairs) / staging.scales.step, "N");
+      case TitleFact::Speed:
+      case TitleFact::KineticEnergy:
+        return motion(piece);
+      case TitleFact::Impact: {
+        const trace::Pair* pair = first_of(pairs, [](const trace::Pair& each) {
+          return each.impact && each.impact->status == "hit";
+        });
+        if (pair == nullptr) return {};
+        return spell_share(pair->impact->time);
+      }
+      case TitleFact::Ghosts:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          return pair.impact ? pair.impact->ghosts.size() : 0;
+        });
+      case TitleFact::Stops:
+        if (!frame.solver) return {};
+        return counted(count_of(frame.solver->stops), piece);
+      case TitleFact::Triangles:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          return pair.tree ? pair.tree->candidates.size() : 0;
+        });
+      case TitleFact::Intersections:
+        return sum_over(pairs, piece,
+                        [](const trace::Pair& pair) { return pair.intersections.size(); });
+      case TitleFact::NodePairs:
+        return sum_over(pairs, piece, [](const trace::Pair& pair) {
+          return pair.query && pair.query->trees ? pair.query->trees->node_pairs : 0;
+        });
+      case TitleFact::Comparisons:
+        if (!frame.broad_phase) return {};
+        return counted(frame.broad_phase->comparisons, piece);
+      case TitleFact::Hits:
+      case TitleFact::HitRate:
+      case TitleFact::Frames:
+      case TitleFact::FalsePositives:
+      case TitleFact::DeepestOverlap:
+        break;  // about the sequence
+    }
+    return {};
+  }
+
+  // The largest overlap; or the smallest gap, where nothing overlaps or touches.
+  Words gap(const Pairs& pairs, bool gaps) const {
+    const trace::Pair* nearest = nullptr;
+    double least = 0;
+    for (const trace::Pair* pair : pairs) {
+      const std::optional<double> separation = separation_of(*pair);
+      if (!separation || (nearest != nullptr && *separation >= least)) continue;
+      nearest = pair;
+      least = *separation;
+    }
+    if (nearest == nullptr || (gaps ? !(least > 0) : !(least < 0))) return {};
+    return spell_length(std::abs(least),
+                        noise_of(*staging.header, staging.meshes, frame, *nearest));
+  }
+
+  static Words area(const Pairs& pairs, TitleFact fact) {
+    const trace::Pair* pair = reduced_one(pairs);
+    if (pair == nullptr) return {};
+    const trace::Reduction& reduction = *pair->reduction;
+    if (fact == TitleFact::Area) return spell_area(reduction.area);
+    if (!(reduction.best_area > 0)) return {};
+    if (fact == TitleFact::BestArea) return spell_area(reduction.best_area);
+    return spell_share(reduction.area / reduction.best_area);
+  }
+
+  static Words features(const Pairs& pairs, bool axis) {
+    const trace::Pair* pair =
+        first_of(pairs, [](const trace::Pair& each) { return !each.manifolds.empty(); });
+    if (pair == nullptr) return {};
+    const trace::Manifold& manifold = pair->manifolds.front();
+    const std::string& word = axis ? manifold.axis : manifold.type;
+    if (word.empty()) return {};
+    return axis ? spell_axis(word) : spell_features(word);
+  }
+
+  Words motion(const TitlePiece& piece) const {
+    if (!frame.solver) return {};
+    double fastest = 0, energy = 0;
+    for (const trace::Body& body : frame.solver->bodies) {
+      if (!piece.of.empty() && body.name != piece.of) continue;
+      fastest = std::max(fastest, body.velocity.norm());
+      energy += body.kinetic_energy;
+    }
+    return piece.fact == TitleFact::Speed ? spell_quantity(fastest, "m/s")
+                                          : spell_quantity(energy, "J");
+  }
+};
+
+bool is_of_sequence(TitleFact fact) {
+  return fact >= TitleFact::Hits;
+}
+
+std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Frame>& frames) {
+  std::int64_t hits = 0, wrong = 0;
+  double deepest = 0;
+  for (const trace::Frame& frame : frames) {
+    const Pairs pairs = pairs_of(piece, frame);
+    hits +=
+        first_of(pairs, [](const auto& pair) { return pair.cache && pair.cache->hit; }) != nullptr;
+    wrong += first_of(pairs, [](const auto& pair) {
+               return pair.query && answer_kind(pair) == AnswerKind::FalsePositive;
+             }) != nullptr;
+    for (const trace::Pair* pair : pairs)
+      deepest = std::max(deepest, -separation_of(*pair).value_or(0));
+  }
+  switch (*piece.fact) {
+    case TitleFact::Hits:
+      return *counted(hits, piece);
+    case TitleFact::HitRate:
+      return spell_share(static_cast<double>(hits) / static_cast<double>(frames.size()));
+    case TitleFact::FalsePositives:
+      return *counted(wrong, piece);
+    case TitleFact::DeepestOverlap:
+      return deepest > 0 ? spell_length(deepest) : "";
+    default:
+      return *counted(count_of(frames), piece);
+  }
+}
+
+}  // namespace
+
+StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames) {
+  StagedTitle staged;
+  ParsedTitle parsed = parse_title(text);
+  // A trace from elsewhere may hold braces that are none of ours.
+  if (!parsed.problem.empty()) parsed.title = {{TitlePiece{.text = text}}};
+  staged.title = std::move(parsed.title);
+  for (const TitleAlternative& pieces : staged.title) {
+    for (const TitlePiece& piece : pieces) {
+      if (piece.fact && is_of_sequence(*piece.fact))
+        staged.of_sequence.push_back(over_sequence(piece, frames));
+    }
+  }
+  return staged;
+}
+
+std::string fill_title(const Staging& staging, const trace::Frame& frame) {
+  const StagedTitle& staged = staging.title;
+  const Filler fill{staging, frame};
+  std::size_t next = 0;  // of those about the sequence
+  std::string words;
+  for (const TitleAlternative& pieces : staged.title) {
+    bool whole = true;
+    words.clear();
+    for (const TitlePiece& piece : pieces) {
+      words += piece.text;
+      if (piece.from > frame.frame) whole = false;
+      if (!piece.fact) continue;
+      Words value;
+      if (is_of_sequence(*piece.fact)) {
+        const std::string& told = staged.of_sequence[next++];
+        if (!told.empty()) value = told;
+      } else if (whole) {
+        value = fill(piece);
+      }
+      whole = whole && value;
+      words += value.value_or("…");
+    }
+    if (whole) return words;
+  }
+  return words;
+}
+
+trace::Stages stages_of(const Title& title) {
+  trace::Stages stages = trace::Stages::none();
+  for (const TitleAlternative& pieces : title) {
+    for (const TitlePiece& piece : pieces) {
+      if (!piece.fact) continue;
+      switch (*piece.fact) {
+        case TitleFact::Candidates:
+        case TitleFact::Dropped:
+        case TitleFact::Area:
+        case TitleFact::BestArea:
+        case TitleFact::AreaKept:
+          stages.reduction = true;
+          break;
+        case TitleFact::Clipped:
+          stages.clip = true;
+          break;
+        case TitleFact::Iterations:
+          stages.gjk = stages.penetration = true;
+          break;
+        case TitleFact::Stability:
+        case TitleFact::Margin:
+          stages.stability = true;
+          break;
+        case TitleFact::Triangles:
+          stages.tree = true;
+          break;
+        case TitleFact::Intersections:
+        case TitleFact::NodePairs:
+        case TitleFact::FalsePositives:
+          stages.query = true;
+          break;
+        default:
+          break;  // always told
+      }
+    }
+  }
+  return stages;
+}
+
+}  // namespace contactscope::draw

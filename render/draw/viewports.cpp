@@ -1,0 +1,99 @@
+#include "draw/viewports.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/scene/pairs.h"
+#include "draw/scene/palette.h"
+#include "draw/scene/pen.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr double kViewportHeading = 17;
+constexpr double kViewportHeadingRow = 28;
+constexpr double kViewportGap = 12;
+constexpr double kWantedAspect = 1.25;
+
+bool is_of(const PairViewport& viewport, const trace::Pair& pair) {
+  return pair.a == viewport.a && pair.b == viewport.b && pair.label == viewport.label;
+}
+
+}  // namespace
+
+std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
+                                     const Layout& layout) {
+  const std::vector<const trace::Pair*> pairs =
+      distinct_pairs(frames, [](const trace::Pair&) { return true; });
+  const std::size_t count = pairs.size();
+  if (count < 2 || count > kMostViewports) return {};
+  const double gap = layout.px(kViewportGap);
+  std::size_t columns = count;
+  double best = 1e300;
+  for (std::size_t wide = 1; wide <= count; ++wide) {
+    const std::size_t high = (count + wide - 1) / wide;
+    const double width = layout.view.width / static_cast<double>(wide);
+    const double height = layout.view.height / static_cast<double>(high);
+    const double off = std::abs(std::log(width / height / kWantedAspect)) +
+                       0.3 * static_cast<double>(wide * high - count);
+    if (off >= best) continue;
+    best = off;
+    columns = wide;
+  }
+  const std::size_t rows = (count + columns - 1) / columns;
+  const double width =
+      (layout.view.width - gap * static_cast<double>(columns - 1)) / static_cast<double>(columns);
+  const double height =
+      (layout.view.height - gap * static_cast<double>(rows - 1)) / static_cast<double>(rows);
+  std::vector<PairViewport> viewports;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rect frame{layout.view.x + static_cast<double>(i % columns) * (width + gap),
+                     layout.view.y + static_cast<double>(i / columns) * (height + gap), width,
+                     height};
+    viewports.push_back({pairs[i]->a, pairs[i]->b, pairs[i]->label, frame, pair_name(*pairs[i])});
+  }
+  return viewports;
+}
+
+Rect inside_of(const PairViewport& viewport, const Layout& layout) {
+  const double row = layout.px(kViewportHeadingRow);
+  const Rect& frame = viewport.frame;
+  return {frame.x + 1, frame.y + row, frame.width - 2, frame.height - row - 1};
+}
+
+trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
+  const auto has = [&](const std::string& name) {
+    return name == viewport.a || name == viewport.b;
+  };
+  trace::Frame part;
+  part.frame = frame.frame;
+  part.time = frame.time;
+  for (const trace::Placement& pose : frame.poses)
+    if (has(pose.first)) part.poses.push_back(pose);
+  for (const trace::Pair& pair : frame.pairs) {
+    if (!is_of(viewport, pair)) continue;
+    part.pairs.push_back(pair);
+    part.pairs.back().label.clear();  // it stands over the viewport
+  }
+  for (const trace::Deformed& deformed : frame.deformed)
+    if (has(deformed.name)) part.deformed.push_back(deformed);
+  if (frame.solver) {
+    part.solver = frame.solver;
+    std::erase_if(part.solver->bodies, [&](const trace::Body& body) { return !has(body.name); });
+  }
+  return part;
+}
+
+void draw_viewport_frame(const PairViewport& viewport, const Layout& layout, Drawing& drawing) {
+  const Pen pen(drawing, layout.scale, kViewportHeading);
+  pen.frame(viewport.frame, 1, with_alpha(kQuietText, 0.5f));
+  const float padding = pen.px(8), size = pen.px(kViewportHeading);
+  const std::string heading = fitted(viewport.heading, size, Weight::Bold,
+                                     static_cast<float>(viewport.frame.width) - 2 * padding);
+  pen.text(heading,
+           pixel(viewport.frame.x + padding, viewport.frame.y + 0.5 * padding + 0.9 * size),
+           Align::Left, kText, Weight::Bold);
+}
+
+}  // namespace contactscope::draw

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Titles that state a result: text with placeholders in braces, filled from the facts of the frame
+/// that is drawn.
+///
+///   "{kept} of {candidates:point} keep {area_kept} | Nothing touches"
+///
+/// Alternatives are parted by " | ": the first one is shown all of whose placeholders have a value
+/// in the frame. A placeholder is `{FACT}`, `{FACT of WHO}`, WHO being the label of a pair, a
+/// shape, or two shapes as `a and b`, and with a noun `{FACT:point}`: "1 point", "4 points";
+/// `{FACT:vertex/vertices}` where an s is not enough. `{from 12}` is empty, and has a value from
+/// frame 12 on. `{{` is a brace.
+namespace contactscope {
+
+/// What a placeholder may name. A row has the enumerator, the word, and what it is.
+// clang-format off
+#define CONTACTSCOPE_TITLE_FACTS(ROW)                                                             \
+  ROW(Frame, "frame", "number of the frame, or step of a story")                                  \
+  ROW(Time, "time", "s")                                                                          \
+  ROW(Shapes, "shapes", "shapes in the frame")                                                    \
+  ROW(Bodies, "bodies", "bodies that the solver moves")                                           \
+  ROW(Pairs, "pairs", "pairs that were run")                                                      \
+  ROW(Touching, "touching", "pairs with contact points")                                          \
+  ROW(State, "state", "touching, within the margin, apart, ..., of the first pair")               \
+  ROW(Overlap, "overlap", "the largest overlap, of pairs that overlap")                           \
+  ROW(Gap, "gap", "the smallest gap, where nothing overlaps or touches")                          \
+  ROW(Kept, "kept", "contact points")                                                             \
+  ROW(Candidates, "candidates", "points before the reduction")                                    \
+  ROW(Dropped, "dropped", "points that the reduction left out")                                   \
+  ROW(Clipped, "clipped", "points that the clipping dropped")                                     \
+  ROW(Manifolds, "manifolds", "manifolds; of a mesh one for each triangle that is touched")       \
+  ROW(Ids, "ids", "different contact ids")                                                        \
+  ROW(Area, "area", "of the kept points in the contact plane")                                    \
+  ROW(BestArea, "best_area", "the largest that as many points can span")                          \
+  ROW(AreaKept, "area_kept", "per cent of the best area")                                         \
+  ROW(Axis, "axis", "what made the normal, of the first pair that touches")                       \
+  ROW(Type, "type", "the features that touch, of the first pair that touches")                    \
+  ROW(Iterations, "iterations", "of EPA, MPR or sampling, else of GJK")                           \
+  ROW(Stability, "stability", "stable, marginal or unstable, of the first pair that has it")      \
+  ROW(Margin, "margin", "of the centre of mass from the border of its support")                   \
+  ROW(New, "new", "points that an incremental manifold got")                                      \
+  ROW(Persisted, "persisted", "points that it kept")                                              \
+  ROW(Broken, "broken", "points that it dismissed")                                               \
+  ROW(Impulse, "impulse", "sum of the normal impulses, N s")                                      \
+  ROW(Load, "load", "the same over the step, N")                                                  \
+  ROW(Speed, "speed", "of the fastest body")                                                      \
+  ROW(KineticEnergy, "kinetic_energy", "of all bodies")                                           \
+  ROW(Impact, "impact", "when the first pair that hits does, per cent of the step")               \
+  ROW(Ghosts, "ghosts", "speculative points that hold back what would not meet")                  \
+  ROW(Stops, "stops", "stops between this frame and the next")                                    \
+  ROW(Triangles, "triangles", "of a mesh, that a query found")                                    \
+  ROW(Intersections, "intersections", "pairs of triangles that share a point")                    \
+  ROW(NodePairs, "node_pairs", "of the trees of two meshes, compared")                            \
+  ROW(Comparisons, "comparisons", "of two boxes, by the broad phase")                             \
+  ROW(Hits, "hits", "frames of the sequence in which the cache answered")                         \
+  ROW(HitRate, "hit_rate", "per cent of all frames of the sequence")                              \
+  ROW(Frames, "frames", "frames of the sequence")                                                 \
+  ROW(FalsePositives, "false_positives", "frames in which bounds overlap and their shapes do not") \
+  ROW(DeepestOverlap, "deepest_overlap", "the largest overlap of the sequence")
+// clang-format on
+
+#define CONTACTSCOPE_TITLE_ENUMERATOR(word, name, what) word,
+#define CONTACTSCOPE_TITLE_NAME(word, name, what) std::string_view(name),
+enum class TitleFact { CONTACTSCOPE_TITLE_FACTS(CONTACTSCOPE_TITLE_ENUMERATOR) };
+inline constexpr std::array kTitleFactNames = {CONTACTSCOPE_TITLE_FACTS(CONTACTSCOPE_TITLE_NAME)};
+#undef CONTACTSCOPE_TITLE_ENUMERATOR
+#undef CONTACTSCOPE_TITLE_NAME
+
+/// Of a title: text, and behind it what a placeholder asks for.
+struct TitlePiece {
+  std::string text;
+  std::optional<TitleFact> fact{};
+  std::string of{};           // label of a pair, or a shape; empty: of all
+  std::string of_other{};     // the second one of two shapes
+  std::string one{}, many{};  // nouns behind a number
+  int from = 0;               // frame before which the alternative is not shown
+};
+
+using TitleAlternative = std::vector<TitlePiece>;
+using Title = std::vector<TitleAlternative>;  // without placeholders one of one piece
+
+struct ParsedTitle {
+  Title title;
+  std::string problem;  // what is wrong, and what would be right; empty: nothing
+};
+
+ParsedTitle parse_title(std::string_view text);
+
+/// For who has no frame at hand: the first alternative without placeholders, or else the first one
+/// with "…" in their places.
+std::string plain_title(std::string_view text);
+
+}  // namespace contactscope

@@ -1,0 +1,150 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "crate_on_slab.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+using ::testing::Contains;
+using ::testing::Not;
+
+constexpr Swatch kFaceSwatch{LegendGroup::Faces, 0, [](auto&) {}};
+constexpr Swatch kPointSwatch{LegendGroup::Points, 0, [](auto&) {}};
+constexpr Swatch kBodySwatch{LegendGroup::Masses, 0, [](auto&) {}};
+
+std::vector<std::string> texts_of(const std::vector<LegendEntry>& entries) {
+  return mapped(entries, [](const LegendEntry& entry) { return entry.text; });
+}
+
+std::vector<LegendEntry> numbered(const Swatch& swatch, int count, bool anchored) {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < count; ++i) {
+    LegendEntry& entry = entries.emplace_back();
+    entry.swatch = &swatch;
+    entry.text = std::to_string(i);
+    if (anchored) entry.anchor = Vec3d::Zero();
+  }
+  return entries;
+}
+
+TEST(LegendChoice, ListsFiveAndLabelsTheRest) {
+  const LegendChoice few = choose_legend(numbered(kPointSwatch, 5, true));
+  EXPECT_EQ(few.listed.size(), 5u);
+  EXPECT_TRUE(few.labelled.empty());
+  const LegendChoice many = choose_legend(numbered(kPointSwatch, 8, true));
+  EXPECT_EQ(many.listed.size(), 5u);
+  EXPECT_EQ(many.labelled.size(), 3u);
+}
+
+TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
+  std::vector<LegendEntry> entries = numbered(kBodySwatch, 1, true);
+  for (const LegendEntry& entry : numbered(kFaceSwatch, 2, true)) entries.push_back(entry);
+  for (const LegendEntry& entry : numbered(kPointSwatch, 3, true)) entries.push_back(entry);
+  for (const LegendEntry& entry : numbered(kBodySwatch, 1, false)) entries.push_back(entry);
+  const LegendChoice choice = choose_legend(entries);
+  // The body that can be labelled goes first, then a face; points and what has no place stay.
+  ASSERT_EQ(choice.labelled.size(), 2u);
+  EXPECT_EQ(choice.labelled[0].swatch, &kBodySwatch);
+  EXPECT_EQ(choice.labelled[1].swatch, &kFaceSwatch);
+  EXPECT_FALSE(choice.listed.back().anchor);
+}
+
+TEST(LegendChoice, LeavesOutNothing) {
+  const LegendChoice choice = choose_legend(numbered(kPointSwatch, 9, false));
+  EXPECT_EQ(choice.listed.size(), 9u);
+}
+
+TEST(LegendChoice, LabelsSayTheFirstWords) {
+  LegendEntry entry;
+  entry.text = "side plane, outward normal";
+  EXPECT_EQ(label_of(entry), "side plane");
+  entry.text = "support: hull of the contact points";
+  EXPECT_EQ(label_of(entry), "support");
+}
+
+/// The crate with so much to be explained that no legend of five has room for it.
+struct BusyCrate : CrateOnSlab {
+  BusyCrate() {
+    persist();
+    balance("turns about a line");
+    solve(2);
+    trace::Clip& clip = pair().clip.emplace();
+    clip.reference.polygon = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    clip.reference.normal = Vec3d::UnitY();
+    clip.incident.polygon = {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}, {-0.5, 0, 0.5}};
+    trace::ClipStep& step = clip.steps.emplace_back();
+    step.normal = -Vec3d::UnitX();
+    step.polygon = clip.incident.polygon;
+    clip.dropped.push_back({Vec3d(0.2, 0.1, 0.3), "above the reference face"});
+    view.layers = {Layer::Shapes,       Layer::ReferenceFace, Layer::SidePlanes,
+                   Layer::IncidentFace, Layer::ClipPolygons,  Layer::Dropped,
+                   Layer::CenterOfMass, Layer::Support,       Layer::Normals,
+                   Layer::Contacts,     Layer::Persistent,    Layer::Impulses,
+                   Layer::Friction,     Layer::Velocities,    Layer::SurfacePoints};
+  }
+};
+
+// What is neither listed nor labelled is a sign that nobody can read.
+TEST(LegendOfPictures, LeavesNothingUnexplained) {
+  for (const bool reduced : {false, true}) {
+    BusyCrate crate;
+    if (reduced) {
+      trace::Reduction& reduction = crate.pair().reduction.emplace();
+      reduction.points = crate.manifold().points;
+      reduction.points.push_back({{0.5, 0, -0.5}, -0.001, "b:v1"});
+      reduction.kept = {0, 1};
+      crate.view.layers.push_back(Layer::Reduced);
+    }
+    const Staging staging = crate.staged();
+    const Sketch sketch = sketch_frame(staging, crate.frames[0]);
+    const LegendChoice choice = legend_of(staging, crate.frames[0]);
+    EXPECT_GT(choice.labelled.size(), 3u);
+    for (const LegendEntry& entry : sketch.legend.sorted()) {
+      const bool listed = std::ranges::find(choice.listed, entry) != choice.listed.end();
+      const bool labelled = std::ranges::find(choice.labelled, entry) != choice.labelled.end();
+      EXPECT_NE(listed, labelled) << entry.text;
+    }
+    const std::vector<std::string> drawn =
+        crate_sample::texts(illustrate(staging, crate.frames[0]));
+    for (const LegendEntry& entry : choice.listed) EXPECT_THAT(drawn, Contains(entry.text));
+    for (const LegendEntry& entry : choice.labelled) EXPECT_THAT(drawn, Contains(label_of(entry)));
+    for (const LegendEntry& entry : choice.listed)
+      if (choice.listed.size() > kMostLegendEntries) EXPECT_FALSE(entry.anchor) << entry.text;
+  }
+}
+
+TEST(NamesOfShapes, StandOnThemAndNotInTheLegend) {
+  CrateOnSlab crate;
+  crate.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
+  const std::vector<std::string> drawn =
+      crate_sample::texts(illustrate(crate.staged(), crate.frames[0]));
+  EXPECT_THAT(drawn, Contains("A: slab"));
+  EXPECT_THAT(drawn, Contains("B: crate"));
+  for (const std::string& text : texts_of(legend_of(crate.staged(), crate.frames[0]).listed))
+    EXPECT_THAT(text, Not(::testing::HasSubstr("slab")));
+}
+
+TEST(NamesOfShapes, HaveNoNumbersAndAreFew) {
+  CrateOnSlab crate;
+  crate.view.layers = {Layer::Shapes, Layer::Contacts};
+  crate.header.shapes[1].name = "small_crate_3";
+  crate.frames[0].poses[1].first = "small_crate_3";
+  crate.pair().b = "small_crate_3";
+  EXPECT_THAT(crate_sample::texts(illustrate(crate.staged(), crate.frames[0])),
+              Contains("B: small crate"));
+  for (const char* name : {"ball", "rod"}) {
+    crate.header.shapes.push_back(crate_sample::cuboid(name, {0.1, 0.1, 0.1}));
+    Pose<double> pose;
+    pose.position = {name[0] == 'b' ? -0.8 : 0.8, 0.1, 0};
+    crate.frames[0].poses.push_back({name, pose});
+  }
+  EXPECT_THAT(crate_sample::texts(illustrate(crate.staged(), crate.frames[0])),
+              Not(Contains("B: small crate")));
+}
+
+}  // namespace
+}  // namespace contactscope::draw

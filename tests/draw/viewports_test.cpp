@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "crate_on_slab.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::CrateOnSlab;
+using ::testing::Contains;
+
+/// The crate on its slab twice, 5 m apart.
+struct TwoCrates : CrateOnSlab {
+  TwoCrates() {
+    view.layers = {Layer::Shapes, Layer::Contacts};
+    view.side_by_side = true;
+    pair().label = "left";
+    header.shapes.push_back(crate_sample::cuboid("slab_2", {1, 0.2, 1}));
+    header.shapes.push_back(crate_sample::cuboid("crate_2", {0.5, 0.5, 0.5}));
+    trace::Frame& frame = frames[0];
+    for (int i = 0; i < 2; ++i) {
+      Pose<double> pose = frame.poses[static_cast<std::size_t>(i)].second;
+      pose.position.x() += 5;
+      frame.poses.push_back({i == 0 ? "slab_2" : "crate_2", pose});
+    }
+    trace::Pair other = pair();
+    other.a = "slab_2";
+    other.b = "crate_2";
+    other.label = "right";
+    for (trace::Point& point : other.manifolds[0].points) point.position.x() += 5;
+    frame.pairs.push_back(other);
+  }
+};
+
+TEST(SideBySide, PairsHaveEqualParallelViewports) {
+  const TwoCrates crates;
+  const Staging staging = crates.staged();
+  ASSERT_EQ(staging.viewports.size(), 2u);
+  const PairViewport &left = staging.viewports[0], &right = staging.viewports[1];
+  EXPECT_FALSE(left.camera->is_perspective());
+  EXPECT_DOUBLE_EQ(left.frame.width, right.frame.width);
+  EXPECT_DOUBLE_EQ(left.frame.height, right.frame.height);
+  EXPECT_DOUBLE_EQ(left.camera->pixels_per_metre(Vec3d::Zero()),
+                   right.camera->pixels_per_metre(Vec3d::Zero()));
+  // What is 5 m aside stands in the same place of its own viewport.
+  const Point2 of_left = *left.camera->project({0.5, 0, 0.5});
+  const Point2 of_right = *right.camera->project({5.5, 0, 0.5});
+  EXPECT_NEAR(of_left.x - left.frame.x, of_right.x - right.frame.x, 1e-3);
+  EXPECT_NEAR(of_left.y - left.frame.y, of_right.y - right.frame.y, 1e-3);
+}
+
+TEST(SideBySide, EachIsNamedOnceAndShowsItsOwnPair) {
+  const TwoCrates crates;
+  const Staging staging = crates.staged();
+  const trace::Frame part = part_of(crates.frames[0], staging.viewports[1]);
+  ASSERT_EQ(part.poses.size(), 2u);
+  EXPECT_EQ(part.poses[0].first, "slab_2");
+  ASSERT_EQ(part.pairs.size(), 1u);
+  const std::vector<std::string> drawn = crate_sample::texts(illustrate(staging, crates.frames[0]));
+  EXPECT_EQ(std::ranges::count(drawn, "left"), 1);
+  EXPECT_EQ(std::ranges::count(drawn, "right"), 1);
+}
+
+TEST(SideBySide, OnePairKeepsTheUsualView) {
+  CrateOnSlab crate;
+  crate.view.side_by_side = true;
+  EXPECT_TRUE(crate.staged().viewports.empty());
+}
+
+/// Two points a millimetre apart on a crate of a metre.
+struct TinyPatch : CrateOnSlab {
+  TinyPatch() {
+    view.layers = {Layer::Shapes, Layer::Contacts};
+    view.focus = Focus::Shapes;
+    manifold().points[0].position = {0, 0, 0.5};
+    manifold().points[1].position = {0.001, 0, 0.5};
+  }
+};
+
+TEST(Magnifiers, ShowWhatIsSmallerThanItsDots) {
+  TinyPatch tiny;
+  const Staging staging = tiny.staged();
+  ASSERT_TRUE(staging.magnifier);
+  const float seen = *seen_distance(staging.camera, {0, 0, 0.5}, {0.001, 0, 0.5});
+  EXPECT_LT(seen, 20);
+  EXPECT_GE(staging.magnifier->factor * seen, 40);
+  EXPECT_LE(staging.magnifier->factor * seen, 110);
+  EXPECT_THAT(crate_sample::texts(illustrate(staging, tiny.frames[0])),
+              Contains(::testing::StartsWith("×")));
+  tiny.view.inset = false;
+  EXPECT_FALSE(tiny.staged().magnifier);
+}
+
+TEST(Magnifiers, AreNotThereWhereTheSubjectIsSeen) {
+  CrateOnSlab crate;
+  EXPECT_FALSE(crate.staged().magnifier);
+  crate.manifold().points.resize(1);  // a point has no size
+  EXPECT_FALSE(crate.staged().magnifier);
+}
+
+// Under the magnifier nothing of the view is left, and no label of the view stands there.
+TEST(Magnifiers, KeepLabelsOff) {
+  TinyPatch tiny;
+  tiny.pair().label = "a pair";
+  tiny.view.layers.push_back(Layer::Names);
+  const Staging staging = tiny.staged();
+  const Rect& frame = staging.magnifier->frame;
+  for (const Primitive& primitive : illustrate(staging, tiny.frames[0]).primitives) {
+    const Text* text = std::get_if<Text>(&primitive);
+    if (text != nullptr && !text->text.starts_with("×")) EXPECT_FALSE(frame.contains(text->at));
+  }
+}
+
+}  // namespace
+}  // namespace contactscope::draw
