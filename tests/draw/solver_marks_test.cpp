@@ -129,12 +129,18 @@ TEST(SharedCorners, SayHowManyPointsOneDotIs) {
 
 TEST(Gaps, AreNotDrawnAsManyTimesAsLongAsOverlapsWhereTheyWouldLeaveTheirShapes) {
   CrateOnSlab scene;
+  scene.manifold().points[0].separation = -0.01;
   scene.manifold().points[1].separation = 0.3;
   const SequenceScales scales = scene.staged().scales;
-  EXPECT_GT(scales.overlap, 1) << "2 mm of a crate of 1 m";
+  EXPECT_GT(scales.overlap, 1) << "1 cm of a crate of 1 m";
   EXPECT_EQ(scales.gap, 1);
-  scene.manifold().points[1].separation = 0.002;
-  EXPECT_EQ(scene.staged().scales.gap, scene.staged().scales.overlap) << "as narrow as the overlap";
+  scene.manifold().points[1].separation = 0.001;
+  EXPECT_EQ(scene.staged().scales.gap, scene.staged().scales.overlap)
+      << "narrower than the overlap";
+  scene.manifold().points[0].separation = -1e-6;
+  EXPECT_GT(scene.staged().scales.overlap, 20);
+  scene.manifold().points[1].separation = 0.3;
+  EXPECT_EQ(scene.staged().scales.overlap, 1) << "beside that gap a touch";
 }
 
 TEST(Gaps, HaveAWhiskerAtTheirOwnScale) {

@@ -11,6 +11,7 @@ namespace {
 constexpr double kLegibleDepth = 13;      // pixels: six beyond the border of the dot
 constexpr double kExaggeratedDepth = 24;  // pixels that the deepest overlap of the sequence gets
 constexpr double kWidestGap = 150;        // pixels
+constexpr double kMostBesideGap = 20;     // times as long as it is, an overlap beside such a gap
 constexpr double kUsualImpulse = 0.20;    // of the view's height
 constexpr double kUsualOfBody = 1.1;      // and of the smallest body's radius
 constexpr double kLeastUsual = 0.08;      // but this much of the view's height
@@ -44,10 +45,13 @@ double fit_overlap(double deepest, double pixel) {
   return factor;
 }
 
-// Gaps are drawn as many times as wide, but none so wide that it leaves its shapes.
-double fit_gap(double overlap, double widest, double pixel) {
-  if (overlap * widest <= kWidestGap * pixel) return overlap;
-  return std::max(1.0, round_down(kWidestGap * pixel / widest));
+// Gaps are drawn as many times as wide, but none so wide that it leaves its shapes. Beside such a wide
+// one an overlap that needs a large factor to be seen is none to speak of.
+void fit_gap(double widest, double pixel, SequenceScales& scales) {
+  scales.gap = scales.overlap;
+  if (scales.overlap * widest <= kWidestGap * pixel) return;
+  scales.gap = std::max(1.0, round_down(kWidestGap * pixel / widest));
+  if (scales.overlap > kMostBesideGap) scales.overlap = scales.gap = 1;
 }
 
 }  // namespace
@@ -102,7 +106,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
 
   scales.pixel = layout.scale;
   scales.overlap = fit_overlap(deepest, scales.pixel);
-  scales.gap = fit_gap(scales.overlap, gap, scales.pixel);
+  fit_gap(gap, scales.pixel, scales);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
   const double height = layout.view.height;
