@@ -30,7 +30,7 @@ int channel_difference(const Image& a, const Image& b, int x, int y) {
   return largest;
 }
 
-DifferenceMask find_differences(const Image& a, const Image& b) {
+DifferenceMask find_differences(const Image& a, const Image& b, int tolerance) {
   DifferenceMask mask{std::max(a.width, b.width), std::max(a.height, b.height)};
   const int both_wide = std::min(a.width, b.width), both_high = std::min(a.height, b.height);
   for (int y = 0; y < mask.height; ++y) {
@@ -38,8 +38,8 @@ DifferenceMask find_differences(const Image& a, const Image& b) {
       const bool in_both = x < both_wide && y < both_high;
       const int difference = in_both ? channel_difference(a, b, x, y) : 255;
       mask.largest_channel_difference = std::max(mask.largest_channel_difference, difference);
-      mask.differs[index(mask.width, x, y)] = difference > kChannelTolerance;
-      mask.count += difference > kChannelTolerance;
+      mask.differs[index(mask.width, x, y)] = difference > tolerance;
+      mask.count += difference > tolerance;
     }
   }
   return mask;
@@ -109,19 +109,20 @@ void draw_frame(Image& image, const PixelBox& box, int gap, int thickness) {
 
 }  // namespace
 
-PixelComparison compare_pixels(const Image& expected, const Image& actual) {
+PixelComparison compare_pixels(const Image& expected, const Image& actual,
+                               const PixelLimits& limits) {
   if (expected.width != actual.width || expected.height != actual.height)
     return {.verdict = PixelVerdict::SizeDiffers};
   if (expected.rgb == actual.rgb) return {};
-  const DifferenceMask mask = find_differences(expected, actual);
+  const DifferenceMask mask = find_differences(expected, actual, limits.channel);
   const Cluster cluster = largest_cluster(mask);
-  const bool fails = cluster.size >= kClusterLimit || mask.count > kTotalLimit;
+  const bool fails = cluster.size >= limits.cluster || mask.count > limits.total;
   return {fails ? PixelVerdict::Different : PixelVerdict::WithinTolerance, mask.count, cluster.size,
           cluster.box, mask.largest_channel_difference};
 }
 
 Image difference_image(const Image& expected, const Image& actual) {
-  DifferenceMask mask = find_differences(expected, actual);
+  DifferenceMask mask = find_differences(expected, actual, kChannelTolerance);
   Image out(mask.width, mask.height);
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {

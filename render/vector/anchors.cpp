@@ -26,7 +26,7 @@ double rounded(double value, double steps) {
 }
 
 /// What grows around points.
-struct Extent {
+struct Reach {
   double left = 1e30, top = 1e30, right = -1e30, bottom = -1e30;
 
   void extend(const Point2& p, double around = 0) {
@@ -46,17 +46,17 @@ Rect box_of(const draw::Text& text) {
   return {left, text.at.y - up, width, up + down};
 }
 
-void extend(const draw::Fill& fill, Extent& extent) {
+void extend(const draw::Fill& fill, Reach& extent) {
   for (const Point2& corner : fill.polygon) extent.extend(corner);
 }
-void extend(const draw::Stroke& stroke, Extent& extent) {
+void extend(const draw::Stroke& stroke, Reach& extent) {
   extent.extend(stroke.from);
   extent.extend(stroke.to);
 }
-void extend(const draw::Disc& disc, Extent& extent) {
+void extend(const draw::Disc& disc, Reach& extent) {
   extent.extend(disc.center, disc.outer);
 }
-void extend(const draw::Text& text, Extent& extent) {
+void extend(const draw::Text& text, Reach& extent) {
   const Rect box = box_of(text);
   extent.extend(draw::pixel(box.x, box.y));
   extent.extend(draw::pixel(box.right(), box.bottom()));
@@ -234,7 +234,7 @@ struct Anchors {
       all.push_back(std::move(json));
     };
     add("view", staging.layout.view);
-    std::vector<std::pair<std::string, Extent>> extents;
+    std::vector<std::pair<std::string, Reach>> extents;
     for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
       const draw::Part& part = drawing.parts[i];
       const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart ||

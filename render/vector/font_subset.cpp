@@ -104,10 +104,15 @@ std::string font_subset(FontWeight weight, const std::set<char32_t>& characters)
   return {bytes, length};
 }
 
-const std::string& FontFaces::css(const UsedCharacters& used) {
+void require_font_subsets() {
+  harfbuzz();
+}
+
+std::string FontFaces::css(const UsedCharacters& used) {
   constexpr std::size_t kMostKept = 64;  // rules; a sequence has a few sets of letters
+  const std::lock_guard lock(mutex_);
   if (rules_.size() > kMostKept) rules_.clear();
-  css_.clear();
+  std::string css;
   for (const auto& key : used) {
     std::string& rule = rules_[key];
     if (rule.empty()) {
@@ -115,9 +120,9 @@ const std::string& FontFaces::css(const UsedCharacters& used) {
              ";font-weight:" + (key.first == FontWeight::Bold ? "700" : "400") +
              ";src:url(data:font/ttf;base64," + base64(font_subset(key.first, key.second)) + ")}";
     }
-    css_ += rule;
+    css += rule;
   }
-  return css_;
+  return css;
 }
 
 }  // namespace contactscope::vector

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -28,15 +29,19 @@ void add_characters(const draw::Drawing& drawing, UsedCharacters& used);
 /// which is opened at the first call; throws MissingLibrary where there is none.
 std::string font_subset(FontWeight weight, const std::set<char32_t>& characters);
 
+/// Opens libharfbuzz-subset, which font_subset() would do at its first call; throws MissingLibrary.
+void require_font_subsets();
+
 /// CSS that embeds the font's subsets: @font-face rules with data URLs, for the family kFontFamily. A
-/// sequence's pictures use the same letters again and again: the latest rules are kept.
+/// sequence's pictures use the same letters again and again: rules are kept. Several threads may ask at
+/// once.
 class FontFaces {
  public:
-  const std::string& css(const UsedCharacters& used);
+  std::string css(const UsedCharacters& used);
 
  private:
+  std::mutex mutex_;
   std::map<std::pair<FontWeight, std::set<char32_t>>, std::string> rules_;
-  std::string css_;
 };
 
 /// What texts ask for: the embedded font, else what looks most like it.

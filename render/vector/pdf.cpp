@@ -198,6 +198,10 @@ void set_metadata(cairo_surface_t* surface, const PictureOrigin* origin) {
 
 }  // namespace
 
+void require_pdf() {
+  cairo();
+}
+
 std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
   // FreeType's faces are for one thread at a time.
   static std::mutex one_at_a_time;

@@ -12,12 +12,15 @@ struct PdfOptions {
   double points_per_pixel = 0.75;         // 1/72 inch a pixel; CSS has 96 pixels an inch
 };
 
+/// Opens libcairo, which pdf_of() would do at its first call; throws MissingLibrary (font_subset.h) where
+/// there is none.
+void require_pdf();
+
 /// The drawing as one page of PDF, written by libcairo: the same pieces as in SVG (pieces.h), text that
 /// can be searched and copied in embedded subsets of the font. The date of creation is that of
 /// SOURCE_DATE_EPOCH (seconds since 1970), or 1970 where that is not set: equal drawings give equal bytes,
 /// as long as cairo is the same.
-///
-/// libcairo is opened at the first call; throws MissingLibrary (font_subset.h) where there is none.
+/// Throws MissingLibrary as require_pdf() does.
 std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options = {});
 
 }  // namespace contactscope::vector

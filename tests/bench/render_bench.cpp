@@ -16,6 +16,8 @@
 #include "overlay/panels.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
+#include "vector/pdf.h"
+#include "vector/svg.h"
 
 namespace contactscope {
 namespace {
@@ -103,6 +105,32 @@ void panels(benchmark::State& state) {
   }
 }
 BENCHMARK(panels)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// A picture of a sequence: the subset of its font was made for one before it.
+void svg(benchmark::State& state, const Prepared& (*scene)()) {
+  const draw::Drawing drawing = draw::illustrate(scene().staging, scene().frames.back());
+  vector::FontFaces faces;
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    const std::string text = vector::svg_of(drawing, {.fonts = &faces});
+    bytes = text.size();
+  }
+  state.counters["kB"] = static_cast<double>(bytes) / 1000;
+}
+BENCHMARK_CAPTURE(svg, two_boxes, prepared)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(svg, ten_thousand_triangles, prepared_terrain)->Unit(benchmark::kMillisecond);
+
+void svg_with_a_new_font(benchmark::State& state) {
+  const draw::Drawing drawing = draw::illustrate(prepared().staging, prepared().frames.back());
+  for (auto _ : state) benchmark::DoNotOptimize(vector::svg_of(drawing));
+}
+BENCHMARK(svg_with_a_new_font)->Unit(benchmark::kMillisecond);
+
+void pdf(benchmark::State& state) {
+  const draw::Drawing drawing = draw::illustrate(prepared().staging, prepared().frames.back());
+  for (auto _ : state) benchmark::DoNotOptimize(vector::pdf_of(drawing));
+}
+BENCHMARK(pdf)->Unit(benchmark::kMillisecond);
 
 Image picture() {
   Image result;

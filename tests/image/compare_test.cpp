@@ -142,6 +142,17 @@ TEST(ComparePixels, CatchesManyScatteredPixels) {
   EXPECT_EQ(compare_pixels(scene(), speckled(101)).verdict, PixelVerdict::Different);
 }
 
+TEST(ComparePixels, TakesOtherLimits) {
+  Image other = scene();
+  for (int x = 100; x < 112; ++x) channel(other, x, 10, 2) ^= 0x20;
+  EXPECT_FALSE(compare_pixels(scene(), other).passed());
+  EXPECT_TRUE(compare_pixels(scene(), other, {.cluster = 13}).passed());
+  EXPECT_FALSE(compare_pixels(scene(), other, {.cluster = 12}).passed());
+  EXPECT_FALSE(compare_pixels(scene(), other, {.cluster = 13, .total = 11}).passed());
+  EXPECT_TRUE(compare_pixels(scene(), other, {.channel = 0x20}).passed());
+  EXPECT_FALSE(compare_pixels(scene(), other, {.channel = 0x1F}).passed());
+}
+
 TEST(ComparePixels, JoinsADiagonalAcrossTheBorders) {
   Image diagonal = scene();
   for (int i = 0; i < 8; ++i) channel(diagonal, 239 - i, i, 0) ^= 0x80;

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <future>
+
+#include "draw/staging.h"
+#include "gl/context.h"
+#include "gl/rasterizer.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "overlay/panels.h"
+#include "scenario/run.h"
+#include "scenario/scenario.h"
+#include "support/temporary_folder.h"
+#include "vector/pdf.h"
+#include "vector/svg.h"
+
+/// Every scenario's first stored picture as SVG and PDF, read by librsvg and poppler, which share no code
+/// with ours, and held against our pixels.
+namespace contactscope::vector {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 360;
+
+/// Half as large: each pixel the mean of four. Soft edges, and letters that stand a part of a pixel
+/// elsewhere, weigh less; what is missing, misplaced or of another colour does not.
+Image halved(const Image& image) {
+  Image half(image.width / 2, image.height / 2);
+  const auto at = [&](int x, int y, int channel) {
+    return int{image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                              static_cast<std::size_t>(x)) +
+                         static_cast<std::size_t>(channel)]};
+  };
+  auto out = half.rgb.begin();
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      for (int channel = 0; channel < 3; ++channel)
+        *out++ = static_cast<std::uint8_t>(
+            (at(2 * x, 2 * y, channel) + at(2 * x + 1, 2 * y, channel) +
+             at(2 * x, 2 * y + 1, channel) + at(2 * x + 1, 2 * y + 1, channel) + 2) /
+            4);
+    }
+  }
+  return half;
+}
+
+struct Limits {
+  PixelLimits pixels;
+  const char* reader;
+};
+constexpr Limits kSvgLimits{{.channel = 64, .cluster = 12, .total = 200}, "rsvg-convert"};
+constexpr Limits kPdfLimits{{.channel = 64, .cluster = 12, .total = 200}, "pdftoppm"};
+
+/// The pictures of one scenario, on their way through the two programs.
+struct Trial {
+  std::string name;
+  std::string stem;  // of the files, without ".svg"
+  Image ours;
+};
+
+/// Says what is wrong; empty where nothing is.
+std::string judge(const Trial& trial, const std::string& file, const Limits& limits) {
+  const Image theirs = read_png(file);
+  const PixelComparison found = compare_pixels(halved(trial.ours), halved(theirs), limits.pixels);
+  if (std::getenv("CONTACTSCOPE_LOOK") != nullptr) {
+    std::fprintf(stderr, "%s %s differing %d cluster %d most %d\n", trial.name.c_str(),
+                 limits.reader, found.differing, found.largest_cluster,
+                 found.largest_channel_difference);
+  }
+  if (found.passed()) return {};
+  const PixelBox& box = found.largest_cluster_at;
+  return trial.name + ", as " + limits.reader + " shows it: " + std::to_string(found.differing) +
+         " pixels of the halved picture differ, " + std::to_string(found.largest_cluster) +
+         " of them in one place, at " + std::to_string(2 * box.left) + ", " +
+         std::to_string(2 * box.top) + "\n";
+}
+
+std::string judged(const Trial& trial) {
+  const std::string& stem = trial.stem;
+  const std::string command = "rsvg-convert '" + stem + ".svg' -o '" + stem +
+                              "_svg.png' && pdftoppm -r 96 -png -singlefile '" + stem + ".pdf' '" +
+                              stem + "_pdf'";
+  if (std::system(command.c_str()) != 0) return trial.name + ": failed: " + command + "\n";
+  return judge(trial, stem + "_svg.png", kSvgLimits) + judge(trial, stem + "_pdf.png", kPdfLimits);
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// The first stored picture of a scenario's first view.
+draw::Drawing picture_of(const Scenario& scenario) {
+  const View& view = scenario.views.front();
+  Runner runner(scenario, draw::stages_shown({view}));
+  const trace::Header header = runner.header();
+  std::vector<trace::Frame> frames;
+  for (int number = 0; number <= scenario.snapshots.frames.front(); ++number)
+    frames.push_back(runner.frame(number));
+  const draw::Staging staging = draw::stage(header, frames, view, kWidth, kHeight);
+  draw::Drawing drawing = draw::illustrate(staging, frames.back());
+  if (!staging.view.panels.empty()) {
+    overlay::PanelColumn(staging, frames).add({frames.size() - 1, {}}, drawing);
+  }
+  return drawing;
+}
+
+TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
+  // For looking at: the folder stays.
+  const char* kept = std::getenv("CONTACTSCOPE_LOOK");
+  const TemporaryFolder folder;
+  const std::filesystem::path out = kept != nullptr ? kept : folder.path();
+  std::filesystem::create_directories(out);
+  const std::filesystem::path scenarios = CONTACTSCOPE_SOURCE_DIR "/scenarios";
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(scenarios))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  ASSERT_GT(files.size(), 60u);
+
+  const auto context = gl::open_context(gl::Backend::Auto);
+  gl::Rasterizer rasterizer(*context, kWidth, kHeight);
+  FontFaces faces;
+  std::deque<std::future<std::string>> under_way;  // one a processor, while the next is drawn
+  const auto take_first = [&] {
+    const std::string wrong = under_way.front().get();
+    under_way.pop_front();
+    EXPECT_TRUE(wrong.empty()) << wrong;
+  };
+  for (const std::filesystem::path& file : files) {
+    const Scenario scenario = load_scenario(file.string());
+    if (scenario.views.empty() || scenario.snapshots.frames.empty()) continue;
+    const draw::Drawing drawing = picture_of(scenario);
+    rasterizer.paint(drawing);
+    Trial trial{std::filesystem::relative(file, scenarios).string(), {}, rasterizer.read()};
+    std::string flat = trial.name;
+    std::ranges::replace(flat, '/', '_');
+    trial.stem = (out / flat).string();
+    write(trial.stem + ".svg", svg_of(drawing, {.fonts = &faces}));
+    write(trial.stem + ".pdf", pdf_of(drawing));
+    if (kept != nullptr) write_png(trial.stem + "_ours.png", trial.ours);
+    if (under_way.size() >= 2) take_first();
+    under_way.push_back(std::async(std::launch::async, judged, std::move(trial)));
+  }
+  while (!under_way.empty()) take_first();
+}
+
+}  // namespace
+}  // namespace contactscope::vector
