@@ -2,8 +2,6 @@
 
 #include <hb-subset.h>
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <span>
 
@@ -62,24 +60,36 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+std::string family(std::size_t number) {
+  return number == 0 ? "Roboto" : "contactscope-font-" + std::to_string(number);
+}
+
 }  // namespace
+
+std::string families(const UsedCharacters& used) {
+  std::set<std::size_t> numbers = {0};
+  for (const auto& [font, characters] : used) numbers.insert(font.number);
+  std::string list;
+  for (const std::size_t number : numbers) list += family(number) + ", ";
+  return list + "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif";
+}
 
 void add_characters(const draw::Drawing& drawing, UsedCharacters& used) {
   for (const draw::Primitive& primitive : drawing.primitives) {
     const auto* text = std::get_if<draw::Text>(&primitive);
     if (text == nullptr || text->text.empty()) continue;
-    std::ranges::copy(code_points(text->text),
-                      std::inserter(used[text->weight], used[text->weight].end()));
+    for (const char32_t code : code_points(text->text))
+      used[{text->weight, font_for(code, text->weight)}].insert(code);
   }
 }
 
-std::string font_subset(FontWeight weight, const std::set<char32_t>& characters) {
+std::string font_subset(const FontKey& font, const std::set<char32_t>& characters) {
   const HarfBuzz& hb = harfbuzz();
   const auto owned = [](auto* object, auto* destroy) {
     return std::unique_ptr<std::remove_pointer_t<decltype(object)>, decltype(destroy)>(object,
                                                                                        destroy);
   };
-  const std::span<const unsigned char> data = font_data(weight);
+  const std::span<const unsigned char> data = font_data(font.weight, font.number);
   const auto whole_file = owned(hb.hb_blob_create(reinterpret_cast<const char*>(data.data()),
                                                   static_cast<unsigned>(data.size()),
                                                   HB_MEMORY_MODE_READONLY, nullptr, nullptr),
@@ -116,8 +126,8 @@ std::string FontFaces::css(const UsedCharacters& used) {
   for (const auto& key : used) {
     std::string& rule = rules_[key];
     if (rule.empty()) {
-      rule = std::string("@font-face{font-family:") + kFontFamily +
-             ";font-weight:" + (key.first == FontWeight::Bold ? "700" : "400") +
+      rule = "@font-face{font-family:" + family(key.first.number) +
+             ";font-weight:" + (key.first.weight == FontWeight::Bold ? "700" : "400") +
              ";src:url(data:font/ttf;base64," + base64(font_subset(key.first, key.second)) + ")}";
     }
     css += rule;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <set>
@@ -18,21 +20,30 @@ class MissingLibrary : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The characters that texts use, of each weight.
-using UsedCharacters = std::map<FontWeight, std::set<char32_t>>;
+/// A font by its weight and number (image/font.h): 0 is the embedded one, others came with --font.
+struct FontKey {
+  FontWeight weight = FontWeight::Regular;
+  std::size_t number = 0;
+
+  FontKey(FontWeight of, std::size_t which = 0) : weight(of), number(which) {}
+  friend auto operator<=>(const FontKey&, const FontKey&) = default;
+};
+
+/// The characters that texts use, of each font.
+using UsedCharacters = std::map<FontKey, std::set<char32_t>>;
 
 /// Adds those of a drawing's texts.
 void add_characters(const draw::Drawing& drawing, UsedCharacters& used);
 
-/// The embedded font with the glyphs of these characters alone, as a TrueType file without kerning and
+/// A font with the glyphs of these characters alone, as a TrueType file without kerning and
 /// ligatures: digits stay tabular, as in pixels. Equal sets give equal bytes. Uses libharfbuzz-subset,
 /// which is opened at the first call; throws MissingLibrary where there is none.
-std::string font_subset(FontWeight weight, const std::set<char32_t>& characters);
+std::string font_subset(const FontKey& font, const std::set<char32_t>& characters);
 
 /// Opens libharfbuzz-subset, which font_subset() would do at its first call; throws MissingLibrary.
 void require_font_subsets();
 
-/// CSS that embeds the font's subsets: @font-face rules with data URLs, for the family kFontFamily. A
+/// CSS that embeds subsets of fonts: @font-face rules with data URLs, for the families of families(). A
 /// sequence's pictures use the same letters again and again: rules are kept. Several threads may ask at
 /// once.
 class FontFaces {
@@ -41,12 +52,11 @@ class FontFaces {
 
  private:
   std::mutex mutex_;
-  std::map<std::pair<FontWeight, std::set<char32_t>>, std::string> rules_;
+  std::map<std::pair<FontKey, std::set<char32_t>>, std::string> rules_;
 };
 
-/// What texts ask for: the embedded font, else what looks most like it.
-inline constexpr const char* kFontFamily = "Roboto";
-inline constexpr const char* kFontFamilies =
-    "Roboto, 'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif";
+/// What texts ask for, as CSS lists it: the embedded font, those that stand in for it, else what looks
+/// most like it.
+std::string families(const UsedCharacters& used);
 
 }  // namespace contactscope::vector

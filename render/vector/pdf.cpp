@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdlib>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -50,30 +52,49 @@ void check(cairo_status_t status) {
 template <class Object>
 using Owned = std::unique_ptr<Object, void (*)(Object*)>;
 
-/// The embedded font for cairo, which keeps what it has read of a face for longer than a picture lives.
-struct Fonts {
-  FT_Library library = nullptr;
-  std::array<FT_Face, 2> faces{};
-  std::array<cairo_font_face_t*, 2> for_cairo{};
+/// A font for FreeType and for cairo, which keeps what it has read for longer than a picture lives.
+struct Typeface {
+  FT_Face face = nullptr;
+  cairo_font_face_t* for_cairo = nullptr;
+};
 
+/// All fonts of the program, each opened when it is first asked for.
+class Fonts {
+ public:
   Fonts() {
-    const CairoFunctions& c = cairo();
-    if (c.FT_Init_FreeType(&library) != 0) throw std::runtime_error("PDF: FreeType does not start");
-    for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold}) {
-      const std::span<const unsigned char> data = font_data(weight);
-      const auto i = static_cast<std::size_t>(weight);
-      if (c.FT_New_Memory_Face(library, data.data(), static_cast<FT_Long>(data.size()), 0,
-                               &faces[i]) != 0)
-        throw std::runtime_error("PDF: FreeType does not read the font");
-      for_cairo[i] = c.cairo_ft_font_face_create_for_ft_face(faces[i], 0);
-    }
+    if (cairo().FT_Init_FreeType(&library_) != 0)
+      throw std::runtime_error("PDF: FreeType does not start");
   }
+
+  const Typeface& find(const FontKey& key) {
+    Typeface& typeface = typefaces_[key];
+    if (typeface.for_cairo != nullptr) return typeface;
+    const std::span<const unsigned char> data = font_data(key.weight, key.number);
+    if (cairo().FT_New_Memory_Face(library_, data.data(), static_cast<FT_Long>(data.size()), 0,
+                                   &typeface.face) != 0)
+      throw std::runtime_error("PDF: FreeType does not read the font");
+    typeface.for_cairo = cairo().cairo_ft_font_face_create_for_ft_face(typeface.face, 0);
+    return typeface;
+  }
+
+ private:
+  FT_Library library_ = nullptr;
+  std::map<FontKey, Typeface> typefaces_;
+};
+
+/// Letters in a row of one font, each told with the bytes of text that it stands for, so that a viewer
+/// copies the text.
+struct GlyphRun {
+  FontKey font;
+  std::vector<cairo_glyph_t> glyphs{};
+  std::vector<cairo_text_cluster_t> clusters{};
+  std::string utf8{};
 };
 
 struct PdfWriter {
   const CairoFunctions& c;
   cairo_t* page;
-  const Fonts& fonts;
+  Fonts& fonts;
 
   void set_color(const Color& color) const {
     c.cairo_set_source_rgba(page, color.r, color.g, color.b, color.a);
@@ -127,34 +148,47 @@ struct PdfWriter {
     c.cairo_stroke(page);
   }
 
-  // Each letter is told with the bytes of text that it stands for, so that a viewer copies the text.
   void add(const PlacedText& placed) const {
     const Text& text = *placed.text;
-    const auto weight = static_cast<std::size_t>(text.weight);
-    std::vector<cairo_glyph_t> glyphs;
-    std::vector<cairo_text_cluster_t> clusters;
-    std::string utf8;
-    double pen = placed.left.x;
-    for (const char32_t code : code_points(text.text)) {
-      glyphs.push_back({c.FT_Get_Char_Index(fonts.faces[weight], code), pen, placed.left.y});
-      const std::size_t before = utf8.size();
-      add_utf8(code, utf8);
-      clusters.push_back({static_cast<int>(utf8.size() - before), 1});
-      pen += static_cast<double>(advance(code, text.size, text.weight));
-    }
-    const int count = static_cast<int>(glyphs.size());
-    c.cairo_set_font_face(page, fonts.for_cairo[weight]);
+    const std::vector<GlyphRun> runs = runs_of(placed);
     c.cairo_set_font_size(page, em_size(text.size, text.weight));
     if (text.halo > 0 && text.halo_color.a > 0) {
       set_color(text.halo_color);
       c.cairo_set_line_width(page, 2 * text.halo);
       c.cairo_set_dash(page, nullptr, 0, 0);
-      c.cairo_glyph_path(page, glyphs.data(), count);
+      for (const GlyphRun& run : runs) {
+        c.cairo_set_font_face(page, fonts.find(run.font).for_cairo);
+        c.cairo_glyph_path(page, run.glyphs.data(), static_cast<int>(run.glyphs.size()));
+      }
       c.cairo_stroke(page);
     }
     set_color(text.color);
-    c.cairo_show_text_glyphs(page, utf8.data(), static_cast<int>(utf8.size()), glyphs.data(), count,
-                             clusters.data(), count, static_cast<cairo_text_cluster_flags_t>(0));
+    for (const GlyphRun& run : runs) {
+      const int count = static_cast<int>(run.glyphs.size());
+      c.cairo_set_font_face(page, fonts.find(run.font).for_cairo);
+      c.cairo_show_text_glyphs(page, run.utf8.data(), static_cast<int>(run.utf8.size()),
+                               run.glyphs.data(), count, run.clusters.data(), count,
+                               static_cast<cairo_text_cluster_flags_t>(0));
+    }
+  }
+
+  std::vector<GlyphRun> runs_of(const PlacedText& placed) const {
+    const Text& text = *placed.text;
+    std::vector<GlyphRun> runs;
+    double pen = placed.left.x;
+    for (const char32_t code : code_points(text.text)) {
+      const FontKey font{text.weight, font_for(code, text.weight)};
+      if (runs.empty() || runs.back().font != font) runs.push_back({font});
+      GlyphRun& run = runs.back();
+      // What no font has is a question mark, as in pixels.
+      const char32_t drawn = has_glyph(code, text.weight) ? code : U'?';
+      run.glyphs.push_back({c.FT_Get_Char_Index(fonts.find(font).face, drawn), pen, placed.left.y});
+      const std::size_t before = run.utf8.size();
+      add_utf8(code, run.utf8);
+      run.clusters.push_back({static_cast<int>(run.utf8.size() - before), 1});
+      pen += static_cast<double>(advance(code, text.size, text.weight));
+    }
+    return runs;
   }
 
   static void add_utf8(char32_t code, std::string& out) {
@@ -207,9 +241,9 @@ std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const CairoFunctions& c = cairo();
-  static const Fonts fonts;
+  static Fonts fonts;
   std::string bytes;
-  const double scale = options.points_per_pixel;
+  const double scale = drawing.points_per_pixel;
   const Owned<cairo_surface_t> surface(
       c.cairo_pdf_surface_create_for_stream(write_to, &bytes, scale * drawing.width,
                                             scale * drawing.height),

@@ -13,6 +13,8 @@
 namespace contactscope::vector {
 namespace {
 
+constexpr double kPixelOfCss = 0.75;  // points
+
 /// The data of a path, with steps from point to point in whole hundredths of a pixel, so that nothing
 /// adds up.
 class PathData {
@@ -84,9 +86,11 @@ struct SvgWriter {
   const SvgOptions& options;
   std::string out{};
   std::map<std::string, int> ids{};  // how often each was given
+  UsedCharacters used{};
 
   std::string write() {
     out.reserve(64 * drawing.primitives.size() + 40'000);
+    add_characters(drawing, used);
     begin_file();
     for (const Group& group : groups_of(drawing)) add(group);
     out += "</svg>\n";
@@ -116,10 +120,16 @@ struct SvgWriter {
     const std::string width = std::to_string(drawing.width);
     const std::string height = std::to_string(drawing.height);
     out += "<svg xmlns=\"http://www.w3.org/2000/svg\"";
-    attribute("width", options.width.empty() ? width : options.width);
-    attribute("height", options.height.empty() ? height : options.height);
+    const double points = drawing.points_per_pixel;
+    const bool pixels = std::abs(points - kPixelOfCss) < 1e-6;
+    const auto size = [&](const std::string& asked, int length) {
+      if (!asked.empty()) return asked;
+      return pixels ? std::to_string(length) : number(points * length) + "pt";
+    };
+    attribute("width", size(options.width, drawing.width));
+    attribute("height", size(options.height, drawing.height));
     attribute("viewBox", "0 0 " + width + " " + height);
-    attribute("font-family", kFontFamilies);
+    attribute("font-family", families(used));
     attribute("stroke-linejoin", "round");
     if (!options.id_prefix.empty()) attribute("id", options.id_prefix + "picture");
     out += ">\n";
@@ -154,8 +164,6 @@ struct SvgWriter {
   // Digits keep their places: no kerning, and no ligatures.
   void add_style() {
     if (!options.embed_font) return;
-    UsedCharacters used;
-    add_characters(drawing, used);
     FontFaces own;
     FontFaces& fonts = options.fonts != nullptr ? *options.fonts : own;
     out += "<style>text{font-kerning:none;font-variant-ligatures:none}" + fonts.css(used) +

@@ -13,7 +13,7 @@ struct SvgOptions {
   FontFaces* fonts = nullptr;             // of the sequence; null: of this picture alone
   bool embed_font = true;                 // false: in a page that has the font once
   std::string id_prefix{};                // before every id, where several stand in one page
-  /// Of the whole picture where it is asked for in a unit, "84mm"; empty: its pixels.
+  /// Of the whole picture, as SVG spells lengths; empty: as large as its pixels are on paper.
   std::string width{}, height{};
 };
 
@@ -25,7 +25,8 @@ struct SvgOptions {
 /// - Live text in the embedded font, of which it holds the letters that it uses, each weight by itself.
 /// - Nothing that is not seen (pieces.h). Neighbouring polygons of surfaces are painted without soft
 ///   edges, as in pixels, so that no seam shows.
-/// - Places with two decimals; equal drawings give equal bytes.
+/// - Places with two decimals; equal drawings give equal bytes. It is as large as the drawing's pixels
+///   are on paper: in pixels of CSS, or in points where they are of another size.
 ///
 /// Throws MissingLibrary where the font is to be embedded and libharfbuzz-subset is not installed.
 std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options = {});

@@ -35,7 +35,7 @@ struct Font {
 
 TEST(FontSubset, HoldsTheLettersAskedForAndNoOthers) {
   for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold}) {
-    const Font font(font_subset(weight, {U'a', U'7', U'²', U'−'}));
+    const Font font(font_subset({weight, 0}, {U'a', U'7', U'²', U'−'}));
     ASSERT_TRUE(font.readable);
     for (const char32_t code : {U'a', U'7', U'²', U'−'})
       EXPECT_TRUE(font.has(code)) << static_cast<unsigned>(code);
@@ -49,7 +49,7 @@ TEST(FontSubset, HoldsTheLettersAskedForAndNoOthers) {
 }
 
 TEST(FontSubset, HasNoKerning) {
-  const Font font(font_subset(FontWeight::Regular, {U'A', U'V'}));
+  const Font font(font_subset({FontWeight::Regular, 0}, {U'A', U'V'}));
   ASSERT_TRUE(font.readable);
   EXPECT_EQ(stbtt_GetCodepointKernAdvance(&font.info, 'A', 'V'), 0);
   EXPECT_EQ(font.info.gpos, 0);
@@ -57,8 +57,8 @@ TEST(FontSubset, HasNoKerning) {
 
 TEST(FontSubset, EqualSetsGiveEqualBytes) {
   const std::set<char32_t> some = {U'x', U'y', U'0'};
-  EXPECT_EQ(font_subset(FontWeight::Bold, some), font_subset(FontWeight::Bold, some));
-  EXPECT_NE(font_subset(FontWeight::Bold, some), font_subset(FontWeight::Regular, some));
+  EXPECT_EQ(font_subset({FontWeight::Bold, 0}, some), font_subset({FontWeight::Bold, 0}, some));
+  EXPECT_NE(font_subset({FontWeight::Bold, 0}, some), font_subset({FontWeight::Regular, 0}, some));
 }
 
 TEST(FontFaces, HaveEachWeightThatIsUsed) {
@@ -73,7 +73,7 @@ TEST(FontFaces, HaveEachWeightThatIsUsed) {
   drawing.primitives.push_back(draw::Text{"c", {1, 1}, 14, draw::Weight::Bold});
   add_characters(drawing, used);
   EXPECT_THAT(faces.css(used), testing::HasSubstr("font-weight:700"));
-  EXPECT_THAT(used[FontWeight::Regular], testing::ElementsAre(U'a', U'b'));
+  EXPECT_THAT((used[{FontWeight::Regular, 0}]), testing::ElementsAre(U'a', U'b'));
 }
 
 }  // namespace

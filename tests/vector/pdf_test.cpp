@@ -24,7 +24,9 @@ TEST(Pdf, OnePageWithItsFontAndItsSize) {
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 960 540 ]"));
   EXPECT_THAT(pdf, HasSubstr("Roboto"));
   EXPECT_THAT(pdf, HasSubstr("/ToUnicode"));
-  EXPECT_THAT(pdf_of(sample(), {.points_per_pixel = 0.5}), HasSubstr("/MediaBox [ 0 0 640 360 ]"));
+  draw::Drawing smaller = sample();
+  smaller.points_per_pixel = 0.5;
+  EXPECT_THAT(pdf_of(smaller), HasSubstr("/MediaBox [ 0 0 640 360 ]"));
 }
 
 TEST(Pdf, EqualDrawingsGiveEqualBytesWithAPinnedDate) {

@@ -88,6 +88,14 @@ TEST(Svg, OriginIsInTheMetadata) {
   EXPECT_THAT(svg, HasSubstr("software=\"contactscope 1.2.3\""));
 }
 
+TEST(Svg, ASizeOnPaperIsInPoints) {
+  draw::Drawing drawing{.width = 992, .height = 500};
+  EXPECT_THAT(svg_of(drawing), HasSubstr("width=\"992\" height=\"500\" viewBox=\"0 0 992 500\""));
+  drawing.points_per_pixel = 0.24;  // 300 pixels an inch: 84 mm
+  EXPECT_THAT(svg_of(drawing),
+              HasSubstr("width=\"238.08pt\" height=\"120pt\" viewBox=\"0 0 992 500\""));
+}
+
 TEST(Svg, NoPlaceIsOutsideOfTheCanvas) {
   const Sample sample;
   const std::string svg = svg_of(sample.drawing);
