@@ -243,7 +243,7 @@ std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
   const CairoFunctions& c = cairo();
   static Fonts fonts;
   std::string bytes;
-  const double scale = options.points_per_pixel.value_or(drawing.points_per_pixel);
+  const double scale = drawing.points_per_pixel;
   const Owned<cairo_surface_t> surface(
       c.cairo_pdf_surface_create_for_stream(write_to, &bytes, scale * drawing.width,
                                             scale * drawing.height),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "draw/scene/drawing.h"
@@ -9,8 +8,7 @@
 namespace contactscope::vector {
 
 struct PdfOptions {
-  const PictureOrigin* origin = nullptr;     // written as metadata
-  std::optional<double> points_per_pixel{};  // instead of the drawing's own
+  const PictureOrigin* origin = nullptr;  // written as metadata
 };
 
 /// Opens libcairo, which pdf_of() would do at its first call; throws MissingLibrary (font_subset.h) where

@@ -38,13 +38,13 @@ TEST(Pdf, EqualDrawingsGiveEqualBytesWithAPinnedDate) {
 }
 
 TEST(Pdf, OriginIsInTheMetadata) {
-  const PictureOrigin origin{"1.2.3",
-                             "hull/face_contact",
-                             "Boxes",
-                             3,
-                             "main",
-                             "ab12",
-                             "contactscope render hull/face_contact"};
+  const PictureOrigin origin{.version = "1.2.3",
+                             .scenario = "hull/face_contact",
+                             .title = "Boxes",
+                             .frame = 3,
+                             .view = "main",
+                             .sha256 = "ab12",
+                             .command = "contactscope render hull/face_contact"};
   const std::string pdf = pdf_of(sample(), {.origin = &origin});
   EXPECT_THAT(pdf, HasSubstr("/Title (Boxes)"));
   EXPECT_THAT(pdf, HasSubstr("/Subject (contactscope render hull/face_contact)"));

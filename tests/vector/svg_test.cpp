@@ -73,13 +73,13 @@ TEST(Svg, EqualDrawingsGiveEqualBytes) {
 
 TEST(Svg, OriginIsInTheMetadata) {
   const Sample sample;
-  const PictureOrigin origin{"1.2.3",
-                             "hull/face_contact",
-                             "Boxes <and> crates",
-                             3,
-                             "main",
-                             "ab12",
-                             "contactscope render hull/face_contact --frames 3"};
+  const PictureOrigin origin{.version = "1.2.3",
+                             .scenario = "hull/face_contact",
+                             .title = "Boxes <and> crates",
+                             .frame = 3,
+                             .view = "main",
+                             .sha256 = "ab12",
+                             .command = "contactscope render hull/face_contact --frames 3"};
   const std::string svg = svg_of(sample.drawing, {.origin = &origin});
   EXPECT_THAT(svg, HasSubstr("<title>Boxes &lt;and&gt; crates</title>"));
   EXPECT_THAT(svg, HasSubstr("command=\"contactscope render hull/face_contact --frames 3\""));

@@ -1,4 +1,6 @@
 #include "app/formats/rows.h"
+#include "app/verbs.h"
+#include "vector/font_subset.h"
 #include "vector/pdf.h"
 
 namespace contactscope::app {
@@ -9,10 +11,16 @@ const Format kPdfFormat{
     .what = "a page of vectors, a file a frame",
     .encode =
         [](const Shot& shot) {
-          const std::string pdf = vector::pdf_of(
-              *shot.drawing,
-              {.origin = &shot.origin, .points_per_pixel = shot.drawing->points_per_pixel});
+          const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});
           return std::vector<std::uint8_t>(pdf.begin(), pdf.end());
+        },
+    .require =
+        [] {
+          try {
+            vector::require_pdf();
+          } catch (const vector::MissingLibrary& missing) {
+            throw UsageError(std::string("--format pdf: ") + missing.what());
+          }
         },
 };
 

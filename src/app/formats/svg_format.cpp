@@ -1,21 +1,8 @@
-#include <cstdio>
-
 #include "app/formats/rows.h"
+#include "app/verbs.h"
 #include "vector/svg.h"
 
 namespace contactscope::app {
-namespace {
-
-/// "238.11pt" of what has a size on paper; empty where a pixel is one of the screen, as SVG takes it.
-std::string on_paper(int pixels, double points_per_pixel) {
-  constexpr double kOfScreen = 0.75;
-  if (points_per_pixel == kOfScreen) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2fpt", pixels * points_per_pixel);
-  return text;
-}
-
-}  // namespace
 
 const Format kSvgFormat{
     .name = "svg",
@@ -23,12 +10,18 @@ const Format kSvgFormat{
     .what = "vectors with live text, a file a frame",
     .encode =
         [](const Shot& shot) {
-          const draw::Drawing& drawing = *shot.drawing;
-          vector::SvgOptions options{.origin = &shot.origin};
-          options.width = on_paper(drawing.width, drawing.points_per_pixel);
-          options.height = on_paper(drawing.height, drawing.points_per_pixel);
-          const std::string svg = vector::svg_of(drawing, options);
+          static vector::FontFaces faces;  // a run's pictures use the same letters
+          const std::string svg =
+              vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
           return std::vector<std::uint8_t>(svg.begin(), svg.end());
+        },
+    .require =
+        [] {
+          try {
+            vector::require_font_subsets();
+          } catch (const vector::MissingLibrary& missing) {
+            throw UsageError(std::string("--format svg: ") + missing.what());
+          }
         },
 };
 
