@@ -70,9 +70,8 @@ void tell_idle(const std::string& file, const std::vector<std::string>& layers) 
             << "; src/trace/README.md says what a trace needs for it\n";
 }
 
-/// Of a trace that has none: what is drawn, and whose contacts these are.
+/// Of an engine's trace that has none: what is drawn, and whose contacts these are.
 std::string title_of(const trace::Header& header) {
-  if (header.engine.empty()) return header.scenario;
   return header.scenario + ": contacts of " + header.engine +
          (header.version.empty() ? "" : " " + header.version);
 }
@@ -83,7 +82,9 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
   Sequence sequence;
   if (input.trace) {
     sequence = std::move(*input.trace);
-    if (sequence.header.title.empty()) sequence.header.title = title_of(sequence.header);
+    // Of this program's own an author left the title out.
+    if (sequence.header.title.empty() && !sequence.header.engine.empty())
+      sequence.header.title = title_of(sequence.header);
     ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");
   } else {
     const trace::Stages stages = draw::stages_shown(views);

@@ -82,6 +82,17 @@ TEST(FigurePictures, AnEmptyTitleIsAllowed) {
   const ProgramRun result =
       run("render '" + file + "' --size 160x90 --out '" + (folder / "out") + "'");
   EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string trace = folder.write("my/box.jsonl", run("trace '" + file + "'").out);
+  EXPECT_EQ(run("render '" + trace + "' --panels none --layers shapes --size 160x90 --out '" +
+                (folder / "of_trace") + "'")
+                .exit_code,
+            0);
+  ASSERT_EQ(run("render '" + file + "' --panels none --layers shapes --size 160x90 --out '" +
+                (folder / "out") + "'")
+                .exit_code,
+            0);
+  EXPECT_EQ(read_png(folder / "of_trace/my/box/frame_0001.png"),
+            read_png(folder / "out/my/box/frame_0001.png"));
 }
 
 }  // namespace
