@@ -17,6 +17,11 @@ struct Figure : CrateOnSlab {
   FigureStyle style;
   int width = 1280, height = 720;
 
+  Figure legended() const {
+    Figure figure = *this;
+    figure.view.layers = {Layer::Shapes, Layer::Contacts};
+    return figure;
+  }
   Staging staged() const { return stage(header, frames, view, width, height, style); }
   Drawing drawn() const { return illustrate(staged(), frames[0]); }
 };
@@ -40,7 +45,9 @@ TEST(FigureStyle, WhatIsLeftOutGivesItsRoomToTheView) {
   EXPECT_THAT(crate_sample::texts(figure.drawn()), Not(Contains("A crate on a slab")));
   figure = {};
   figure.style.legend = false;
-  EXPECT_GT(figure.staged().layout.view.height, all.height);
+  figure.view.layers = {Layer::Shapes, Layer::Contacts};
+  const double with_legend = Figure().legended().staged().layout.view.height;
+  EXPECT_GT(figure.staged().layout.view.height, with_legend);
   figure = {};
   figure.style.footer = false;
   EXPECT_GT(figure.staged().layout.view.bottom(), all.bottom());
@@ -77,6 +84,7 @@ TEST(FigureStyle, WideFiguresKeepPanelsBeside) {
   figure.width = 2126;  // 180 mm
   figure.height = 1200;
   figure.style.type = type_of_em(8.0 / 72 * 300);
+  figure.style.margin = 2;
   figure.view.panels = {Panel::Summary};
   const Layout layout = figure.staged().layout;
   EXPECT_GE(layout.panels.x, layout.view.right());
@@ -108,7 +116,7 @@ TEST(FigureStyle, ScaleIsOfTypeAndLines) {
 TEST(FigureStyle, WordsAreReplacedWhereTheyEnterAndMeasuredSo) {
   Figure figure;
   Words words;
-  const std::string long_word = "Normale von A nach B" + std::string(120, '!');
+  const std::string long_word = "Normale von A nach B" + std::string(80, 'W');
   words.replace("normal, from A to B", long_word);
   words.replace("frame {n}, t = {m}", "Bild {n} bei {m}");
   words.replace("A crate on a slab", "Eine Kiste");
@@ -143,9 +151,11 @@ TEST(Moments, StoriesAndCountedFramesTellSteps) {
 TEST(Camera, OrthographicWithoutAHeightIsFitted) {
   Figure figure;
   figure.view.orthographic_height = 0;
-  const Camera camera = figure.staged().camera;
+  const Staging staging = figure.staged();
+  const Camera& camera = staging.camera;
   EXPECT_FALSE(camera.is_perspective());
-  for (const PlacedShape& shape : scene_of(figure.staged(), figure.frames[0]).shapes) {
+  const Scene scene = scene_of(staging, figure.frames[0]);
+  for (const PlacedShape& shape : scene.shapes) {
     if (shape.traced().name != "crate") continue;
     for (const Vec3d& vertex : shape.vertices) EXPECT_TRUE(camera.project(vertex).has_value());
   }
