@@ -60,7 +60,8 @@ bool match(const std::vector<std::string>& pieces, std::size_t piece, std::strin
   const std::string& name = pieces[piece + 1];
   const std::string& next = pieces[piece + 2];
   const bool is_last = piece + 3 == pieces.size();
-  for (std::size_t end = 1; end <= text.size(); ++end) {
+  // The "{from 12}" of a title is filled with nothing.
+  for (std::size_t end = name.starts_with("from ") ? 0 : 1; end <= text.size(); ++end) {
     if (is_last && next.empty()) end = text.size();
     if (!text.substr(end).starts_with(next)) continue;
     const std::string_view found = text.substr(0, end);

@@ -235,7 +235,20 @@ toml::table scenario_file::read_document(const std::string& path) {
 }
 
 std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
-  std::vector<std::string_view> names = {scenario.title, scenario.source};
+  std::vector<std::string_view> names = {scenario.source};
+  // Each alternative of a title; what its placeholders are filled with stands in the word's braces.
+  const auto add_title = [&](std::string_view title) {
+    constexpr std::string_view kParted = " | ";
+    while (!title.empty()) {
+      const std::size_t end = std::min(title.find(kParted), title.size());
+      names.push_back(title.substr(0, end));
+      title.remove_prefix(std::min(end + kParted.size(), title.size()));
+    }
+  };
+  add_title(scenario.title);
+  for (const View& view : scenario.views) {
+    if (view.title) add_title(*view.title);
+  }
   for (const ScenarioShape& shape : scenario.shapes) names.push_back(shape.name);
   for (const ScenarioPair& pair : scenario.pairs) names.push_back(pair.label);
   std::erase(names, "");

@@ -46,6 +46,14 @@ TEST(Words, WhatStandsInAPlaceIsReplacedToo) {
   EXPECT_EQ(words.of("faces of crate"), "Flächen von Kiste");
 }
 
+TEST(Words, TitlesWithPlaceholdersAreReplacedAsTheyAreFilled) {
+  Words words = german();
+  words.replace("Face contact: {kept:point} remain", "Flächenkontakt: es bleiben {kept:point}");
+  words.replace("Flat{from 2}", "Eben{from 2}");
+  EXPECT_EQ(words.of("Flat"), "Eben");
+  EXPECT_EQ(words.of("Face contact: 6 points remain"), "Flächenkontakt: es bleiben 6 Punkte");
+}
+
 TEST(Words, PlacesMayTradeTheirOrder) {
   Words words;
   words.replace("{n} of {m}", "von {m}: {n}");
