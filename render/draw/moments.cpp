@@ -1,6 +1,10 @@
 #include "draw/moments.h"
 
+#include <algorithm>
+
+#include "core/at.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/simplex_steps.h"
 
 namespace contactscope::draw {
 namespace {
@@ -13,6 +17,25 @@ bool counts_frames(const std::vector<trace::Frame>& frames) {
   return frames.size() > 1;
 }
 
+/// How many steps the algorithm takes whose story it is, of all frames the most; 0 where no frame has
+/// its facts.
+int steps_told(const std::vector<trace::Frame>& frames, Story story) {
+  View view;
+  view.story = story;
+  int most = 0;
+  for (const trace::Frame& frame : frames) {
+    for (const trace::Pair& pair : frame.pairs) {
+      if (story == Story::ClipSteps) {
+        // Behind the side planes: what is above the reference face goes.
+        if (pair.clip) most = std::max(most, count_of(pair.clip->steps) + 1);
+      } else if (const auto step = simplex_step(view, frame, pair)) {
+        most = std::max(most, step->steps);
+      }
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 Moments::Moments(const std::vector<trace::Frame>& frames, Story story) {
@@ -20,12 +43,13 @@ Moments::Moments(const std::vector<trace::Frame>& frames, Story story) {
   const bool told = story != Story::None;
   steps_ = told || counts_frames(frames);
   before_first_ = told ? 0 : 1;
-  last_ = frames.back().frame + before_first_;
+  last_ = told ? steps_told(frames, story) : 0;
+  if (last_ == 0) last_ = frames.back().frame + before_first_;
 }
 
 std::string Moments::of(const trace::Frame& frame) const {
   if (!steps_) return printed("frame %d, t = %.3f s", frame.frame, frame.time);
-  return printed("step %d of %d", frame.frame + before_first_, last_);
+  return printed("step %d of %d", std::min(frame.frame + before_first_, last_), last_);
 }
 
 }  // namespace contactscope::draw

@@ -142,6 +142,11 @@ TEST(Moments, StoriesAndCountedFramesTellSteps) {
   EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "frame 2, t = 0.250 s");
   EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[2]), "step 2 of 4");
   EXPECT_EQ(Moments(frames, Story::GjkSteps).of(frames[0]), "step 0 of 4");
+  trace::Pair pair;
+  pair.clip.emplace().steps.resize(3);
+  for (trace::Frame& frame : frames) frame.pairs = {pair};
+  EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[3]), "step 3 of 4");
+  EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[4]), "step 4 of 4");
   for (trace::Frame& frame : frames) frame.time = frame.frame;
   EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "step 3 of 5");
   frames.resize(1);
