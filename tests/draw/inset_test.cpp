@@ -334,6 +334,16 @@ TEST(SimplexPoints, BothShapesBearTheNumbersOfTheDifference) {
                 0.5, 1e-12);
 }
 
+TEST(MinkowskiInset, ItsLabelsFindTheirPlacesInThePicture) {
+  const Staged staged({two_cubes()}, view_of({Panel::Minkowski}));
+  const std::vector<std::string> wanted = label_texts(staged.picture().sketch);
+  EXPECT_THAT(wanted, testing::Contains("origin"));
+  std::vector<std::string> drawn;
+  for (const Primitive& primitive : illustrate(staged.staging, staged.frames[0]).primitives)
+    if (const Text* text = std::get_if<Text>(&primitive)) drawn.push_back(text->text);
+  for (const std::string& text : wanted) EXPECT_THAT(drawn, testing::Contains(text));
+}
+
 TEST(GaussMapInset, OneMarkForEachCrossingInFront) {
   trace::Frame frame = two_cubes();
   trace::Sat& sat = frame.pairs[0].sat.emplace();
