@@ -281,7 +281,6 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
   constexpr double kCell = 1.0 / kPlateCells;
   std::vector<trace::Study> results{std::move(result)};
   for (const FieldMethod& method : kFieldMethods) {
-    if (method.exact && method.interpolation == FieldInterpolation::Trilinear) continue;
     add_line(results, {method.name, {}, "a plate beside a wall", "cells thick"}, kThicknesses,
              [&](double thickness) {
                Measurement measured(1, plates * kPlatePlaces);
@@ -317,7 +316,7 @@ void add_plates(const StudyOptions& options, trace::Study& result, const StudySt
 /// that it looks at. "plate": the share of places in the middle of a thin plate that a field calls outside.
 std::vector<trace::Study> study_distance_field(const StudyOptions& options,
                                                const StudyProgress& progress) {
-  const StudyStep step = counted(progress, 10 + 3 + 4);
+  const StudyStep step = counted(progress, 10 + 3 + 5);
   std::vector<trace::Study> results = study_field_errors(options, step);
   const int cases = options.cases.value_or(kPokeCases);
   std::vector<trace::Study> shares =
