@@ -46,7 +46,7 @@ std::vector<Line> brackets(const Sketch& sketch) {
   std::vector<Line> found;
   std::ranges::copy_if(sketch.lines, std::back_inserter(found), [](const Line& line) {
     return line.keep_clear && line.style.width == 1.8f &&
-           crate_sample::same(line.style.color, kContact);
+           crate_sample::same(line.style.color, kImpulse);
   });
   return found;
 }
