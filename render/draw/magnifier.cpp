@@ -56,7 +56,8 @@ std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& fram
 
 std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
                                          const Layout& layout,
-                                         const std::vector<trace::Frame>& frames) {
+                                         const std::vector<trace::Frame>& frames,
+                                         const std::vector<Vec3d>& shapes) {
   if (!view.inset || frames.empty()) return std::nullopt;
   double largest = 0;
   std::vector<Vec3d> middles;
@@ -74,7 +75,11 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
   const double width = kMagnifierAspect * height;
   const std::optional<Point2> subject = camera.project(mean_of(middles));
   if (!subject || !view_rect.contains(*subject)) return std::nullopt;
-  // The corner that is farthest from what it magnifies; of two alike the one on the right.
+  std::vector<Point2> seen;
+  for (const Vec3d& p : shapes)
+    if (const std::optional<Point2> at = camera.project(p)) seen.push_back(*at);
+  // The corner that covers least of the shapes and is farthest from what it magnifies; of two alike
+  // the one on the right.
   Magnifier magnifier{{}, round_down(kMagnified * layout.scale / largest)};
   double farthest = -1;
   for (const bool right : {true, false}) {
@@ -82,8 +87,12 @@ std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
       const Rect frame{right ? view_rect.right() - width - 2 : view_rect.x + 2,
                        low ? view_rect.bottom() - height - 2 : view_rect.y + 2, width, height};
       const Point2 center = pixel(frame.x + 0.5 * width, frame.y + 0.5 * height);
-      const double away = distance(center, *subject);
-      if (away <= farthest + 1 || frame.contains(*subject)) continue;
+      if (frame.contains(*subject)) continue;
+      const auto covers = [&](const Point2& p) { return frame.contains(p); };
+      const double covered = static_cast<double>(std::ranges::count_if(seen, covers)) /
+                             std::max(1.0, static_cast<double>(seen.size()));
+      const double away = distance(center, *subject) * (1 - std::min(0.9, 4 * covered));
+      if (away <= farthest + 1) continue;
       farthest = away;
       magnifier.frame = frame;
     }

@@ -16,9 +16,11 @@ struct Magnifier {
 
 /// Where the view's subject, the points of a pair or the two places that its axis or distance is
 /// between, is under 20 pixels in all frames, and more than nothing.
+/// `shapes`: points of what the view shows, which it covers as little of as it can.
 std::optional<Magnifier> stage_magnifier(const View& view, const Camera& camera,
                                          const Layout& layout,
-                                         const std::vector<trace::Frame>& frames);
+                                         const std::vector<trace::Frame>& frames,
+                                         const std::vector<Vec3d>& shapes);
 
 /// The middle of this frame's subject, world; nothing where it has none.
 std::optional<Vec3d> magnified_middle(const View& view, const trace::Frame& frame);

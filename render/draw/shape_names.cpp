@@ -16,7 +16,7 @@ constexpr std::size_t kMostNamedShapes =
     3;                                  // more names are a crowd, and the picture is about none
 constexpr std::size_t kMostCopies = 3;  // more of them are a stack or a heap, as anybody sees
 constexpr float kNameSize = 15;         // pixels
-constexpr int kColumns = 28, kRowsTried = 20;
+constexpr int kColumns = 18, kRowsTried = 12;
 constexpr double kNameFarEnough = 260;  // pixels from the contact: farther is no better
 constexpr double kFromBorder = 5;       // pixels between letters and the border of the shape
 constexpr double kFromPairLabel = 10;   // pixels

@@ -278,7 +278,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   staging.camera = fit_camera(header, extent, view, staging.layout.view);
   fit();
   if (staging.viewports.empty())
-    staging.magnifier = stage_magnifier(staging.view, staging.camera, staging.layout, frames);
+    staging.magnifier =
+        stage_magnifier(staging.view, staging.camera, staging.layout, frames, extent.shapes);
   return staging;
 }
 

@@ -256,6 +256,11 @@ struct Filler {
   }
 };
 
+/// "0 points" is worth no title where another alternative follows; frame 0 is.
+bool is_nothing(const TitlePiece& piece, const std::string& value) {
+  return piece.fact != TitleFact::Frame && (value == "0" || value.starts_with("0 "));
+}
+
 bool is_of_sequence(TitleFact fact) {
   return fact >= TitleFact::Hits;
 }
@@ -323,7 +328,8 @@ std::string fill_title(const Staging& staging, const trace::Frame& frame) {
       } else if (whole) {
         value = fill(piece);
       }
-      whole = whole && value;
+      const bool is_last = &pieces == &staged.title.back();
+      whole = whole && value && (is_last || !is_nothing(piece, *value));
       words += value.value_or("…");
     }
     if (whole) return words;

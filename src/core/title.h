@@ -12,7 +12,7 @@
 ///   "{kept} of {candidates:point} keep {area_kept} | Nothing touches"
 ///
 /// Alternatives are parted by " | ": the first one is shown all of whose placeholders have a value
-/// in the frame. A placeholder is `{FACT}`, `{FACT of WHO}`, WHO being the label of a pair, a
+/// in the frame, 0 being none, and else the last one. A placeholder is `{FACT}`, `{FACT of WHO}`, WHO being the label of a pair, a
 /// shape, or two shapes as `a and b`, and with a noun `{FACT:point}`: "1 point", "4 points";
 /// `{FACT:vertex/vertices}` where an s is not enough. `{from 12}` is empty, and has a value from
 /// frame 12 on. `{{` is a brace.

@@ -40,6 +40,8 @@ TEST(TitlesOfPictures, TheFirstAlternativeThatIsWholeIsShown) {
   crate.pair().state = "separated";
   crate.pair().separation = 0.25;
   EXPECT_EQ(crate.title(text), "0.250 m apart");
+  EXPECT_EQ(crate.title("{kept:point} | {frame}: none touch"), "0: none touch");
+  EXPECT_EQ(crate.title("{kept:point}"), "0 points");
   crate.frames[0].frame = 1;
   crate.pair().separation = 0;
   EXPECT_EQ(crate.title(text), "later");
