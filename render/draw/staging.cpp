@@ -206,7 +206,7 @@ void fit_viewports(const trace::Header& header, const std::vector<trace::Frame>&
                                     : whole);
     reach = std::max(reach, box_around(own.shapes).diagonal().norm());
   }
-  height = view.orthographic_height.value_or(height);
+  if (view.orthographic_height.value_or(0) > 0) height = *view.orthographic_height;
   for (std::size_t i = 0; i < middles.size(); ++i) {
     PairViewport& viewport = staging.viewports[i];
     viewport.camera =

@@ -34,8 +34,12 @@ Pairs pairs_of(const TitlePiece& piece, const trace::Frame& frame) {
 /// nobody knows.
 std::optional<double> separation_of(const trace::Pair& pair) {
   if (pair.query) return pair.query->gap;
-  if (pair.manifolds.empty() && pair.separation == 0) return std::nullopt;
-  return pair.separation;
+  const std::vector<PairPoint> points = all_points(pair);
+  if (pair.separation != 0 || points.empty())
+    return pair.separation != 0 ? std::optional(pair.separation) : std::nullopt;
+  double deepest = points.front().point->separation;
+  for (const PairPoint& any : points) deepest = std::min(deepest, any.point->separation);
+  return deepest;
 }
 
 Words counted(std::int64_t count, const TitlePiece& piece) {
@@ -315,6 +319,7 @@ std::string fill_title(const Staging& staging, const trace::Frame& frame) {
   std::size_t next = 0;  // of those about the sequence
   std::string words;
   for (const TitleAlternative& pieces : staged.title) {
+    const bool is_last = &pieces == &staged.title.back();
     bool whole = true;
     words.clear();
     for (const TitlePiece& piece : pieces) {
@@ -325,10 +330,9 @@ std::string fill_title(const Staging& staging, const trace::Frame& frame) {
       if (is_of_sequence(*piece.fact)) {
         const std::string& told = staged.of_sequence[next++];
         if (!told.empty()) value = told;
-      } else if (whole) {
+      } else if (whole || is_last) {
         value = fill(piece);
       }
-      const bool is_last = &pieces == &staged.title.back();
       whole = whole && value && (is_last || !is_nothing(piece, *value));
       words += value.value_or("…");
     }

@@ -61,7 +61,7 @@ TEST(TitlesOfPictures, ArePairsShapesAndSequencesThatTheyAskFor) {
   crate.frames.push_back(crate.frames[0]);
   crate.frames[1].frame = 1;
   crate.frames[1].pairs[0].cache = trace::Cache{.hit = true};
-  EXPECT_EQ(crate.title("{hits} of {frames:frame}, {hit_rate}"), "1 of 2 frames, 50.0 %");
+  EXPECT_EQ(crate.title("{hits} of {frames:frame}, {hit_rate}"), "1 of 2 frames, 50 %");
 }
 
 TEST(TitlesOfPictures, OfAnotherEngineKeepTheirBraces) {
@@ -74,7 +74,7 @@ TEST(TitlesOfPictures, ThatAreLongShrinkAndThenTakeTwoLines) {
       "Baumgarte pushes overlaps out with a velocity, and the deep crate keeps";
   const FittedTitle whole = fit_title("Short", 1232, 1);
   EXPECT_EQ(whole.size, 28);
-  const FittedTitle smaller = fit_title(words, 900, 1);
+  const FittedTitle smaller = fit_title(words, 790, 1);
   EXPECT_EQ(smaller.lines.size(), 1u);
   EXPECT_LT(smaller.size, 28);
   const FittedTitle two = fit_title(words, 520, 1);

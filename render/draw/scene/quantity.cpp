@@ -65,7 +65,9 @@ std::string spell_length(double metres, double noise) {
 
 std::string spell_share(double share) {
   const double percent = 100 * share;
-  if (percent == 0 || percent >= 99.95) return printed("%.0f %%", percent);
+  if (percent == 0 || percent >= 100) return printed("%.0f %%", percent);
+  // Only what is whole may be called so.
+  if (percent > 99.5) return printed("%.1f %%", std::min(percent, 99.9));
   const int whole = static_cast<int>(std::floor(std::log10(std::abs(percent)))) + 1;
   return with_minus_sign(printed("%.*f %%", std::clamp(2 - whole, 0, 2), percent));
 }

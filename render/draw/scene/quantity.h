@@ -28,7 +28,7 @@ std::string spell_length(double metres);
 /// is "< 60 nm".
 std::string spell_length(double metres, double noise);
 
-/// 0.987 as "98.7 %", with three significant digits and none behind 99.95.
+/// 0.987 as "99 %", 0.0123 as "1.2 %"; "100 %" of all alone.
 std::string spell_share(double share);
 
 /// " × 20" for what is drawn so many times as long; nothing for 1.
