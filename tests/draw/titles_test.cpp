@@ -60,7 +60,7 @@ TEST(TitlesOfPictures, ArePairsShapesAndSequencesThatTheyAskFor) {
   EXPECT_EQ(crate.title("{overlap of right}"), "4.00 mm");
   crate.frames.push_back(crate.frames[0]);
   crate.frames[1].frame = 1;
-  crate.frames[1].pairs[0].cache = trace::Cache{.hit = true};
+  crate.frames[1].pairs[0].cache.emplace().hit = true;
   EXPECT_EQ(crate.title("{hits} of {frames:frame}, {hit_rate}"), "1 of 2 frames, 50 %");
 }
 
