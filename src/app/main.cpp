@@ -159,6 +159,9 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.columns, "Of the cells of --strip or --sheet; default: up to four");
   if (name == "--sheet")
     return flag(to.sheet, "One picture of all scenarios, a thumbnail of each with its name");
+  if (name == "--anchors")
+    return flag(to.anchors,
+                "Beside each picture a JSON of where points, faces and labels are in it");
   if (name == "--fps")
     return value(to.fps, "Pictures a second of an animation, instead of the frames' own times")
         ->check(CLI::Range(0.1, 240.0));
@@ -269,8 +272,8 @@ void finish(Command& command) {
 /// The options that were given, as they are given again, but for those on which no picture depends and
 /// those that each picture has for itself.
 std::string given_options(const CLI::App& verb) {
-  constexpr std::array<std::string_view, 10> kOwn = {
-      "--frames",  "--format", "--out",     "--jobs",      "--quiet",
+  constexpr std::array<std::string_view, 11> kOwn = {
+      "--anchors", "--frames", "--format",  "--out",       "--jobs", "--quiet",
       "--verbose", "--json",   "--backend", "--scenarios", "--view"};
   std::string all;
   for (const CLI::Option* option : verb.get_options()) {

@@ -203,7 +203,7 @@ Verb render_verb() {
           &run_render,
           std::string("SCENARIO... --size ") + kFigureArguments +
               " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
-              "--timing --format --strip --columns --sheet --fps --json --frames --reducer --out "
+              "--timing --format --strip --columns --sheet --fps --anchors --json --frames --reducer --out "
               "--backend --view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},

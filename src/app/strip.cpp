@@ -49,6 +49,9 @@ bool wants_cells(const Options& options, const std::vector<const Format*>& forma
   if (options.columns && (*options.columns < 1 || *options.columns > 64))
     throw UsageError("--columns " + std::to_string(*options.columns) +
                      " is no number of columns; write 1 to 64, as --columns 2");
+  if (options.anchors && (options.strip || options.sheet))
+    throw UsageError(std::string("--anchors is of pictures of one frame; leave out ") +
+                     (options.strip ? "--strip" : "--sheet"));
   if (options.strip && options.sheet)
     throw UsageError("--strip and --sheet are a picture each; leave one out");
   if (options.columns && !options.strip && !options.sheet)

@@ -57,6 +57,7 @@ struct Options {
   std::optional<int> strip;    // so many frames in one picture
   std::optional<int> columns;  // of its cells, or those of a sheet
   bool sheet = false;          // one picture of all scenarios
+  bool anchors = false;        // beside each picture, where things are in it
   std::string given;  // what else of the command line pictures depend on, " --size 640x360"
   std::string view;   // a name; of a trace also a TOML file, or file:name
   std::vector<std::string> pair;              // two shapes: nothing else is shown

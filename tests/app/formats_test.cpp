@@ -53,6 +53,21 @@ TEST_F(Formats, VectorsAloneOpenNoOpenGL) {
   EXPECT_THAT(text("group/idea/frame_0001.pdf"), StartsWith("%PDF-"));
 }
 
+TEST_F(Formats, AnchorsStandBesideThePicture) {
+  const ProgramRun result = render("--format svg --frames 1 --anchors");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(),
+              ElementsAre("group/idea/frame_0001.anchors.json", "group/idea/frame_0001.svg"));
+  const auto all = nlohmann::json::parse(text("group/idea/frame_0001.anchors.json"));
+  EXPECT_EQ(all["scenario"], "group/idea");
+  EXPECT_EQ(all["frame"], 1);
+  EXPECT_EQ(all["size"], nlohmann::json({160, 90}));
+  EXPECT_THAT(text("group/idea/frame_0001.svg"), Not(HasSubstr("--anchors")));
+  const ProgramRun strip = render("--strip 2 --anchors");
+  EXPECT_EQ(strip.exit_code, 2);
+  EXPECT_THAT(strip.err, HasSubstr("leave out --strip"));
+}
+
 TEST_F(Formats, SeveralAtOnceAreListed) {
   const ProgramRun result = render("--format svg,png,apng,webp --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;

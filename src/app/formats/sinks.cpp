@@ -6,6 +6,7 @@
 #include "core/at.h"
 #include "image/whole_file.h"
 #include "snapshot/store.h"
+#include "vector/anchors.h"
 
 namespace contactscope::app {
 namespace {
@@ -27,6 +28,10 @@ std::string range_of(const std::vector<int>& frames) {
     if (frames[i] - frames[i - 1] != step) return "";
   return std::to_string(frames.front()) + ":" + std::to_string(frames.back()) +
          (step == 1 ? "" : ":" + std::to_string(step));
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  write_whole_file(path, std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
 }  // namespace
@@ -87,8 +92,13 @@ void Sinks::encode(const Format& format, const std::string& path, const Shot& sh
 }
 
 void Sinks::add(const trace::Frame& frame, draw::Drawing drawing) {
-  Shot shot = shot_of(std::move(drawing));
   const fs::path folder = snapshot::picture_folder(options_.out, series_.scenario, series_.view);
+  if (options_.anchors) {
+    fs::create_directories(folder);
+    write_text((folder / (snapshot::frame_stem(frame.frame) + ".anchors.json")).string(),
+               vector::anchors_of(*series_.staging, frame, drawing));
+  }
+  Shot shot = shot_of(std::move(drawing));
   for (std::size_t i = 0; i < formats_.size(); ++i) {
     const Format& format = *formats_[i];
     shot.origin = completed(series_.origin, std::to_string(frame.frame), format);
