@@ -239,8 +239,10 @@ struct Anchors {
       const draw::Part& part = drawing.parts[i];
       const bool named = part.layer == draw::kPanelPart || part.layer == draw::kInsetPart ||
                          part.layer == draw::kPlanePart;
-      const bool caption = part.layer == draw::kTitlePart || part.layer == draw::kSourcePart ||
-                           part.layer == draw::kMomentPart || part.layer == draw::kLegendPart;
+      // A label of the legend stands in the view, beside what it explains.
+      const bool caption =
+          part.role.empty() && (part.layer == draw::kTitlePart || part.layer == draw::kSourcePart ||
+                                part.layer == draw::kMomentPart || part.layer == draw::kLegendPart);
       if (!named && !caption) continue;
       const std::string name = part.role.empty() ? part.layer : part.layer + " " + part.role;
       auto found = std::ranges::find(extents, name, [](const auto& entry) { return entry.first; });

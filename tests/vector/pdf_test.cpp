@@ -18,6 +18,11 @@ draw::Drawing sample() {
   return draw::illustrate(scene.staged(), scene.frames[0]);
 }
 
+/// Cairo before 1.18 leaves out the D that begins a date, which readers do not mind.
+auto created(const std::string& date) {
+  return testing::AnyOf(HasSubstr("/CreationDate (" + date), HasSubstr("/CreationDate (D:" + date));
+}
+
 TEST(Pdf, OnePageWithItsFontAndItsSize) {
   const std::string pdf = pdf_of(sample());
   EXPECT_THAT(pdf, testing::StartsWith("%PDF-1."));
@@ -31,9 +36,9 @@ TEST(Pdf, OnePageWithItsFontAndItsSize) {
 
 TEST(Pdf, EqualDrawingsGiveEqualBytesWithAPinnedDate) {
   EXPECT_EQ(pdf_of(sample()), pdf_of(sample()));
-  EXPECT_THAT(pdf_of(sample()), testing::ContainsRegex("/CreationDate \\((D:)?19700101000000"));
+  EXPECT_THAT(pdf_of(sample()), created("19700101000000"));
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
-  EXPECT_THAT(pdf_of(sample()), testing::ContainsRegex("/CreationDate \\((D:)?20231114221320"));
+  EXPECT_THAT(pdf_of(sample()), created("20231114221320"));
   unsetenv("SOURCE_DATE_EPOCH");
 }
 
