@@ -13,7 +13,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME contactscope)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, which no look at the program tells.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
+  "libegl1, libegl-mesa0, libgl1-mesa-dri, libcairo2, libharfbuzz-subset0")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program, its man page, completions and scenarios")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcontactscope-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
