@@ -133,6 +133,21 @@ TEST(ContactCells, TheDeepestIsMarkedKeptOrNotUnlessThePatchIsLevel) {
   EXPECT_THAT(words(drawn({moment}, 0)), Not(Contains("deepest")));
 }
 
+TEST(ContactCells, AllPointsThatTieForTheDeepestAreMarked) {
+  ContactMoment moment;
+  moment.cells = {cell_of("area", octagon())};
+  moment.cells[0].kept = {1, 4, 3, 0};
+  const std::vector<Disc> kept = rings(drawn({moment}, 0));
+  moment.cells[0].points[1].separation = -0.1;
+  moment.cells[0].points[4].separation = -0.1 + 1e-8;  // less than a float tells there
+  const Drawing drawing = drawn({moment}, 0);
+  EXPECT_EQ(squares_about(drawing, kept[0].center), 1);
+  EXPECT_EQ(squares_about(drawing, kept[1].center), 1);
+  EXPECT_EQ(squares_about(drawing, kept[2].center), 0);
+  moment.cells[0].points[4].separation = -0.09;
+  EXPECT_EQ(squares_about(drawn({moment}, 0), kept[1].center), 0);
+}
+
 TEST(ContactCells, ExtremesHaveTheirBoxAndTheLegendTellsAllAreas) {
   ContactMoment moment;
   moment.cells = {cell_of("extremes", octagon())};

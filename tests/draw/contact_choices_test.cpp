@@ -59,6 +59,14 @@ TEST(ContactCells, LabelsOfAChoiceKeepApart) {
   }
 }
 
+TEST(ContactCells, TheThirdChoiceIsToldFromTheSideOnWhichItFormsATriangle) {
+  // The other way round: the winner's triangle is the inside, of which the fourth point is outside.
+  std::vector<ContactMoment> moments = chosen();
+  for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
+    measure.value = -measure.value;
+  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"+0.5000 m²", "−0.2500 m²"}));
+}
+
 TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 1)), Contains("fixed direction"));
   const std::vector<std::string> second = words(drawn(chosen(), 0, 1280, 720, 2));

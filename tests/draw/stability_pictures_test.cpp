@@ -124,9 +124,9 @@ TEST(IncrementalPicture, DistanceOfTheCoresIsBothMarginsAndTheGapOrLessTheOverla
     const Vec3d left = *sketch.arrows[1].to - sketch.arrows[1].from;
     EXPECT_NEAR(left.y(), distance - 0.15, 1e-12);
     EXPECT_TRUE(same(sketch.arrows[1].color, distance > 0.15 ? kAxis : kContact));
-    EXPECT_THAT(labels(sketch), ElementsAre("A's margin 50.0 mm", "B's margin 0.100 m",
-                                            distance > 0.15 ? "gap 0.200 m" : "overlap 40.0 mm",
-                                            "cores " + spell_length(distance) + " apart"));
+    EXPECT_THAT(labels(sketch), ElementsAre("A's margin 50.0 mm", "B's margin 100 mm",
+                                            distance > 0.15 ? "gap 200 mm" : "overlap 40.0 mm",
+                                            "cores " + spell_margin(distance) + " apart"));
     EXPECT_THAT(legend(sketch), Contains("margins"));
   }
 }

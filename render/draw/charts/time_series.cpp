@@ -39,10 +39,20 @@ struct Group {
   std::string query, last_query;  // of a frame and of the one before it
 };
 
+/// What found how deep a pair is: the query of an incremental manifold's cores; of a round shape and a
+/// hull closest points, or where its core is inside an axis (Gregorius 2015, "Shallow and Deep
+/// Penetration"). Empty of others.
+std::string measured_by(const trace::Pair& pair) {
+  if (pair.incremental) return pair.incremental->query;
+  const bool round = pair.kind == "hull-sphere" || pair.kind == "hull-capsule";
+  if (!round || pair.manifolds.size() != 1) return {};
+  return pair.manifolds.front().axis == "closest_points" ? "shallow" : "deep";
+}
+
 void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group& group) {
   TimeSeries& series = group.series;
   for (const std::string* body : {&pair.a, &pair.b}) group.bodies.insert(*body);
-  if (pair.incremental && group.query.empty()) group.query = pair.incremental->query;
+  if (group.query.empty()) group.query = measured_by(pair);
   const std::vector<PairPoint> contacts = all_points(pair);
   if (contacts.empty() && (!pair.reduction || pair.reduction->points.empty())) return;
   const auto [entry, is_new] =
@@ -136,6 +146,10 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
       series.pairs = std::move(group.pairs);
     }
     if (!has_energy) series.energy.clear();
+    // A ball that bounces would change too often.
+    std::erase_if(series.queries, [&](const SeriesChart::Change& change) {
+      return solved && (change.before == "shallow" || change.after == "shallow");
+    });
     if (solved) continue;
     series.impulse.clear();
     for (PairSeries& pair : series.pairs) pair.impulse.clear();

@@ -93,7 +93,8 @@ struct ChoicePen : Pen {
     const bool by_distance = rule == "distance";
     const std::string value = by_distance || rule == "farthest" ? spell_length(measure.value)
                               : rule == "deepest"               ? spell_length(-measure.value)
-                                                                : spell_signed(measure.value);
+                              : rule == "triangle" ? spell_signed(inside() * measure.value)
+                                                   : spell_signed(measure.value);
     const bool grows = rule == "outside" || by_distance;
     if (grows && winner) return outside(measure, value, by_distance);
     Vec2d at = place(measure.point);
@@ -144,6 +145,14 @@ struct ChoicePen : Pen {
     const double area = 0.5 * std::abs(contactscope::cross(edge, point - from)) /
                         std::pow(plane.pixels_per_metre, 2);
     labels.push_back({centroid, spell_signed(-area), kContact, true});
+  }
+
+  /// The sign of the triangle that wins. It is the inside for the fourth point, so the third's candidates
+  /// are told by the same side: positive where the triangle comes to be, negative across its first edge.
+  double inside() const {
+    const std::vector<trace::Measure>& measures = choices[shown - 1].measures;
+    const auto winner = std::ranges::find(measures, chosen(), &trace::Measure::point);
+    return winner != measures.end() && winner->value < 0 ? -1 : 1;
   }
 
   /// Areas as the talk has them: negative outside.

@@ -10,18 +10,17 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kHatchSpacing = 5;  // pixels between lines
-// A patch whose depths differ by less than this part of its extent is level: none is the deepest.
-constexpr double kLevelPatch = 1e-6;
-
-/// The point of least separation; empty where the patch is level.
-std::optional<std::size_t> deepest_of(const std::vector<trace::Point>& points) {
+/// The points of least separation: all that tie within what the numbers carry. Empty where the patch is
+/// level.
+std::vector<int> deepest_of(const std::vector<trace::Point>& points) {
   const auto [least, most] = std::ranges::minmax_element(points, {}, &trace::Point::separation);
-  if (least == points.end()) return std::nullopt;
-  double extent = 0;
-  for (const trace::Point& point : points)
-    extent = std::max(extent, (point.position - least->position).norm());
-  if (most->separation - least->separation <= kLevelPatch * extent) return std::nullopt;
-  return static_cast<std::size_t>(least - points.begin());
+  if (least == points.end()) return {};
+  const double noise = separation_noise(points);
+  if (most->separation - least->separation <= noise) return {};
+  std::vector<int> deepest;
+  for (int i = 0; i < count_of(points); ++i)
+    if (at(points, i).separation - least->separation <= noise) deepest.push_back(i);
+  return deepest;
 }
 
 /// Chosen by nothing but how far they lie along directions.
@@ -128,7 +127,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
       any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
   add(reduces, kReducedSwatch, "reduced away");
   add(true, kKeptSwatch, reduces ? "kept, in order of choice" : "kept");
-  add(any_cell([](const ContactCell& cell) { return deepest_of(cell.points).has_value(); }),
+  add(any_cell([](const ContactCell& cell) { return !deepest_of(cell.points).empty(); }),
       kDeepestSwatch, "deepest");
   add(reduces, kKeptPolygonSwatch, "kept area");
   add(reduces, kLostAreaSwatch, "lost area");
@@ -143,7 +142,7 @@ Drawing ContactCells::frame(int number) const {
   const auto moment = std::ranges::find(moments_, number, &ContactMoment::frame);
   Drawing drawing{.width = layout_.width, .height = layout_.height};
   drawing.words = layout_.words;
-  const Pen pen(drawing, layout_.scale, kNumber);
+  const Pen pen(drawing, static_cast<float>(px(1)), kNumber);
   const auto index = static_cast<std::size_t>(moment - moments_.begin());
   for (std::size_t cell = 0; cell < cell_count(); ++cell) draw_cell(cell, index, pen);
   if (cell_count() == 0) {
@@ -231,8 +230,8 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
       draw_dropped_point(at(places, i), plane, grid_.mark);
   }
   for (const int i : cell.kept) draw_kept_point(at(places, i), plane, grid_.mark);
-  const std::optional<std::size_t> deepest = deepest_of(cell.points);
-  if (deepest) draw_deepest_mark(places[*deepest], plane, grid_.mark);
+  const std::vector<int> deepest = deepest_of(cell.points);
+  for (const int i : deepest) draw_deepest_mark(at(places, i), plane, grid_.mark);
   if (cell.kept.size() < places.size()) plane.number_kept(places, cell.kept, grid_.mark, deepest);
 }
 

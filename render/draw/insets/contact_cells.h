@@ -41,6 +41,10 @@ struct ContactMoment {
   std::string title{};  // empty: that of all
 };
 
+/// Metres: separations of the points of a patch that differ by less are equal, for more is lost in the
+/// float of their places.
+double separation_noise(const std::vector<trace::Point>& points);
+
 /// From explorations of one pair, frames in order: a cell a reducer, in `order`, with all measures.
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
                                     const std::vector<std::string>& order);
@@ -53,8 +57,8 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
 /// Small multiples: the contact plane of each cell, at the same scale in all cells and frames. What
 /// a cell shows in any frame stands in the middle of its map, wherever in the world that is and
 /// however it lies, so that one patch seen in several cells has the same place in each. In a cell:
-/// all points, the kept ones with their order of choice, the deepest in a square where the patch is
-/// not level, the lost area hatched, the best polygon dashed, for extremes along axes the box that
+/// all points, the kept ones with their order of choice, the deepest in squares where the patch is
+/// not level (more than one where they tie), the lost area hatched, the best polygon dashed, for extremes along axes the box that
 /// they span, and the rows beneath; for a sequence also a strip of which ids are kept over time,
 /// one row an id. On a canvas too small for all of it, all cells alike leave out the right of their
 /// rows, then the rest of them but their brief form, the strip, all rows but the first, that as
@@ -98,6 +102,9 @@ class ContactCells {
   static constexpr double kNumberRow = 17;  // height of a row of numbers
   static constexpr double kGap = 14;        // between cells
 
+  /// How much larger text and marks of the cells are than those of the rest of the picture.
+  double signs() const;
+  double px(double at_720) const { return signs() * layout_.px(at_720); }
   void fit(int width, int height);
   Grid best_grid() const;
   double nearest_points() const;

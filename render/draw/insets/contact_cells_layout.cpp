@@ -19,8 +19,16 @@ constexpr double kWideRow = 16;     // of one id, at most
 constexpr double kCloseMarks = 30;  // between points, for marks of full size
 constexpr double kLeastMark = 0.6;
 constexpr double kLeastMap = 44;  // height of a map that shows anything
+// Few cells have room for text, rings and digits that are legible at half the size.
+constexpr double kLargeSigns = 1.5, kLargerSigns = 1.2;
+constexpr std::size_t kSomeCells = 6;
 
 }  // namespace
+
+double ContactCells::signs() const {
+  if (choices_ > 0) return cell_count() == 1 ? kLargerSigns : 1;
+  return cell_count() <= kFewCells ? kLargeSigns : cell_count() <= kSomeCells ? kLargerSigns : 1;
+}
 
 /// Gives up one thing after the other until the maps have room.
 void ContactCells::fit(int width, int height) {
@@ -31,7 +39,7 @@ void ContactCells::fit(int width, int height) {
     });
     layout_ = make_layout(width, height, false, {widths}, 0, style_, title_);
     grid_ = best_grid();
-    if (grid_.map_height >= layout_.px(kLeastMap) && grid_.cell_width >= row_width()) return;
+    if (grid_.map_height >= px(kLeastMap) && grid_.cell_width >= row_width()) return;
   }
 }
 
@@ -149,7 +157,7 @@ std::string ContactCells::left_of(const ContactCell::Row& row) const {
 
 /// Width that the widest row of any cell needs, pixels.
 double ContactCells::row_width() const {
-  const float size = layout_.px(kNumber);
+  const auto size = static_cast<float>(px(kNumber));
   double widest = 0;
   for (const ContactCell& cell : all_cells()) {
     for (const ContactCell::Row& row : shown_rows(cell)) {
@@ -158,7 +166,7 @@ double ContactCells::row_width() const {
       };
       double width = width_of(left_of(row), row.strong ? Weight::Bold : Weight::Regular);
       if (shows(Detail::RowEnds) && !row.right.empty())
-        width += layout_.px(kRowGap) + width_of(row.right, Weight::Regular);
+        width += px(kRowGap) + width_of(row.right, Weight::Regular);
       widest = std::max(widest, width);
     }
   }
@@ -170,12 +178,12 @@ double ContactCells::row_width() const {
 ContactCells::Grid ContactCells::best_grid() const {
   const int count = static_cast<int>(cell_count());
   if (count == 0) return Grid{};
-  const double gap = layout_.px(kGap);
-  const double reserve = layout_.px(2 * kReserve);
+  const double gap = px(kGap);
+  const double reserve = px(2 * kReserve);
   const double needed = row_width();
   // What is beside the map in a cell.
   const double furniture =
-      layout_.px(name_height() + strip_height() + kNumberRow * static_cast<double>(row_count()));
+      px(name_height() + strip_height() + kNumberRow * static_cast<double>(row_count()));
   const auto grid_of = [&](int columns) {
     const int rows = (count + columns - 1) / columns;
     Grid grid{.columns = columns};
@@ -199,15 +207,15 @@ ContactCells::Grid ContactCells::best_grid() const {
   // No room at all: what a canvas this small shows is a dot in each cell.
   if (best.pixels_per_metre == 0) best = grid_of(static_cast<int>(std::ceil(std::sqrt(count))));
 
-  best.strip = layout_.px(strip_height());
+  best.strip = px(strip_height());
   if (best.strip > 0) {
     const double used = reserve + best.pixels_per_metre * extent_.y();
-    const double wide = layout_.px(kWideRow * static_cast<double>(ids_.front().row_count()) + 6);
+    const double wide = px(kWideRow * static_cast<double>(ids_.front().row_count()) + 6);
     const double more = std::clamp(wide - best.strip, 0.0, std::max(0.0, best.map_height - used));
     best.strip += more;
     best.map_height -= more;
   }
-  const double between = nearest_points() * best.pixels_per_metre / layout_.scale;
+  const double between = nearest_points() * best.pixels_per_metre / px(1);
   best.mark = std::clamp(between / kCloseMarks, kLeastMark, 1.0);
   return best;
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
@@ -41,14 +43,25 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   double deepest = 0, kept = 0;
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
-  const bool has_deepest = kept == deepest;
+  const bool has_deepest = kept - deepest <= separation_noise(reduction.points);
   return {{"area " + area + (has_best ? ", " + share : ""), "", "area " + share},
-          {has_deepest ? "deepest kept, " + spell_length(std::abs(deepest))
+          {has_deepest ? "deepest kept, " + spell_length(-deepest)
                        : "deepest lost by " + spell_length(kept - deepest),
            "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest}};
 }
 
+// Of the largest number among the places: sixteen last digits of a float.
+constexpr double kNoise = 16 * 1.1920929e-7;
+
 }  // namespace
+
+double separation_noise(const std::vector<trace::Point>& points) {
+  double largest = 0;
+  for (const trace::Point& point : points)
+    largest = std::max({largest, point.position.cwiseAbs().maxCoeff(),
+                        (point.position - points.front().position).norm()});
+  return kNoise * largest;
+}
 
 std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& sequence,
                                     const std::vector<std::string>& order) {
@@ -85,12 +98,16 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   const bool several_bodies = std::ranges::any_of(cells, [&](const trace::Pair* pair) {
     return pair->a != cells.front()->a || pair->b != cells.front()->b;
   });
+  std::set<std::string_view> labels;
+  for (const trace::Pair* pair : cells) labels.insert(pair->label);
+  const bool labels_tell_apart = labels.size() == cells.size();
   std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
     return ContactMoment{frame.frame, telling.of(frame), {}};
   });
   for (const trace::Pair* known : cells) {
-    std::string name = known->label.empty() ? in_words(known->reduction->method) : known->label;
-    if (several_bodies) name = known->a + " and " + known->b + ": " + name;
+    const std::string& method = known->reduction->method;
+    std::string name = known->label.empty() || known->label == method ? in_words(method) : known->label;
+    if (several_bodies && !labels_tell_apart) name = known->a + " and " + known->b + ": " + name;
     const std::vector<const trace::Pair*> history = pair_history(frames, *known);
     for (std::size_t f = 0; f < frames.size(); ++f) {
       ContactCell& cell = moments[f].cells.emplace_back();

@@ -86,11 +86,11 @@ void ContactPlane::line_through(const Vec3d& a, const Vec3d& b, double width, co
 }
 
 void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vector<int>& kept,
-                               double size, const std::optional<std::size_t>& deepest) const {
+                               double size, const std::vector<int>& deepest) const {
   const Vec2d middle = middle_of(places);
   LabelPlacer placer(map);
   for (const Point2& place : places) placer.block(place, px(kKeptReach * size));
-  if (deepest) placer.block(places[*deepest], px(12 * size));
+  for (const int i : deepest) placer.block(contactscope::at(places, i), px(12 * size));
   const float height = px(kOrderDigit);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Point2& place = contactscope::at(places, kept[k]);

@@ -60,7 +60,7 @@ struct ContactPlane : Pen {
   /// The order in which points were kept, beside each, off all points and each other; one without
   /// room is left out. `size`: of the marks.
   void number_kept(const std::vector<Point2>& places, const std::vector<int>& kept, double size,
-                   const std::optional<std::size_t>& deepest = std::nullopt) const;
+                   const std::vector<int>& deepest = {}) const;
 
   /// Under the map on its right: a length of 1, 2 or 5 times a power of ten, with its name.
   void scale_bar(double share, double y) const;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/clip_story.h"
+#include "draw/layers/clipped_segment.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
@@ -17,10 +18,23 @@ constexpr double kPlaneHeight = 0.22;
 constexpr Swatch kSidePlaneSwatch{LegendGroup::Faces, 1,
                                   [](auto& pen) { pen.area(kSidePlane, 0.2f, 1.2); }};
 
+constexpr Swatch kClippedSegmentSwatch{LegendGroup::Faces, 3,
+                                       [](auto& pen) { pen.level_line(0, 22, 4.5, kClipPolygon); }};
+
+// Gregorius 2015, "Sphere vs Hull: Deep Contact" and "Capsule vs Hull: Stacking, Clipping".
+void draw_face_of_round(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const auto face = face_of_round(scene, pair);
+  if (!face) return;
+  sketch.face(face->polygon, with_alpha(kReferenceFace, 0.35f), {3.0f, kReferenceFace});
+  sketch.surfaces.back().kind = Surface::Kind::Ground;
+  sketch.explain(kReferenceFaceSwatch, "reference face", face->polygon.front());
+}
+
 // Gregorius 2015, "Hull vs Hull: Face Contact". In a story the faces are what is known already once
 // the first side plane cuts: outlines alone, so that the polygon stands out.
 template <bool kReference>
 void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (kReference && !pair.clip) draw_face_of_round(scene, pair, sketch);
   if (!pair.clip) return;
   const trace::Polygon& polygon = (kReference ? pair.clip->reference : pair.clip->incident).polygon;
   const Color color = kReference ? kReferenceFace : kIncidentFace;
@@ -40,22 +54,23 @@ enum class PlaneLook {
   Done,    // that has cut before
 };
 
-double rise_of(const trace::Clip& clip) {
-  return 0.5 * kPlaneHeight * reach_of(clip.reference.polygon);
+double rise_of(const trace::Polygon& face) {
+  return 0.5 * kPlaneHeight * reach_of(face);
 }
 
 Vec3d top_of_side_plane(const trace::Clip& clip, std::size_t step) {
   const trace::Polygon& face = clip.reference.polygon;
   const Vec3d middle = 0.3 * face[step] + 0.7 * face[(step + 1) % face.size()];
-  return middle + rise_of(clip) * clip.reference.normal;
+  return middle + rise_of(face) * clip.reference.normal;
 }
 
-void draw_side_plane(const trace::Clip& clip, std::size_t step, PlaneLook look, Sketch& sketch) {
-  const trace::Polygon& face = clip.reference.polygon;
+// Through an edge of a face with the normal `up`.
+void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& outward,
+                     std::size_t step, PlaneLook look, Sketch& sketch) {
   const Vec3d& from = face[step];
   const Vec3d& to = face[(step + 1) % face.size()];
   const bool active = look == PlaneLook::Active, done = look == PlaneLook::Done;
-  const Vec3d rise = (active ? 1.5 : 1.0) * rise_of(clip) * clip.reference.normal;
+  const Vec3d rise = (active ? 1.5 : 1.0) * rise_of(face) * up;
   const Color border = with_alpha(kSidePlane, done ? 0.6f : 1.0f);
   const trace::Polygon corners = {from - rise, to - rise, to + rise, from + rise};
   if (done) {
@@ -64,7 +79,7 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, PlaneLook look, 
   }
   sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f), {active ? 3.0f : 1.5f, border});
   sketch.arrows.push_back({.from = 0.5 * (from + to),
-                           .direction = clip.steps[step].normal,
+                           .direction = outward,
                            .pixels = active ? 46.0f : 30.0f,
                            .width = active ? 3.0f : 1.5f,
                            .head = active ? 12.0f : 8.0f,
@@ -73,11 +88,19 @@ void draw_side_plane(const trace::Clip& clip, std::size_t step, PlaneLook look, 
 }
 
 void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (const auto segment = clipped_segment(scene, pair)) {
+    for (std::size_t k = 0; k < segment->sides.size(); ++k)
+      draw_side_plane(segment->face, segment->normal, segment->sides[k], k,
+                      segment->cuts(k) ? PlaneLook::Plain : PlaneLook::Done, sketch);
+    const Vec3d top = segment->face[0] + rise_of(segment->face) * segment->normal;
+    sketch.explain(kSidePlaneSwatch, "side plane, outward normal", top);
+  }
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);
   const bool over = story && static_cast<std::size_t>(scene.frame.frame) > shown;
   for (std::size_t k = 0; k < shown; ++k)
-    draw_side_plane(*pair.clip, k,
+    draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
+                    pair.clip->steps[k].normal, k,
                     !story                      ? PlaneLook::Plain
                     : k + 1 == shown && !over ? PlaneLook::Active
                                                 : PlaneLook::Done,
@@ -87,6 +110,11 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
 }
 
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (const auto segment = clipped_segment(scene, pair)) {
+    sketch.bordered_line(segment->from, segment->to, {4.5f, kClipPolygon}, 8);
+    sketch.explain(kClippedSegmentSwatch, "axis of the capsule, clipped",
+                   Vec3d(0.7 * segment->from + 0.3 * segment->to));
+  }
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = tells_clip_story(scene, pair);
   if (story) draw_clip_story(scene, pair, sketch);

@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "core/plane.h"
 #include "draw/layers/layer.h"
+#include "draw/layers/radii.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -198,7 +199,7 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   arrow(0, 0, distance, kAxis);
   if (distance < 0) {
     label(0, 0.5 * distance,
-          "cores overlap " + spell_length(-distance) + ", by " + in_words(pair.incremental->query),
+          "cores overlap " + spell_margin(-distance) + ", by " + in_words(pair.incremental->query),
           kAxisText, -side);
     sketch.explain(kAxisSwatch, "overlap of the cores", place(0, 0.5 * distance));
     return;
@@ -211,8 +212,8 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.line(place(from, along), place(to, along) + kBeyondColumn * pixel * side, kExtension);
   line(1, 0, a);
   line(2, b, distance);
-  label(1, 0.3 * a, "A's margin " + spell_length(margin_a), kMargin, side - 2 * normal);
-  label(2, distance - 0.3 * margin_b, "B's margin " + spell_length(margin_b), kMargin,
+  label(1, 0.3 * a, "A's margin " + spell_margin(margin_a), kMargin, side - 2 * normal);
+  label(2, distance - 0.3 * margin_b, "B's margin " + spell_margin(margin_b), kMargin,
         side + 2 * normal);
   const bool apart = b >= a;
   sketch.explain(kMarginsSwatch, "margins", place(1, 0.5 * a));
@@ -221,13 +222,13 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       apart ? "distance of the cores, and the gap that the margins leave" : "distance of the cores",
       place(0, 0.5 * distance));
   arrow(3, a, b, apart ? kAxis : kContact);
-  label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_length(std::abs(b - a)),
+  label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
         apart ? kAxisText : kContact, side);
-  label(0, 0.5 * distance, "cores " + spell_length(distance) + " apart", kAxisText, -side);
+  label(0, 0.5 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
 }
 
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (!pair.incremental) return;
+  if (!pair.incremental) return draw_radii(scene, pair, sketch);
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
   bool any = false;
   for (const auto& [name, margin] : {std::pair{&pair.a, margin_a}, {&pair.b, margin_b}}) {

@@ -76,16 +76,29 @@ bool is_kept(const trace::Pair& pair, const trace::DroppedPoint& dropped) {
   });
 }
 
-OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
+namespace {
+
+OnBoth surfaces_scaled(const Scene& scene, const trace::Pair& pair, const PairPoint& at,
+                       double scale) {
   const auto& [manifold, point] = at;
   const auto radius = [&](const std::string& name) {
     const PlacedShape* shape = scene.find(name);
     return shape == nullptr ? 0.0 : shape->traced().radius;
   };
   const double behind_a = share_behind_a(pair, *manifold, *point, radius(pair.a), radius(pair.b));
-  const double factor = point->separation > 0 ? scene.scales.gap : scene.scales.overlap;
-  const Vec3d overlap = factor * point->separation * manifold->normal;
+  const Vec3d overlap = scale * point->separation * manifold->normal;
   return {point->position - behind_a * overlap, point->position + (1 - behind_a) * overlap};
+}
+
+}  // namespace
+
+OnBoth surfaces_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
+  return surfaces_scaled(scene, pair, at, 1);
+}
+
+OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at) {
+  const bool apart = at.point->separation > 0;
+  return surfaces_scaled(scene, pair, at, apart ? scene.scales.gap : scene.scales.overlap);
 }
 
 std::optional<Vec3d> usual_normal(const trace::Frame& frame) {

@@ -42,8 +42,11 @@ struct OnBoth {
 };
 
 /// Where along the normal the two surfaces are at a contact point: an overlap from the surface of A
-/// to that of B, which is behind it. With the scene's scale the overlap is so many times as
-/// long, and begins at the surface on which the point lies, or in the middle of both.
+/// to that of B, which is behind it.
+OnBoth surfaces_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
+
+/// The same with the scene's scale: the overlap is so many times as long, and begins at the surface on
+/// which the point lies, or in the middle of both.
 OnBoth whisker_at(const Scene& scene, const trace::Pair& pair, const PairPoint& at);
 
 /// Manifolds of a pair. With more, as on a mesh, what they have in common is drawn smaller.

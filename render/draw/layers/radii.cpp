@@ -1,0 +1,203 @@
+#include "draw/layers/radii.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+
+/// Gregorius 2015, "Sphere vs Sphere", "Sphere vs Capsule", "Capsule vs Capsule", "Sphere vs Hull:
+/// Shallow Contact, Deep Contact": the line between the nearest points of the cores, and both radii.
+namespace contactscope::draw {
+namespace {
+
+// Pixels.
+constexpr double kBeside = 34;       // from the line between the cores to a radius beside it
+constexpr double kBeyondRadius = 6;  // a line from a core to its radius goes on so far
+constexpr double kLeastRadius = 12;
+constexpr float kLengthSize = 17;
+constexpr float kSumSize = 20;
+constexpr float kCoreSize = 16;
+constexpr double kSame = 1e-4;  // of a shape's size: nearer than that is the same place
+
+constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};
+constexpr LineStyle kToRadius{1.0f, with_alpha(kQuietText, 0.8f)};
+constexpr Swatch kVirtualSwatch{LegendGroup::Cores, 4, [](auto& pen) {
+                                  for (const double from : {0.0, 8.0, 16.0})
+                                    pen.level_line(from, from + 6, 1.8, kShapeEdge);
+                                }};
+
+/// Where the cores of two shapes are nearest to each other; of a hull its surface is its core.
+struct Cores {
+  Vec3d a, b;
+  Vec3d normal;           // unit, from A to B
+  double separation = 0;  // metres, of the surfaces
+};
+
+bool is_ball(const PlacedShape& shape) {
+  return shape.traced().radius > 0 && shape.vertices.size() == 1;
+}
+bool is_pill(const PlacedShape& shape) {
+  return shape.traced().radius > 0 && shape.vertices.size() == 2;
+}
+
+// At each contact point; of shapes that are apart where they are nearest, as far as the trace tells.
+std::vector<Cores> cores_of(const Scene& scene, const trace::Pair& pair, const PlacedShape& a,
+                            const PlacedShape& b) {
+  const double radius_a = a.traced().radius, radius_b = b.traced().radius;
+  std::vector<Cores> cores;
+  for (const PairPoint& at : all_points(pair)) {
+    const Vec3d& normal = at.manifold->normal;
+    const OnBoth surfaces = surfaces_at(scene, pair, at);
+    cores.push_back({surfaces.on_a - radius_a * normal, surfaces.on_b + radius_b * normal, normal,
+                     at.point->separation});
+  }
+  if (!cores.empty() || !(pair.separation > 0)) return cores;
+  std::optional<OnBoth> nearest;
+  if (is_ball(a) && is_ball(b)) nearest = {a.vertices[0], b.vertices[0]};
+  if (pair.gjk && pair.gjk->status == "separated") nearest = {pair.gjk->point_a, pair.gjk->point_b};
+  if (!nearest || nearest->on_a == nearest->on_b) return {};
+  return {{nearest->on_a, nearest->on_b, (nearest->on_b - nearest->on_a).normalized(),
+           pair.separation}};
+}
+
+/// Millimetres in the digits that the least of the lengths asks for.
+std::string millimetres(double metres, double least) {
+  const double digits = std::abs(least) >= 9.95e-3 ? 0 : std::abs(least) >= 0.995e-3 ? 1 : 2;
+  return printed("%.*f", static_cast<int>(digits), 1e3 * metres);
+}
+
+struct RadiiSketch {
+  const Scene& scene;
+  const PlacedShape& a;
+  const PlacedShape& b;
+  Sketch& sketch;
+  std::optional<std::string> degenerate{};  // what of it has no normal
+  double radius_a = a.traced().radius, radius_b = b.traced().radius;
+
+  double metres(const Vec3d& at, double pixels) const {
+    return pixels * scene.scales.pixel / scene.camera.pixels_per_metre(at);
+  }
+
+  /// A ball about the point of a capsule's axis, as if that were all of it.
+  void virtual_sphere(const PlacedShape& shape, const Vec3d& center) {
+    if (!is_pill(shape)) return;
+    const RoundBody ball{{center}, shape.traced().radius};
+    sketch.curves.push_back({ball.outline(scene.camera), kVirtual, true});
+    sketch.explain(kVirtualSwatch, "virtual sphere",
+                   Vec3d(center + ball.radius * scene.camera.up()));
+  }
+
+  void core(const PlacedShape& shape, const Vec3d& at, const Vec3d& away, bool named) {
+    if (!(shape.traced().radius > 0)) return;
+    sketch.mark(MarkKind::Node, at, kText);
+    if (!named) return;
+    const bool both = (radius_a > 0) == (radius_b > 0);
+    const std::string whose = !both ? "" : &shape == &a ? "A's " : "B's ";
+    std::string name = whose + "centre";
+    if (is_pill(shape)) {
+      const bool end = std::ranges::any_of(shape.vertices, [&](const Vec3d& v) {
+        return (v - at).norm() < kSame * shape.mesh->radius;
+      });
+      name = end ? "end of " + whose + "axis" : "nearest on " + whose + "axis";
+      if (!both) name = end ? "end of the axis" : "nearest on the axis";
+    }
+    sketch.label(at, name, kText, kCoreSize, 14, away).bold = false;
+  }
+
+  /// Cores that are points or segments are apart; a hull is a solid, and the other core outside or inside.
+  const char* stands(double apart) const {
+    if (radius_a > 0 && radius_b > 0) return "apart";
+    return apart < 0 ? "inside" : "outside";
+  }
+
+  /// A radius beside the line between the cores, from the core to the surface.
+  void radius(const Vec3d& from, const Vec3d& way, const Vec3d& aside, const char* name) {
+    const double length = way.norm();
+    if (length < metres(from, kLeastRadius)) return;
+    const Vec3d beside = metres(from, kBeside) * aside;
+    const Vec3d beyond = metres(from, kBeside + kBeyondRadius) * aside;
+    for (const Vec3d& end : {from, Vec3d(from + way)}) sketch.line(end, end + beyond, kToRadius);
+    sketch.arrows.push_back({.from = from + beside,
+                             .to = from + beside + way,
+                             .double_headed = true,
+                             .width = 1.8f,
+                             .head = 9,
+                             .color = kShapeEdge});
+    sketch.label(from + beside + 0.5 * way,
+                 std::string(name) + " " + millimetres(length, length) + " mm", kText, kLengthSize,
+                 8, aside);
+  }
+
+  /// The sum: overlap = radii less the distance of the cores, which is negative where the core of a
+  /// round shape is inside of a hull.
+  void sum(const Cores& at, const Vec3d& aside) {
+    const double apart = (at.b - at.a).dot(at.normal);
+    const double least = std::abs(at.separation);
+    const bool overlaps = at.separation <= 0;
+    std::string text;
+    for (const double radius : {radius_a, radius_b}) {
+      if (!(radius > 0)) continue;
+      text += (text.empty() ? "" : overlaps ? " + " : " − ") + millimetres(radius, least);
+    }
+    const std::string distance = millimetres(std::abs(apart), least);
+    text = overlaps ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
+                    : "gap " + distance + " − " + text;
+    text += " = " + millimetres(least, least) + " mm";
+    const Vec3d middle = 0.5 * (at.a + radius_a * at.normal + at.b - radius_b * at.normal);
+    sketch.label(middle, text, overlaps ? kContact : kAxisText, kSumSize, 60, aside).leader = true;
+  }
+
+  void draw(const std::vector<Cores>& all) {
+    bool first = true;
+    for (const Cores& at : all) {
+      virtual_sphere(a, at.a);
+      virtual_sphere(b, at.b);
+      const Vec3d across = at.normal.cross(scene.camera.to_eye(at.a));
+      const bool end_on = across.norm() < 0.2;
+      const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
+      if (!(at.b - at.a).isZero(1e-9)) sketch.line(at.a, at.b, {1.6f, kAxisText, true});
+      if (first && !end_on) {
+        radius(at.a, radius_a * at.normal, -right, "r");
+        radius(at.b, -radius_b * at.normal, right, "r");
+      }
+      core(a, at.a, -at.normal - right, first && !degenerate);
+      core(b, at.b, at.normal + right, first && !degenerate);
+      if (first && degenerate)
+        sketch.label(at.b, *degenerate, kText, kCoreSize, 14, -right - at.normal).bold = false;
+      if (first) {
+        const double apart = (at.b - at.a).dot(at.normal);
+        if (std::abs(apart) > metres(at.a, 2))
+          sketch.label(0.5 * (at.a + at.b),
+                       millimetres(std::abs(apart), std::abs(apart)) + " mm " + stands(apart),
+                       kAxisText, kLengthSize, 10, -right);
+        sum(at, right);
+      }
+      first = false;
+    }
+  }
+};
+
+}  // namespace
+
+void draw_radii(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (pair.query || pair.incremental || scene.crowded()) return;
+  const PlacedShape* a = scene.find(pair.a);
+  const PlacedShape* b = scene.find(pair.b);
+  if (a == nullptr || b == nullptr || !(a->traced().radius > 0 || b->traced().radius > 0)) return;
+  for (const PlacedShape* shape : {a, b})
+    if (shape->is_mesh() || shape->traced().half_space) return;
+  RadiiSketch drawing{scene, *a, *b, sketch};
+  if (pair.degenerate) drawing.degenerate = pair.degenerate->geometry;
+  drawing.draw(cores_of(scene, pair, *a, *b));
+  if (pair.degenerate && pair.degenerate->answer == "skip")
+    sketch
+        .label(b->pose.transform(b->traced().center_of_mass), "no normal: contact skipped", kText,
+               kSumSize, 60, -scene.camera.up())
+        .leader = true;
+}
+
+}  // namespace contactscope::draw

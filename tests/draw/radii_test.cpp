@@ -1,0 +1,166 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "crate_on_slab.h"
+#include "draw/layers/clipped_segment.h"
+
+namespace contactscope::draw {
+namespace {
+
+using crate_sample::cuboid;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+trace::Shape round_shape(const std::string& name, std::vector<Vec3d> core, double radius) {
+  trace::Shape shape;
+  shape.name = name;
+  shape.type = core.size() == 1 ? "sphere" : "capsule";
+  shape.vertices = std::move(core);
+  if (shape.vertices.size() == 2) shape.edges = {{0, 1}};
+  for (const Vec3d& v : shape.vertices)
+    shape.center_of_mass += v / static_cast<double>(shape.vertices.size());
+  shape.radius = radius;
+  return shape;
+}
+
+/// Two shapes with one manifold, or none.
+struct RoundScene {
+  trace::Header header;
+  std::vector<trace::Frame> frames{1};
+  View view;
+
+  RoundScene(const trace::Shape& a, const Vec3d& at_a, const trace::Shape& b, const Vec3d& at_b) {
+    header.title = "Round";
+    header.source = "none";
+    header.up = "y";
+    header.frames = 1;
+    header.shapes = {a, b};
+    Pose<double> pose_a, pose_b;
+    pose_a.position = at_a;
+    pose_b.position = at_b;
+    frames[0].poses = {{a.name, pose_a}, {b.name, pose_b}};
+    trace::Pair pair;
+    pair.a = a.name;
+    pair.b = b.name;
+    pair.state = "separated";
+    frames[0].pairs = {pair};
+    view.layers = {Layer::Core};
+    view.eye = Vec3d(0, 0.2, 4);
+    view.target = Vec3d(0, 0.2, 0);
+  }
+
+  trace::Pair& pair() { return frames[0].pairs[0]; }
+  void touch(const Vec3d& normal, const std::string& axis,
+             const std::vector<trace::Point>& points) {
+    trace::Manifold manifold;
+    manifold.normal = normal;
+    manifold.axis = axis;
+    manifold.points = points;
+    pair().manifolds = {manifold};
+    pair().state = "touching";
+    pair().separation = points.front().separation;
+  }
+  Staging staged() const { return stage(header, frames, view, 1280, 720); }
+  Sketch sketch() const { return sketch_frame(staged(), frames[0]); }
+};
+
+std::vector<std::string> said(const Sketch& sketch) {
+  return mapped(sketch.labels, [](const Label& label) { return label.text; });
+}
+
+int virtual_spheres(const Sketch& sketch, const Vec3d& center, double radius) {
+  int count = 0;
+  for (const Curve& curve : sketch.curves) {
+    if (!curve.style.dashed || !curve.closed || curve.points.empty()) continue;
+    count += std::ranges::all_of(curve.points, [&](const Vec3d& p) {
+      return std::abs((p - center).norm() - radius) < 1e-9;
+    });
+  }
+  return count;
+}
+
+TEST(Radii, OverlapOfTwoSpheresIsTheSumOfTheRadiiLessTheDistanceOfTheCentres) {
+  RoundScene scene(round_shape("large", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
+                   round_shape("small", {Vec3d::Zero()}, 0.3), Vec3d(0, 0.62, 0));
+  scene.touch(Vec3d::UnitY(), "closest_points", {{{0, 0.41, 0}, -0.18, "a:v0 b:v0"}});
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(said(sketch), Contains("overlap 500 + 300 − 620 = 180 mm"));
+  EXPECT_THAT(said(sketch), Contains("A's centre"));
+  // A radius each, beside the line between the centres and as long as it is.
+  std::vector<double> lengths;
+  for (const Arrow& arrow : sketch.arrows)
+    if (arrow.double_headed) lengths.push_back((*arrow.to - arrow.from).norm());
+  EXPECT_THAT(lengths, testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9),
+                                                     testing::DoubleNear(0.3, 1e-9)));
+}
+
+TEST(Radii, AGapIsTheDistanceLessBothRadii) {
+  RoundScene scene(round_shape("large", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
+                   round_shape("small", {Vec3d::Zero()}, 0.3), Vec3d(0, 0.84, 0));
+  scene.pair().separation = 0.04;
+  EXPECT_THAT(said(scene.sketch()), Contains("gap 840 − 500 − 300 = 40 mm"));
+}
+
+TEST(Radii, ACapsuleHasAVirtualSphereAboutTheNearestPointOfItsAxis) {
+  RoundScene scene(round_shape("pill", {{-0.6, 0, 0}, {0.5, 0, 0}}, 0.3), Vec3d::Zero(),
+                   round_shape("ball", {Vec3d::Zero()}, 0.25), Vec3d(0.8, 0.4, 0));
+  scene.touch({0.6, 0.8, 0}, "closest_points", {{{0.665, 0.22, 0}, -0.05, "a:v1 b:v0"}});
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(virtual_spheres(sketch, {0.5, 0, 0}, 0.3), 1);
+  EXPECT_EQ(virtual_spheres(sketch, {0.8, 0.4, 0}, 0.25), 0) << "a ball is one";
+  EXPECT_THAT(said(sketch), Contains("end of A's axis"));
+  EXPECT_THAT(said(sketch), Contains("B's centre"));
+  EXPECT_THAT(said(sketch), Contains("overlap 300 + 250 − 500 = 50 mm"));
+}
+
+TEST(Radii, BeyondTheSurfaceOfAHullTheDistanceIsAdded) {
+  RoundScene scene(cuboid("block", {0.8, 0.35, 0.5}), Vec3d(0, -0.35, 0),
+                   round_shape("ball", {Vec3d::Zero()}, 0.3), Vec3d(0, -0.03, 0));
+  scene.touch(Vec3d::UnitY(), "face_a", {{{0, 0, 0}, -0.33, "a:f2 b:v0"}});
+  EXPECT_THAT(said(scene.sketch()), Contains("overlap 300 + 30 = 330 mm"));
+}
+
+TEST(Radii, APairThatIsSkippedSaysSo) {
+  RoundScene scene(round_shape("outer", {Vec3d::Zero()}, 0.5), Vec3d::Zero(),
+                   round_shape("inner", {Vec3d::Zero()}, 0.3), Vec3d::Zero());
+  scene.pair().separation = -0.8;
+  EXPECT_THAT(said(scene.sketch()), Not(Contains("no normal: contact skipped")));
+  scene.pair().degenerate = trace::Degenerate{"coincident centres", "skip"};
+  EXPECT_THAT(said(scene.sketch()), Contains("no normal: contact skipped"));
+}
+
+TEST(ClippedSegment, TheAxisOfACapsuleIsCutAtTheSideThatItCrosses) {
+  RoundScene scene(cuboid("block", {0.8, 0.3, 0.5}), Vec3d(0, -0.3, 0),
+                   round_shape("pill", {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.2), Vec3d(0.6, 0.18, 0.1));
+  scene.touch(Vec3d::UnitY(), "face_a",
+              {{{0.1, 0, 0.1}, -0.02, "a:f2 b:v0"}, {{0.8, 0, 0.1}, -0.02, "a:e1 b:e0"}});
+  scene.view.layers = {Layer::ReferenceFace, Layer::SidePlanes, Layer::ClipPolygons};
+  const Staging staging = scene.staged();
+  const Scene shown = scene_of(staging, scene.frames[0]);
+  const auto segment = clipped_segment(shown, scene.pair());
+  ASSERT_TRUE(segment);
+  EXPECT_NEAR((segment->from - Vec3d(0.1, 0.18, 0.1)).norm(), 0, 1e-9);
+  EXPECT_NEAR((segment->to - Vec3d(0.8, 0.18, 0.1)).norm(), 0, 1e-9);
+  ASSERT_EQ(segment->sides.size(), 4u);
+  int cuts = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!segment->cuts(i)) continue;
+    ++cuts;
+    EXPECT_NEAR(segment->sides[i].x(), 1, 1e-12);
+  }
+  EXPECT_EQ(cuts, 1);
+  const Sketch sketch = scene.sketch();
+  const auto green = std::ranges::find_if(sketch.lines, [](const Line& line) {
+    return crate_sample::same(line.style.color, kClipPolygon);
+  });
+  ASSERT_NE(green, sketch.lines.end());
+  EXPECT_NEAR((green->to - green->from).norm(), 0.7, 1e-9);
+  // Whatever made the contact of closest points, no face did.
+  scene.pair().manifolds[0].axis = "closest_points";
+  EXPECT_FALSE(clipped_segment(shown, scene.pair()));
+  EXPECT_FALSE(face_of_round(shown, scene.pair()));
+}
+
+}  // namespace
+}  // namespace contactscope::draw
