@@ -44,7 +44,7 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
 // How far apart two lines at least are on the screen, pixels, that both stay: closer ones make a
 // moiré.
 constexpr double kTooClose = 3;
-constexpr double kFarEnough = 11;
+constexpr double kFarAway = 11;
 
 // The share that is left of a line between triangles which stand closer and closer on the screen
 // towards the horizon.
@@ -66,7 +66,7 @@ float distance_fade(const Scene& scene, const PlacedShape& shape, const ShapeMes
       spacing = std::min(spacing, std::abs(cross(along, way)) / length);
     }
   }
-  return share_between(kTooClose, kFarEnough, spacing / scene.scales.pixel);
+  return share_between(kTooClose, kFarAway, spacing / scene.scales.pixel);
 }
 
 // A triangle of a mesh with the strongest role that a manifold gives it.
