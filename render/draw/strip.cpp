@@ -12,18 +12,43 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kCaptionSize = 15, kCaptionRoom = 24, kBetweenCells = 16, kBelowTitle = 4;
-constexpr double kBodyType = 15;    // what a style's type is of
-constexpr double kPageType = 1440;  // pixels of width at which type is as large as at 720 lines
-constexpr double kLeastType = 0.72;
+constexpr double kCaptionSize = 15, kCaptionLine = 18, kCaptionRoom = 24, kBetweenCells = 16;
+constexpr double kBodyType = 15;  // what a style's type is of
+// Type is as large as at 720 lines in a cell so wide, in pixels, and in others within these bounds.
+constexpr double kUsualCell = 360, kLeastType = 0.72, kMostType = 1.25;
 constexpr double kCellShape = 0.75;  // height by width
 constexpr double kThumbnailShape = 0.66;
 
-/// Where nobody sets the type, it follows the width alone: a row is not high.
-FigureStyle with_type(FigureStyle style, int width) {
+/// Where nobody sets the type, it follows the width of a cell: a row is not high.
+FigureStyle with_type(FigureStyle style, double cell_width) {
   if (style.type > 0) return style;
-  style.type = kBodyType * std::max(kLeastType, width / kPageType);
+  style.type = kBodyType * std::clamp(cell_width / kUsualCell, kLeastType, kMostType);
   return style;
+}
+
+/// A drawing without what stands in one of its parts.
+Drawing without_part(const Drawing& drawing, std::string_view layer) {
+  Drawing left = drawing;
+  left.primitives.clear();
+  left.parts.clear();
+  left.callouts.clear();
+  std::vector<std::size_t> moved(drawing.primitives.size());  // where each primitive is now
+  std::size_t part = 0;
+  bool is_left = true;
+  for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
+    for (; part < drawing.parts.size() && drawing.parts[part].first == i; ++part) {
+      const Part& begun = drawing.parts[part];
+      is_left = begun.layer != layer;
+      if (is_left) left.begin(begun.layer, begun.pair, begun.role);
+    }
+    moved[i] = left.primitives.size();
+    if (is_left) left.primitives.push_back(drawing.primitives[i]);
+  }
+  for (Callout callout : drawing.callouts) {
+    callout.text = moved[callout.text];
+    left.callouts.push_back(std::move(callout));
+  }
+  return left;
 }
 
 CellGrid grid_of(const Rect& room, int cells, int columns, double caption, double gap,
@@ -74,16 +99,25 @@ FigureStyle cell_style(FigureStyle page, float scale) {
 Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frames,
              const std::vector<trace::Frame>& shown, const View& view, int width, int height,
              int columns, const FigureStyle& style)
-    : header_(&header), shown_(&shown), style_(with_type(style, width)) {
+    : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
   // What the legend lists follows from the cells, and their size from its rows.
   lay_out(frames, view, width, height, columns);
-  if (!style_.legend) return;
   Legend legend;
-  for (const trace::Frame& frame : shown)
+  for (const trace::Frame& frame : shown) {
+    headings_.push_back(sketch_frame(*cell_, frame).heading);
+    if (!style_.legend) continue;
     for (const LegendEntry& entry : legend_of(*cell_, frame).listed)
       legend.explain(*entry.swatch, entry.text);
+  }
   legend_ = legend.sorted();
-  if (!legend_.empty()) lay_out(frames, view, width, height, columns);
+  const bool any = std::ranges::any_of(headings_, [](const auto& text) { return !text.empty(); });
+  if (any || !legend_.empty()) lay_out(frames, view, width, height, columns);
+}
+
+std::vector<std::string> Strip::heading_lines(int i) const {
+  if (headings_.empty() || at(headings_, i).empty()) return {};
+  const std::string text = page_.words ? page_.words->of(at(headings_, i)) : at(headings_, i);
+  return wrapped(text, page_.px(kCaptionSize), static_cast<float>(grid_.width));
 }
 
 void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, int width,
@@ -97,7 +131,11 @@ void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, i
     return make_layout(width, high, false, {widths}, 0, style_, header_->title);
   };
   page_ = page_of(height > 0 ? height : width);
-  const double gap = page_.px(kBetweenCells), caption = page_.px(kCaptionRoom);
+  const double gap = page_.px(kBetweenCells);
+  grid_ = grid_of(page_.view, cells, columns, 0, gap, kCellShape);  // for its width alone
+  std::size_t lines = 0;
+  for (int i = 0; i < count_of(headings_); ++i) lines = std::max(lines, heading_lines(i).size());
+  const double caption = page_.px(kCaptionRoom + static_cast<double>(lines) * kCaptionLine);
   if (height <= 0) {
     const CellGrid trial = grid_of(page_.view, cells, columns, caption, gap, kCellShape);
     page_ = page_of(height_with(trial, cells, page_.view.height, gap, width));
@@ -114,9 +152,14 @@ Drawing Strip::page() const {
   drawing.begin(kMomentPart);
   for (int i = 0; i < count_of(*shown_); ++i) {
     const Rect at = grid_.cell(i);
+    double baseline = at.y - grid_.caption + page_.px(kCaptionLine);
     pen.text(pen.fitted(cell_->moments.of(contactscope::at(*shown_, i)), Weight::Bold,
                         static_cast<float>(at.width)),
-             pixel(at.x, at.y - page_.px(0.35 * kCaptionSize)), Align::Left, kText, Weight::Bold);
+             pixel(at.x, baseline), Align::Left, kText, Weight::Bold);
+    for (const std::string& line : heading_lines(i)) {
+      baseline += page_.px(kCaptionLine);
+      pen.text(Said{line}, pixel(at.x, baseline), Align::Left, kText);
+    }
   }
   if (style_.legend) draw_legend(legend_, page_, drawing);
   draw_captions(header_->title, header_->source, "", page_, drawing);
@@ -124,12 +167,14 @@ Drawing Strip::page() const {
 }
 
 void Strip::place(int i, const Drawing& cell, Drawing& page) const {
-  put(grid_, i, cell, page);
+  put(grid_, i, without_part(cell, "heading"), page);
 }
 
 ContactSheet::ContactSheet(std::string title, std::vector<Entry> entries, int width, int columns,
                            const FigureStyle& style)
-    : title_(std::move(title)), entries_(std::move(entries)), style_(with_type(style, width)) {
+    : title_(std::move(title)),
+      entries_(std::move(entries)),
+      style_(with_type(style, double(width) / columns)) {
   style_.legend = style_.footer = false;
   const int cells = count_of(entries_);
   const auto page_of = [&](int high) {
@@ -168,7 +213,7 @@ Drawing ContactSheet::page() const {
 }
 
 void ContactSheet::place(int i, const Drawing& thumbnail, Drawing& page) const {
-  put(grid_, i, thumbnail, page);
+  put(grid_, i, without_part(thumbnail, "heading"), page);
 }
 
 }  // namespace contactscope::draw

@@ -26,7 +26,8 @@ struct CellGrid {
 int usual_columns(int cells);
 
 /// One picture of several frames: one camera, one title above, one legend below of what is seen in any
-/// of them. Each cell is drawn for its own size, so that its type is as large as the page's.
+/// of them; above each cell its moment, and what a story says of its step. Each cell is drawn for its own
+/// size, so that its type is as large as the page's.
 class Strip {
  public:
   /// `shown`: the frames of the cells, in order; `frames`: those of the sequence, to which the camera
@@ -49,11 +50,14 @@ class Strip {
  private:
   void lay_out(const std::vector<trace::Frame>& frames, const View& view, int width, int height,
                int columns);
+  /// The heading of a cell, in as many lines as it takes.
+  std::vector<std::string> heading_lines(int i) const;
 
   const trace::Header* header_;
   const std::vector<trace::Frame>* shown_;
   FigureStyle style_;
   std::vector<LegendEntry> legend_{};
+  std::vector<std::string> headings_{};  // what stories say of their steps
   Layout page_{};
   CellGrid grid_{};
   std::optional<Staging> cell_{};

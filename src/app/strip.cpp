@@ -13,7 +13,11 @@
 namespace contactscope::app {
 namespace {
 
-constexpr int kStripWidth = 1600, kSheetWidth = 1600;  // pixels, where nobody says
+/// Pixels, where nobody says.
+int page_width(int columns) {
+  constexpr int kCell = 400, kLeast = 960, kMost = 8192;
+  return std::clamp(columns * kCell, kLeast, kMost);
+}
 
 std::string group_of(const std::string& scenario) {
   return scenario.substr(0, scenario.find('/'));
@@ -90,11 +94,11 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
   sequence.each(chosen, [&](std::size_t index) { shown.push_back(sequence.frames[index]); });
   for (View& view : views) {
     if (!options.panels) view.panels.clear();
+    const int columns = options.columns.value_or(draw::usual_columns(count_of(shown)));
     const FigureCanvas canvas =
-        page_canvas(sequence.header, sequence.frames, view, options, kStripWidth, words);
-    const draw::Strip strip(
-        sequence.header, sequence.frames, shown, view, canvas.size.width, canvas.size.height,
-        options.columns.value_or(draw::usual_columns(count_of(shown))), canvas.style);
+        page_canvas(sequence.header, sequence.frames, view, options, page_width(columns), words);
+    const draw::Strip strip(sequence.header, sequence.frames, shown, view, canvas.size.width,
+                            canvas.size.height, columns, canvas.style);
     draw::Drawing page = strip.page();
     studio.finish(canvas.style, page);
     int cell = 0;
@@ -127,14 +131,14 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   }
   const std::string group = groups.size() == 1 ? *groups.begin() : "";
   const std::shared_ptr<const Words> words = words_of(inputs.front(), options);
+  const int columns = options.columns.value_or(draw::usual_columns(count_of(inputs)));
   View none;  // of no scene: its height follows from the thumbnails
   none.kind = ViewKind::ContactPlane;
-  const FigureCanvas canvas = page_canvas({}, {}, none, options, kSheetWidth, words);
-  const draw::ContactSheet sheet(
-      (group.empty() ? "" : group + ": ") + std::to_string(inputs.size()) +
-          (inputs.size() == 1 ? " scenario" : " scenarios"),
-      std::move(entries), canvas.size.width,
-      options.columns.value_or(draw::usual_columns(count_of(inputs))), canvas.style);
+  const FigureCanvas canvas = page_canvas({}, {}, none, options, page_width(columns), words);
+  const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") +
+                                     std::to_string(inputs.size()) +
+                                     (inputs.size() == 1 ? " scenario" : " scenarios"),
+                                 std::move(entries), canvas.size.width, columns, canvas.style);
   draw::Drawing page = sheet.page();
   studio.finish(canvas.style, page);
   for (int i = 0; i < count_of(inputs); ++i) {

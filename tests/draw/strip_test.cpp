@@ -93,7 +93,7 @@ TEST(Strip, TypeOfACellIsAsLargeAsThePages) {
   for (const double asked : {0.0, 20.0}) {
     FigureStyle style;
     style.type = asked;
-    const Strip strip(scene.header, scene.frames, shown, scene.view, 1440, 0, 2, style);
+    const Strip strip(scene.header, scene.frames, shown, scene.view, 720, 0, 2, style);
     EXPECT_NEAR(strip.cell().layout.scale, asked > 0 ? asked / 15 : 1.0, 1e-5);
   }
 }
