@@ -100,6 +100,12 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
              const std::vector<trace::Frame>& shown, const View& view, int width, int height,
              int columns, const FigureStyle& style)
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
+  // Without numbers, which differ from cell to cell, where the author says it so; else the outcome.
+  title_ = plain_title(view.title.value_or(header.title));
+  if (title_.find("…") != std::string::npos) {
+    lay_out(frames, view, width, height, columns);
+    title_ = fill_title(*cell_, shown.back());
+  }
   // What the legend lists follows from the cells, and their size from its rows.
   lay_out(frames, view, width, height, columns);
   Legend legend;
@@ -128,7 +134,7 @@ void Strip::lay_out(const std::vector<trace::Frame>& frames, const View& view, i
     return legend_entry_width(entry, scale, style_.words.get());
   });
   const auto page_of = [&](int high) {
-    return make_layout(width, high, false, {widths}, 0, style_, header_->title);
+    return make_layout(width, high, false, {widths}, 0, style_, title_);
   };
   page_ = page_of(height > 0 ? height : width);
   const double gap = page_.px(kBetweenCells);
@@ -162,7 +168,7 @@ Drawing Strip::page() const {
     }
   }
   if (style_.legend) draw_legend(legend_, page_, drawing);
-  draw_captions(header_->title, header_->source, "", page_, drawing);
+  draw_captions(title_, header_->source, "", page_, drawing);
   return drawing;
 }
 
@@ -170,13 +176,10 @@ void Strip::place(int i, const Drawing& cell, Drawing& page) const {
   put(grid_, i, without_part(cell, "heading"), page);
 }
 
-ContactSheet::ContactSheet(std::string title, std::vector<Entry> entries, int width, int columns,
+ContactSheet::ContactSheet(std::string title, int cells, int width, int columns,
                            const FigureStyle& style)
-    : title_(std::move(title)),
-      entries_(std::move(entries)),
-      style_(with_type(style, double(width) / columns)) {
+    : title_(std::move(title)), style_(with_type(style, double(width) / columns)) {
   style_.legend = style_.footer = false;
-  const int cells = count_of(entries_);
   const auto page_of = [&](int high) {
     return make_layout(width, high, false, {}, 0, style_, title_);
   };
@@ -188,13 +191,13 @@ ContactSheet::ContactSheet(std::string title, std::vector<Entry> entries, int wi
   grid_ = grid_of(page_.view, cells, columns, caption, gap, kThumbnailShape);
 }
 
-Drawing ContactSheet::page() const {
+Drawing ContactSheet::page(const std::vector<Entry>& entries) const {
   Drawing drawing{.width = page_.width, .height = page_.height};
   drawing.words = page_.words;
   const Pen pen(drawing, page_.scale, kCaptionSize);
   drawing.begin(kTitlePart);
-  for (int i = 0; i < count_of(entries_); ++i) {
-    const Entry& entry = contactscope::at(entries_, i);
+  for (int i = 0; i < count_of(entries); ++i) {
+    const Entry& entry = contactscope::at(entries, i);
     const Rect at = grid_.cell(i);
     const auto room = static_cast<float>(at.width);
     double baseline = at.y - grid_.caption + page_.px(kCaptionSize);

@@ -56,6 +56,7 @@ class Strip {
   const trace::Header* header_;
   const std::vector<trace::Frame>* shown_;
   FigureStyle style_;
+  std::string title_{};
   std::vector<LegendEntry> legend_{};
   std::vector<std::string> headings_{};  // what stories say of their steps
   Layout page_{};
@@ -74,8 +75,7 @@ class ContactSheet {
     std::string name, title;
   };
 
-  ContactSheet(std::string title, std::vector<Entry> entries, int width, int columns,
-               const FigureStyle& style);
+  ContactSheet(std::string title, int cells, int width, int columns, const FigureStyle& style);
 
   int cell_width() const { return grid_.width; }
   int cell_height() const { return grid_.height; }
@@ -84,12 +84,11 @@ class ContactSheet {
   int height() const { return page_.height; }
 
   /// All but the thumbnails, unfinished.
-  Drawing page() const;
+  Drawing page(const std::vector<Entry>& entries) const;
   void place(int i, const Drawing& thumbnail, Drawing& page) const;
 
  private:
   std::string title_;
-  std::vector<Entry> entries_;
   FigureStyle style_;
   Layout page_{};
   CellGrid grid_{};

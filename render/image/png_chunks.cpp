@@ -70,11 +70,14 @@ Bytes deflated_rows(const Image& image, const PixelBox& box, int level) {
   const std::size_t channels = image.alpha.empty() ? 3 : 4;
   const std::size_t width = index(box.right - box.left), row = 1 + channels * width;
   // Flat areas and thin lines compress as well unfiltered, and twice as fast.
-  Bytes rows(row * index(box.bottom - box.top));
+  // Megabytes that are written once: not cleared before.
+  const std::size_t size = row * index(box.bottom - box.top);
+  const auto rows = std::make_unique_for_overwrite<std::uint8_t[]>(size);
   for (int y = box.top; y < box.bottom; ++y) {
     const std::size_t first = index(y) * index(image.width) + index(box.left);
     const std::uint8_t* rgb = image.rgb.data() + 3 * first;
-    std::uint8_t* to = rows.data() + index(y - box.top) * row + 1;
+    std::uint8_t* to = rows.get() + index(y - box.top) * row;
+    *to++ = 0;  // no filter
     if (channels == 3) {
       std::copy_n(rgb, 3 * width, to);
       continue;
@@ -87,10 +90,11 @@ Bytes deflated_rows(const Image& image, const PixelBox& box, int level) {
   const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
       libdeflate_alloc_compressor(level), libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
-  Bytes out(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
-  out.resize(
-      libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), out.data(), out.size()));
-  return out;
+  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), size);
+  const auto out = std::make_unique_for_overwrite<std::uint8_t[]>(bound);
+  const std::size_t length =
+      libdeflate_zlib_compress(compressor.get(), rows.get(), size, out.get(), bound);
+  return {out.get(), out.get() + length};
 }
 
 }  // namespace contactscope

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/narrow.h"
+#include "core/title.h"
 #include "image/sha256.h"
 
 namespace contactscope::app {
@@ -45,7 +46,7 @@ PictureOrigin origin_of(const Input& input, const trace::Header& header, const O
   PictureOrigin origin;
   origin.version = CONTACTSCOPE_VERSION;
   origin.scenario = input.scenario.name;
-  origin.title = header.title;
+  origin.title = plain_title(header.title);
   origin.sha256 = hash_of_file(input.file.empty() ? input.scenario.path : input.file);
   origin.command = "contactscope render " + for_shell(argument_of(input, options)) + options.given;
   return origin;

@@ -122,30 +122,25 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
 void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)>& run,
                 const Options& options, Studio& studio, Sinks& sinks, Progress& progress) {
   std::set<std::string> groups;
-  std::vector<draw::ContactSheet::Entry> entries;
-  for (const Input& input : inputs) {
-    groups.insert(group_of(input.scenario.name));
-    const bool is_trace = input.trace.has_value();
-    entries.push_back(
-        {input.scenario.name, is_trace ? input.trace->header.title : input.scenario.title});
-  }
+  for (const Input& input : inputs) groups.insert(group_of(input.scenario.name));
   const std::string group = groups.size() == 1 ? *groups.begin() : "";
+  const int count = count_of(inputs);
+  const int columns = options.columns.value_or(draw::usual_columns(count));
   const std::shared_ptr<const Words> words = words_of(inputs.front(), options);
-  const int columns = options.columns.value_or(draw::usual_columns(count_of(inputs)));
   View none;  // of no scene: its height follows from the thumbnails
   none.kind = ViewKind::ContactPlane;
   const FigureCanvas canvas = page_canvas({}, {}, none, options, page_width(columns), words);
-  const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") +
-                                     std::to_string(inputs.size()) +
-                                     (inputs.size() == 1 ? " scenario" : " scenarios"),
-                                 std::move(entries), canvas.size.width, columns, canvas.style);
-  draw::Drawing page = sheet.page();
-  studio.finish(canvas.style, page);
-  for (int i = 0; i < count_of(inputs); ++i) {
-    Input& input = at(inputs, i);
+  const draw::ContactSheet sheet((group.empty() ? "" : group + ": ") + std::to_string(count) +
+                                     (count == 1 ? " scenario" : " scenarios"),
+                                 count, canvas.size.width, columns, canvas.style);
+  std::vector<draw::ContactSheet::Entry> entries;
+  std::vector<draw::Drawing> thumbnails;
+  for (Input& input : inputs) {
     const std::vector<View> views = selected_views(input.scenario, options);
     const auto scene = std::ranges::find_if(views, has_cells);
     Sequence sequence = run(input);
+    entries.push_back({input.scenario.name, plain_title(sequence.header.title)});
+    thumbnails.emplace_back();
     if (scene != views.end()) {
       View view = *scene;
       if (!options.panels) view.panels.clear();
@@ -155,12 +150,16 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
       const std::vector<int>& stored = input.scenario.snapshots.frames;
       const int frame = options.frames || stored.empty() ? input.frames.front() : stored.front();
       studio.each_drawing(staging, sequence, {frame},
-                          [&](const trace::Frame&, const draw::Drawing& drawing) {
-                            sheet.place(i, drawing, page);
+                          [&](const trace::Frame& shown, draw::Drawing drawing) {
+                            entries.back().title = draw::fill_title(staging, shown);
+                            thumbnails.back() = std::move(drawing);
                           });
     }
     progress.advance(input.scenario.name);
   }
+  draw::Drawing page = sheet.page(entries);
+  studio.finish(canvas.style, page);
+  for (int i = 0; i < count; ++i) sheet.place(i, at(thumbnails, i), page);
   PictureOrigin origin;
   origin.title = group;
   origin.version = CONTACTSCOPE_VERSION;

@@ -25,8 +25,7 @@ CrateOnSlab rising() {
   return scene;
 }
 
-Drawing strip_of(const CrateOnSlab& scene, const Strip& strip,
-                 const std::vector<trace::Frame>& shown) {
+Drawing strip_of(const Strip& strip, const std::vector<trace::Frame>& shown) {
   Drawing page = strip.page();
   for (std::size_t i = 0; i < shown.size(); ++i)
     strip.place(static_cast<int>(i), illustrate(strip.cell(), shown[i]), page);
@@ -46,7 +45,7 @@ TEST(Strip, HasOneTitleOneLegendAndAMomentACell) {
   const CrateOnSlab scene = rising();
   const std::vector<trace::Frame> shown = {scene.frames[0], scene.frames[5], scene.frames[9]};
   const Strip strip(scene.header, scene.frames, shown, scene.view, 1200, 0, 3, {});
-  const Drawing page = strip_of(scene, strip, shown);
+  const Drawing page = strip_of(strip, shown);
   EXPECT_EQ(page.width, 1200);
   EXPECT_EQ(texts_of(page, "A crate on a slab").size(), 1u);
   EXPECT_EQ(texts_of(page, "none").size(), 1u) << "the source";
@@ -106,9 +105,8 @@ TEST(Strip, RowsAreOfAboutTheSameLength) {
 
 TEST(Strip, ASheetNamesEachThumbnailAboveIt) {
   const CrateOnSlab scene = rising();
-  const ContactSheet sheet("two", {{"group/a", "First title"}, {"group/b", "Second title"}}, 1000,
-                           2, {});
-  Drawing page = sheet.page();
+  const ContactSheet sheet("two", 2, 1000, 2, {});
+  Drawing page = sheet.page({{"group/a", "First title"}, {"group/b", "Second title"}});
   ASSERT_EQ(texts_of(page, "group/b").size(), 1u);
   const Point2 name = texts_of(page, "group/b").front().at;
   EXPECT_GT(texts_of(page, "Second title").front().at.y, name.y);

@@ -103,6 +103,7 @@ void Sinks::add(const trace::Frame& frame, draw::Drawing drawing) {
     const Format& format = *formats_[i];
     shot.origin = completed(series_.origin, std::to_string(frame.frame), format);
     shot.origin.frame = frame.frame;
+    shot.origin.title = draw::fill_title(*series_.staging, frame);
     if (reels_[i])
       reels_[i]->add(shot, frame);
     else
