@@ -42,6 +42,14 @@ std::string for_shell(const std::string& word) {
   return quoted + "'";
 }
 
+std::string frames_option(const Options& options) {
+  if (!options.frames) return "";
+  const auto& [first, last, step] = *options.frames;
+  if (last == first) return " --frames " + std::to_string(first);
+  return " --frames " + std::to_string(first) + ":" + std::to_string(last) +
+         (step == 1 ? "" : ":" + std::to_string(step));
+}
+
 PictureOrigin origin_of(const Input& input, const trace::Header& header, const Options& options) {
   PictureOrigin origin;
   origin.version = CONTACTSCOPE_VERSION;

@@ -14,6 +14,9 @@ PictureOrigin origin_of(const Input& input, const trace::Header& header, const O
 PictureOrigin of_view(PictureOrigin origin, const View& view, bool is_one_of_several,
                       const Options& options);
 
+/// " --frames 0:23:4" where that was given; else nothing.
+std::string frames_option(const Options& options);
+
 /// A word as a shell takes it: in quotes where it needs some.
 std::string for_shell(const std::string& word);
 

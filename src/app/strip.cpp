@@ -109,10 +109,7 @@ void draw_strips(const Input& input, Sequence& sequence, const PictureOrigin& or
     const bool is_one_of_several = scenario.views.size() > 1;
     PictureOrigin of_strip = of_view(origin, view, is_one_of_several, options);
     of_strip.frames = joined(chosen);
-    if (options.frames)
-      of_strip.command += " --frames " + std::to_string(options.frames->first) + ":" +
-                          std::to_string(options.frames->last) + ":" +
-                          std::to_string(options.frames->step);
+    of_strip.command += frames_option(options);
     std::filesystem::path stem = scenario.name;
     if (is_one_of_several) stem /= view.name;
     sinks.add_alone((stem / "strip").string(), scenario.name, of_strip, std::move(page));

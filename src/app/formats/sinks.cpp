@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/origin.h"
 #include "core/at.h"
 #include "image/whole_file.h"
 #include "snapshot/store.h"
@@ -13,21 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With what makes this file of it: its frames and its format.
+/// With what makes this file of it: its frames, as an option or nothing, and its format.
 PictureOrigin completed(PictureOrigin origin, const std::string& frames, const Format& format) {
-  if (!frames.empty()) origin.command += " --frames " + frames;
+  origin.command += frames;
   if (&format != &formats().front()) origin.command += " --format " + std::string(format.name);
   return origin;
-}
-
-/// What --frames names so; empty where no single range does.
-std::string range_of(const std::vector<int>& frames) {
-  if (frames.size() == 1) return std::to_string(frames.front());
-  const int step = frames[1] - frames[0];
-  for (std::size_t i = 1; i < frames.size(); ++i)
-    if (frames[i] - frames[i - 1] != step) return "";
-  return std::to_string(frames.front()) + ":" + std::to_string(frames.back()) +
-         (step == 1 ? "" : ":" + std::to_string(step));
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -50,8 +41,8 @@ int Sinks::files() const {
 }
 
 std::string Sinks::path_of(const std::string& scenario, const fs::path& stem,
-                           const Format& format) {
-  const std::string path = stem.string() + std::string(format.extension);
+                           std::string_view extension) {
+  const std::string path = stem.string() + std::string(extension);
   fs::create_directories(stem.parent_path());
   if (written_.empty() || written_.back().first != scenario)
     written_.emplace_back(scenario, std::vector<std::string>());
@@ -69,8 +60,8 @@ void Sinks::begin(const Series& series) {
   for (const Format* format : formats_) {
     reels_.emplace_back();
     if (format->begin == nullptr || (is_one && format->encode != nullptr)) continue;
-    ReelPlan plan{path_of(series.scenario, folder / stem, *format),
-                  completed(series.origin, range_of(series.frames), *format),
+    ReelPlan plan{path_of(series.scenario, folder / stem, format->extension),
+                  completed(series.origin, frames_option(options_), *format),
                   series.staging,
                   series.sequence,
                   series.frames,
@@ -94,21 +85,23 @@ void Sinks::encode(const Format& format, const std::string& path, const Shot& sh
 void Sinks::add(const trace::Frame& frame, draw::Drawing drawing) {
   const fs::path folder = snapshot::picture_folder(options_.out, series_.scenario, series_.view);
   if (options_.anchors) {
-    fs::create_directories(folder);
-    write_text((folder / (snapshot::frame_stem(frame.frame) + ".anchors.json")).string(),
-               vector::anchors_of(*series_.staging, frame, drawing));
+    write_text(
+        path_of(series_.scenario, folder / snapshot::frame_stem(frame.frame), ".anchors.json"),
+        vector::anchors_of(*series_.staging, frame, drawing));
   }
   Shot shot = shot_of(std::move(drawing));
   for (std::size_t i = 0; i < formats_.size(); ++i) {
     const Format& format = *formats_[i];
-    shot.origin = completed(series_.origin, std::to_string(frame.frame), format);
+    shot.origin = completed(series_.origin, " --frames " + std::to_string(frame.frame), format);
     shot.origin.frame = frame.frame;
     shot.origin.title = draw::fill_title(*series_.staging, frame);
     if (reels_[i])
       reels_[i]->add(shot, frame);
     else
-      encode(format, path_of(series_.scenario, folder / snapshot::frame_stem(frame.frame), format),
-             shot);
+      encode(
+          format,
+          path_of(series_.scenario, folder / snapshot::frame_stem(frame.frame), format.extension),
+          shot);
   }
 }
 
@@ -124,7 +117,7 @@ void Sinks::add_alone(const std::string& stem, const std::string& scenario,
   Shot shot = shot_of(std::move(drawing));
   for (const Format* format : formats_) {
     shot.origin = completed(origin, "", *format);
-    encode(*format, path_of(scenario, fs::path(options_.out) / stem, *format), shot);
+    encode(*format, path_of(scenario, fs::path(options_.out) / stem, format->extension), shot);
   }
 }
 

@@ -52,7 +52,7 @@ class Sinks {
   Shot shot_of(draw::Drawing drawing);
   void encode(const Format& format, const std::string& path, const Shot& shot);
   std::string path_of(const std::string& scenario, const std::filesystem::path& stem,
-                      const Format& format);
+                      std::string_view extension);
 
   std::vector<const Format*> formats_;
   const Options& options_;
