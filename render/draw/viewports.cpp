@@ -89,8 +89,9 @@ void draw_viewport_frame(const PairViewport& viewport, const Layout& layout, Dra
   const Pen pen(drawing, layout.scale, kViewportHeading);
   pen.frame(viewport.frame, 1, with_alpha(kQuietText, 0.5f));
   const float padding = pen.px(8), size = pen.px(kViewportHeading);
-  const std::string heading = fitted(viewport.heading, size, Weight::Bold,
-                                     static_cast<float>(viewport.frame.width) - 2 * padding);
+  const Said heading =
+      pen.fitted(viewport.heading, Weight::Bold,
+                 static_cast<float>(viewport.frame.width) - 2 * padding, kViewportHeading);
   pen.text(heading,
            pixel(viewport.frame.x + padding, viewport.frame.y + 0.5 * padding + 0.9 * size),
            Align::Left, kText, Weight::Bold);

@@ -336,6 +336,7 @@ const std::vector<std::string_view>& known_words() {
       "{n} above it dropped",
       "{n} corner",
       "{n} corners",
+      "frames need no full test",
       "cut away",
       "new corner, in the order made",
       "corner, edge or face that touches",

@@ -125,7 +125,7 @@ class AxisHistoryPanel : public PanelContent {
     const std::string number = std::to_string(counts.hits) + " of " + std::to_string(now + 1);
     const Point2 at = pixel(rest.x, rest.y + pen.px(kHeadlineSize));
     pen.text(number, at, Align::Left, kAxisText, Weight::Bold, kHeadlineSize);
-    const float used = text_width(number + " ", pen.px(kHeadlineSize), Weight::Bold);
+    const float used = text_width(pen.said(number).text + " ", pen.px(kHeadlineSize), Weight::Bold);
     pen.text("frames need no full test", {at.x + used, at.y}, Align::Left, kText, Weight::Bold, 17);
     sheet.skip(headline_height());
   }

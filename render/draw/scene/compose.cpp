@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <span>
 
@@ -12,10 +13,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kJoin = 0.25f;    // pixels
-constexpr float kAvoided = 1.5f;  // pixels: labels keep off lines of this width
-constexpr double kHeadingSize = 21;  // pixels at 720 lines
-constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
+constexpr float kJoin = 0.25f;          // pixels
+constexpr float kAvoided = 1.5f;        // pixels: labels keep off lines of this width
+constexpr double kHeadingSize = 21;     // pixels at 720 lines
+constexpr double kLeastHeading = 0.65;  // of that, in a narrow view
+constexpr float kLeastPiece = 4;        // pixels of a curve: shorter ones have more ends than line
 
 // Of what is marked on the ground behind a body.
 constexpr float kFaintGround = 0.2f;  // of its opacity
@@ -332,13 +334,16 @@ struct Composer {
   void draw_heading() {
     if (sketch.heading.empty()) return;
     drawing.begin("heading", {}, "label");
-    const float size = px(kHeadingSize);
     const float width = static_cast<float>(layout.view.width);
-    const std::string text = fitted(sketch.heading, size, Weight::Bold, width);
+    // A narrow view has it smaller, before it loses its end.
+    const float natural = text_width(pen.said(sketch.heading).text, px(kHeadingSize), Weight::Bold);
+    const double shrunk = kHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
+    const float size = px(shrunk);
+    const Said text = pen.fitted(sketch.heading, Weight::Bold, width, shrunk);
     const Point2 at = pixel(layout.view.x, layout.view.y + 0.8 * size);
-    pen.text(text, at, Align::Left, kText, Weight::Bold, kHeadingSize, 3);
+    pen.text(text, at, Align::Left, kText, Weight::Bold, shrunk, 3);
     const Point2 middle{at.x, at.y - 0.3f * size};
-    placer.block(middle, {middle.x + text_width(text, size, Weight::Bold), middle.y}, size);
+    placer.block(middle, {middle.x + text_width(text.text, size, Weight::Bold), middle.y}, size);
   }
 
   Point2 wanted_direction(const Label& label, const Point2& at) const {
