@@ -37,7 +37,7 @@ trace::Study crowded(int methods = 18) {
     study.series.push_back(series);
   }
   study.series.push_back({"exact", {point(5, 0, 300), point(8, 0, 400), point(16, 0, 800)}});
-  study.series.push_back({"fails_twice", {point(5, 0.3, 100), point(8, 0.3, 150)}});
+  study.series.push_back({"fails twice", {point(5, 0.3, 100), point(8, 0.3, 150)}});
   study.series.back().points[1].failed = 2;
   study.series.push_back({"never_works", {{5, {}, {}, {90, 80, 100}, 100, 100}}});
   return study;

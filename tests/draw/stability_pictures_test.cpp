@@ -353,7 +353,7 @@ TEST(DynamicsPicture, LoadsAreForcesOverAFrameAndOneSumAPair) {
   const Staging staging = scene.staged();
   EXPECT_NEAR(staging.scales.step, 0.01, 1e-15);
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
-  EXPECT_THAT(labels(sketch), ElementsAre("400 N")) << "twice 2 N s in 10 ms";
+  EXPECT_THAT(labels(sketch), ElementsAre("Σ 400 N")) << "twice 2 N s in 10 ms";
   EXPECT_THAT(legend(sketch), Contains("normal force, 100 N = 0.2 m"));
   EXPECT_NEAR((*sketch.arrows[0].to - sketch.arrows[0].from).norm(), 0.4, 1e-12);
 }
