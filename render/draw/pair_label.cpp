@@ -107,8 +107,8 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
     return;
   // Where the same two shapes are asked several things, no place in the picture is any one's.
   const auto is_asked_beside = [&](const trace::Pair& other) {
-    const bool same = (other.a == pair.a && other.b == pair.b) ||
-                      (other.a == pair.b && other.b == pair.a);
+    const bool same =
+        (other.a == pair.a && other.b == pair.b) || (other.a == pair.b && other.b == pair.a);
     return &other != &pair && same && (pair.query || other.query);
   };
   if (std::ranges::any_of(scene.frame.pairs, is_asked_beside)) return;

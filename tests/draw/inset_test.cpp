@@ -299,7 +299,7 @@ TEST(MinkowskiInset, ANumberLongerThanItsArrowStandsAsideWithALeader) {
     for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += 0.2 - depth;
     const InsetPicture picture = Staged({frame}, view_of({Panel::Minkowski})).picture();
     const auto number = std::ranges::find_if(
-        picture.sketch.labels, [](const Label& label) { return label.text.starts_with("depth"); });
+        picture.sketch.labels, [](const Label& label) { return label.text.starts_with("overlap"); });
     ASSERT_NE(number, picture.sketch.labels.end());
     EXPECT_EQ(number->leader, depth < 0.01);
   }

@@ -10,9 +10,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kSameCorner = 1e-6;   // of the face's size: float leaves less
-constexpr double kHatchPixels = 9;     // between two lines, at 720 lines
-constexpr double kHatchTurn = 0.7;     // radians from the polygon's first edge
+constexpr double kSameCorner = 1e-6;  // of the face's size: float leaves less
+constexpr double kHatchPixels = 9;    // between two lines, at 720 lines
+constexpr double kHatchTurn = 0.7;    // radians from the polygon's first edge
 
 constexpr Swatch kCutAwaySwatch{LegendGroup::Faces, 5, [](auto& pen) { pen.hatched(kDropped); }};
 constexpr Swatch kMadeCornerSwatch{LegendGroup::Points, 2,
@@ -48,11 +48,10 @@ std::string words_of_step(const trace::Clip& clip, std::size_t steps) {
 
 std::string words_of_result(const trace::Pair& pair) {
   const std::size_t kept = all_points(pair).size();
-  const auto above = static_cast<std::size_t>(
-      std::ranges::count_if(pair.clip->dropped, [&](const trace::DroppedPoint& point) {
-        return !is_kept(pair, point);
-      }));
-  std::string words = count_spelled(kept, "corner is", "corners are") + " at or below the reference face";
+  const auto above = static_cast<std::size_t>(std::ranges::count_if(
+      pair.clip->dropped, [&](const trace::DroppedPoint& point) { return !is_kept(pair, point); }));
+  std::string words =
+      count_spelled(kept, "corner is", "corners are") + " at or below the reference face";
   if (above > 0) words += ", " + std::to_string(above) + " above it dropped";
   return words;
 }
@@ -92,9 +91,8 @@ trace::Polygon cut_away(const trace::Clip& clip, std::size_t step) {
       polygon_before(clip, step),
       [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset; }, zero_between, tolerance);
   // A polygon that lies beneath the plane keeps what is on its border, which has no area.
-  const bool any = std::ranges::any_of(outside, [&](const Vec3d& p) {
-    return plane.normal.dot(p) - plane.offset > tolerance;
-  });
+  const bool any = std::ranges::any_of(
+      outside, [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset > tolerance; });
   return any && outside.size() > 2 ? outside : trace::Polygon{};
 }
 

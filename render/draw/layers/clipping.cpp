@@ -77,7 +77,8 @@ void draw_side_plane(const trace::Polygon& face, const Vec3d& up, const Vec3d& o
     sketch.outline(corners, {1.0f, border});
     return;
   }
-  sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f), {active ? 3.0f : 1.5f, border});
+  sketch.face(corners, with_alpha(kSidePlane, active ? 0.5f : 0.36f),
+              {active ? 3.0f : 1.5f, border});
   sketch.arrows.push_back({.from = 0.5 * (from + to),
                            .direction = outward,
                            .pixels = active ? 46.0f : 30.0f,
@@ -101,12 +102,13 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   for (std::size_t k = 0; k < shown; ++k)
     draw_side_plane(pair.clip->reference.polygon, pair.clip->reference.normal,
                     pair.clip->steps[k].normal, k,
-                    !story                      ? PlaneLook::Plain
+                    !story                    ? PlaneLook::Plain
                     : k + 1 == shown && !over ? PlaneLook::Active
-                                                : PlaneLook::Done,
+                                              : PlaneLook::Done,
                     sketch);
-  if (shown > 0) sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
-                                top_of_side_plane(*pair.clip, shown - 1));
+  if (shown > 0)
+    sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
+                   top_of_side_plane(*pair.clip, shown - 1));
 }
 
 void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -122,8 +124,7 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
     const trace::Polygon& polygon = pair.clip->steps[k].polygon;
     const bool last = k + 1 == shown;
     if (polygon.empty() || (story && !last)) continue;
-    sketch.outline(polygon,
-                   {story ? 3.5f : 2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
+    sketch.outline(polygon, {story ? 3.5f : 2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
     if (!last) continue;
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
     sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));

@@ -9,8 +9,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr Swatch kTouchingFeatureSwatch{
-    LegendGroup::Faces, 6, [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
+constexpr Swatch kTouchingFeatureSwatch{LegendGroup::Faces, 6,
+                                        [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
 
 /// The edge of which both ends lie farthest along `way`.
 std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape, const Vec3d& way) {

@@ -15,8 +15,9 @@ namespace contactscope::draw {
 namespace {
 
 constexpr std::array<const char*, 3> kQueryNames = {"faces of A", "faces of B", "pairs of edges"};
-constexpr double kPlaneReach = 0.95;  // of an extended plane beyond its middle, of both shapes' size
-constexpr double kQueryName = 22;     // pixels
+constexpr double kPlaneReach =
+    0.95;                          // of an extended plane beyond its middle, of both shapes' size
+constexpr double kQueryName = 22;  // pixels
 
 constexpr Swatch kBestPlaneSwatch{LegendGroup::Axes, 5,
                                   [](auto& pen) { pen.area(kAxis, 0.25f, 1.5); }};
@@ -93,8 +94,9 @@ struct Column {
     const float strength = chosen ? 1.0f : 0.6f;
     sketch.face(square_about(middle, best.normal, along, kPlaneReach * size),
                 with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
-    sketch.outline(square_about(offset + best.support, best.normal, along, 0.4 * kPlaneReach * size),
-                   {1.5f, with_alpha(kAxis, strength), true});
+    sketch.outline(
+        square_about(offset + best.support, best.normal, along, 0.4 * kPlaneReach * size),
+        {1.5f, with_alpha(kAxis, strength), true});
     if (!best.face.empty()) {
       std::vector<Vec3d> face = best.face;
       for (Vec3d& corner : face) corner += offset;
@@ -149,8 +151,9 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
       if (chosen) words += apart ? ": ends the test" : ": the least, chosen";
     }
     const double row = 1.45 * kQueryName * scene.scales.pixel / pixels;
-    sketch.label(above - row * camera.up(), words, chosen ? kAxisText : kQuietText, kQueryName - 3,
-                 0, Vec3d(-camera.up()))
+    sketch
+        .label(above - row * camera.up(), words, chosen ? kAxisText : kQuietText, kQueryName - 3, 0,
+               Vec3d(-camera.up()))
         .bold = chosen;
   }
 }

@@ -64,10 +64,11 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     sketch.explain(axis->separates ? kSeparatingSwatch
                    : axis->skipped ? kSkippedSwatch
                                    : kTestedSwatch,
-                   axis->separates ? is_short(*axis) ? "cross product of two edges, separates" : "axis that separates"
-                   : axis->skipped ? "cross product of two edges, skipped"
-                                   : is_short(*axis)    ? "cross product of two edges"
-                                      : "axis without a gap");
+                   axis->separates   ? is_short(*axis) ? "cross product of two edges, separates"
+                                                       : "axis that separates"
+                   : axis->skipped   ? "cross product of two edges, skipped"
+                   : is_short(*axis) ? "cross product of two edges"
+                                     : "axis without a gap");
   }
 }
 

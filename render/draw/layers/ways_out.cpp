@@ -13,7 +13,8 @@ constexpr std::size_t kMostWays = 3;
 constexpr double kSameWay = 0.951;  // cosine of 18 degrees: closer ones are one way to the eye
 constexpr double kTaken = 0.9999;   // cosine to the normal of the contact
 
-constexpr Swatch kWayTakenSwatch{LegendGroup::Axes, 5, [](auto& pen) { pen.arrow(4, 11, kAxisText); }};
+constexpr Swatch kWayTakenSwatch{LegendGroup::Axes, 5,
+                                 [](auto& pen) { pen.arrow(4, 11, kAxisText); }};
 constexpr Swatch kOtherWaySwatch{LegendGroup::Axes, 6, [](auto& pen) { pen.arrow(2, 9, kAxis); }};
 
 struct WayOut {
@@ -43,7 +44,8 @@ std::vector<WayOut> ways_out(const trace::Pair& pair, const PlacedShape& a, cons
     const auto same = [&](const WayOut& other) {
       return other.direction.dot(way.direction) > kSameWay;
     };
-    if (distinct.size() < kMostWays && std::ranges::none_of(distinct, same)) distinct.push_back(way);
+    if (distinct.size() < kMostWays && std::ranges::none_of(distinct, same))
+      distinct.push_back(way);
   }
   return distinct;
 }

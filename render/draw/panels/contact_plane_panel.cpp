@@ -195,7 +195,9 @@ class ContactPlanePanel : public PanelContent {
         draw_point(reduction.points[i], plane);
     }
     if (fewer) plane.number_kept(places, kept, 1);
-    if (kept.size() < 3) return {words_without_area(mapped(kept, [&](int i) { return reduction.points[static_cast<std::size_t>(i)]; }))};
+    if (kept.size() < 3)
+      return {words_without_area(
+          mapped(kept, [&](int i) { return reduction.points[static_cast<std::size_t>(i)]; }))};
     std::vector<std::string> words = {"area of the kept points " + spell_area(reduction.area)};
     if (fewer && reduction.best_area > 0)
       words.push_back(printed("%.1f %% of the best %zu of %zu points",
