@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kJoin = 0.25f;          // pixels
 constexpr float kAvoided = 1.5f;        // pixels: labels keep off lines of this width
-constexpr double kHeadingSize = 21;     // pixels at 720 lines
+constexpr double kLabelHeadingSize = 21;     // pixels at 720 lines
 constexpr double kLeastHeading = 0.65;  // of that, in a narrow view
 constexpr float kLeastPiece = 4;        // pixels of a curve: shorter ones have more ends than line
 
@@ -336,8 +336,8 @@ struct Composer {
     drawing.begin("heading", {}, "label");
     const float width = static_cast<float>(layout.view.width);
     // A narrow view has it smaller, before it loses its end.
-    const float natural = text_width(pen.said(sketch.heading).text, px(kHeadingSize), Weight::Bold);
-    const double shrunk = kHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
+    const float natural = text_width(pen.said(sketch.heading).text, px(kLabelHeadingSize), Weight::Bold);
+    const double shrunk = kLabelHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
     const float size = px(shrunk);
     const Said text = pen.fitted(sketch.heading, Weight::Bold, width, shrunk);
     const Point2 at = pixel(layout.view.x, layout.view.y + 0.8 * size);
