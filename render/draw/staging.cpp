@@ -75,7 +75,8 @@ Vec3d seen_side(const std::vector<PlacedShape>& placed, const trace::Pair& pair,
 Extent gather(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& view, ShapeMeshes& meshes) {
   const Vec3d usual = default_direction(header);
-  const double smallest = meshes.smallest_radius();
+  const double least = meshes.smallest_radius();
+  const double smallest = std::isfinite(least) ? least : 0;  // there may be no shapes
   const auto is_round = [](const ShapeMesh& mesh) { return mesh.shape->radius > 0; };
   const bool any_round = std::ranges::any_of(meshes, is_round);
   std::map<std::size_t, PatchFit> planes;

@@ -26,14 +26,14 @@ void print_table(const Explorations& explorations, std::ostream& out) {
                   "upper quartile"}};
   const auto time = [](double ns) { return ns > 0 ? spelled("%.0f", ns) : std::string("-"); };
   for (const ReducerSummary& row : summarize(explorations)) {
-    table.push_back({row.name, spelled("%.2f", 100 * row.mean_area_ratio),
-                     spelled("%.2f", 100 * row.worst_area_ratio),
-                     spelled("%.2f", 100 * row.mean_wrench_error),
-                     spelled("%.2f", 100 * row.worst_wrench_error),
-                     spelled("%.3g", 1000 * row.worst_depth_error),
-                     spelled("%.0f", 100 * row.deepest_kept), spelled("%.0f", 100 * row.supported),
-                     std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
-                     time(row.median), time(row.min), time(row.quarter)});
+    table.push_back(
+        {row.name, spelled("%.2f", 100 * row.mean_area_ratio),
+         spelled("%.2f", 100 * row.worst_area_ratio), spelled("%.2f", 100 * row.mean_wrench_error),
+         spelled("%.2f", 100 * row.worst_wrench_error),
+         spelled("%.3g", 1000 * row.worst_depth_error), spelled("%.0f", 100 * row.deepest_kept),
+         row.supported ? spelled("%.0f", 100 * *row.supported) : "-",
+         std::to_string(row.ids_changed), row.moves ? spelled("%.3g", *row.moves) : "-",
+         time(row.median), time(row.min), time(row.quarter)});
   }
   print(table, out);
 }
@@ -46,7 +46,7 @@ int most_points(const Explorations& explorations) {
 
 /// How many points are kept of each manifold.
 int most_kept(const Scenario& scenario) {
-  return scenario.pairs.empty() ? ReduceOptions{}.max_points
+  return scenario.pairs.empty() ? scenario.pipeline.max_points
                                 : scenario.pairs.front().pipeline.max_points;
 }
 
@@ -81,11 +81,16 @@ std::vector<Explorations> by_manifold(const Explorations& explorations) {
   return sequences;
 }
 
-// OUT/explore/<group>/<idea>/[<a>-<b>[-<label>][-triangle_<k>]/]frame_0000.png
+// OUT/explore/<group>/<idea>/[<a>-<b>[-<label>] or <patch>[-triangle_<k>]/]frame_0000.png
 std::filesystem::path folder_of(const Options& options, const trace::Exploration& first,
                                 bool several) {
   std::filesystem::path folder = std::filesystem::path(options.out) / "explore" / first.scenario;
-  if (several) {
+  if (several && first.a.empty()) {
+    std::string name = first.label;  // free text, which may not lead elsewhere
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\\' || c == ' ' || c == '.'; }, '_');
+    folder /= name;
+  } else if (several) {
     folder /= first.a + "-" + first.b + (first.label.empty() ? "" : "-" + first.label) +
               (first.triangle ? "-triangle_" + std::to_string(*first.triangle) : "");
   }
@@ -115,7 +120,13 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
       Progress progress(static_cast<int>(pictures), options.quiet);
       for (const Explorations& sequence : sequences) {
         const auto order = mapped(summarize(sequence), &ReducerSummary::name);
-        const draw::ContactCells cells(plain_title(scenario.title), scenario.source, scenario.up,
+        const std::string& label = sequence.front().label;
+        const bool is_one_of_several = several && !scenario.patches.empty();
+        const std::string plain = plain_title(scenario.title);
+        const std::string title = !is_one_of_several ? plain
+                                  : plain.empty()    ? label
+                                                     : plain + ": " + label;
+        const draw::ContactCells cells(title, scenario.source, scenario.up,
                                        draw::explored(sequence, order), 0, size.width, size.height,
                                        style);
         left_out = cells.left_out();

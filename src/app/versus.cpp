@@ -215,6 +215,10 @@ ExitCode run_versus(const Options& options) {
                               {"matches", nlohmann::ordered_json::array()}};
   bool all_right = true;
   for (Input& input : load_inputs(options)) {
+    if (!input.scenario.patches.empty())
+      throw InputError(input.scenario.path, 0, 0,
+                       "a [[patch]] has no shapes to ask engines about; `explore` compares how they "
+                       "reduce its points");
     Match match = match_of(std::move(input), engines);
     for (const std::string& name : engines)
       if (programs.contains(name))

@@ -200,6 +200,12 @@ void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape that `value` names.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
 
+// patches.cpp
+
+/// What a file of [[patch]] holds beside its `title`, `source` and `tags`, into `scenario`. `value`:
+/// its patches.
+void read_patches(const Value& file, const Value& value, Scenario& scenario);
+
 // dynamics_keys.cpp: what the solver goes by
 
 /// Whether a [shapes.NAME.motion] table says dynamic = true.

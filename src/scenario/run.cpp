@@ -16,6 +16,7 @@
 #include "scenario/deforming_mesh.h"
 #include "scenario/field_slice.h"
 #include "scenario/pair_chooser.h"
+#include "scenario/patch_facts.h"
 #include "scenario/run_facts.h"
 
 namespace contactscope {
@@ -222,6 +223,11 @@ class Runner::In final : public Runner::InScalar {
         record.kind = pair_kind(shape(pair.a), shape(pair.b));
         record_manifolds<S>(contacts[i], record);
       }
+    }
+    for (const ScenarioPatch& patch : scenario_.patches) {
+      if (result)
+        result->pairs.push_back(
+            patch_facts<S>(patch, scenario_.pipeline, recorded ? stages_ : trace::Stages::none()));
     }
     if (dynamic_) solve(contacts, recorded ? result : nullptr);
     ++next_;

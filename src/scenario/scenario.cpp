@@ -173,18 +173,28 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   const Value file =
       Value(path, document, "")
           .table({"title", "source", "tags", "up", "time", "shapes", "pairs", "pipeline", "world",
-                  "solver", "views", "words", "expect", "snapshots"});
+                  "solver", "views", "words", "expect", "snapshots", "patch"});
 
   Scenario scenario;
   scenario.name = name_of(path);
   scenario.path = path;
-  const Value title = file.require("title", "title = \"What the scene shows\"");
-  scenario.title = title.string();
-  read_title(title);
+  const auto patch = file.find("patch");
+  std::optional<Value> title = file.find("title");
+  if (!patch) title = file.require("title", "title = \"What the scene shows\"");
+  if (title) {
+    scenario.title = title->string();
+    read_title(*title);
+  }
   file.read("source", scenario.source, &Value::string);
   file.read("tags", scenario.tags,
             [](const Value& tags) { return mapped(tags.array(), &Value::non_empty_string); });
   file.read("up", scenario.up, [](const Value& up) { return up.one_of({"y", "z"}, "up axis"); });
+  if (patch) {
+    read_patches(file, *patch, scenario);
+    if (const auto words = file.find("words"))
+      read_words_table(*words, names_in_pictures(scenario));
+    return scenario;
+  }
   if (const auto time = file.find("time")) {
     time->table({"frames", "dt"});
     time->read("frames", scenario.frames, integer_in(1, kMaxFrames));
@@ -210,7 +220,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   warn_of_idle_keys(file, scenario);
   if (!scenario.broad_phase.empty()) scenario.pairs.clear();  // they stood for their kinds
   scenario.views = {default_view()};
-  check_title(title, scenario);
+  check_title(*title, scenario);
   if (const auto views = file.find("views")) {
     scenario.views = read_views(*views);
     for (const Value& view : views->array_of_tables()) {

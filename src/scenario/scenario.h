@@ -119,6 +119,14 @@ struct ScenarioPair {
   PipelineSettings pipeline;
 };
 
+/// Contact points that were found elsewhere, as a [[patch]] has them: there are no shapes to collide,
+/// and nothing but their reduction to run.
+struct ScenarioPatch {
+  std::string name;
+  Vec3d normal = Vec3d::UnitY();                // unit, from a to b
+  std::vector<ContactPoint<double>> points{};  // world; at least one
+};
+
 /// One [[expect]] entry: what `check` asks of a pair over a range of frames.
 struct Expectation {
   int first_frame = 0;
@@ -164,6 +172,7 @@ struct Scenario {
   Scalar scalar = Scalar::Float;  // of [pipeline]; every pair's settings have the same
   PipelineSettings pipeline;      // [pipeline]
   std::vector<ScenarioPair> pairs;
+  std::vector<ScenarioPatch> patches;  // of a file that has these instead of shapes and pairs
   std::string
       broad_phase;  // chooses the pairs of each frame, and none are listed; empty: none does
   WorldSettings world;

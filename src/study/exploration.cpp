@@ -23,6 +23,7 @@ using ManifoldName = std::tuple<std::string, std::string, std::string, int, int>
 Scenario unreduced(const Scenario& scenario) {
   Scenario result = scenario;
   result.pairs.clear();
+  result.pipeline.reducer = "none";  // of patches
   const auto same_shapes = [](const ScenarioPair& pair) {
     return [&](const ScenarioPair& other) { return other.a == pair.a && other.b == pair.b; };
   };
@@ -231,6 +232,12 @@ class Explorations {
           add_manifold(frame, pair, manifold, places[manifold.triangle.value_or(-1)]++,
                        max_points(i));
       if (result_.size() == first) continue;
+      if (!knows(pair.a) || !knows(pair.b)) {  // a patch without bodies bears no weight
+        for (trace::Exploration& exploration : std::span(result_).subspan(first))
+          for (trace::ReducerAnswer& answer : exploration.reducers)
+            answer.supports_center_of_mass.reset();
+        continue;
+      }
       // The body that is higher up rests on the other one.
       const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
       const Vec3d a = center(frame, pair.a), b = center(frame, pair.b);
@@ -241,6 +248,9 @@ class Explorations {
   std::vector<trace::Exploration> take() { return std::move(result_); }
 
  private:
+  bool knows(const std::string& name) const {
+    return std::ranges::find(header_.shapes, name, &trace::Shape::name) != header_.shapes.end();
+  }
   const trace::Shape& shape(const std::string& name) const {
     return *std::ranges::find(header_.shapes, name, &trace::Shape::name);
   }
@@ -288,8 +298,10 @@ std::vector<trace::Exploration> explore_in(const Scenario& scenario, int last_fr
   const trace::Header header = runner.header();
   Explorations<S> explorations(header, scenario.name, options);
   for (int f = 0; f <= last_frame; ++f)
-    explorations.add(runner.frame_unrecorded(f),
-                     [&](int pair) { return at(source.pairs, pair).pipeline.max_points; });
+    explorations.add(runner.frame_unrecorded(f), [&](int pair) {
+      return source.patches.empty() ? at(source.pairs, pair).pipeline.max_points
+                                    : source.pipeline.max_points;
+    });
   return explorations.take();
 }
 

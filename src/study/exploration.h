@@ -64,7 +64,8 @@ struct ReducerSummary {
   double worst_wrench_error = 0;
   double worst_depth_error = 0;  // metres
   double deepest_kept = 1;       // share of the frames
-  double supported = 1;          // share of the frames in which the centre of mass is
+  /// Share of the frames in which the centre of mass is; empty where there is no body.
+  std::optional<double> supported{};
   int ids_changed = 0;           // over the sequence
   /// Metres that the patch moved from one frame to the next over metres that the bodies did, at
   /// most. Infinite where a patch moved on bodies at rest, empty where nothing ever moved.

@@ -12,7 +12,7 @@ std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& exp
   for (std::size_t i = 0; i < explorations.front().reducers.size(); ++i) {
     ReducerSummary row;
     row.name = explorations.front().reducers[i].name;
-    row.mean_area_ratio = row.deepest_kept = row.supported = 0;
+    row.mean_area_ratio = row.deepest_kept = 0;
     std::vector<double> medians;
     std::vector<double> quarters;
     std::vector<double> least;
@@ -25,7 +25,8 @@ std::vector<ReducerSummary> summarize(const std::vector<trace::Exploration>& exp
       row.worst_wrench_error = std::max(row.worst_wrench_error, answer.wrench_error);
       row.worst_depth_error = std::max(row.worst_depth_error, answer.depth_error);
       row.deepest_kept += answer.deepest_kept ? share : 0;
-      row.supported += answer.supports_center_of_mass ? share : 0;
+      if (answer.supports_center_of_mass)
+        row.supported = row.supported.value_or(0) + (*answer.supports_center_of_mass ? share : 0);
       row.ids_changed += answer.ids_changed;
       if (answer.patch_moved > 0 || exploration.bodies_moved > 0) {
         const double moves = exploration.bodies_moved > 0

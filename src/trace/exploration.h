@@ -19,7 +19,7 @@ struct ReducerAnswer {
   double area = 0;
   double area_ratio = 1;  // to the best that as many points can span
   bool deepest_kept = false;
-  bool supports_center_of_mass = false;
+  std::optional<bool> supports_center_of_mass = false;  // empty of points without bodies
   double wrench_error = 0;  // lost reach for moments, in radii of the patch
   double depth_error = 0;   // metres
   int ids_changed = 0;      // kept now and not in the frame before, or the other way
@@ -61,7 +61,7 @@ struct Exploration {
     using E = Exploration;
     return std::tuple(
         field::exact("scenario", &E::scenario), field::exact("frame", &E::frame),
-        field::exact("a", &E::a), field::exact("b", &E::b),
+        field::exact("a", &E::a).where_set(), field::exact("b", &E::b).where_set(),
         field::exact("label", &E::label).where_set(), field::exact("triangle", &E::triangle),
         field::facts("points", &E::points), field::direction_to_b("normal", &E::normal),
         field::area("best_area", &E::best_area), field::exact("best", &E::best).into("points"),

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "app/program.h"
@@ -136,6 +138,69 @@ TEST(ExploreVerb, UsageErrorsAreTrouble) {
 
 TEST(ExploreVerb, FullDiskIsTrouble) {
   EXPECT_EQ(run_on_full_disk("explore hull/eight_points_to_four --table --frames 0"), 2);
+}
+
+/// Twelve points on a ring, six of them deep.
+std::string twelve(const std::string& name, const std::string& normal = "[0, 1, 0]") {
+  std::string text = "[[patch]]\nname = \"" + name + "\"\nnormal = " + normal + "\npoints = [\n";
+  for (int i = 0; i < 12; ++i) {
+    const double angle = i * std::numbers::pi / 6;
+    text += "[" + std::to_string(std::cos(angle)) + ", 0, " + std::to_string(std::sin(angle)) +
+            (i % 2 == 0 ? ", -0.003],\n" : ", -0.001],\n");
+  }
+  return text + "]\n";
+}
+
+TEST(ExplorePatch, PointsOfOnesOwnHaveARowForEachReducerAndWeighNothing) {
+  const TemporaryFolder folder;
+  folder.write("mine/twelve.toml", twelve("my twelve"));
+  const std::string file = "'" + (folder / "mine/twelve.toml") + "'";
+  const ProgramRun table = run("explore --table " + file);
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_THAT(rows_of(table.out), testing::SizeIs(reducers().size() - 1));
+  EXPECT_THAT(table.err, HasSubstr("1 manifold of at most 12 points"));
+
+  const ProgramRun json = run("explore --table --json --reducer area " + file);
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  const auto line = nlohmann::json::parse(json.out);
+  EXPECT_EQ(line["label"], "my twelve");
+  EXPECT_FALSE(line.contains("a"));
+  EXPECT_EQ(line["points"].size(), 12u);
+  EXPECT_EQ(line["reducers"][0]["kept"].size(), 4u);
+  // Four of a ring of twelve span a square at best, of area 2.
+  EXPECT_NEAR(line["best_area"].get<double>(), 2, 1e-5);
+  EXPECT_FALSE(line["reducers"][0].contains("supports_center_of_mass"));
+}
+
+TEST(ExplorePatch, SeveralHaveFoldersOfTheirOwn) {
+  const TemporaryFolder folder;
+  folder.write("mine/two.toml", twelve("level") + twelve("a/b", "[0, 1, 0.1]"));
+  const ProgramRun result = run("explore --quiet --size 640x360 --reducer area --out '" +
+                                (folder / "out") + "' '" + (folder / "mine/two.toml") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files_below(folder / "out"), ElementsAre("explore/mine/two/a_b/frame_0000.png",
+                                                       "explore/mine/two/level/frame_0000.png"));
+}
+
+TEST(ExplorePatch, OtherVerbsTakeItToo) {
+  const TemporaryFolder folder;
+  folder.write("mine/two.toml", twelve("level") + twelve("tilted", "[0, 1, 0.1]"));
+  const std::string file = " '" + (folder / "mine/two.toml") + "'";
+  const std::string stored =
+      " --out '" + (folder / "out") + "' --snapshots '" + (folder / "snapshots") + "'";
+  EXPECT_EQ(
+      run("render --quiet --size 640x360" + file + " --out '" + (folder / "out") + "'").exit_code,
+      0);
+  EXPECT_THAT(files_below(folder / "out"), ElementsAre("mine/two/frame_0000.png"));
+  const ProgramRun trace = run("trace" + file);
+  EXPECT_EQ(trace.exit_code, 0) << trace.err;
+  EXPECT_THAT(lines_of(trace.out), testing::SizeIs(2));
+  EXPECT_EQ(run("check --update" + file + stored, "CI=").exit_code, 0);
+  const ProgramRun versus = run("versus --table" + file);
+  EXPECT_EQ(versus.exit_code, 2);
+  EXPECT_THAT(versus.err, HasSubstr("`explore` compares"));
+  const ProgramRun check = run("check" + file + stored);
+  EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
       {"### `deform`", deforming("{ wave = { qqqqqq = 1 } }")},
       {"### `deform`", deforming("{ twist = { qqqqqq = 1 } }")},
       {"### `deform`", deforming("{ keyframes = [ { qqqqqq = 1 } ] }")},
+      {"## `[[patch]]`", "[[patch]]\n" + key},
       {"## `[[pairs]]`", kTwoBoxes + "[[pairs]]\n" + key},
       {"## `[pipeline]`", kTwoBoxes + "[pipeline]\n" + key},
       {"## `[world]`", kTwoBoxes + "[world]\n" + key},

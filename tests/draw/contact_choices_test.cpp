@@ -119,7 +119,8 @@ TEST(Explored, HasACellForEachReducerInTheOrderAsked) {
     answer.kept = {3, 1};
     exploration.reducers.push_back(answer);
   }
-  exploration.reducers[1].deepest_kept = exploration.reducers[1].supports_center_of_mass = true;
+  exploration.reducers[1].deepest_kept = true;
+  exploration.reducers[1].supports_center_of_mass = true;
   const std::vector<ContactMoment> moments = explored({exploration}, {"first", "area"});
   ASSERT_EQ(moments.size(), 1u);
   EXPECT_EQ(moments[0].frame, 7);

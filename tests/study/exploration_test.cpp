@@ -216,7 +216,7 @@ std::set<bool> tower_held(const std::string& scalar, double degrees) {
       0, untimed());
   std::set<bool> verdicts;
   for (const trace::ReducerAnswer& answer : explorations.at(0).reducers)
-    verdicts.insert(answer.supports_center_of_mass);
+    verdicts.insert(answer.supports_center_of_mass.value());
   return verdicts;
 }
 
@@ -251,14 +251,14 @@ TEST_P(Explore, EveryTriangleOfAMeshIsReduced) {
     covered += answer_of(exploration, "none").area;
     // A triangle bears a corner of the box at most, the box rests on all of them.
     for (const trace::ReducerAnswer& answer : exploration.reducers)
-      EXPECT_TRUE(answer.supports_center_of_mass) << answer.name;
+      EXPECT_TRUE(answer.supports_center_of_mass.value()) << answer.name;
   }
   EXPECT_EQ(triangles.size(), explorations.size());
   EXPECT_GE(triangles.size(), 8u);
   EXPECT_NEAR(covered, 0.8 * 0.8, 1e-5);
   for (const trace::Exploration& exploration : box_on_mesh(GetParam(), "2.1")) {
     for (const trace::ReducerAnswer& answer : exploration.reducers)
-      EXPECT_FALSE(answer.supports_center_of_mass) << answer.name;
+      EXPECT_FALSE(answer.supports_center_of_mass.value()) << answer.name;
   }
 }
 
@@ -272,7 +272,7 @@ TEST_P(Explore, EveryReducerHoldsASlabInTheMiddleAndNoneOneThatHangsOver) {
     EXPECT_THAT(explorations, SizeIs(1));
     std::set<bool> verdicts;
     for (const trace::ReducerAnswer& answer : explorations.at(0).reducers) {
-      verdicts.insert(answer.supports_center_of_mass);
+      verdicts.insert(answer.supports_center_of_mass.value());
     }
     return verdicts;
   };
@@ -417,7 +417,7 @@ TEST(Summarize, RowsHaveMeansExtremesSharesAndSums) {
   EXPECT_EQ(rows[0].worst_wrench_error, 0.5);
   EXPECT_EQ(rows[0].worst_depth_error, 0.002);
   EXPECT_DOUBLE_EQ(rows[0].deepest_kept, 1);
-  EXPECT_DOUBLE_EQ(rows[0].supported, 0.5);
+  EXPECT_DOUBLE_EQ(rows[0].supported.value(), 0.5);
   EXPECT_EQ(rows[0].ids_changed, 3);
   EXPECT_DOUBLE_EQ(rows[0].moves.value(), 3);
   EXPECT_EQ(rows[0].median, 50);

@@ -28,7 +28,7 @@ std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
     rows.push_back({printed("lost arm %.1f %% of r", lost), "", printed("arm −%.0f %%", lost)});
   else
     rows.push_back({"no arm lost", "", "arm whole"});
-  const bool tips_over = !answer.supports_center_of_mass;
+  const bool tips_over = answer.supports_center_of_mass == false;
   const std::string verdict = answer.deepest_kept ? "kept" : "lost";
   const std::string brief = tips_over ? verdict + ", tips over" : "deepest " + verdict;
   rows.push_back(
@@ -69,12 +69,16 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
   for (const trace::Exploration& exploration : sequence) {
     ContactMoment& moment = moments.emplace_back();
     moment.frame = exploration.frame;
-    moment.caption = exploration.a + " and " + exploration.b;
-    if (!exploration.label.empty()) moment.caption += " (" + exploration.label + ")";
+    if (exploration.a.empty()) {  // points that belong to no shapes
+      moment.caption = std::to_string(exploration.points.size()) + " points";
+    } else {
+      moment.caption = exploration.a + " and " + exploration.b;
+      if (!exploration.label.empty()) moment.caption += " (" + exploration.label + ")";
+    }
     if (exploration.triangle) {
       moment.caption += ", triangle " + std::to_string(*exploration.triangle);
     }
-    moment.caption += ", frame " + std::to_string(exploration.frame);
+    if (!exploration.a.empty()) moment.caption += ", frame " + std::to_string(exploration.frame);
     for (const std::string& name : order) {
       const trace::ReducerAnswer& answer =
           *std::ranges::find(exploration.reducers, name, &trace::ReducerAnswer::name);
@@ -102,7 +106,9 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   for (const trace::Pair* pair : cells) labels.insert(pair->label);
   const bool labels_tell_apart = labels.size() == cells.size();
   std::vector<ContactMoment> moments = mapped(frames, [&](const trace::Frame& frame) {
-    return ContactMoment{frame.frame, telling.of(frame), {}};
+    // Points that belong to no shapes have no time either.
+    const bool is_timeless = !frame.pairs.empty() && frame.pairs.front().a.empty();
+    return ContactMoment{frame.frame, is_timeless ? std::string() : telling.of(frame), {}};
   });
   for (const trace::Pair* known : cells) {
     const std::string& method = known->reduction->method;
