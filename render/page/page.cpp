@@ -1,0 +1,296 @@
+#include "page/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/at.h"
+#include "page/facts.h"
+#include "page/page_data.h"
+#include "vector/markup.h"
+#include "vector/svg.h"
+
+namespace contactscope::page {
+namespace {
+
+using draw::Drawing;
+using nlohmann::ordered_json;
+
+constexpr int kPause = 160;         // milliseconds from frame to frame
+constexpr double kSignWidth = 28;   // of a legend's sign, pixels at 720 lines
+constexpr double kSignToText = 32;  // from its left end to that of the text
+constexpr double kBorder = 3;       // around view and panels, pixels at 720 lines
+
+/// The primitives of the parts that `wanted` names, with these parts.
+template <class Wanted>
+Drawing taken_from(const Drawing& drawing, const Wanted& wanted) {
+  Drawing taken{.width = drawing.width, .height = drawing.height, .background = {1, 1, 1, 0}};
+  for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
+    const draw::Part& part = drawing.parts[i];
+    if (!wanted(part)) continue;
+    const std::size_t end =
+        i + 1 < drawing.parts.size() ? drawing.parts[i + 1].first : drawing.primitives.size();
+    taken.begin(part.layer, part.pair, part.role);
+    taken.primitives.insert(taken.primitives.end(),
+                            drawing.primitives.begin() + static_cast<std::ptrdiff_t>(part.first),
+                            drawing.primitives.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return taken;
+}
+
+Drawing part_of(const Drawing& drawing, std::string_view layer) {
+  return taken_from(drawing, [&](const draw::Part& part) { return part.layer == layer; });
+}
+
+/// What the page says itself, in words that scale with it.
+bool is_said_by_page(const draw::Part& part) {
+  return part.layer == draw::kTitlePart || part.layer == draw::kSourcePart ||
+         part.layer == draw::kMomentPart || part.layer == draw::kLegendPart;
+}
+
+/// The first text of a part; empty without one.
+std::string words_of(const Drawing& drawing, std::string_view layer) {
+  for (const draw::Primitive& primitive : part_of(drawing, layer).primitives)
+    if (const auto* text = std::get_if<draw::Text>(&primitive)) return text->text;
+  return {};
+}
+
+std::vector<SvgGroup> groups_of(const Drawing& drawing) {
+  return groups_in(vector::svg_of(drawing, {.embed_font = false}));
+}
+
+/// "reference face" of the layer "reference_face".
+std::string in_words(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+ordered_json rows_of(const FactRows& rows) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [name, value] : rows) list.push_back({name, value});
+  return list;
+}
+
+/// Tenths of a pixel are enough to be pointed at.
+double tenths(double value) {
+  return std::round(10 * value) / 10;
+}
+
+ordered_json point_json(const PointFacts& point) {
+  ordered_json json{
+      {"key", point.key},           {"name", point.name},      {"of", point.of},
+      {"x", tenths(point.at.x)},    {"y", tenths(point.at.y)}, {"layers", point.layers},
+      {"rows", rows_of(point.rows)}};
+  if (point.is_contact) json["row"] = true;
+  return json;
+}
+
+ordered_json area_json(const AreaFacts& area) {
+  ordered_json polygon = ordered_json::array();
+  for (const draw::Point2& corner : area.polygon)
+    polygon.push_back({std::round(corner.x), std::round(corner.y)});
+  return {{"key", area.key},     {"name", area.name},  {"of", area.of},
+          {"layer", area.layer}, {"polygon", polygon}, {"rows", rows_of(area.rows)}};
+}
+
+ordered_json pair_json(const PairFacts& pair) {
+  return {
+      {"key", pair.key}, {"name", pair.name}, {"parts", pair.parts}, {"rows", rows_of(pair.rows)}};
+}
+
+std::string view_box(const draw::Rect& rect) {
+  std::string text;
+  for (const double number : {rect.x, rect.y, rect.width, rect.height})
+    text += (text.empty() ? "" : " ") + vector::number(number);
+  return text;
+}
+
+/// A template with what its @NAMES@ stand for.
+std::string filled(std::string_view markup, const std::map<std::string_view, std::string>& values) {
+  std::string text;
+  while (!markup.empty()) {
+    const std::size_t begin = markup.find('@');
+    text += markup.substr(0, begin);
+    if (begin == std::string_view::npos) break;
+    markup.remove_prefix(begin + 1);
+    const std::size_t end = markup.find('@');
+    const auto value = values.find(markup.substr(0, end));
+    if (end == std::string_view::npos || value == values.end()) {
+      text += '@';
+      continue;
+    }
+    text += value->second;
+    markup.remove_prefix(end + 1);
+  }
+  return text;
+}
+
+/// JSON that may stand in a script: "</" would end it.
+std::string in_script(std::string json) {
+  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3))
+    json.insert(at + 1, "\\");
+  return json;
+}
+
+void add_words(const std::string& words, vector::UsedCharacters& used) {
+  for (const char32_t code_point : code_points(words))
+    for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold})
+      if (has_glyph(code_point, weight)) used[weight].insert(code_point);
+}
+
+}  // namespace
+
+Page::Page(const draw::Staging& staging, const PictureOrigin& origin)
+    : staging_(staging), origin_(origin), title_(origin.title) {
+  std::string letters = "←→−×²³µ°·…";
+  for (char c = ' '; c <= '~'; ++c) letters += c;
+  add_words(letters + origin.title + staging.header->source, used_);
+}
+
+// A sign and its text, one after the other; each sign becomes a picture of its own, so that the page
+// can break its lines.
+std::vector<int> Page::legend_of(const Drawing& drawing) {
+  const float scale = staging_.layout.scale;
+  std::vector<int> numbers;
+  Drawing sign;
+  for (const draw::Primitive& primitive : part_of(drawing, draw::kLegendPart).primitives) {
+    const auto* text = std::get_if<draw::Text>(&primitive);
+    if (text == nullptr) {
+      sign.primitives.push_back(primitive);
+      continue;
+    }
+    const auto row = static_cast<float>(scale * draw::kLegendRow);
+    Drawing entry{.width = static_cast<int>(std::lround(scale * kSignWidth)),
+                  .height = static_cast<int>(std::lround(row)),
+                  .background = {1, 1, 1, 0}};
+    const draw::Point2 middle = {text->at.x - scale * static_cast<float>(kSignToText),
+                                 text->at.y - 0.36f * text->size};
+    entry.append(sign, draw::Point2{scale * 2, 0.5f * row} - middle);
+    sign.primitives.clear();
+    const std::pair<std::string, std::string> told = {
+        vector::svg_of(entry, {.embed_font = false,
+                               .width = vector::number(kSignWidth),
+                               .height = vector::number(draw::kLegendRow)}),
+        text->text};
+    const auto known = std::ranges::find(legend_, told);
+    numbers.push_back(static_cast<int>(known - legend_.begin()));
+    if (known == legend_.end()) legend_.push_back(told);
+  }
+  return numbers;
+}
+
+void Page::add(const trace::Frame& frame, const Drawing& drawing) {
+  const auto is_panel = [](const draw::Part& part) { return part.layer == draw::kPanelPart; };
+  const Drawing view = taken_from(
+      drawing, [&](const draw::Part& part) { return !is_panel(part) && !is_said_by_page(part); });
+  const Drawing panels = taken_from(drawing, is_panel);
+  for (const draw::Part& part : view.parts) layers_.insert(part.layer);
+  const std::vector<int> in_view = groups_.add(groups_of(view));
+  const std::vector<int> in_panels = groups_.add(groups_of(panels));
+  vector::add_characters(drawing, used_);
+
+  std::string moment = words_of(drawing, draw::kMomentPart);
+  if (moment.empty()) moment = "frame " + std::to_string(frame.frame);
+  std::string title = words_of(drawing, draw::kTitlePart);
+  if (title.ends_with("…")) title = staging_.header->title;  // cut where the picture has no room
+  ordered_json json{{"frame", frame.frame}, {"moment", moment}};
+  if (!title.empty()) json["title"] = title;
+  json["view"] = in_view;
+  json["panels"] = in_panels;
+  json["legend"] = legend_of(drawing);
+  json["points"] = ordered_json::array();
+  json["faces"] = ordered_json::array();
+  json["pairs"] = ordered_json::array();
+  if (!staging_.cells) {
+    for (const PointFacts& point : point_facts(staging_, frame, drawing))
+      json["points"].push_back(point_json(point));
+    for (const AreaFacts& area : area_facts(staging_, frame, drawing))
+      json["faces"].push_back(area_json(area));
+  }
+  for (const PairFacts& pair : pair_facts(frame)) json["pairs"].push_back(pair_json(pair));
+  if (frames_.empty()) {
+    first_view_ = in_view;
+    first_panels_ = in_panels;
+    first_moment_ = moment;
+    if (!title.empty()) title_ = title;
+  }
+  frames_.push_back(json.dump());
+}
+
+Page::Areas Page::areas() const {
+  const draw::Layout& layout = staging_.layout;
+  const double border = layout.px(kBorder);
+  const bool has_panels = layout.panels.width > 0;
+  Areas areas;
+  areas.view = layout.view;
+  for (const draw::Rect& inset : layout.insets) areas.view.width = inset.right() - areas.view.x;
+  areas.view = areas.view.grown(border);
+  if (has_panels) areas.panels = layout.panels.grown(border);
+  return areas;
+}
+
+std::string Page::html() const {
+  const Areas areas = this->areas();
+  ordered_json data{{"pause", kPause},
+                    {"scale", staging_.layout.scale},
+                    {"panels", areas.panels.width > 0},
+                    {"layers", ordered_json::array()},
+                    {"legend", ordered_json::array()},
+                    {"frames", ordered_json::array()}};
+  std::vector<std::string> layers(kLayerNames.begin(), kLayerNames.end());
+  for (const std::string_view part :
+       {draw::kShapeNamesPart, draw::kInsetPart, draw::kPairLabelPart, draw::kPlanePart})
+    layers.emplace_back(part);
+  for (const std::string& layer : layers)
+    if (layers_.contains(layer))
+      data["layers"].push_back({{"name", layer}, {"words", in_words(layer)}});
+  for (const auto& [sign, text] : legend_)
+    data["legend"].push_back({{"sign", sign}, {"text", text}});
+  std::string json = data.dump();
+  // Frames are lines of their own, so that the file can be read and compared.
+  std::string frames;
+  for (const std::string& frame : frames_) frames += (frames.empty() ? "\n" : ",\n") + frame;
+  json.insert(json.rfind("[]") + 1, frames + "\n");
+
+  std::set<int> hung(first_view_.begin(), first_view_.end());
+  hung.insert(first_panels_.begin(), first_panels_.end());
+  const auto texts_of = [&](const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers) text += groups_.text(number);
+    return text;
+  };
+  std::vector<int> others;
+  for (int number = 0; number < groups_.size(); ++number)
+    if (!hung.contains(number)) others.push_back(number);
+
+  vector::FontFaces fonts;
+  const std::string& source = staging_.header->source;
+  const std::string made = origin_.command.empty()
+                               ? std::string()
+                               : "<code>" + vector::escaped(origin_.command) + "</code>";
+  return filled(
+      page_markup(),
+      {{"GENERATOR", vector::escaped("contactscope " + origin_.version)},
+       {"DESCRIPTION", vector::escaped(origin_.scenario + ", made by " + origin_.command)},
+       {"NAME", vector::escaped(origin_.title.empty() ? origin_.scenario : origin_.title)},
+       {"FONTS", fonts.css(used_)},
+       {"STYLE", std::string(page_style())},
+       {"TITLE", vector::escaped(title_)},
+       {"VIEW_WIDTH", vector::number(areas.view.width)},
+       {"PANELS_WIDTH", vector::number(areas.panels.width)},
+       {"HEIGHT", vector::number(areas.view.height)},
+       {"VIEW_BOX", view_box(areas.view)},
+       {"PANELS_BOX", view_box(areas.panels)},
+       {"FIRST_PICTURE", texts_of(first_view_)},
+       {"FIRST_PANELS", texts_of(first_panels_)},
+       {"LAST", std::to_string(frames_.size() - 1)},
+       {"MOMENT", vector::escaped(first_moment_)},
+       {"SOURCE", vector::escaped(source)},
+       {"MADE", made},
+       {"GROUPS", texts_of(others)},
+       {"DATA", in_script(json)},
+       {"SCRIPT", std::string(page_script())}});
+}
+
+}  // namespace contactscope::page

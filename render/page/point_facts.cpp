@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/at.h"
+#include "draw/scene/pairs.h"
+#include "draw/scene/quantity.h"
+#include "page/facts.h"
+
+namespace contactscope::page {
+namespace {
+
+/// Layers whose signs stand at contact points.
+constexpr Layer kPointLayers[] = {
+    Layer::Contacts, Layer::Reduced,  Layer::Ids,      Layer::Persistent,       Layer::Impulses,
+    Layer::Loads,    Layer::Friction, Layer::Coherent, Layer::RelativeVelocity, Layer::Normals};
+
+std::string pair_key(const trace::Pair& pair) {
+  return pair.a + "|" + pair.b + "|" + pair.label;
+}
+
+void add_impulse(const trace::Point& point, FactRows& rows) {
+  if (!point.impulse) return;
+  rows.emplace_back("impulse", draw::spell_quantity(point.impulse->normal, "N s"));
+  if (const double friction = point.impulse->friction.norm(); friction > 0)
+    rows.emplace_back("friction", draw::spell_quantity(friction, "N s"));
+  if (point.impulse->warm_start != 0)
+    rows.emplace_back("warm start", draw::spell_quantity(point.impulse->warm_start, "N s"));
+}
+
+/// "edge 3 of crate" of "a:e3"; empty where it says nothing of that form.
+std::string feature_word(std::string_view feature, const trace::Pair& pair) {
+  if (feature.size() < 4 || feature[1] != ':' || (feature[0] != 'a' && feature[0] != 'b'))
+    return {};
+  const std::string_view number = feature.substr(3);
+  if (number.find_first_not_of("0123456789") != std::string_view::npos) return {};
+  const char* kind = feature[2] == 'v'   ? "vertex "
+                     : feature[2] == 'e' ? "edge "
+                     : feature[2] == 'f' ? "face "
+                                         : nullptr;
+  if (kind == nullptr) return {};
+  return kind + std::string(number) + " of " + (feature[0] == 'a' ? pair.a : pair.b);
+}
+
+/// Points of one pair.
+struct PairPoints {
+  const draw::Staging& staging;
+  const trace::Pair& pair;
+  const std::vector<std::string>& layers;  // that show contact points of this pair
+  std::vector<PointFacts>& all;
+
+  /// Null where the picture does not have it.
+  PointFacts* add(const Vec3d& position, const std::string& key, const std::string& name,
+                  const std::vector<std::string>& by) const {
+    const std::optional<draw::Point2> at = staging.camera.project(position);
+    if (!at || !staging.layout.view.contains(*at)) return nullptr;
+    all.push_back({pair_key(pair) + "|" + key, name, draw::pair_name(pair), *at, false, by, {}});
+    return &all.back();
+  }
+
+  void add_contacts() const {
+    std::map<std::string, int> seen;  // ids, of which engines may give two points the same
+    int number = 0;
+    for (const trace::Manifold& manifold : pair.manifolds) {
+      for (const trace::Point& point : manifold.points) {
+        ++number;
+        const std::string id = point.id.empty() ? std::to_string(number) : point.id;
+        const int times = seen[id]++;
+        PointFacts* const facts =
+            add(point.position, id + (times > 0 ? "#" + std::to_string(times) : ""),
+                "point " + std::to_string(number), layers);
+        if (facts == nullptr) continue;
+        facts->is_contact = true;
+        facts->rows.push_back(gap_row(point.separation));
+        add_impulse(point, facts->rows);
+        if (!point.active) facts->rows.emplace_back("solver", "did not act on it");
+        if (!point.id.empty()) facts->rows.emplace_back("made by", feature_words(point.id, pair));
+        if (const trace::PersistentPoint* old = persistent(point))
+          facts->rows.emplace_back("state", old->state + ", " + frames(old->age));
+        if (manifold.triangle)
+          facts->rows.emplace_back("triangle", std::to_string(*manifold.triangle));
+        facts->rows.emplace_back("normal", spell_vector(manifold.normal));
+        facts->rows.emplace_back("at", spell_vector(point.position) + " m");
+      }
+    }
+  }
+
+  /// Those that were found and are not in the manifold.
+  void add_dropped(bool reduced, bool cut) const {
+    if (pair.reduction && reduced) {
+      for (int i = 0; i < count_of(pair.reduction->points); ++i) {
+        if (std::ranges::find(pair.reduction->kept, i) != pair.reduction->kept.end()) continue;
+        const trace::Point& point = at(pair.reduction->points, i);
+        PointFacts* const facts = add(point.position, "reduced " + point.id, "dropped point",
+                                      {std::string(name_of(Layer::Reduced))});
+        if (facts == nullptr) continue;
+        facts->rows = {{"why", "reduced away by " + pair.reduction->method},
+                       gap_row(point.separation)};
+        if (!point.id.empty()) facts->rows.emplace_back("made by", feature_words(point.id, pair));
+      }
+    }
+    if (!pair.clip || !cut) return;
+    int number = 0;
+    for (const trace::DroppedPoint& point : pair.clip->dropped) {
+      PointFacts* const facts = add(point.position, "dropped " + std::to_string(number++),
+                                    "dropped point", {std::string(name_of(Layer::Dropped))});
+      if (facts != nullptr) facts->rows = {{"why", point.reason}};
+    }
+  }
+
+  const trace::PersistentPoint* persistent(const trace::Point& point) const {
+    if (!pair.incremental) return nullptr;
+    const auto& points = pair.incremental->points;
+    const auto found = std::ranges::find_if(points, [&](const trace::PersistentPoint& one) {
+      return one.state != "broken" && one.point.id == point.id &&
+             one.point.position == point.position;
+    });
+    return found == points.end() ? nullptr : &*found;
+  }
+
+  static std::string frames(int age) {
+    return std::to_string(age) + (age == 1 ? " frame old" : " frames old");
+  }
+};
+
+}  // namespace
+
+std::pair<std::string, std::string> gap_row(double separation) {
+  if (separation == 0) return {"gap", "0"};
+  return {separation < 0 ? "overlap" : "gap", draw::spell_length(std::abs(separation))};
+}
+
+std::string spell_vector(const Vec3d& vector) {
+  // Nine digits of a direction end in noise.
+  const double least = 1e-6 * vector.cwiseAbs().maxCoeff();
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    text +=
+        (i > 0 ? ", " : "(") + draw::spell_number(std::abs(vector[i]) < least ? 0.0 : vector[i]);
+  return text + ")";
+}
+
+std::string feature_words(const std::string& id, const trace::Pair& pair) {
+  const std::size_t space = id.find(' ');
+  const std::string_view whole = id;
+  const std::string first = feature_word(whole.substr(0, space), pair);
+  const std::string second =
+      space == std::string::npos ? std::string() : feature_word(whole.substr(space + 1), pair);
+  if (first.empty() || (second.empty() && space != std::string::npos)) return id;
+  return second.empty() ? first : first + ", " + second;
+}
+
+std::string parts_of(const trace::Pair& pair) {
+  return pair.a + " " + pair.b;
+}
+
+bool shows_layer(const draw::Drawing& drawing, std::string_view layer, std::string_view pair) {
+  return std::ranges::any_of(drawing.parts, [&](const draw::Part& part) {
+    return part.layer == layer && (pair.empty() || part.pair == pair);
+  });
+}
+
+std::vector<PointFacts> point_facts(const draw::Staging& staging, const trace::Frame& frame,
+                                    const draw::Drawing& drawing) {
+  std::vector<PointFacts> all;
+  for (const trace::Pair& pair : frame.pairs) {
+    const std::string parts = parts_of(pair);
+    std::vector<std::string> layers;
+    for (const Layer layer : kPointLayers) {
+      if (shows_layer(drawing, name_of(layer), parts)) layers.emplace_back(name_of(layer));
+    }
+    const PairPoints points{staging, pair, layers, all};
+    if (!layers.empty()) points.add_contacts();
+    points.add_dropped(shows_layer(drawing, name_of(Layer::Reduced), parts),
+                       shows_layer(drawing, name_of(Layer::Dropped), parts));
+  }
+  return all;
+}
+
+}  // namespace contactscope::page
