@@ -213,6 +213,7 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
     first_view_ = in_view;
     first_panels_ = in_panels;
     first_moment_ = moment;
+    ground_ = drawing.background;
     if (!title.empty()) title_ = title;
   }
   frames_.push_back(json.dump());
@@ -280,6 +281,7 @@ std::string Page::html() const {
        {"VIEW_WIDTH", vector::number(areas.view.width)},
        {"PANELS_WIDTH", vector::number(areas.panels.width)},
        {"HEIGHT", vector::number(areas.view.height)},
+       {"GROUND", ground_.a > 0 ? vector::hex(ground_) : "transparent"},
        {"VIEW_BOX", view_box(areas.view)},
        {"PANELS_BOX", view_box(areas.panels)},
        {"FIRST_PICTURE", texts_of(first_view_)},

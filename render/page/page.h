@@ -45,6 +45,7 @@ class Page {
   std::set<std::string> layers_;
   std::vector<int> first_view_, first_panels_;
   std::string first_moment_, title_;
+  draw::Color ground_{1, 1, 1, 1};
 };
 
 }  // namespace contactscope::page

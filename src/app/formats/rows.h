@@ -5,6 +5,7 @@
 namespace contactscope::app {
 
 // Each is in the file of its name.
-extern const Format kPngFormat, kSvgFormat, kPdfFormat, kApngFormat, kWebpFormat, kMp4Format;
+extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
+    kMp4Format;
 
 }  // namespace contactscope::app
