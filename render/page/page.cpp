@@ -49,11 +49,13 @@ bool is_said_by_page(const draw::Part& part) {
          part.layer == draw::kMomentPart || part.layer == draw::kLegendPart;
 }
 
-/// The first text of a part; empty without one.
+/// The texts of a part, which may be several lines; empty without any.
 std::string words_of(const Drawing& drawing, std::string_view layer) {
+  std::string words;
   for (const draw::Primitive& primitive : part_of(drawing, layer).primitives)
-    if (const auto* text = std::get_if<draw::Text>(&primitive)) return text->text;
-  return {};
+    if (const auto* text = std::get_if<draw::Text>(&primitive))
+      words += (words.empty() ? "" : " ") + text->text;
+  return words;
 }
 
 std::vector<SvgGroup> groups_of(const Drawing& drawing) {
@@ -192,8 +194,7 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
 
   std::string moment = words_of(drawing, draw::kMomentPart);
   if (moment.empty()) moment = "frame " + std::to_string(frame.frame);
-  std::string title = words_of(drawing, draw::kTitlePart);
-  if (title.ends_with("…")) title = staging_.header->title;  // cut where the picture has no room
+  const std::string title = words_of(drawing, draw::kTitlePart);
   ordered_json json{{"frame", frame.frame}, {"moment", moment}};
   if (!title.empty()) json["title"] = title;
   json["view"] = in_view;
@@ -274,7 +275,7 @@ std::string Page::html() const {
       page_markup(),
       {{"GENERATOR", vector::escaped("contactscope " + origin_.version)},
        {"DESCRIPTION", vector::escaped(origin_.scenario + ", made by " + origin_.command)},
-       {"NAME", vector::escaped(origin_.title.empty() ? origin_.scenario : origin_.title)},
+       {"NAME", vector::escaped(title_.empty() ? origin_.scenario : title_)},
        {"FONTS", fonts.css(used_)},
        {"STYLE", std::string(page_style())},
        {"TITLE", vector::escaped(title_)},
