@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -76,20 +77,24 @@ inline std::vector<std::string> words(const Drawing& drawing) {
   return list;
 }
 
-/// The rings of kept points, without the legend beneath the cells.
-inline std::vector<Disc> rings(const Drawing& drawing) {
-  std::vector<Disc> list;
-  for (const Disc& disc : all<Disc>(drawing)) {
-    if (disc.inner > 0) list.push_back(disc);
-  }
-  return list;
-}
-
 inline Rect box_of(const Text& text) {
   const FontWeight weight = text.weight == Weight::Bold ? FontWeight::Bold : FontWeight::Regular;
   const double width = text_width(text.text, text.size, weight);
   const double share = text.align == Align::Left ? 0 : text.align == Align::Center ? 0.5 : 1;
   return {text.at.x - share * width, text.at.y - 0.62 * text.size, width, 0.75 * text.size};
+}
+
+/// The rings of kept points, without those around the numbers of their badges.
+inline std::vector<Disc> rings(const Drawing& drawing) {
+  const std::vector<Text> words = all<Text>(drawing);
+  std::vector<Disc> list;
+  for (const Disc& disc : all<Disc>(drawing)) {
+    const auto is_in_it = [&](const Text& text) {
+      return box_of(text).contains(disc.center) && text.text.size() <= 2;
+    };
+    if (disc.inner > 0 && std::ranges::none_of(words, is_in_it)) list.push_back(disc);
+  }
+  return list;
 }
 
 /// Every place that a primitive paints about, NaN among them.

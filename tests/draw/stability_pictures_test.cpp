@@ -141,7 +141,7 @@ TEST(IncrementalPicture, CoresThatOverlapSayHowDeepAndByWhichMethod) {
   deepest.point.on_b = Vec3d(0.5, -0.1, 0.5);
   scene.view.layers = {Layer::Core};
   const Sketch sketch = scene.sketch();
-  EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by sat"));
+  EXPECT_THAT(labels(sketch), ElementsAre("cores overlap 50.0 mm, by SAT"));
   ASSERT_EQ(sketch.arrows.size(), 1u);
   EXPECT_NEAR((sketch.arrows[0].from - Vec3d(0.5, 0.05, 0.5)).norm(), 0, 1e-12);
   EXPECT_NEAR((*sketch.arrows[0].to - Vec3d(0.5, 0, 0.5)).norm(), 0, 1e-12);
@@ -236,7 +236,7 @@ TEST(DynamicsPicture, ArrowsAreAsLongAsTheLegendSays) {
   int normal = 0, friction = 0, velocity = 0;
   for (const Arrow& arrow : sketch.arrows) {
     const Vec3d way = *arrow.to - arrow.from;
-    if (same(arrow.color, kContact)) {
+    if (same(arrow.color, kImpulse)) {
       ++normal;
       EXPECT_NEAR((way - Vec3d(0, 2 * scales.impulse, 0)).norm(), 0, 1e-12);
     } else if (arrow.open) {

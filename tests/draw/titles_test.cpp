@@ -74,14 +74,14 @@ TEST(TitlesOfPictures, ThatAreLongShrinkAndThenTakeTwoLines) {
       "Baumgarte pushes overlaps out with a velocity, and the deep crate keeps";
   const FittedTitle whole = fit_title("Short", 1232, 1);
   EXPECT_EQ(whole.size, 28);
-  const FittedTitle smaller = fit_title(words, 790, 1);
+  const FittedTitle smaller = fit_title(words, 0.9f * text_width(words, 28, Weight::Bold), 1);
   EXPECT_EQ(smaller.lines.size(), 1u);
   EXPECT_LT(smaller.size, 28);
-  const FittedTitle two = fit_title(words, 520, 1);
+  const FittedTitle two = fit_title(words, 500, 1);
   ASSERT_EQ(two.lines.size(), 2u);
   EXPECT_EQ(two.lines[0] + " " + two.lines[1], words);
   for (const std::string& line : two.lines)
-    EXPECT_LE(text_width(line, static_cast<float>(two.size), Weight::Bold), 520);
+    EXPECT_LE(text_width(line, static_cast<float>(two.size), Weight::Bold), 500);
   EXPECT_THAT(fit_title(words, 120, 1).lines.front(), HasSubstr("…"));
 }
 
