@@ -83,7 +83,7 @@ TEST(Anchors, LabelsSayWhatTheyNameAndWhereTheyStand) {
 
 TEST(Anchors, RectanglesOfViewAndCaptions) {
   CrateOnSlab scene;
-  scene.view.layers = {Layer::Shapes};
+  scene.view.layers = {Layer::Shapes, Layer::Contacts};
   const json all = anchors(scene);
   std::vector<std::string> names;
   for (const json& rectangle : all["rectangles"]) {
