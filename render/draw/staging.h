@@ -8,7 +8,7 @@
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
 #include "draw/magnifier.h"
-#include "draw/moments.h"
+#include "draw/scene/moments.h"
 #include "draw/title.h"
 #include "draw/viewports.h"
 #include "trace/trace.h"

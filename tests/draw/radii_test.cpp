@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "crate_on_slab.h"
-#include "draw/layers/clipped_segment.h"
+#include "draw/scene/clipped_segment.h"
 
 namespace contactscope::draw {
 namespace {

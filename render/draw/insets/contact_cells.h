@@ -7,7 +7,7 @@
 #include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/moments.h"
+#include "draw/scene/moments.h"
 #include "trace/exploration.h"
 
 namespace contactscope::draw {

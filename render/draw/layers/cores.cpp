@@ -8,10 +8,10 @@
 #include "core/at.h"
 #include "core/plane.h"
 #include "draw/layers/layer.h"
-#include "draw/layers/radii.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/radii.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
 /// are cores inflated by margins. The cores stay apart while the margins overlap, so that closest

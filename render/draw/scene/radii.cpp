@@ -1,4 +1,4 @@
-#include "draw/layers/radii.h"
+#include "draw/scene/radii.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "draw/layers/clipped_segment.h"
+#include "draw/scene/clipped_segment.h"
 
 #include <algorithm>
 #include <cmath>

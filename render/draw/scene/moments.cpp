@@ -1,4 +1,4 @@
-#include "draw/moments.h"
+#include "draw/scene/moments.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "draw/layers/clip_story.h"
+#include "draw/scene/clip_story.h"
 
 #include <algorithm>
 #include <cmath>
