@@ -17,10 +17,11 @@ namespace {
 using draw::Drawing;
 using nlohmann::ordered_json;
 
-constexpr int kPause = 160;         // milliseconds from frame to frame
-constexpr double kSignWidth = 28;   // of a legend's sign, pixels at 720 lines
-constexpr double kSignToText = 32;  // from its left end to that of the text
-constexpr double kBorder = 3;       // around view and panels, pixels at 720 lines
+constexpr int kPause = 160;                     // milliseconds from frame to frame
+constexpr double kSignWidth = 28;               // of a legend's sign, pixels at 720 lines
+constexpr double kSignToText = 32;              // from its left end to that of the text
+constexpr std::string_view kLabels = "labels";  // of the view, for which the legend has no row
+constexpr double kBorder = 3;                   // around view and panels, pixels at 720 lines
 
 /// The primitives of the parts that `wanted` names, with these parts.
 template <class Wanted>
@@ -152,7 +153,8 @@ Page::Page(const draw::Staging& staging, const PictureOrigin& origin)
 
 // A sign and its text, one after the other; each sign becomes a picture of its own, so that the page
 // can break its lines.
-std::vector<int> Page::legend_of(const Drawing& drawing) {
+// What a legend has no row for is named in the view, which `view` gets.
+std::vector<int> Page::legend_of(const Drawing& drawing, Drawing& view) {
   const float scale = staging_.layout.scale;
   std::vector<int> numbers;
   Drawing sign;
@@ -160,6 +162,13 @@ std::vector<int> Page::legend_of(const Drawing& drawing) {
     const auto* text = std::get_if<draw::Text>(&primitive);
     if (text == nullptr) {
       sign.primitives.push_back(primitive);
+      continue;
+    }
+    if (!staging_.cells && !staging_.layout.legend.grown(1).contains(text->at)) {
+      view.begin(kLabels, {}, "label");
+      view.primitives.insert(view.primitives.end(), sign.primitives.begin(), sign.primitives.end());
+      view.primitives.push_back(primitive);
+      sign.primitives.clear();
       continue;
     }
     const auto row = static_cast<float>(scale * draw::kLegendRow);
@@ -184,9 +193,10 @@ std::vector<int> Page::legend_of(const Drawing& drawing) {
 
 void Page::add(const trace::Frame& frame, const Drawing& drawing) {
   const auto is_panel = [](const draw::Part& part) { return part.layer == draw::kPanelPart; };
-  const Drawing view = taken_from(
+  Drawing view = taken_from(
       drawing, [&](const draw::Part& part) { return !is_panel(part) && !is_said_by_page(part); });
   const Drawing panels = taken_from(drawing, is_panel);
+  const std::vector<int> legend = legend_of(drawing, view);
   for (const draw::Part& part : view.parts) layers_.insert(part.layer);
   const std::vector<int> in_view = groups_.add(groups_of(view));
   const std::vector<int> in_panels = groups_.add(groups_of(panels));
@@ -199,7 +209,7 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
   if (!title.empty()) json["title"] = title;
   json["view"] = in_view;
   json["panels"] = in_panels;
-  json["legend"] = legend_of(drawing);
+  json["legend"] = legend;
   json["points"] = ordered_json::array();
   json["faces"] = ordered_json::array();
   json["pairs"] = ordered_json::array();
@@ -237,12 +247,13 @@ std::string Page::html() const {
   ordered_json data{{"pause", kPause},
                     {"scale", staging_.layout.scale},
                     {"panels", areas.panels.width > 0},
+                    {"points", !staging_.cells},
                     {"layers", ordered_json::array()},
                     {"legend", ordered_json::array()},
                     {"frames", ordered_json::array()}};
   std::vector<std::string> layers(kLayerNames.begin(), kLayerNames.end());
   for (const std::string_view part :
-       {draw::kShapeNamesPart, draw::kInsetPart, draw::kPairLabelPart, draw::kPlanePart})
+       {draw::kShapeNamesPart, draw::kInsetPart, draw::kPairLabelPart, kLabels})
     layers.emplace_back(part);
   for (const std::string& layer : layers)
     if (layers_.contains(layer))

@@ -34,7 +34,7 @@ class Page {
   };
 
   Areas areas() const;
-  std::vector<int> legend_of(const draw::Drawing& drawing);
+  std::vector<int> legend_of(const draw::Drawing& drawing, draw::Drawing& view);
 
   const draw::Staging& staging_;
   PictureOrigin origin_;

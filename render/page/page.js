@@ -107,6 +107,7 @@
     find('panels').hidden = true;
     find('stage').classList.add('alone');
   }
+  find('layers').hidden = data.layers.length === 0 && !data.panels;
   const flip = box => {
     if (box) box.click();
   };
@@ -271,6 +272,7 @@
       row.addEventListener('pointerleave', () => held || point_at(null));
     }
   }
+  find('contacts').hidden = !data.points;
   find('contacts').addEventListener('toggle', () => list_contacts(frames[shown]));
 
   // ---- Buttons, slider, keys

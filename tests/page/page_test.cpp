@@ -28,10 +28,12 @@ CrateOnSlab moving() {
 
 std::string page_of(const CrateOnSlab& scene) {
   const draw::Staging staging = scene.staged();
-  Page page(staging, {.version = "1.2.3",
-                      .scenario = "mine/crate",
-                      .title = scene.header.title,
-                      .command = "contactscope render mine/crate --format html"});
+  PictureOrigin origin;
+  origin.version = "1.2.3";
+  origin.scenario = "mine/crate";
+  origin.title = scene.header.title;
+  origin.command = "contactscope render mine/crate --format html";
+  Page page(staging, origin);
   for (const trace::Frame& frame : scene.frames) page.add(frame, draw::illustrate(staging, frame));
   return page.html();
 }
@@ -73,7 +75,7 @@ TEST(Page, ListsTheLayersInDrawingOrder) {
   const nlohmann::json data = data_of(page_of(moving()));
   std::vector<std::string> names;
   for (const auto& layer : data["layers"]) names.push_back(layer["name"]);
-  EXPECT_THAT(names, testing::ElementsAre("shapes", "contacts", "ids"));
+  EXPECT_THAT(names, testing::ElementsAre("shapes", "contacts", "ids", "shape_names"));
 }
 
 TEST(Page, SaysTitleSourceAndCommandAsText) {
@@ -86,6 +88,26 @@ TEST(Page, SaysTitleSourceAndCommandAsText) {
   EXPECT_THAT(html, Not(HasSubstr("data-layer=\"title\"")));
   EXPECT_THAT(html, Not(HasSubstr("data-layer=\"legend\"")));
   EXPECT_FALSE(data_of(html)["legend"].empty());
+}
+
+// Rows of the legend are few: a label in the view says what has none, and stays there.
+TEST(Page, LabelsThatTheLegendHasNoRowForStayInTheView) {
+  CrateOnSlab scene = moving();
+  const draw::Staging staging = scene.staged();
+  draw::Drawing drawing = draw::illustrate(staging, scene.frames[0]);
+  drawing.begin(draw::kLegendPart);
+  draw::Text label;
+  label.text = "named here";
+  label.at = {300, 300};
+  drawing.primitives.push_back(label);
+  PictureOrigin origin;
+  origin.scenario = "mine/crate";
+  Page page(staging, origin);
+  page.add(scene.frames[0], drawing);
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("data-layer=\"labels\""));
+  EXPECT_THAT(html, HasSubstr(">named here</text>"));
+  for (const auto& entry : data_of(html)["legend"]) EXPECT_NE(entry["text"], "named here");
 }
 
 TEST(Page, FetchesNothingAndLeavesNothingUnfilled) {
