@@ -81,7 +81,6 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Broken{"MissingTitle", "up = \"y\"\n[shapes.a]\n", "1:1",
                "missing key 'title' in the file; add title = "},
-        Broken{"EmptyTitle", "title = \"\"\n", "1:9", "'title' is an empty string"},
         Broken{"TitleOfAnUnknownFact", "title = \"{depth}\"\n", "1:9",
                "unknown placeholder '{depth}'; known: frame, "},
         Broken{"TitleOfAShapeThatIsNotThere", two_boxes("[[views]]\ntitle = \"{kept of c}\""),

@@ -15,7 +15,7 @@ constexpr double kPageMargin = 24;
 constexpr double kTitleSize = 28;
 constexpr double kLeastTitle = 22;  // smaller ones go on in a second line
 constexpr double kTitleOfTwoLines = 19, kLeastTwoLines = 15;
-constexpr double kSourceSize = 14;
+constexpr double kSourceSize = 15;
 constexpr double kPanelColumn = 356;
 constexpr double kGutter = 16;
 // Letters of 14 px at 720 lines are still 10 px high on the smallest pictures.

@@ -92,7 +92,7 @@ class SwatchPen : public Pen {
   SwatchPen(const Layout& layout, const Point2& left, Drawing& drawing)
       : Pen(drawing, layout.scale, kLegendSize), left_(left) {}
 
-  static constexpr double kLegendSize = 15;  // of the text
+  static constexpr double kLegendSize = 17;  // of the text
 
   Point2 at(double right, double down = 0) const {
     return {left_.x + px(right), left_.y + px(down)};
