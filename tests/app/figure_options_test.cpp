@@ -49,7 +49,7 @@ TEST(FigureOptions, EveryWordHasAGermanOne) {
   const ProgramRun listed = run("list words");
   ASSERT_EQ(listed.exit_code, 0);
   EXPECT_THAT(listed.out, HasSubstr("reference face\n"));
-  const std::string german = read_text("src/package/words/de.toml");
+  const std::string german = read_text(CONTACTSCOPE_SOURCE_DIR "/src/package/words/de.toml");
   std::istringstream lines(listed.out);
   for (std::string word; std::getline(lines, word);)
     EXPECT_THAT(german, HasSubstr("\"" + word + "\" = \"")) << word;

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/program.h"
+#include "image/png.h"
 
 /// Traces as other engines write them: with what they know.
 namespace contactscope::test {
@@ -41,8 +42,8 @@ TEST(OtherEngines, TheSampleOfTheReferenceIsDrawnAlsoFromStandardInput) {
   const ProgramRun from_input = run("render -" + to + (folder / "two") + "'", "", file);
   ASSERT_EQ(from_input.exit_code, 0) << from_input.err;
   EXPECT_THAT(files_below(folder / "two"), ElementsAre("mine/crate/frame_0000.png"));
-  EXPECT_TRUE(read_text(folder / "one/mine/crate/frame_0000.png") ==
-              read_text(folder / "two/mine/crate/frame_0000.png"));
+  EXPECT_TRUE(read_png(folder / "one/mine/crate/frame_0000.png") ==
+              read_png(folder / "two/mine/crate/frame_0000.png"));
   EXPECT_THAT(run("doctor '" + file + "'").out, HasSubstr("ok  trace of mine/crate"));
 }
 
@@ -202,11 +203,11 @@ TEST(OtherEngines, APairAloneIsWhatATraceWithoutTheRestShows) {
     const ProgramRun result =
         run("render '" + file + "' --size 320x180 --out '" + (folder / to) + "' " + more);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    return read_text(folder / (to + "/mine/crate/frame_0000.png"));
+    return read_png(folder / (to + "/mine/crate/frame_0000.png"));
   };
-  const std::string whole = draw(both, "whole", "");
-  const std::string pair = draw(both, "pair", "--pair crate,ground");
-  const std::string shapes = draw(both, "shapes", "--shapes crate,ground");
+  const Image whole = draw(both, "whole", "");
+  const Image pair = draw(both, "pair", "--pair crate,ground");
+  const Image shapes = draw(both, "shapes", "--shapes crate,ground");
   EXPECT_TRUE(whole != pair);
   EXPECT_TRUE(pair == shapes);
   EXPECT_TRUE(pair == draw(folder.write("one.jsonl", sample_of_the_reference()), "one", ""));

@@ -11,9 +11,8 @@
 namespace contactscope {
 namespace {
 
+using testing::dot_on_white;
 using ::testing::ElementsAre;
-using testing::paint_all;
-using testing::paint_dot;
 
 struct Chunk {
   std::string type;
@@ -78,15 +77,9 @@ std::vector<Shown> play(const Bytes& file) {
   return all;
 }
 
-Image with_dot(double x) {
-  Image image(80, 40);
-  paint_all(image, {255, 255, 255});
-  paint_dot(image, x, 20, 6, {213, 94, 0});
-  return image;
-}
-
 TEST(Apng, ShowsEachPictureAsItWas) {
-  const std::vector<Image> pictures = {with_dot(10), with_dot(20), with_dot(20), with_dot(70)};
+  const std::vector<Image> pictures = {dot_on_white(10), dot_on_white(20), dot_on_white(20),
+                                       dot_on_white(70)};
   const std::vector<int> times = {40, 1000, 16, 70000};
   ApngEncoder encoder;
   for (std::size_t i = 0; i < pictures.size(); ++i) encoder.add(pictures[i], times[i]);
@@ -102,10 +95,10 @@ TEST(Apng, ShowsEachPictureAsItWas) {
 
 TEST(Apng, KeepsOnlyWhatChanged) {
   ApngEncoder encoder;
-  for (const double x : {10.0, 20.0, 20.0}) encoder.add(with_dot(x), 40);
+  for (const double x : {10.0, 20.0, 20.0}) encoder.add(dot_on_white(x), 40);
   const std::vector<Shown> shown = play(encoder.finish());
-  EXPECT_EQ(shown[0].box, (PixelBox{0, 0, 80, 40}));
-  EXPECT_EQ(shown[1].box, changed_box(with_dot(10), with_dot(20)));
+  EXPECT_EQ(shown[0].box, (PixelBox{0, 0, 97, 41}));
+  EXPECT_EQ(shown[1].box, changed_box(dot_on_white(10), dot_on_white(20)));
   EXPECT_GE(shown[1].box.left, 3);
   EXPECT_LE(shown[1].box.right, 27);
   EXPECT_GE(shown[1].box.top, 13);
@@ -115,8 +108,8 @@ TEST(Apng, KeepsOnlyWhatChanged) {
 
 TEST(Apng, SaysHowManyPicturesAndThatItPlaysForever) {
   ApngEncoder encoder;
-  encoder.add(with_dot(10), 40);
-  encoder.add(with_dot(20), 40);
+  encoder.add(dot_on_white(10), 40);
+  encoder.add(dot_on_white(20), 40);
   const Bytes file = encoder.finish({{"Software", "test"}});
   std::vector<std::string> types;
   for (const Chunk& chunk : chunks_of(file)) types.push_back(chunk.type);
@@ -124,16 +117,16 @@ TEST(Apng, SaysHowManyPicturesAndThatItPlaysForever) {
   EXPECT_EQ(number(chunks_of(file)[1].data, 0, 4), 2u);
   EXPECT_EQ(number(chunks_of(file)[1].data, 4, 4), 0u);
   ApngEncoder again;
-  again.add(with_dot(10), 40);
-  again.add(with_dot(20), 40);
+  again.add(dot_on_white(10), 40);
+  again.add(dot_on_white(20), 40);
   EXPECT_EQ(again.finish({{"Software", "test"}}), file);
 }
 
 TEST(Apng, ChangesInAlphaAloneAreSeen) {
-  Image clear = with_dot(10);
-  clear.alpha.assign(80 * 40, 255);
+  Image clear = dot_on_white(10);
+  clear.alpha.assign(97 * 41, 255);
   Image faint = clear;
-  faint.alpha[static_cast<std::size_t>(80 * 30 + 50)] = 7;
+  faint.alpha[static_cast<std::size_t>(97 * 30 + 50)] = 7;
   EXPECT_EQ(changed_box(clear, faint), (PixelBox{50, 30, 51, 31}));
 }
 

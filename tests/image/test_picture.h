@@ -48,6 +48,14 @@ inline void paint_dot(Image& image, double cx, double cy, double radius, const R
   }
 }
 
+/// 97 x 41, white, with a vermilion dot whose middle is that far from the left.
+inline Image dot_on_white(double x) {
+  Image image(97, 41);
+  paint_all(image, {255, 255, 255});
+  paint_dot(image, x, 20, 6, {213, 94, 0});
+  return image;
+}
+
 inline void paint_line(Image& image, double x0, double y0, double x1, double y1, double width,
                        const Rgb& color) {
   const double dx = x1 - x0, dy = y1 - y0, squared = dx * dx + dy * dy;

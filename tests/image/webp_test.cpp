@@ -11,13 +11,6 @@
 namespace contactscope {
 namespace {
 
-Image with_dot(double x) {
-  Image image(97, 41);
-  testing::paint_all(image, {255, 255, 255});
-  testing::paint_dot(image, x, 20, 6, {213, 94, 0});
-  return image;
-}
-
 Image decoded(const Bytes& file) {
   Image image;
   std::uint8_t* const rgb = WebPDecodeRGB(file.data(), file.size(), &image.width, &image.height);
@@ -28,13 +21,13 @@ Image decoded(const Bytes& file) {
 }
 
 TEST(Webp, LosesNothing) {
-  const Bytes file = encode_webp(with_dot(30));
-  EXPECT_EQ(decoded(file), with_dot(30));
-  EXPECT_EQ(encode_webp(with_dot(30)), file) << "equal pictures give equal bytes";
+  const Bytes file = encode_webp(testing::dot_on_white(30));
+  EXPECT_EQ(decoded(file), testing::dot_on_white(30));
+  EXPECT_EQ(encode_webp(testing::dot_on_white(30)), file) << "equal pictures give equal bytes";
 }
 
 TEST(Webp, KeepsAlphaAndTheColoursUnderIt) {
-  Image image = with_dot(30);
+  Image image = testing::dot_on_white(30);
   image.alpha.resize(image.rgb.size() / 3);
   for (std::size_t i = 0; i < image.alpha.size(); ++i)
     image.alpha[i] = static_cast<std::uint8_t>(i);
@@ -51,13 +44,14 @@ TEST(Webp, KeepsAlphaAndTheColoursUnderIt) {
 }
 
 TEST(Webp, SaysWhatItIs) {
-  const Bytes file = encode_webp(with_dot(30), "<x>about</x>");
-  EXPECT_EQ(decoded(file), with_dot(30));
+  const Bytes file = encode_webp(testing::dot_on_white(30), "<x>about</x>");
+  EXPECT_EQ(decoded(file), testing::dot_on_white(30));
   EXPECT_NE(std::string(file.begin(), file.end()).find("<x>about</x>"), std::string::npos);
 }
 
 TEST(Webp, AnimationShowsEachPictureForItsTime) {
-  const std::vector<Image> pictures = {with_dot(10), with_dot(20), with_dot(80)};
+  const std::vector<Image> pictures = {testing::dot_on_white(10), testing::dot_on_white(20),
+                                       testing::dot_on_white(80)};
   const std::vector<int> times = {40, 1000, 17};
   WebpAnimation animation;
   for (std::size_t i = 0; i < pictures.size(); ++i) animation.add(pictures[i], times[i]);

@@ -93,7 +93,7 @@ TEST_F(PanelColumnTest, PlotsGrowWithTheFrames) {
     const int early = count(rendered(frames, {Panel::Plots}, width, height, 0), draw::kContact);
     const int late = count(rendered(frames, {Panel::Plots}, width, height, 3), draw::kContact);
     EXPECT_GT(early, 0);
-    EXPECT_GT(late, early + 100);
+    EXPECT_GT(late, early + 50) << "the curve has grown; ids that never change are a line of words";
   }
 }
 
