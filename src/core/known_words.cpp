@@ -31,6 +31,7 @@ const std::vector<std::string_view>& known_words() {
       // Shapes and faces.
       "reference face",
       "incident face",
+      "side plane",
       "side plane, outward normal",
       "clip polygon",
       "as clipped, on the incident face",
@@ -341,7 +342,7 @@ const std::vector<std::string_view>& known_words() {
       "new corner, in the order made",
       "corner, edge or face that touches",
       "plane of the best face or edge, extended",
-      "support point, farthest behind the plane",
+      "support point, farthest against the normal",
       "best axis of a query",
       "cross product of two edges",
       "other ways out",

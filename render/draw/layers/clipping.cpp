@@ -107,7 +107,7 @@ void draw_side_planes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                                               : PlaneLook::Done,
                     sketch);
   if (shown > 0)
-    sketch.explain(kSidePlaneSwatch, "side plane, outward normal",
+    sketch.explain(kSidePlaneSwatch, over ? "side plane" : "side plane, outward normal",
                    top_of_side_plane(*pair.clip, shown - 1));
 }
 
@@ -123,9 +123,8 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
   for (std::size_t k = 0; k < shown; ++k) {
     const trace::Polygon& polygon = pair.clip->steps[k].polygon;
     const bool last = k + 1 == shown;
-    if (polygon.empty() || (story && !last)) continue;
-    sketch.outline(polygon, {story ? 3.5f : 2.5f, with_alpha(kClipPolygon, last ? 1.0f : 0.22f)});
-    if (!last) continue;
+    if (polygon.empty() || !last) continue;
+    sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
     sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
     sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
   }

@@ -112,7 +112,7 @@ struct Column {
                              .color = kAxisText});
     sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
     sketch.explain(kBestPlaneSwatch, "plane of the best face or edge, extended");
-    sketch.explain(kSupportVertexSwatch, "support point, farthest behind the plane");
+    sketch.explain(kSupportVertexSwatch, "support point, farthest against the normal");
   }
 };
 

@@ -49,7 +49,7 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
   }
   const Vec3d begin = from + aside, end = to + aside;
   draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
-  const std::string note = chosen && metres <= 0 ? ", chosen" : "";
+  const std::string note = all && chosen && metres <= 0 ? ", chosen" : "";
   sketch
       .label(0.5 * (begin + end),
              std::string(name) + ": " + spell_separation(metres, scene.noise(pair)) + note,
