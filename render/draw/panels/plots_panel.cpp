@@ -105,7 +105,8 @@ class PlotsPanel : public PanelContent {
       for (const std::size_t pair : one.id_pairs) pairs.push_back(before + pair);
     }
     ids_.emplace(ids, pairs);
-    if (all.size() == 1) penetration.subjects = all[0].deepest;
+    if (all.size() == 1 && std::ranges::none_of(all[0].deepest, names_a_copy))
+      penetration.subjects = all[0].deepest;
     if (!all.empty()) penetration.changes = all[0].queries;
     const bool same_points = std::ranges::all_of(points.curves, is_constant);
     if (same_points && !points.curves.empty() && frames_.size() > 1) {
@@ -122,6 +123,13 @@ class PlotsPanel : public PanelContent {
       chart->fit();
       charts_.push_back(std::move(*chart));
     }
+  }
+
+  /// Of many scattered copies, as crate_5 is one, a name says nothing.
+  static bool names_a_copy(const std::string& pair) {
+    const std::size_t mark = pair.find('_');
+    return mark != std::string::npos && mark + 1 < pair.size() && pair[mark + 1] >= '0' &&
+           pair[mark + 1] <= '9';
   }
 
   static bool is_constant(const std::vector<double>& curve) {
