@@ -288,7 +288,7 @@ const std::vector<std::string_view>& known_words() {
       "kinetic energy",
       "no preference",
       "faces preferred",
-      "half as high",
+      "low bars",
       "from the cache",
       "untested",
       "dashed inside",

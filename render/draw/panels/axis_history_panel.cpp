@@ -91,7 +91,7 @@ class AxisHistoryPanel : public PanelContent {
       return {};
     }
     if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
-    if (cached_) sheet.line("half as high: answered from the cache", kText);
+    if (cached_) sheet.line("low bars: answered from the cache", kText);
     const float line = sheet.line_height();
     auto available = static_cast<float>(sheet.rest().height);
     if (kLeastHistory * line * static_cast<float>(count_) > available)
