@@ -284,7 +284,6 @@ const std::vector<std::string_view>& known_words() {
       "contact ids",
       "a row each",
       "contact ids of the first {n} of {m} pairs",
-      "penetration",
       "kinetic energy",
       "no preference",
       "faces preferred",

@@ -273,7 +273,7 @@ Drawing plots_panel(std::size_t moment, const Rect& rect = kPanel, float pixel =
 
 TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
   const std::vector<std::string> all = texts(plots_panel(3));
-  EXPECT_THAT(all, Contains("penetration, mm"));
+  EXPECT_THAT(all, Contains("overlap, mm"));
   EXPECT_THAT(all, Contains("3.00 mm"));
   EXPECT_THAT(all, Contains("kinetic energy, J"));
   EXPECT_THAT(all, Contains("3.00 J"));
@@ -320,7 +320,7 @@ TEST(PlotsPanel, WithoutASolverNeitherEnergyNorImpulses) {
   std::vector<trace::Frame> frames = settling();
   for (trace::Frame& frame : frames) frame.solver.reset();
   const Drawing drawing = panel_of(Panel::Plots, frames, 2);
-  EXPECT_THAT(texts(drawing), Contains("penetration, mm"));
+  EXPECT_THAT(texts(drawing), Contains("overlap, mm"));
   EXPECT_THAT(texts(drawing), Not(Contains(HasSubstr("energy"))));
   EXPECT_THAT(texts(drawing), Not(Contains(HasSubstr("impulses"))));
 }
@@ -341,7 +341,7 @@ TEST(TimeSeries, WithoutEnergiesOfBodiesThatMoveThereIsNoCurveOfThem) {
 TEST(PlotsPanel, SmallPanelsGiveUpTheStripAndLastCharts) {
   const Rect low{10, 10, 240, 110};
   const Drawing drawing = plots_panel(3, low, 0.72f);
-  EXPECT_THAT(texts(drawing), Contains("penetration, mm"));
+  EXPECT_THAT(texts(drawing), Contains("overlap, mm"));
   EXPECT_THAT(texts(drawing), Not(Contains("contact points")));
   const Rect usual{10, 10, 240, 205};
   EXPECT_THAT(texts(plots_panel(3, usual, 0.72f)), Contains("contact points"));

@@ -80,7 +80,7 @@ class PlotsPanel : public PanelContent {
     const std::vector<TimeSeries> all = time_series(frames_);
     // With the time of a frame, impulses are shown as the forces that they are over it.
     const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
-    SeriesChart penetration{"penetration", "m"}, energy{"kinetic energy", "J"},
+    SeriesChart penetration{"overlap", "m"}, energy{"kinetic energy", "J"},
         impulse{step > 0 ? "normal forces" : "normal impulses", step > 0 ? "N" : "N s"},
         points{"contact points", ""};
     points.steps = true;
