@@ -107,7 +107,8 @@ TEST(Page, LabelsThatTheLegendHasNoRowForStayInTheView) {
   const std::string html = page.html();
   EXPECT_THAT(html, HasSubstr("data-layer=\"labels\""));
   EXPECT_THAT(html, HasSubstr(">named here</text>"));
-  for (const auto& entry : data_of(html)["legend"]) EXPECT_NE(entry["text"], "named here");
+  const nlohmann::json data = data_of(html);
+  for (const auto& entry : data["legend"]) EXPECT_NE(entry["text"], "named here");
 }
 
 TEST(Page, FetchesNothingAndLeavesNothingUnfilled) {
