@@ -82,7 +82,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, const Options
   Sequence sequence;
   if (input.trace) {
     sequence = std::move(*input.trace);
-    // Of this program's own an author left the title out.
+    // A trace of this program has no title where its author wanted none.
     if (sequence.header.title.empty() && !sequence.header.engine.empty())
       sequence.header.title = title_of(sequence.header);
     ledger.left_out(input.scenario.name + ": the pipeline, for its trace is drawn as it stands");

@@ -60,12 +60,15 @@ TEST(FigurePictures, ThemesAndCamerasChangeThePicture) {
   EXPECT_NE(FigurePicture("--size 320x180 --orthographic").image(), plain);
 }
 
+std::string scenario_titled(const std::string& title) {
+  std::string text = small_scenario();
+  const std::size_t at = text.find("title");
+  return text.replace(at, text.find('\n', at) - at, "title = \"" + title + "\"");
+}
+
 TEST(FigurePictures, CharactersThatNoFontHasAreTold) {
   const TemporaryFolder folder;
-  std::string text = small_scenario();
-  text.replace(text.find("title"), text.find('\n', text.find("title")) - text.find("title"),
-               "title = \"箱\"");
-  const std::string file = folder.write("my/box.toml", text);
+  const std::string file = folder.write("my/box.toml", scenario_titled("箱"));
   const ProgramRun result =
       run("render '" + file + "' --size 160x90 --out '" + (folder / "out") + "'");
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -75,10 +78,7 @@ TEST(FigurePictures, CharactersThatNoFontHasAreTold) {
 
 TEST(FigurePictures, AnEmptyTitleIsAllowed) {
   const TemporaryFolder folder;
-  std::string text = small_scenario();
-  text.replace(text.find("title"), text.find('\n', text.find("title")) - text.find("title"),
-               "title = \"\"");
-  const std::string file = folder.write("my/box.toml", text);
+  const std::string file = folder.write("my/box.toml", scenario_titled(""));
   const ProgramRun result =
       run("render '" + file + "' --size 160x90 --out '" + (folder / "out") + "'");
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -2,22 +2,10 @@
 #include "app/formats/rows.h"
 #include "image/webp.h"
 #include "image/whole_file.h"
+#include "vector/markup.h"
 
 namespace contactscope::app {
 namespace {
-
-void escape_xml(const std::string& text, std::string& to) {
-  for (const char c : text) {
-    if (c == '&')
-      to += "&amp;";
-    else if (c == '<')
-      to += "&lt;";
-    else if (c == '>')
-      to += "&gt;";
-    else
-      to += c;
-  }
-}
 
 /// What a picture says of itself, as XMP (ISO 16684-1): a line each in the description, which viewers
 /// show.
@@ -27,7 +15,8 @@ std::string xmp_of(const PictureOrigin& origin) {
       "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
       "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">"
       "<dc:description><rdf:Alt><rdf:li xml:lang=\"x-default\">";
-  for (const auto& [key, value] : entries_of(origin)) escape_xml(key + ": " + value + "\n", all);
+  for (const auto& [key, value] : entries_of(origin))
+    all += vector::escaped(key + ": " + value) + "\n";
   return all + "</rdf:li></rdf:Alt></dc:description></rdf:Description></rdf:RDF></x:xmpmeta>";
 }
 
