@@ -114,9 +114,10 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
 // Without the anchors that the camera does not see: a label there would not be drawn.
 Legend seen_by(const Camera& camera, const Legend& legend) {
   Legend seen;
-  for (const LegendEntry& entry : legend.entries())
-    seen.explain(*entry.swatch, entry.text,
-                 entry.anchor && camera.sees(*entry.anchor) ? entry.anchor : std::nullopt);
+  for (LegendEntry entry : legend.entries()) {
+    if (entry.anchor && !camera.sees(*entry.anchor)) entry.anchor.reset();
+    seen.explain(entry);
+  }
   return seen;
 }
 
@@ -124,14 +125,16 @@ Legend seen_by(const Camera& camera, const Legend& legend) {
 void explain_beside(const View& view, const trace::Frame& frame, Legend& legend) {
   Legend of_panels;
   explain_panels(view, frame, of_panels);
-  for (const LegendEntry& entry : of_panels.entries()) legend.explain(*entry.swatch, entry.text);
+  for (const LegendEntry& entry : of_panels.entries())
+    legend.explain({entry.swatch, entry.text, std::nullopt, true});
 }
 
 // Says at the thing what the legend has no room for.
 void label_in_place(const LegendChoice& choice, Sketch& sketch) {
   sketch.begin(kLegendPart);
   for (const LegendEntry& entry : choice.labelled) {
-    if (std::ranges::find(sketch.legend.entries(), entry) == sketch.legend.entries().end())
+    if (std::ranges::find(sketch.legend.entries(), entry.swatch, &LegendEntry::swatch) ==
+        sketch.legend.entries().end())
       continue;
     Label& label = sketch.label(*entry.anchor, label_of(entry), entry.swatch->ink, kInPlace, kAway);
     label.bold = false;
@@ -157,6 +160,7 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
   }
   for (const PairViewport& viewport : staging.viewports) {
     Shot& shot = shots.emplace_back(Shot{&viewport, staging.layout, part_of(frame, viewport)});
+    shot.layout.framed = true;
     shot.layout.view = inside_of(viewport, staging.layout);
     shot.scene.emplace(Scene{staging.view, *staging.header, *shot.part, staging.meshes,
                              *viewport.camera, staging.scales, staging.sequence.get()});

@@ -118,6 +118,7 @@ void draw_magnified(const Magnifier& magnifier, const Vec3d& middle, const Sketc
   pen.fill(frame, kWhite);
   Layout inner = layout;
   inner.view = frame;
+  inner.framed = true;
   const double pixels = camera.pixels_per_metre(middle) * magnifier.factor;
   const Vec3d back = camera.to_eye(middle);
   const double away = (camera.eye() - middle).norm();

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/convex_polygon.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
@@ -15,19 +16,22 @@ namespace {
 constexpr std::size_t kMostNamedShapes =
     3;                                  // more names are a crowd, and the picture is about none
 constexpr std::size_t kMostCopies = 3;  // more of them are a stack or a heap, as anybody sees
-constexpr float kNameSize = 15;         // pixels
+constexpr std::size_t kMostRoles = 12;  // shapes
+constexpr std::size_t kMostVertices = 5000;  // of a mesh whose outline is worked out
+constexpr double kMostOfMesh = 0.3;          // of its width, that a name on it takes
+constexpr float kNameSize = 16;              // pixels
 constexpr int kColumns = 18, kRowsTried = 12;
 constexpr double kNameFarEnough = 260;  // pixels from the contact: farther is no better
+constexpr double kLeastEdge = 0.5;      // pixels
 constexpr double kFromBorder = 5;       // pixels between letters and the border of the shape
 constexpr double kFromPairLabel = 10;   // pixels
+constexpr double kFromFrame = 8;        // pixels between letters and the border of the view
+constexpr double kInside = 16;          // pixels: so far inside of its shape a leader ends
 
 /// "small crate" of "small_crate_3": the number tells copies apart, and says nothing of them.
-std::string name_in_words(std::string_view name) {
+std::string kind_in_words(std::string_view name) {
   const std::size_t last = name.find_last_not_of("0123456789_- ");
-  if (last == std::string_view::npos) return std::string(name);
-  std::string words(name.substr(0, last + 1));
-  std::ranges::replace(words, '_', ' ');
-  return words;
+  return name_in_words(last == std::string_view::npos ? name : name.substr(0, last + 1));
 }
 
 /// Shapes of one name, of which one bears it.
@@ -38,12 +42,14 @@ struct Named {
   std::size_t copies = 0;
 };
 
-/// Corners of the shape as it is seen, a convex polygon of the screen, y down. Of a mesh those of
-/// its box.
+/// Corners of the shape as it is seen, a convex polygon of the screen, y down. Of a mesh of many
+/// vertices those of its box.
 std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) {
   std::vector<Vec3d> points;
   if (shape.mesh->patch) {
     points = patch_corners(*shape.mesh->patch, shape.pose);
+  } else if (shape.is_mesh() && shape.vertices.size() <= kMostVertices) {
+    points = shape.vertices;
   } else if (shape.is_mesh()) {
     Eigen::AlignedBox3d box;
     for (const Vec3d& p : shape.vertices) box.extend(p);
@@ -66,16 +72,25 @@ double depth_in(const std::vector<Vec2d>& polygon, const Vec2d& p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double length = edge.norm();
-    if (length > 0) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
+    // Shorter ones have a direction of rounding.
+    if (length > kLeastEdge) depth = std::min(depth, cross(edge, Vec2d(p - polygon[i])) / length);
   }
   return polygon.size() < 3 ? -1 : depth;
+}
+
+/// Pixels, of corners on the screen.
+double width_of(const std::vector<Vec2d>& outline) {
+  if (outline.empty()) return 0;
+  const auto [left, right] =
+      std::ranges::minmax_element(outline, {}, [](const Vec2d& p) { return p.x(); });
+  return right->x() - left->x();
 }
 
 std::vector<Named> named_shapes(const Scene& scene) {
   std::vector<Named> named;
   for (const PlacedShape& shape : scene.shapes) {
     if (!in_view(scene.camera, shape)) continue;
-    std::string words = name_in_words(shape.traced().name);
+    std::string words = kind_in_words(shape.traced().name);
     auto known = std::ranges::find(named, words, &Named::words);
     if (known == named.end()) known = named.insert(known, Named{std::move(words), &shape});
     (shape.is_a ? known->of_a : known->of_b) = true;
@@ -92,8 +107,9 @@ std::optional<Vec2d> place_on(const std::vector<Vec2d>& own,
                               double pixel) {
   Eigen::AlignedBox2d around;
   for (const Vec2d& p : own) around.extend(p);
-  const Vec2d low = around.min().cwiseMax(Vec2d(view.x, view.y)) + half;
-  const Vec2d high = around.max().cwiseMin(Vec2d(view.right(), view.bottom())) - half;
+  const Vec2d frame = Vec2d::Constant(kFromFrame * pixel);
+  const Vec2d low = around.min().cwiseMax(Vec2d(view.x, view.y) + frame) + half;
+  const Vec2d high = around.max().cwiseMin(Vec2d(view.right(), view.bottom()) - frame) - half;
   if ((high - low).minCoeff() <= 0) return std::nullopt;
   std::optional<Vec2d> best;
   double most = 0;
@@ -131,18 +147,20 @@ std::optional<Vec2d> place_on(const std::vector<Vec2d>& own,
 
 bool names_shapes(const Scene& scene) {
   return scene.shows(Layer::Shapes) && !scene.shows(Layer::Names) && !scene.crowded() &&
-         !scene.frame.broad_phase && scene.frame.field_slices.empty() && !scene.frame.pairs.empty();
+         !scene.frame.broad_phase && !scene.frame.pairs.empty();
 }
 
 void draw_shape_names(const Scene& scene, Sketch& sketch) {
   if (!names_shapes(scene)) return;
   const std::vector<Named> named = named_shapes(scene);
-  if (named.size() > kMostNamedShapes) return;
+  // Of more than a few the role alone, where a normal is from one to the other.
+  const bool roles_alone = named.size() > kMostNamedShapes;
+  if (roles_alone && (scene.shapes.size() > kMostRoles || !scene.shows(Layer::Normals))) return;
   const Camera& camera = scene.camera;
   const Rect& view = camera.viewport();
-  const std::optional<Point2> middle = camera.project(sketch.center);
-  const Vec2d contact = middle ? Vec2d(middle->x, middle->y)
-                               : Vec2d(view.x + 0.5 * view.width, view.y + 0.5 * view.height);
+  const std::optional<Point2> touching = camera.project(sketch.center);
+  const Vec2d contact = touching ? Vec2d(touching->x, touching->y)
+                                 : Vec2d(view.x + 0.5 * view.width, view.y + 0.5 * view.height);
   std::vector<std::pair<std::vector<Vec2d>, const PlacedShape*>> outlines;
   for (const PlacedShape& shape : scene.shapes)
     outlines.emplace_back(seen_outline(camera, shape), &shape);
@@ -150,11 +168,13 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   const float size = static_cast<float>(pixel) * kNameSize;
   for (const Named& each : named) {
     const auto says_so = [&](const trace::Pair& pair) {
-      return name_in_words(pair.label) == each.words;
+      return kind_in_words(pair.label) == each.words;
     };
     if (each.copies > kMostCopies || std::ranges::any_of(scene.frame.pairs, says_so)) continue;
     const bool has_role = each.of_a != each.of_b;
-    const std::string text = (!has_role ? "" : each.of_a ? "A: " : "B: ") + each.words;
+    if (roles_alone && !has_role) continue;
+    const std::string role = !has_role ? "" : each.of_a ? "A" : "B";
+    const std::string text = roles_alone ? role : role + (has_role ? ": " : "") + each.words;
     const auto own = std::ranges::find(outlines, each.shape,
                                        &std::pair<std::vector<Vec2d>, const PlacedShape*>::second);
     const double area = std::abs(area_of(own->first));
@@ -175,9 +195,16 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
       const Vec2d way = (pixels - Vec2d(foot->x, foot->y)) / camera.pixels_per_metre(at);
       return at + way.x() * camera.right() - way.y() * camera.up();
     };
-    if (const auto place = place_on(own->first, smaller, half, contact, view, sketch, pixel)) {
+    // On a small mesh it would cover the edges that are the mesh.
+    const bool fits = !each.shape->is_mesh() || 2 * half.x() < kMostOfMesh * width_of(own->first);
+    if (const auto place =
+            !fits ? std::nullopt
+                  : place_on(own->first, smaller, half, contact, view, sketch, pixel)) {
       // The text's middle is there: it begins half of its height below, on the way down.
-      sketch.label(in_world(*place + Vec2d(0, 0.5 * size)), text, ink, kNameSize, 0, camera.up());
+      Label& label = sketch.label(in_world(*place + Vec2d(0, 0.5 * size)), text, ink, kNameSize, 0,
+                                  camera.up());
+      label.foot = true;
+      label.ground = own->first;
       continue;
     }
     // Beside it, at the corner that is farthest from the contact.
@@ -188,8 +215,13 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     }
     if (!corner) continue;
     const Vec2d out = (*corner - contact).normalized();
-    sketch.label(in_world(*corner), text, ink, kNameSize, 7,
-                 Vec3d(out.x() * camera.right() - out.y() * camera.up()));
+    Vec2d middle = Vec2d::Zero();
+    for (const Vec2d& p : own->first) middle += p / static_cast<double>(own->first.size());
+    const Vec2d inwards = middle - *corner;
+    const Vec2d inside = *corner + std::min(0.5, kInside * pixel / inwards.norm()) * inwards;
+    Label& label = sketch.label(in_world(inside), text, ink, kNameSize, kInside + 9,
+                                Vec3d(out.x() * camera.right() - out.y() * camera.up()));
+    label.leader = label.foot = true;
   }
 }
 

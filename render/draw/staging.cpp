@@ -250,8 +250,9 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   staging.style = style;
   staging.layout.words = staging.style.words.get();
   staging.moments = Moments(frames, view.story);
-  staging.title = stage_title(view.title.value_or(header.title), frames);
+  const std::string title = view.title.value_or(header.title);
   if (view.kind == ViewKind::ContactPlane) {
+    staging.title = stage_title(title, frames);
     std::vector<ContactMoment> moments = reduced(frames, staging.moments);
     for (std::size_t i = 0; i < moments.size(); ++i)
       moments[i].title = fill_title(staging, frames[i]);
@@ -278,6 +279,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   if (style.legend) staging.layout = layout(legend_widths(staging, frames));
   staging.camera = fit_camera(header, extent, view, staging.layout.view);
   fit();
+  staging.title = stage_title(title, frames, staging.scales.length);
   if (staging.viewports.empty())
     staging.magnifier =
         stage_magnifier(staging.view, staging.camera, staging.layout, frames, extent.shapes);

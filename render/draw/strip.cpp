@@ -101,8 +101,10 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
              int columns, const FigureStyle& style)
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
   // Without numbers, which differ from cell to cell, where the author says it so; else the outcome.
-  title_ = plain_title(view.title.value_or(header.title));
-  if (title_.find("…") != std::string::npos) {
+  // So do titles that change on the way.
+  const std::string asked = view.title.value_or(header.title);
+  title_ = plain_title(asked);
+  if (title_.find("…") != std::string::npos || asked.find("{from ") != std::string::npos) {
     lay_out(frames, view, width, height, columns);
     title_ = fill_title(*cell_, shown.back());
   }
@@ -115,7 +117,7 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
     for (const LegendEntry& entry : legend_of(*cell_, frame).listed)
       legend.explain(*entry.swatch, entry.text);
   }
-  legend_ = legend.sorted();
+  legend_ = choose_legend(legend.sorted()).listed;
   const bool any = std::ranges::any_of(headings_, [](const auto& text) { return !text.empty(); });
   if (any || !legend_.empty()) lay_out(frames, view, width, height, columns);
 }

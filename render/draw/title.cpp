@@ -167,10 +167,10 @@ struct Filler {
       case TitleFact::Broken:
         return sum_over(pairs, piece, [](const auto& pair) { return persistent(pair, "broken"); });
       case TitleFact::Impulse:
-        return spell_quantity(impulse_of(pairs), "N s");
+        return spell_quantity(impulse_of(pairs), "N s", 3, staging.scales.load);
       case TitleFact::Load:
         if (!(staging.scales.step > 0)) return {};
-        return spell_quantity(impulse_of(pairs) / staging.scales.step, "N");
+        return spell_quantity(impulse_of(pairs) / staging.scales.step, "N", 3, staging.scales.load);
       case TitleFact::Speed:
       case TitleFact::KineticEnergy:
         return motion(piece);
@@ -223,8 +223,8 @@ struct Filler {
       least = *separation;
     }
     if (nearest == nullptr || (gaps ? !(least > 0) : !(least < 0))) return {};
-    return spell_length(std::abs(least),
-                        noise_of(*staging.header, staging.meshes, frame, *nearest));
+    return spell_length(std::abs(least), noise_of(*staging.header, staging.meshes, frame, *nearest),
+                        staging.scales.length);
   }
 
   static Words area(const Pairs& pairs, TitleFact fact) {
@@ -269,7 +269,8 @@ bool is_of_sequence(TitleFact fact) {
   return fact >= TitleFact::Hits;
 }
 
-std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Frame>& frames) {
+std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Frame>& frames,
+                          const LengthUnit& unit) {
   std::int64_t hits = 0, wrong = 0;
   double deepest = 0;
   for (const trace::Frame& frame : frames) {
@@ -290,7 +291,7 @@ std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Fram
     case TitleFact::FalsePositives:
       return *counted(wrong, piece);
     case TitleFact::DeepestOverlap:
-      return deepest > 0 ? spell_length(deepest) : "";
+      return deepest > 0 ? spell_length(deepest, 0, unit) : "";
     default:
       return *counted(count_of(frames), piece);
   }
@@ -298,7 +299,8 @@ std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Fram
 
 }  // namespace
 
-StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames) {
+StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames,
+                        const LengthUnit& unit) {
   StagedTitle staged;
   ParsedTitle parsed = parse_title(text);
   // A trace from elsewhere may hold braces that are none of ours.
@@ -307,7 +309,7 @@ StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>
   for (const TitleAlternative& pieces : staged.title) {
     for (const TitlePiece& piece : pieces) {
       if (piece.fact && is_of_sequence(*piece.fact))
-        staged.of_sequence.push_back(over_sequence(piece, frames));
+        staged.of_sequence.push_back(over_sequence(piece, frames, unit));
     }
   }
   return staged;
@@ -346,34 +348,27 @@ trace::Stages stages_of(const Title& title) {
   for (const TitleAlternative& pieces : title) {
     for (const TitlePiece& piece : pieces) {
       if (!piece.fact) continue;
-      switch (*piece.fact) {
-        case TitleFact::Candidates:
-        case TitleFact::Dropped:
-        case TitleFact::Area:
-        case TitleFact::BestArea:
-        case TitleFact::AreaKept:
+      switch (kTitleFactStages[static_cast<std::size_t>(*piece.fact)]) {
+        case TitleStage::Reduction:
           stages.reduction = true;
           break;
-        case TitleFact::Clipped:
+        case TitleStage::Clip:
           stages.clip = true;
           break;
-        case TitleFact::Iterations:
+        case TitleStage::Search:
           stages.gjk = stages.penetration = true;
           break;
-        case TitleFact::Stability:
-        case TitleFact::Margin:
+        case TitleStage::Stability:
           stages.stability = true;
           break;
-        case TitleFact::Triangles:
+        case TitleStage::Tree:
           stages.tree = true;
           break;
-        case TitleFact::Intersections:
-        case TitleFact::NodePairs:
-        case TitleFact::FalsePositives:
+        case TitleStage::Query:
           stages.query = true;
           break;
-        default:
-          break;  // always told
+        case TitleStage::None:
+          break;
       }
     }
   }

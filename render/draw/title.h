@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/title.h"
+#include "draw/scene/quantity.h"
 #include "trace/trace.h"
 
 namespace contactscope::draw {
@@ -19,7 +20,8 @@ struct StagedTitle {
 };
 
 /// Looks through the frames where a placeholder is about all of them.
-StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames);
+StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames,
+                        const LengthUnit& unit = {});
 
 /// The first alternative of which this frame has all that its placeholders name; else the last one,
 /// with "…" for what there is not.

@@ -78,6 +78,8 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   }
   for (const trace::Deformed& deformed : frame.deformed)
     if (has(deformed.name)) part.deformed.push_back(deformed);
+  for (const trace::FieldSlice& slice : frame.field_slices)
+    if (has(slice.name)) part.field_slices.push_back(slice);
   if (frame.solver) {
     part.solver = frame.solver;
     std::erase_if(part.solver->bodies, [&](const trace::Body& body) { return !has(body.name); });

@@ -60,6 +60,7 @@ void Changes::add(const Wording& field, const std::string& change) {
   const std::string comma = text_.empty() ? "" : ", ";
   text_ = field.is_first ? told + comma + text_ : text_ + comma + told;
   has_more_ = has_more_ || !field.is_last;
+  what_.push_back({field.kind, field.words});
 }
 
 bool Changes::both_there(const Wording& field, bool expected, bool actual) {
@@ -149,10 +150,10 @@ void Changes::compare(const Wording& field, const std::vector<Face>& expected,
                           spell_list(actual[i]) + ")");
   }
 }
-using Faces = std::vector<std::vector<int>>;
+using FaceLists = std::vector<std::vector<int>>;
 using Edges = std::vector<std::array<int, 2>>;
 using Triangles = std::vector<std::array<int, 3>>;
-template void Changes::compare(const Wording&, const Faces&, Faces&);
+template void Changes::compare(const Wording&, const FaceLists&, FaceLists&);
 template void Changes::compare(const Wording&, const Edges&, Edges&);
 template void Changes::compare(const Wording&, const Triangles&, Triangles&);
 

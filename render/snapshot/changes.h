@@ -90,6 +90,13 @@ class Changes {
   /// Says "number of steps 3 -> 4" where the counts differ.
   void count(const std::string& plural, std::size_t expected, std::size_t actual);
 
+  /// What kinds of values changed, exact ones with their words: "id ", of those of a point.
+  struct What {
+    trace::Kind kind = trace::Kind::Exact;
+    std::string words{};
+  };
+  const std::vector<What>& what() const { return what_; }
+
   /// The part of a sentence; empty when nothing changed.
   std::string text() const { return text_.empty() ? std::string() : subject_ + text_; }
   /// All that changed is what should be told last.
@@ -101,6 +108,7 @@ class Changes {
   std::string subject_;
   Tolerance tolerance_;
   std::string text_;
+  std::vector<What> what_;
   bool has_more_ = false;
 };
 

@@ -5,7 +5,6 @@
 
 #include "image/compare.h"
 #include "image/png.h"
-#include "snapshot/compare_trace.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;
@@ -30,98 +29,232 @@ std::string describe(const PixelComparison& comparison, const Image& expected,
   return text;
 }
 
-/// Takes the verdict, and says what a user should know or do beyond what differs, where the verdict
-/// does not say all. `subject` begins the sentence.
-void settle(Checked& checked, const Decision& decision, const std::string& subject) {
-  checked.verdict = decision.verdict;
-  checked.fails = decision.fails;
-  const std::string file = checked.stored.generic_string();
-  const auto advise = [&](const std::string& advice) {
-    checked.sentences.push_back(subject + ": " + advice);
-  };
-  if (decision.verdict == Verdict::Missing)
-    advise("nothing is stored at " + file +
-           "; run check without CI=true, look at what it writes, and commit it");
-  if (decision.verdict == Verdict::Written && decision.fails)
-    advise("nothing was stored; wrote " + file + ": look at it and commit it");
-  if (decision.verdict == Verdict::Stale)
-    advise(file +
-           " is stored, but the scenario does not ask for it; delete it, or run check --update");
+std::string spell(const PixelLimits& limits) {
+  return "allowed are " + std::to_string(limits.total) + " pixels, fewer than " +
+         std::to_string(limits.cluster) + " of them together, and a channel by " +
+         std::to_string(limits.channel);
 }
 
-std::vector<Checked> settle_stale(const std::string& scenario, const std::vector<fs::path>& files,
-                                  const Policy& policy) {
-  const Decision decision = decide(Finding::Stale, policy);
+/// A finding about a file, with what there is to do where that is not plain.
+Finding found(FindingKind kind, const Shelf& shelf, const fs::path& stored,
+              const std::string& subject, const Policy& policy) {
+  Finding finding{kind, shelf.scenario};
+  finding.file = stored.lexically_relative(shelf.root).generic_string();
+  finding.done = decide(kind, policy);
+  finding.cause = name_of(kind);
+  const std::string file = stored.generic_string();
+  if (kind == FindingKind::New)
+    finding.sentence = subject + ": new, nothing is stored of " + shelf.scenario;
+  if (kind == FindingKind::Missing)
+    finding.sentence = subject + ": missing, nothing is stored at " + file;
+  if (kind == FindingKind::Orphaned)
+    finding.sentence = subject + ": " + file + " is stored, but no scenario asks for it";
+  return finding;
+}
+
+FindingKind absent(const Shelf& shelf) {
+  return shelf.is_new ? FindingKind::New : FindingKind::Missing;
+}
+
+std::vector<Checked> found_stale(const Shelf& shelf, const std::vector<fs::path>& files,
+                                 const Policy& policy) {
   std::vector<Checked> all;
   for (const fs::path& file : files) {
-    if (decision.verdict == Verdict::Removed) {
-      fs::remove(file);
-      // A folder that has nothing left would be called a scenario or a view by a reader.
-      std::error_code not_empty;
-      fs::remove(file.parent_path(), not_empty);
-    }
-    settle(all.emplace_back(Checked{scenario, file}), decision, scenario);
+    Finding finding = found(FindingKind::Orphaned, shelf, file, shelf.scenario, policy);
+    finding.stored_sha256 = sha256_of_file(file);
+    const bool is_removed = finding.done == Done::Removed;
+    if (is_removed) remove_stored(file);
+    all.push_back({std::move(finding), is_removed});
   }
   return all;
 }
 
+/// What stands beside a known-bad baseline.
+std::string note_of(const fs::path& baseline) {
+  fs::path note = baseline;
+  std::string text = read_text_file(note.replace_extension(".txt")).value_or("");
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.empty() ? "is as " + baseline.filename().string() + ", which is known to be bad"
+                      : text;
+}
+
 }  // namespace
 
-CheckedPicture check_picture(const fs::path& root, const PictureKey& key, const Image& actual,
-                             const Policy& policy) {
-  CheckedPicture checked{{key.scenario, picture_path(root, key)}, key};
-  Finding finding = Finding::Missing;
-  if (fs::exists(checked.stored)) {
+Shelf shelf_of(const fs::path& root, const std::string& scenario) {
+  return {root, scenario, stored_files(root, scenario).empty()};
+}
+
+void write_stored_picture(const fs::path& path, const Image& image) {
+  fs::create_directories(path.parent_path());
+  // The smallest level that stays fast. Without a word of its origin: its path and the trace beside it say
+  // that, and a version or a hash would rewrite every stored file with each release, or with a comment
+  // in a scenario.
+  constexpr int kStoredLevel = 9;
+  write_png(path.string(), image, kStoredLevel);
+}
+
+CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Image& actual,
+                             const Policy& policy, const PixelLimits& limits) {
+  CheckedPicture checked;
+  const fs::path own = picture_path(shelf.root, key);
+  const auto finding = [&](FindingKind kind, const fs::path& file) -> Finding& {
+    checked.finding = found(kind, shelf, file, to_string(key), policy);
+    checked.finding->view = key.view.value_or("");
+    checked.finding->frame = key.frame;
+    return *checked.finding;
+  };
+  const std::vector<fs::path> baselines = baselines_of(own);
+  std::optional<PixelComparison> nearest;
+  std::string unreadable;
+  bool is_same = false;
+  for (const fs::path& file : baselines) {
+    const bool is_bad = is_known_bad(file);
     try {
-      Image expected = read_png(checked.stored.string());
-      const PixelComparison comparison = compare_pixels(expected, actual);
-      finding = comparison.passed() ? Finding::Same : Finding::Different;
-      if (finding == Finding::Different) {
-        checked.sentences.push_back(to_string(key) + ": " + describe(comparison, expected, actual));
-        checked.expected = std::move(expected);
+      Image stored = read_png(file.string());
+      const PixelComparison comparison = compare_pixels(stored, actual, limits);
+      if (comparison.passed()) {
+        is_same = !is_bad;
+        checked.finding.reset();
+        if (is_bad) {
+          Finding& known = finding(FindingKind::KnownBad, file);
+          known.sentence = to_string(key) + ": " + note_of(file);
+          known.cause = "known bad: " + note_of(file);
+        }
+        break;
       }
+      const bool is_nearer = !nearest || (comparison.verdict == PixelVerdict::Different &&
+                                          (nearest->verdict == PixelVerdict::SizeDiffers ||
+                                           comparison.differing < nearest->differing));
+      if (is_bad || !is_nearer) continue;
+      nearest = comparison;
+      checked.expected = std::move(stored);
+      checked.nearest = file;
     } catch (const std::exception& error) {
-      finding = Finding::Different;
-      checked.sentences.push_back(to_string(key) + ": " + error.what());
+      unreadable = error.what();
     }
   }
-  const Decision decision = decide(finding, policy);
-  if (decision.verdict >= Verdict::Written) {
-    fs::create_directories(checked.stored.parent_path());
-    // Written once, read by every clone: the smallest level that stays fast. Without a word of its
-    // origin: its path and the trace beside it say that, and a version or a hash would rewrite every
-    // stored file with each release, or with a comment in a scenario.
-    constexpr int kStoredLevel = 9;
-    write_png(checked.stored.string(), actual, kStoredLevel);
+  if (is_same) {
+    checked.expected.reset();
+  } else if (checked.finding) {
+    // It is known.
+  } else if (nearest) {
+    Finding& changed = finding(FindingKind::Changed, checked.nearest);
+    changed.pixels = PixelMeasures{*nearest, limits};
+    changed.sentence = to_string(key) + ": " + describe(*nearest, *checked.expected, actual);
+    changed.details = {spell(limits)};
+    if (baselines.size() > 1)
+      changed.details.push_back("held against the nearest of " + std::to_string(baselines.size()) +
+                                ", " + checked.nearest.filename().string());
+  } else if (!unreadable.empty()) {
+    finding(FindingKind::Unreadable, own).sentence = to_string(key) + ": " + unreadable;
+  } else {
+    finding(absent(shelf), own);
   }
-  settle(checked, decision, to_string(key));
+  if (checked.finding)
+    checked.finding->stored_sha256 = sha256_of_file(shelf.root / checked.finding->file);
+  const bool is_written = checked.finding ? checked.finding->done != Done::Nothing
+                                          : policy.allowed() == Update::All && is_same;
+  if (is_written) {
+    write_stored_picture(checked.finding ? shelf.root / checked.finding->file : own, actual);
+    checked.is_written = true;
+  }
   return checked;
 }
 
-Checked check_trace(const fs::path& root, const trace::Trace& actual, const Policy& policy) {
-  const std::string& scenario = actual.header.scenario;
-  Checked checked{scenario, trace_path(root, scenario)};
-  Finding finding = Finding::Different;
+CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy) {
+  CheckedTrace checked;
+  const fs::path own = trace_path(shelf.root, shelf.scenario);
+  const auto finding = [&](FindingKind kind) -> Finding& {
+    checked.finding = found(kind, shelf, own, shelf.scenario, policy);
+    return *checked.finding;
+  };
   try {
-    if (const std::optional<std::string> stored = read_stored_trace(root, scenario)) {
-      checked.sentences = compare_with_stored(*stored, checked.stored.string(), actual);
-      if (checked.sentences.empty()) finding = Finding::Same;
+    if (const std::optional<std::string> stored = read_text_file(own)) {
+      checked.differences = compare_with_stored(*stored, own.string(), actual);
+      if (!checked.differences.sentences.empty()) {
+        Finding& changed = finding(FindingKind::Changed);
+        changed.sentence = checked.differences.cause;
+        changed.details = checked.differences.sentences;
+        changed.cause = "trace: " + checked.differences.signature;
+        for (const fs::path& bad : baselines_of(own)) {
+          if (!is_known_bad(bad) ||
+              !compare_with_stored(*read_text_file(bad), bad.string(), actual).sentences.empty())
+            continue;
+          finding(FindingKind::KnownBad).sentence = shelf.scenario + ": " + note_of(bad);
+          checked.finding->cause = "known bad: " + note_of(bad);
+          break;
+        }
+      }
     } else {
-      finding = Finding::Missing;
+      finding(absent(shelf));
     }
   } catch (const std::exception& error) {
-    checked.sentences.push_back(scenario + ": " + error.what());
+    finding(FindingKind::Unreadable).sentence = shelf.scenario + ": " + error.what();
   }
-  const Decision decision = decide(finding, policy);
-  if (decision.verdict >= Verdict::Written) write_text(checked.stored, to_json_lines(actual));
-  settle(checked, decision, scenario);
+  if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
+  checked.is_written =
+      checked.finding ? checked.finding->done != Done::Nothing : policy.allowed() == Update::All;
+  if (checked.is_written) write_text(own, to_json_lines(actual));
   return checked;
 }
 
-std::vector<Checked> check_stale(const fs::path& root, const std::string& scenario,
-                                 std::span<const std::string> views, std::span<const int> frames,
-                                 const Policy& policy) {
-  return settle_stale(scenario, stale_files(root, scenario, views, frames), policy);
+CheckedFrames check_frames(const Shelf& shelf, const FrameHashes& actual, const Policy& policy) {
+  CheckedFrames checked;
+  const fs::path own = hashes_path(shelf.root, shelf.scenario);
+  const auto finding = [&](FindingKind kind) -> Finding& {
+    checked.finding = found(kind, shelf, own, shelf.scenario, policy);
+    return *checked.finding;
+  };
+  const std::optional<std::string> text = read_text_file(own);
+  try {
+    if (!text) {
+      if (!actual.hashes.empty()) finding(absent(shelf));
+    } else {
+      const FrameHashes stored = parse_hashes(*text, own.string());
+      checked.is_compared = stored.rounding == actual.rounding;
+      std::vector<int> came, went;
+      for (const auto& [frame, hash] : actual.hashes) {
+        const auto before = stored.hashes.find(frame);
+        if (before == stored.hashes.end())
+          came.push_back(frame);
+        else if (checked.is_compared && before->second != hash)
+          checked.changed.push_back(frame);
+      }
+      for (const auto& [frame, hash] : stored.hashes)
+        if (!actual.hashes.contains(frame)) went.push_back(frame);
+      std::string what;
+      const auto add = [&](const std::vector<int>& frames, const std::string& verb) {
+        if (frames.empty()) return;
+        what += (what.empty() ? "" : ", ") + std::string(frames.size() > 1 ? "frames " : "frame ") +
+                spell_numbers(frames) + " " + verb;
+      };
+      add(checked.changed, "changed");
+      add(came, "added");
+      add(went, "gone");
+      if (!what.empty()) {
+        Finding& changed = finding(FindingKind::Changed);
+        changed.sentence = shelf.scenario + ": of the frames that are not stored, " + what;
+        changed.cause = "frames";
+      }
+    }
+  } catch (const std::exception& error) {
+    finding(FindingKind::Unreadable).sentence = shelf.scenario + ": " + error.what();
+  }
+  if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
+  const bool has_any = !actual.hashes.empty();
+  checked.is_written = checked.finding ? checked.finding->done != Done::Nothing
+                                       : policy.allowed() == Update::All && (has_any || text);
+  if (!checked.is_written) return checked;
+  if (has_any)
+    write_text(own, to_text(actual));
+  else
+    remove_stored(own);
+  return checked;
+}
+
+std::vector<Checked> check_stale(const Shelf& shelf, std::span<const std::string> views,
+                                 std::span<const int> frames, const Policy& policy) {
+  return found_stale(shelf, stale_files(shelf.root, shelf.scenario, views, frames), policy);
 }
 
 std::vector<Checked> check_stale_scenarios(const fs::path& root,
@@ -130,10 +263,8 @@ std::vector<Checked> check_stale_scenarios(const fs::path& root,
   std::vector<Checked> all;
   for (const std::string& scenario : stored_scenarios(root)) {
     if (std::ranges::find(scenarios, scenario) != scenarios.end()) continue;
-    std::vector<fs::path> files = stale_files(root, scenario, {}, {});
-    const fs::path trace = trace_path(root, scenario);
-    if (fs::exists(trace)) files.push_back(trace);
-    std::ranges::move(settle_stale(scenario, files, policy), std::back_inserter(all));
+    std::ranges::move(found_stale({root, scenario}, stored_files(root, scenario), policy),
+                      std::back_inserter(all));
   }
   return all;
 }

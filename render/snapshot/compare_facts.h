@@ -9,6 +9,7 @@
 #include "snapshot/changes.h"
 #include "snapshot/match.h"
 #include "snapshot/spelling.h"
+#include "snapshot/stage.h"
 #include "trace/pair.h"
 
 /// Compares any two facts by the lists of their fields.
@@ -18,6 +19,8 @@ namespace contactscope::snapshot {
 struct Difference {
   std::string subject;  // "crate-floor", or a shape; empty: of the frame or the header as a whole
   std::string text;     // "point 2 moved 1.3 mm along x"
+  Stage stage = Stage::Words;
+  std::vector<Changes::What> what{};  // values that changed; empty where it came or went
 };
 
 /// Where a fact stands.
@@ -25,6 +28,7 @@ struct Place {
   std::string subject;
   std::string prefix;  // "manifold of triangle 4: "
   Tolerance tolerance;
+  Stage stage = Stage::Words;
 };
 
 /// Of what belongs to one shape, or a pair of two.
@@ -148,7 +152,8 @@ class Comparison {
     const std::string text = changes.text();
     if (!text.empty()) {
       const auto at = changes.is_last() ? inner.end() : inner.begin();
-      inner.insert(at, {place.subject, text});
+      inner.insert(
+          at, {place.subject, text, stage_of_own<T>(place.stage, changes.what()), changes.what()});
     }
     differences.insert(differences.end(), inner.begin(), inner.end());
   }
@@ -175,20 +180,27 @@ class Comparison {
       if (field.match == trace::Match::Names) return;  // equal, or these were no pair
       using Inner = typename trace::Unwrapped<Value>::type;
       if constexpr (trace::Listed<Value>) {
-        fact(field, before, after, place, changes, inner);
+        fact(field, before, after, inside<T>(field, place), changes, inner);
       } else if constexpr (kIsList<Value>) {
-        entries(field, before, after, place, changes, inner);
+        entries(field, before, after, inside<T>(field, place), changes, inner);
       } else if constexpr (trace::kIsOptional<Value> && trace::Listed<Inner>) {
         if (field.noun != nullptr && before.has_value() != after.has_value()) {
           const char* const what = before ? " gone" : " added";
-          inner.push_back({place.subject, place.prefix + field.noun + what});
+          inner.push_back({place.subject, place.prefix + field.noun + what,
+                           stage_of<T>(field.key, place.stage)});
         } else if (changes.both_there(wording(field), before.has_value(), after.has_value())) {
-          fact(field, *before, *after, place, changes, inner);
+          fact(field, *before, *after, inside<T>(field, place), changes, inner);
         }
       } else {
         changes.compare(wording(field), before, after);
       }
     });
+  }
+
+  template <class T, class Field>
+  static Place inside(const Field& field, Place place) {
+    place.stage = stage_of<T>(field.key, place.stage);
+    return place;
   }
 
   /// A fact inside of another one: in its sentence, or in one of its own.
@@ -208,23 +220,23 @@ class Comparison {
     if (match_of<Entry>() == trace::Match::None)
       changes.count(plural, expected.size(), actual.size());
     if (match.reordered())
-      inner.push_back({place.subject, place.prefix + plural + " in another order"});
+      inner.push_back({place.subject, place.prefix + plural + " in another order", place.stage});
     for (const std::size_t i : match.gone)
       inner.push_back(came_or_went(field.noun, expected[i], i, place, "gone"));
     for (const std::size_t i : match.added)
       inner.push_back(came_or_went(field.noun, actual[i], i, place, "added"));
 
-    Place inside = place;
-    inside.tolerance.magnitudes = {};
+    Place within = place;
+    within.tolerance.magnitudes = {};
     for (const Entry& entry : expected) {
       each_magnitude(entry, [&](trace::Kind kind, double value) {
-        double& most = inside.tolerance.magnitude(kind);
+        double& most = within.tolerance.magnitude(kind);
         most = std::max(most, value);
       });
     }
     const bool alone = std::max(expected.size(), actual.size()) == 1;
     for (const auto& [i, j] : match.both)
-      entry(field, expected[i], actual[j], i, alone, inside, inner);
+      entry(field, expected[i], actual[j], i, alone, within, inner);
   }
 
   template <class Field, class Entry>
@@ -251,7 +263,8 @@ class Comparison {
       } else {
         Changes changes(place.prefix, place.tolerance);
         changes.compare({"", trace::Kind::Position}, expected, actual);
-        if (!changes.text().empty()) inner.push_back({place.subject, changes.text()});
+        if (!changes.text().empty())
+          inner.push_back({place.subject, changes.text(), place.stage, changes.what()});
       }
     }
   }
@@ -288,7 +301,7 @@ class Comparison {
   static Difference came_or_went(const std::string& noun, const Entry& entry, std::size_t index,
                                  const Place& place, const std::string& what) {
     if constexpr (is_subject<Entry>()) {
-      return {key_of(entry), what};
+      return {key_of(entry), what, place.stage};
     } else {
       std::string text = place.prefix + label(noun, entry, index);
       const Vec3d* const at = place_of(entry);
@@ -297,7 +310,7 @@ class Comparison {
       }
       text += " " + what;
       if (at != nullptr && what == "added") text += " at " + spell_vector(*at);
-      return {place.subject, text};
+      return {place.subject, text, place.stage};
     }
   }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "snapshot/compare_facts.h"
+#include "snapshot/first_cause.h"
 #include "snapshot/store.h"
 
 namespace contactscope::snapshot {
@@ -86,7 +87,7 @@ class Scale {
 void tell(const std::string& place, const std::vector<Difference>& differences,
           std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < differences.size() && i < kMostSentences; ++i) {
-    const auto& [subject, text] = differences[i];
+    const auto& [subject, text, stage, what] = differences[i];
     sentences.push_back(place + (subject.empty() ? "" : ", " + subject) + ": " + text);
   }
   if (differences.size() > kMostSentences) {
@@ -96,8 +97,9 @@ void tell(const std::string& place, const std::vector<Difference>& differences,
 }
 
 /// Settles `actual`, see Changes.
-std::vector<std::string> compare_and_settle(const Trace& expected, Trace& actual) {
-  std::vector<std::string> sentences;
+TraceDifferences compare_and_settle(const Trace& expected, Trace& actual) {
+  TraceDifferences told;
+  std::vector<FrameDifferences> all;
   const std::string name = actual.header.scenario;
   const Scale scale(expected.header);
   std::vector<Difference> header;
@@ -114,10 +116,17 @@ std::vector<std::string> compare_and_settle(const Trace& expected, Trace& actual
     return keys;
   };
   const Match match = match_keys(numbers(expected.frames), numbers(actual.frames));
-  for (const std::size_t i : match.gone) header.push_back({number(expected.frames[i]), "gone"});
-  for (const std::size_t i : match.added) header.push_back({number(actual.frames[i]), "added"});
-  if (match.reordered()) header.push_back({"", "frames in another order"});
-  tell(name, header, sentences);
+  for (const std::size_t i : match.gone)
+    header.push_back({number(expected.frames[i]), "gone", Stage::Frames});
+  for (const std::size_t i : match.added)
+    header.push_back({number(actual.frames[i]), "added", Stage::Frames});
+  if (match.reordered()) header.push_back({"", "frames in another order", Stage::Frames});
+  tell(name, header, told.sentences);
+  for (const Difference& difference : header) {
+    told.is_words = told.is_words || difference.stage == Stage::Words;
+    told.is_setup = told.is_setup || difference.stage == Stage::Setup;
+  }
+  if (!header.empty()) all.push_back({-1, nullptr, nullptr, std::move(header)});
 
   for (const auto& [i, j] : match.both) {
     const trace::Frame& frame = expected.frames[i];
@@ -125,9 +134,17 @@ std::vector<std::string> compare_and_settle(const Trace& expected, Trace& actual
     Comparison([&](const std::string& a, const std::string& b) {
       return scale.of(frame, a, b);
     }).compare(frame, actual.frames[j], {"", "", scale.of(frame)}, "", differences);
-    tell(name + " " + number(frame), differences, sentences);
+    tell(name + " " + number(frame), differences, told.sentences);
+    if (differences.empty()) continue;
+    told.frames.push_back(frame.frame);
+    all.push_back({frame.frame, &frame, &actual.frames[j], std::move(differences)});
   }
-  return sentences;
+  if (!all.empty()) {
+    FirstCause cause = first_cause(name, all);
+    told.cause = std::move(cause.sentence);
+    told.signature = std::move(cause.signature);
+  }
+  return told;
 }
 
 /// A few letters about a place in a line.
@@ -140,15 +157,16 @@ std::string about(const std::string& line, std::size_t at) {
 
 std::vector<std::string> compare_traces(const Trace& expected, const Trace& actual) {
   Trace settled = actual;
-  return compare_and_settle(expected, settled);
+  return compare_and_settle(expected, settled).sentences;
 }
 
-std::vector<std::string> compare_with_stored(const std::string& text, const std::string& path,
-                                             const Trace& actual) {
+TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
+                                     const Trace& actual) {
   std::istringstream stored(text);
   Trace settled = actual;
-  std::vector<std::string> sentences = compare_and_settle(trace::read_trace(stored, path), settled);
-  if (!sentences.empty()) return sentences;
+  const Trace expected = trace::read_trace(stored, path);
+  TraceDifferences told = compare_and_settle(expected, settled);
+  if (!told.sentences.empty()) return told;
   const std::string written = to_json_lines(settled);
   const auto [at, other] = std::ranges::mismatch(text, written);
   if (at == text.end() && other == written.end()) return {};
@@ -158,10 +176,13 @@ std::vector<std::string> compare_with_stored(const std::string& text, const std:
   const auto place = static_cast<std::size_t>(at - text.begin());
   const std::size_t begin = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
   const auto line = std::count(text.begin(), at, '\n');
-  return {actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
-          " is not as it would be written, though no fact in it differs: it has '" +
-          about(line_of(text, begin), place - begin) + "', where '" +
-          about(line_of(written, begin), place - begin) + "' would be"};
+  told.cause = actual.header.scenario + ": line " + std::to_string(line + 1) + " of " + path +
+               " is not as it would be written, though no fact in it differs: it has '" +
+               about(line_of(text, begin), place - begin) + "', where '" +
+               about(line_of(written, begin), place - begin) + "' would be";
+  told.sentences = {told.cause};
+  told.signature = "bytes";
+  return told;
 }
 
 }  // namespace contactscope::snapshot

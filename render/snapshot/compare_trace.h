@@ -21,12 +21,22 @@ inline constexpr int kMostSentences = 8;
 /// together by number, shapes by name, pairs by their names and label, points by id.
 std::vector<std::string> compare_traces(const trace::Trace& expected, const trace::Trace& actual);
 
+/// What differs, and what it began with.
+struct TraceDifferences {
+  std::vector<std::string> sentences{};  // as compare_traces() tells them
+  std::string cause{};                   // the first of them that the others may follow from
+  std::string signature{};               // of that cause; see FirstCause
+  std::vector<int> frames{};             // in which something differs
+  bool is_setup = false;                 // the header differs, in more than its words
+  bool is_words = false;                 // title or source differ
+};
+
 /// The same for the text of a stored file, down to its bytes: where no fact differs by more than its
 /// tolerance, the file must be what this program would write of `actual`, with each number that is
 /// within its tolerance as it is stored. What is not tells the first line that differs. So nothing
 /// in a file goes unnoticed, be it listed, compared and read or not. `path` is for messages. Throws
 /// core's InputError where the text is no trace.
-std::vector<std::string> compare_with_stored(const std::string& text, const std::string& path,
-                                             const trace::Trace& actual);
+TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
+                                     const trace::Trace& actual);
 
 }  // namespace contactscope::snapshot

@@ -67,7 +67,19 @@ std::string spell_list(std::span<const int> numbers) {
   return text;
 }
 
-std::string spell_change(double expected, double actual) {
+std::string spell_numbers(std::span<const int> numbers) {
+  std::string text;
+  for (std::size_t first = 0; first < numbers.size();) {
+    std::size_t last = first;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+    if (last > first) text += (last > first + 1 ? " to " : ", ") + std::to_string(numbers[last]);
+    first = last + 1;
+  }
+  return text;
+}
+
+std::array<std::string, 2> spell_both(double expected, double actual) {
   const double difference = std::abs(actual - expected);
   constexpr int kMostDecimals = 15;  // more say nothing about numbers near one
   int decimals = kMostDecimals + 1;
@@ -81,9 +93,14 @@ std::string spell_change(double expected, double actual) {
   }
   const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
   if (decimals > kMostDecimals || large) {
-    return format("%.*g", 17, expected) + " -> " + format("%.*g", 17, actual);
+    return {format("%.*g", 17, expected), format("%.*g", 17, actual)};
   }
-  return fixed(expected, decimals) + " -> " + fixed(actual, decimals);
+  return {fixed(expected, decimals), fixed(actual, decimals)};
+}
+
+std::string spell_change(double expected, double actual) {
+  const auto [before, now] = spell_both(expected, actual);
+  return before + " -> " + now;
 }
 
 std::string spell_change(const std::string& expected, const std::string& actual) {

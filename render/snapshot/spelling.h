@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -17,6 +18,11 @@ std::string spell_vector(const Vec3d& vector);
 /// "0 3 5 6".
 std::string spell_list(std::span<const int> numbers);
 
+/// "3", "3 to 9, 12": rising numbers, runs of them by their ends.
+std::string spell_numbers(std::span<const int> numbers);
+
+/// Two values with as many decimals as show their difference in two digits: "-0.0050", "-0.0037".
+std::array<std::string, 2> spell_both(double a, double b);
 /// Two values with as many decimals as show their difference in two digits: "-0.0050 -> -0.0037".
 std::string spell_change(double expected, double actual);
 std::string spell_change(const std::string& expected, const std::string& actual);

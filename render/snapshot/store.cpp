@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "image/sha256.h"
 #include "image/whole_file.h"
 
 namespace contactscope::snapshot {
@@ -18,7 +19,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kTraceName = "trace.jsonl";
+constexpr const char* kHashesName = "frames.txt";
 constexpr const char* kPictureExtension = ".png";
+constexpr const char* kNoteExtension = ".txt";
+
+/// Of "frame_0012.osmesa.png": "osmesa"; empty of "frame_0012.png".
+std::string word_of(const fs::path& file) {
+  return fs::path(file).stem().extension().string();
+}
+
+/// "frame_0012.png" of "frame_0012.osmesa.png", and of the text that tells of it.
+fs::path without_word(const fs::path& file) {
+  return file.parent_path() / (fs::path(file).stem().stem().string() + kPictureExtension);
+}
 
 void require_plain(const std::string& name, const std::string& whole) {
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
@@ -67,6 +80,49 @@ fs::path trace_path(const fs::path& root, const std::string& scenario) {
   return scenario_folder(root, scenario) / kTraceName;
 }
 
+fs::path hashes_path(const fs::path& root, const std::string& scenario) {
+  return scenario_folder(root, scenario) / kHashesName;
+}
+
+std::vector<fs::path> baselines_of(const fs::path& own) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(own.parent_path())) return files;
+  const std::string stem = own.stem().string() + ".";
+  for (const fs::directory_entry& entry : fs::directory_iterator(own.parent_path())) {
+    const fs::path& file = entry.path();
+    if (file.extension() == own.extension() && file.filename().string().starts_with(stem))
+      files.push_back(file);
+  }
+  std::ranges::sort(files, [&](const fs::path& a, const fs::path& b) {
+    return std::pair(a != own, a) < std::pair(b != own, b);
+  });
+  return files;
+}
+
+bool is_known_bad(const fs::path& baseline) {
+  return word_of(baseline).starts_with(".bad_");
+}
+
+std::vector<fs::path> stored_files(const fs::path& root, const std::string& scenario) {
+  std::vector<fs::path> files;
+  const fs::path folder = scenario_folder(root, scenario);
+  if (!fs::is_directory(folder)) return files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path extension = entry.path().extension();
+    const bool is_ours = extension == kPictureExtension || extension == kNoteExtension ||
+                         extension == fs::path(kTraceName).extension();
+    if (entry.is_regular_file() && is_ours) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+void remove_stored(const fs::path& file) {
+  fs::remove(file);
+  std::error_code not_empty;
+  fs::remove(file.parent_path(), not_empty);
+}
+
 std::vector<std::string> stored_scenarios(const fs::path& root) {
   std::set<std::string> found;
   if (!fs::is_directory(root)) return {};
@@ -108,15 +164,17 @@ std::vector<fs::path> stale_files(const fs::path& root, const std::string& scena
   if (!fs::is_directory(folder)) return stale;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path& file = entry.path();
-    if (!entry.is_regular_file() || file.extension() != kPictureExtension) continue;
-    if (!stored.contains(file)) stale.push_back(file);
+    if (!entry.is_regular_file()) continue;
+    const bool is_note = file.extension() == kNoteExtension && !word_of(file).empty();
+    if (file.extension() != kPictureExtension && !is_note) continue;
+    if (is_note && without_word(file).stem() == fs::path(kTraceName).stem()) continue;
+    if (!stored.contains(word_of(file).empty() ? file : without_word(file))) stale.push_back(file);
   }
   std::sort(stale.begin(), stale.end());
   return stale;
 }
 
-std::optional<std::string> read_stored_trace(const fs::path& root, const std::string& scenario) {
-  const fs::path path = trace_path(root, scenario);
+std::optional<std::string> read_text_file(const fs::path& path) {
   if (!fs::exists(path)) return {};
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
@@ -126,6 +184,15 @@ std::optional<std::string> read_stored_trace(const fs::path& root, const std::st
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
+std::string sha256_of_file(const fs::path& path) {
+  const std::optional<std::string> bytes = read_text_file(path);
+  return bytes ? sha256(*bytes) : "";
+}
+
+std::optional<std::string> read_stored_trace(const fs::path& root, const std::string& scenario) {
+  return read_text_file(trace_path(root, scenario));
+}
+
 std::string to_json_lines(const trace::Trace& trace) {
   std::string text = trace::to_json_line(trace.header) + "\n";
   for (const trace::Frame& frame : trace.frames) text += trace::to_json_line(frame) + "\n";
@@ -133,7 +200,7 @@ std::string to_json_lines(const trace::Trace& trace) {
 }
 
 void write_text(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
   write_whole_file(path.string(),
                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

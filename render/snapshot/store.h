@@ -11,9 +11,12 @@
 /// Where snapshots lie:
 ///
 ///     root/<group>/<idea>/trace.jsonl
+///     root/<group>/<idea>/frames.txt
 ///     root/<group>/<idea>/[<view>/]frame_0012.png
 ///
-/// with the view's folder only where a scenario has several views.
+/// with the view's folder only where a scenario has several views. Beside a picture or a trace there may be others of
+/// its name with a word more: frame_0012.osmesa.png of another driver, frame_0012.bad_31.png of a bug that is known, which
+/// frame_0012.bad_31.txt tells of.
 namespace contactscope::snapshot {
 
 /// One picture of a scenario.
@@ -37,6 +40,20 @@ std::filesystem::path picture_folder(const std::filesystem::path& root, const st
                                      const std::optional<std::string>& view);
 std::filesystem::path picture_path(const std::filesystem::path& root, const PictureKey& key);
 std::filesystem::path trace_path(const std::filesystem::path& root, const std::string& scenario);
+/// Of frames that are not stored.
+std::filesystem::path hashes_path(const std::filesystem::path& root, const std::string& scenario);
+
+/// The files beside `own`, and itself, that hold what it does: "frame_0012.png", "frame_0012.osmesa.png". Itself
+/// first, then by name; those that exist.
+std::vector<std::filesystem::path> baselines_of(const std::filesystem::path& own);
+/// Whether one of them is there to be known again: its word more begins with "bad_".
+bool is_known_bad(const std::filesystem::path& baseline);
+
+/// All that is stored of a scenario, sorted.
+std::vector<std::filesystem::path> stored_files(const std::filesystem::path& root,
+                                                const std::string& scenario);
+/// Removes a stored file, and the folder that it leaves empty, which a reader would call a scenario or a view.
+void remove_stored(const std::filesystem::path& file);
 
 /// Scenarios that have a folder with a trace or a picture in it, sorted: "<group>/<idea>".
 std::vector<std::string> stored_scenarios(const std::filesystem::path& root);
@@ -46,12 +63,16 @@ std::vector<std::string> stored_of_engines(const std::filesystem::path& root);
 
 /// Stored pictures below the scenario's folder that it does not store any more, sorted: frames not
 /// in `frames`, views not in `views` (empty where the scenario has a single view), and pictures
-/// under a name that is no frame's.
+/// under a name that is no frame's, with what tells of them.
 std::vector<std::filesystem::path> stale_files(const std::filesystem::path& root,
                                                const std::string& scenario,
                                                std::span<const std::string> views,
                                                std::span<const int> frames);
 
+/// All of a file; nothing where there is none.
+std::optional<std::string> read_text_file(const std::filesystem::path& path);
+/// Of its bytes, as sha256() gives it; empty where there is no file.
+std::string sha256_of_file(const std::filesystem::path& path);
 /// The text of the stored trace; nothing where there is none.
 std::optional<std::string> read_stored_trace(const std::filesystem::path& root,
                                              const std::string& scenario);

@@ -2,19 +2,24 @@
 
 #include <string_view>
 
+#include "snapshot/finding.h"
+
 /// What follows from a comparison. Pure: the environment and the command line come in as a policy.
 namespace contactscope::snapshot {
 
-/// What `check --update[=all]` may rewrite.
+/// What a check may write into the folder of snapshots.
 enum class Update {
   None,
-  Failed,  // what differs, is missing or is stale
-  All,     // also what is the same: after a change of the file format or the compression
+  Missing,  // what nothing is stored of, by --write-missing
+  Failed,   // also what differs or is orphaned, by --update
+  All,      // also what is the same: after a change of the file format or the compression
 };
 
 struct Policy {
   bool ci = false;  // nothing is ever written or removed, whatever `update` says
   Update update = Update::None;
+
+  constexpr Update allowed() const { return ci ? Update::None : update; }
 };
 
 /// Of the environment variable CI: "true" or "1". Null where it is not set.
@@ -23,46 +28,24 @@ inline bool is_ci(const char* value) {
   return text == "true" || text == "1";
 }
 
-/// What a comparison found.
-enum class Finding {
-  Same,
-  Different,
-  Missing,  // nothing is stored
-  Stale,    // stored, but the scenario does not store it any more
-};
-
-/// What becomes of the stored file: from Written on it changes.
-enum class Verdict {
-  Same,
-  Different,
-  Missing,  // and not written
-  Stale,    // and not removed
-  Written,  // was missing
-  Updated,  // rewritten
-  Removed,  // was stale
-};
-
-struct Decision {
-  Verdict verdict = Verdict::Same;
-  bool fails = false;  // the check exits with 1
-};
-
-/// A missing snapshot is written where nobody asked for it, but fails the check: it is not agreed
-/// on until somebody has looked at it and committed it.
-constexpr Decision decide(Finding finding, const Policy& policy) {
-  const Update update = policy.ci ? Update::None : policy.update;
-  const bool accepted = update != Update::None;
-  switch (finding) {
-    case Finding::Same:
-      return {update == Update::All ? Verdict::Updated : Verdict::Same, false};
-    case Finding::Missing:
-      return {policy.ci ? Verdict::Missing : Verdict::Written, !accepted};
-    case Finding::Stale:
-      return {accepted ? Verdict::Removed : Verdict::Stale, !accepted};
-    case Finding::Different:
+/// What becomes of the stored file. Nothing is written where nobody asked for it: a snapshot is not
+/// agreed on until somebody has looked at it.
+constexpr Done decide(FindingKind kind, const Policy& policy) {
+  const Update update = policy.allowed();
+  switch (kind) {
+    case FindingKind::New:
+    case FindingKind::Missing:
+      return update >= Update::Missing ? Done::Written : Done::Nothing;
+    case FindingKind::Orphaned:
+      return update >= Update::Failed ? Done::Removed : Done::Nothing;
+    case FindingKind::UnmetExpectation:
+    case FindingKind::KnownBad:
+      return Done::Nothing;  // that is for whoever wrote the scenario, or knows the bug
+    case FindingKind::Changed:
+    case FindingKind::Unreadable:
       break;
   }
-  return {accepted ? Verdict::Updated : Verdict::Different, !accepted};
+  return update >= Update::Failed ? Done::Updated : Done::Nothing;
 }
 
 }  // namespace contactscope::snapshot

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "image/base64.h"
 #include "vector/shared_library.h"
 
 namespace contactscope::vector {
@@ -43,21 +44,6 @@ struct HarfBuzz {
 const HarfBuzz& harfbuzz() {
   static const HarfBuzz functions;
   return functions;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
-  }
-  return text;
 }
 
 std::string family(std::size_t number) {

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/check_arguments.h"
 #include "app/formats/format.h"
 #include "app/manual.h"
 #include "app/origin.h"
+#include "app/progress.h"
 #include "app/verbs.h"
 #include "core/at.h"
 #include "core/input_error.h"
@@ -96,13 +98,6 @@ std::optional<double> parse_orthographic(const std::string& text) {
                    " is no height; write --orthographic, or metres as --orthographic=1.5");
 }
 
-snapshot::Update parse_update(const std::string& text) {
-  if (text == "never") return snapshot::Update::None;
-  if (text == "failed") return snapshot::Update::Failed;
-  if (text == "all") return snapshot::Update::All;
-  throw UsageError("--update=" + text + " is not known; write --update, --update=all or nothing");
-}
-
 /// `where` is the option or variable that gave it.
 gl::Backend parse_backend(const std::string& where, const std::string& text) {
   if (text == "auto") return gl::Backend::Auto;
@@ -112,7 +107,8 @@ gl::Backend parse_backend(const std::string& where, const std::string& text) {
 }
 
 struct Command : Options {
-  std::string size_text, frames_text, update_text = "never", backend_text;
+  std::string size_text, frames_text, backend_text;
+  CheckTexts check;
   std::vector<std::string> layer_names, panel_names;
   std::string orthographic_text;
 };
@@ -130,7 +126,8 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
   const auto flag = [&](bool& target, const char* help = "") {
     return verb.add_flag(name, target, own_help.empty() ? help : own_help);
   };
-  if (name == "SCENARIO" || name == "FILE") return value(to.scenarios);
+  if (name == "SCENARIO" || name == "FILE" || name == "KEY" || name == "DIR")
+    return value(to.scenarios);
   if (name == "NAME") return value(to.study);
   if (name == "WHAT") return value(to.what)->check(CLI::IsMember(kListed));
   if (name == "--size") return value(to.size_text, "WxH, default 1280x720");
@@ -169,10 +166,8 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return flag(to.timing, "Show the measured time of the pipeline in the summary panel");
   if (name == "--snapshots")
     return value_with_default(to.snapshot_root, "Folder of the stored snapshots");
-  // A flag that may carry a value: a scenario that follows a bare --update is not taken for it.
-  if (name == "--update")
-    return verb.add_flag("--update{failed}", to.update_text,
-                         "Rewrite what failed, or with --update=all everything");
+  if (name == "VERB") return value(to.what);
+  if (CLI::Option* const option = add_check_option(verb, name, to, to.check)) return option;
   if (name == "--table") return flag(to.tables_only, "Write no pictures, and open no OpenGL");
   if (name == "--cases")
     return value(to.cases, "Cases a point of a line, default: the study's")
@@ -221,6 +216,8 @@ CLI::Option* add_named(CLI::App& verb, const std::string& name, const std::strin
     return value(to.engines, "Engines, as contactscope,bullet; default: all that are found")
         ->allow_extra_args(false)
         ->delimiter(',');
+  if (name == "--while")
+    return value(to.condition, "What has to stay, as 'float.points != double.points'; see below");
   if (name == "--rollout")
     return flag(to.rollout,
                 "Let each engine step a dynamic scene by itself, and judge what became of it");
@@ -266,7 +263,7 @@ void finish(Command& command) {
   command.layers = parse_words<Layer>("--layers", command.layer_names, kLayerNames);
   command.panels = parse_words<Panel>("--panels", command.panel_names, kPanelNames);
   if (command.out.empty()) throw UsageError("--out is empty; name a folder");
-  command.update = parse_update(command.update_text);
+  finish_check(command.check, command);
 }
 
 /// The options that were given, as they are given again, but for those on which no picture depends and
@@ -320,12 +317,25 @@ void flush_output() {
   if (!std::cout) throw UsageError("standard output could not be written; is the disk full?");
 }
 
+/// `help render` is `render --help`.
+void ask_for_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  if (arguments.size() > 1) arguments.resize(1);
+  const bool has_verb = !arguments.empty() && arguments.front() != "--help";
+  arguments.resize(has_verb ? 1 : 0);
+  arguments.push_back("--help");
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Draws and checks contact manifolds of physics engines, without a display.",
                    "contactscope");
   program.require_subcommand(1);
   program.set_version_flag("--version", std::string("contactscope ") + CONTACTSCOPE_VERSION);
   program.footer(
+      "Exit codes: 0 the same, or done; 1 a difference, an unmet expectation or a wrong claim; 2 "
+      "trouble,\nsuch as a bad file, wrong usage or no way to OpenGL; 130 stopped by Ctrl-C.\n"
+      "contactscope help VERB has its options, with examples.\n"
       "contactscope --manual man, bash, zsh or fish prints the man page, or what a shell "
       "completes.");
   Command command;
@@ -343,9 +353,12 @@ int run(int argc, char** argv) {
     return static_cast<int>(ExitCode::Same);
   }
 
-  check_usage({argv + std::min(argc, 1), argv + argc});
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  ask_for_help(arguments);
+  check_usage(arguments);
   try {
-    program.parse(argc, argv);
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    program.parse(arguments);
   } catch (const CLI::ParseError& error) {
     // Help and version come through here too, with code 0.
     if (program.exit(error) != 0) return static_cast<int>(ExitCode::Trouble);
@@ -368,6 +381,9 @@ int main(int argc, char** argv) {
   using contactscope::InputError;
   try {
     return contactscope::app::run(argc, argv);
+  } catch (const contactscope::app::Interrupted& interrupted) {
+    std::cerr << "contactscope: " << interrupted.what() << '\n';
+    return interrupted.exit_code();
   } catch (const InputError& error) {
     std::cerr << error.what() << '\n';  // begins with the file, so that editors can jump to it
   } catch (const std::filesystem::filesystem_error& error) {

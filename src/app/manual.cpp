@@ -112,12 +112,15 @@ Completion completion_of(const ManualArgument& argument) {
   if (name == "--backend") return {Kind::Words, {"auto", "egl", "osmesa"}};
   if (name == "--theme") return {Kind::Words, words(draw::kThemeNames)};
   if (name == "--background") return {Kind::Words, {"transparent", "white"}};
-  if (name == "--words" || name == "--font") return {Kind::File};
+  if (name == "--words" || name == "--font" || name == "--junit" || name == "--markdown")
+    return {Kind::File};
+  if (name == "--pictures") return {Kind::Words, {"auto", "blocks", "sixel", "kitty", "none"}};
   if (name == "NAME") return {Kind::Words, words(names_in(studies()))};
   if (name == "WHAT") return {Kind::Words, kListed};
   if (name == "SCENARIO") return {Kind::Scenario};
   if (name == "FILE" || name == "--view") return {Kind::File};
-  if (name == "--out" || name == "--snapshots" || name == "--scenarios") return {Kind::Folder};
+  if (name == "--out" || name == "--snapshots" || name == "--scenarios" || name == "DIR")
+    return {Kind::Folder};
   return {};
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void note(int) {
-  requested = 1;
+void note(int signal) {
+  requested = signal;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ void note_interrupts() {
 }
 
 void stop_if_interrupted() {
-  if (requested != 0) throw std::runtime_error("interrupted; what was written is whole");
+  if (requested != 0) throw Interrupted(requested);
 }
 
 Progress::Progress(int total, bool quiet)

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <iosfwd>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,19 @@ class Progress {
 /// are finished.
 void note_interrupts();
 
-/// Throws std::runtime_error when a request was noted.
+/// Somebody asked to stop.
+class Interrupted : public std::runtime_error {
+ public:
+  explicit Interrupted(int signal)
+      : std::runtime_error("interrupted; what was written is whole"), signal_(signal) {}
+  /// As a shell has it of a program that a signal ended: 130 after Ctrl-C.
+  int exit_code() const { return 128 + signal_; }
+
+ private:
+  int signal_;
+};
+
+/// Throws Interrupted when a request was noted.
 void stop_if_interrupted();
 
 /// What ran, how long it took, and what was left out, for --verbose.

@@ -70,10 +70,12 @@ void tell_idle(const std::string& file, const std::vector<std::string>& layers) 
             << "; src/trace/README.md says what a trace needs for it\n";
 }
 
-/// Of an engine's trace that has none: what is drawn, and whose contacts these are.
+/// Of an engine's trace that has none: whose contacts these are, and what they come to in each frame.
 std::string title_of(const trace::Header& header) {
-  return header.scenario + ": contacts of " + header.engine +
-         (header.version.empty() ? "" : " " + header.version);
+  const std::string engine =
+      header.engine + (header.version.empty() ? "" : " " + header.version) + ": ";
+  return engine + "{kept:point}, {overlap} deep | " + engine + "{kept:point}, {gap} apart | " +
+         engine + "nothing touches";
 }
 
 // Runs the scenario, or takes the trace.
@@ -203,7 +205,8 @@ Verb render_verb() {
           &run_render,
           std::string("SCENARIO... --size ") + kFigureArguments +
               " --layers --panels --pair --shapes --eye --target --fov --camera --orthographic "
-              "--timing --format --strip --columns --sheet --fps --anchors --json --frames --reducer --out "
+              "--timing --format --strip --columns --sheet --fps --anchors --json --frames "
+              "--reducer --out "
               "--backend --view --jobs",
           {{"SCENARIO",
             "Files, folders, or names as hull/face_contact; a trace (*.jsonl) is drawn too"},

@@ -25,74 +25,123 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// As its own program spells it; one that told nothing has the name by which it was asked.
+std::string name_of(const Rollout& rollout, std::size_t i) {
+  const std::string& engine = rollout.contenders[i].engine;
+  return engine.empty() ? rollout.scores[i].name : engine;
+}
+
 /// Of scenes in which nothing rests, for the heading: who keeps bodies apart.
 std::string overlaps_of(const Rollout& rollout) {
-  std::vector<const RolloutScore*> scores;
-  for (const RolloutScore& score : rollout.scores)
-    if (!score.time.empty()) scores.push_back(&score);
-  if (scores.empty()) return "No engine steps it";
+  std::vector<std::size_t> engines;
+  for (std::size_t i = 0; i < rollout.scores.size(); ++i)
+    if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  if (engines.empty()) return "No engine steps it";
   std::vector<std::string> passed, stopped;
-  for (const RolloutScore* score : scores)
-    (score->passed > 0 ? passed : stopped).push_back(score->name);
+  for (const std::size_t i : engines)
+    (rollout.scores[i].passed > 0 ? passed : stopped).push_back(name_of(rollout, i));
   if (stopped.empty()) return "Bodies pass through each other in all engines";
   if (!passed.empty())
     return "Bodies pass through each other in " + listed(passed) + ", and not in " +
            listed(stopped);
-  std::ranges::sort(scores, {}, &RolloutScore::worst_penetration);
-  const auto told = [](const RolloutScore& score) {
-    return draw::spell_length(score.worst_penetration) + " in " + score.name;
+  const auto overlap = [&](std::size_t i) { return rollout.scores[i].worst_penetration; };
+  std::ranges::sort(engines, {}, overlap);
+  const auto told = [&](std::size_t i) {
+    return draw::spell_length(overlap(i)) + " in " + name_of(rollout, i);
   };
-  if (scores.size() == 1) return "Overlaps of up to " + told(*scores.front());
-  return "Overlaps of up to " + told(*scores.front()) + ", and " + told(*scores.back());
+  if (engines.size() == 1) return "Overlaps of up to " + told(engines.front());
+  return "Overlaps of up to " + told(engines.front()) + ", and " + told(engines.back());
+}
+
+/// Engines that told a frame: those in which something fell first, then those that stand with the least drift.
+std::vector<std::size_t> by_outcome(const Rollout& rollout) {
+  std::vector<std::size_t> engines;
+  for (std::size_t i = 0; i < rollout.scores.size(); ++i)
+    if (!rollout.scores[i].time.empty()) engines.push_back(i);
+  std::ranges::stable_sort(engines, {}, [&](std::size_t i) {
+    const RolloutScore& score = rollout.scores[i];
+    return std::pair(!score.fell_at, score.fell_at ? *score.fell_at : score.worst_drift);
+  });
+  return engines;
 }
 
 /// What became of the bodies that rest, for the heading.
 std::string result_of(const Rollout& rollout) {
   std::vector<std::string> fallen, standing;
   int resting = 0;
-  for (const RolloutScore& score : rollout.scores) {
-    if (score.time.empty() || score.resting == 0) continue;
+  for (const std::size_t i : by_outcome(rollout)) {
+    const RolloutScore& score = rollout.scores[i];
+    if (score.resting == 0) continue;
     resting = score.resting;
     if (score.fell_at)
-      fallen.push_back(score.name + " (" + spelled("%.2f", *score.fell_at) + " s)");
+      fallen.push_back(name_of(rollout, i) + " (" + spelled("%.2f", *score.fell_at) + " s)");
     else
-      standing.push_back(score.name);
+      standing.push_back(name_of(rollout, i));
   }
   const std::string bodies =
       resting == 1 ? "The body" : "All " + std::to_string(resting) + " bodies";
   const std::string stand = resting == 1 ? " stands in " : " stand in ";
   if (resting == 0) return overlaps_of(rollout);
   if (fallen.empty()) return bodies + stand + listed(standing);
-  if (standing.empty()) return "It falls in " + listed(fallen);
+  const std::string falls =
+      (resting == 1 ? "The body falls in " : "A body falls in ") + listed(fallen);
+  if (standing.empty()) return falls;
   // Those that fall are named each, with their times; the others where there is room.
   const std::string others =
       standing.size() > 3 ? std::to_string(standing.size()) + " others" : listed(standing);
-  return "It falls in " + listed(fallen) + ", and stands in " + others;
+  return falls + "; " + (resting == 1 ? "it stands in " : "all stand in ") + others;
 }
 
 std::string note_of(const RolloutScore& score) {
   if (!score.failure.empty())
     return "broke off after " + std::to_string(score.time.size()) + " frames";
   if (score.resting == 0) return "";
-  if (score.fallen == 0) return "drift " + millimetres(score.worst_drift) + " mm";
-  return std::to_string(score.fallen) + " of " + std::to_string(score.resting) + " fell";
+  if (score.fell_at) return "falls after " + spelled("%.2f", *score.fell_at) + " s";
+  return "stands, " + millimetres(score.worst_drift) + " mm off its place";
 }
 
+/// Of the request: who is there, how heavy, and how long.
+std::string scene_of(const trace::Trace& request) {
+  const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(request);
+  if (bodies.empty() || request.frames.empty()) return plain_title(request.header.title);
+  const auto [lightest, heaviest] =
+      std::ranges::minmax(bodies, {}, [](const versus::RolloutBody& body) { return body.mass; });
+  std::string masses = draw::spell_number(lightest.mass);
+  if (heaviest.mass > lightest.mass)
+    masses += (bodies.size() == 2 ? " and " : " to ") + draw::spell_number(heaviest.mass);
+  return std::string(bodies.size() == 1 ? "A body" : std::to_string(bodies.size()) + " bodies") +
+         " of " + masses + " kg, for " + spelled("%.3g", request.frames.back().time) +
+         " s; other engines have the settings that they come with";
+}
+
+/// Where something falls, overlaps end with that: what lies on the ground then says nothing.
 std::vector<draw::TimeChart> charts_of(const Rollout& rollout) {
-  std::vector<draw::TimeChart> charts = {
-      {"height of the highest", "m"}, {"energy since the start", "J"}, {"deepest overlap", "m"}};
+  draw::TimeChart height{"Height of the highest body", "m"}, energy{"Energy since the start", "J"},
+      overlap{"Deepest overlap", "m"};
   const auto frames = rollout.request.frames.size();
+  bool any_fell = false;
   for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
     const RolloutScore& score = rollout.scores[i];
     if (score.time.empty()) continue;
-    std::vector<double> energy = score.energy;
-    for (double& joules : energy) joules -= score.energy.front();
+    const std::string name = name_of(rollout, i);
+    std::vector<double> joules = score.energy;
+    for (double& one : joules) one -= score.energy.front();
     const bool breaks_off = score.time.size() < frames;
-    charts[0].lines.push_back({score.name, i, score.time, score.height, breaks_off});
-    charts[1].lines.push_back({score.name, i, score.time, energy, breaks_off});
-    charts[2].lines.push_back({score.name, i, score.time, score.penetration, breaks_off});
+    height.lines.push_back({name, i, score.time, score.height, breaks_off});
+    energy.lines.push_back({name, i, score.time, joules, breaks_off});
+    draw::TimeLine until{name, i, score.time, score.penetration, breaks_off};
+    if (score.fell_at) {
+      any_fell = true;
+      const auto end = std::ranges::upper_bound(until.time, *score.fell_at) - until.time.begin();
+      until.time.resize(static_cast<std::size_t>(end));
+      until.values.resize(static_cast<std::size_t>(end));
+      until.breaks_off = true;
+    }
+    overlap.lines.push_back(until);
   }
-  return charts;
+  if (!any_fell) return {height, energy, overlap};
+  overlap.name += " until it falls";
+  return {height, overlap};
 }
 
 /// The frame of an engine to draw, with all poses: what it leaves out is where the request has it.
@@ -160,19 +209,16 @@ void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Im
 
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Studio& studio) {
-  std::vector<std::size_t> drawn;  // engines that told a frame
+  const std::vector<std::size_t> drawn = by_outcome(rollout);
   std::vector<draw::RolloutCell> cells;
-  for (std::size_t i = 0; i < rollout.scores.size(); ++i) {
-    if (rollout.scores[i].time.empty()) continue;
-    drawn.push_back(i);
-    cells.push_back({rollout.scores[i].name, note_of(rollout.scores[i]), i});
-  }
+  for (const std::size_t i : drawn)
+    cells.push_back({name_of(rollout, i), note_of(rollout.scores[i]), i});
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const trace::Header& asked = rollout.request.header;
-  const draw::RolloutPage page =
-      draw::rollout_page(result_of(rollout), plain_title(asked.title), asked.source,
-                         "scenes of frame " + std::to_string(shown), charts_of(rollout), cells,
-                         page_size.width, page_size.height);
+  const draw::RolloutPage page = draw::rollout_page(
+      result_of(rollout), scene_of(rollout.request), asked.source,
+      "scenes at " + spelled("%.3g", at(rollout.request.frames, shown).time) + " s",
+      charts_of(rollout), cells, page_size.width, page_size.height);
   Image picture = studio.paint(page.drawing);
   if (drawn.empty()) return picture;
 

@@ -21,7 +21,7 @@ struct Rollout {
   std::vector<versus::RolloutScore> scores{};  // one a contender
 };
 
-/// Height, energy and penetration over time, a line an engine, and under them the scene of each in frame `shown` of
+/// Height, penetration and, where nothing falls, energy over time, a line an engine, and under them the scene of each in frame `shown` of
 /// the request, or the last that it told before. Engines that step nothing are named, and not drawn.
 Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Size>& size,
                       Studio& studio);

@@ -40,24 +40,33 @@ Sequence run_sequence(const Scenario& scenario, const trace::Stages& stages, boo
   return sequence;
 }
 
-gl::Rasterizer& Studio::canvas(int width, int height) {
+gl::Context& Studio::context() {
   if (!context_) {
     const Timed timed(ledger_, "open OpenGL");
     context_ = gl::open_context(backend_);
     ledger_.note("OpenGL through " + context_->route());
   }
+  return *context_;
+}
+
+std::string Studio::driver() {
+  return context().route() + ", " + context().driver();
+}
+
+gl::Rasterizer& Studio::canvas(int width, int height) {
+  gl::Context& open = context();
   if (!rasterizer_ || width != width_ || height != height_) {
     const Timed timed(ledger_, "make a canvas");
-    rasterizer_ = std::make_unique<gl::Rasterizer>(*context_, width, height);
+    rasterizer_ = std::make_unique<gl::Rasterizer>(open, width, height);
     width_ = width;
     height_ = height;
   }
   return *rasterizer_;
 }
 
-void Studio::each_drawing(
-    const draw::Staging& staging, Sequence& sequence, const std::vector<int>& numbers,
-    const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
+void Studio::each_drawing(const draw::Staging& staging, Sequence& sequence,
+                          const std::vector<int>& numbers,
+                          const std::function<void(const trace::Frame&, draw::Drawing)>& sink) {
   const int width = staging.layout.width;
   const int height = staging.layout.height;
   // A fresh Dear ImGui for each sequence: its windows remember earlier frames.
@@ -89,7 +98,7 @@ void Studio::each_drawing(
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
         ledger_.left_out(staging.header->scenario + ": " + what + ", for " + std::to_string(width) +
-                        "x" + std::to_string(height) + " has no room; a larger --size has");
+                         "x" + std::to_string(height) + " has no room; a larger --size has");
       }
     }
     finish(staging.style, drawing);
@@ -101,9 +110,9 @@ void Studio::render(const draw::Staging& staging, Sequence& sequence,
                     const std::vector<int>& numbers,
                     const std::function<void(const trace::Frame&, Image)>& sink) {
   open(staging.layout.width, staging.layout.height);
-  each_drawing(
-      staging, sequence, numbers,
-      [&](const trace::Frame& frame, draw::Drawing drawing) { sink(frame, paint(drawing)); });
+  each_drawing(staging, sequence, numbers, [&](const trace::Frame& frame, draw::Drawing drawing) {
+    sink(frame, paint(drawing));
+  });
 }
 
 void Studio::finish(const draw::FigureStyle& style, draw::Drawing& drawing) {

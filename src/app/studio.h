@@ -39,6 +39,9 @@ class Studio {
   /// without it says so before anything is made.
   void open(int width, int height) { canvas(width, height); }
 
+  /// Which route, driver and version draw; opens OpenGL.
+  std::string driver();
+
   /// The first half of pictures: draws the frames of a staged sequence whose numbers are given, panels
   /// included, and hands each drawing to `sink`. Opens no OpenGL; Dear ImGui where the view has panels.
   /// Measured pipeline times go to the summary panel.
@@ -59,6 +62,7 @@ class Studio {
   Image paint(const draw::Drawing& drawing);
 
  private:
+  gl::Context& context();
   gl::Rasterizer& canvas(int width, int height);
 
   gl::Backend backend_;

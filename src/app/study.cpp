@@ -1,6 +1,7 @@
 #include "study/study.h"
 #include "versus/engine.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -27,9 +28,23 @@ const StudyInfo& find_study(const std::string& name) {
                    "there is " + names_of(studies()));
 }
 
+/// The scenarios that a study is of; none of others.
+std::vector<Scenario> scenarios_of(const StudyInfo& info, const Options& options) {
+  if (!info.of_scenarios && (!options.scenarios.empty() || options.frames))
+    throw UsageError("study " + info.name +
+                     " makes its own cases; leave scenarios and --frames out");
+  if (!info.of_scenarios) return {};
+  if (options.scenarios.empty())
+    throw UsageError("study " + info.name + " is of scenarios; name one, as hull/face_contact");
+  return load_scenarios(options);
+}
+
 std::vector<trace::Study> run_study(const StudyInfo& info, const Options& options, Ledger& ledger) {
   const Timed timed(ledger, "study");
+  const std::vector<Scenario> scenarios = scenarios_of(info, options);
   StudyOptions study_options;
+  study_options.scenarios = &scenarios;
+  if (options.frames) study_options.only_frames = options.selected(options.frames->last + 1);
   study_options.seed = options.seed;
   study_options.cases = options.cases;
   study_options.peer_folders = versus::own_folders();
@@ -45,7 +60,10 @@ std::vector<trace::Study> run_study(const StudyInfo& info, const Options& option
 Size size_of(const trace::Study& result) {
   const bool one_panel =
       result.form == trace::StudyForm::WorkPrecision && !trace::has_panels(result);
-  return one_panel ? roomy_size(result.series.size()) : Size{};
+  const auto is_loud = [](const trace::StudySeries& series) { return !series.quiet; };
+  return one_panel
+             ? roomy_size(static_cast<std::size_t>(std::ranges::count_if(result.series, is_loud)))
+             : Size{};
 }
 
 // All is computed before the first file is written: a study that fails leaves those of an earlier
@@ -55,6 +73,8 @@ ExitCode run_study(const Options& options) {
   const StudyInfo& info = find_study(options.study);
   Ledger ledger;
   const std::vector<trace::Study> results = run_study(info, options, ledger);
+  if (info.of_scenarios && results.front().series.empty())
+    throw UsageError("no pair touches in these frames, so there is nothing to study");
 
   const std::filesystem::path folder = std::filesystem::path(options.out) / "study" / info.name;
   std::map<std::filesystem::path, std::vector<std::uint8_t>> files;
@@ -68,9 +88,10 @@ ExitCode run_study(const Options& options) {
     keep("results" + suffix + ".json", trace::to_json(result));
     keep("results" + suffix + ".csv", trace::to_csv(result));
     if (options.tables_only) continue;
-    const Size size = options.size.value_or(size_of(result));
+    const trace::Study told = info.picture ? info.picture(result) : result;
+    const Size size = options.size.value_or(size_of(told));
     keep("plot" + suffix + ".png",
-         encode_png(studio.paint(draw::plot(result, size.width, size.height))));
+         encode_png(studio.paint(draw::plot(told, size.width, size.height))));
   }
   if (options.tables_only) {
     ledger.left_out("plots and OpenGL, for --table asks for the numbers alone");
@@ -94,8 +115,9 @@ Verb study_verb() {
   return {"study",
           "Measure error against run time: plot, CSV and JSON",
           &run_study,
-          "NAME --size --cases --seed --table --json --out --backend",
+          "NAME [SCENARIO...] --frames --size --cases --seed --table --json --out --backend",
           {{"NAME", "A name that `list studies` prints"},
+           {"SCENARIO", "Of flip_distance: whose pairs; others make their own cases"},
            {"--size", "WxH, default 1280x720, and 1280x1440 for plots of more than 9 methods"},
            {"--table", "Write no plots, and open no OpenGL"},
            {"--json", "Print the results as JSON too, one a line"}}};

@@ -13,7 +13,9 @@ ExitCode run_trace(const Options& options) {
   const std::vector<Scenario> scenarios = load_scenarios(options);
   if (scenarios.size() != 1) throw UsageError("trace takes one scenario");
   const Scenario& scenario = scenarios.front();
-  Runner runner(scenario);
+  trace::Stages stages;
+  stages.decisions = true;
+  Runner runner(scenario, stages);
   std::cout << trace::to_json_line(runner.header()) << '\n';
   for (const int frame : options.selected(scenario.frames)) {
     std::cout << trace::to_json_line(runner.frame(frame)) << '\n';

@@ -11,12 +11,76 @@ namespace contactscope::app {
 
 // Each is in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
-    list_verb(), lint_verb(), versus_verb();
+    list_verb(), lint_verb(), versus_verb(), shrink_verb(), review_verb(), show_verb(),
+    merge_verb(), help_verb();
+
+namespace {
+
+/// What stands below the options of a verb that has no words of its own there.
+const char* examples_of(const std::string& verb) {
+  if (verb == "render")
+    return "Examples:\n"
+           "  contactscope render hull/face_contact\n"
+           "  contactscope render hull/face_contact --format svg,pdf --frames 12\n"
+           "  contactscope render run.jsonl --pair crate,floor --camera 4,2,4,0,0,0,30\n"
+           "Exit codes: 0 done, 2 trouble.";
+  if (verb == "trace")
+    return "Examples:\n"
+           "  contactscope trace hull/face_contact | jq .pairs\n"
+           "Exit codes: 0 done, 2 trouble.";
+  if (verb == "explore")
+    return "Examples:\n"
+           "  contactscope explore hull/eight_points_to_four\n"
+           "  contactscope explore run.jsonl --table\n"
+           "Exit codes: 0 done, 2 trouble.";
+  if (verb == "study")
+    return "Examples:\n"
+           "  contactscope study reducers --cases 100 --seed 2\n"
+           "  contactscope list studies\n"
+           "Exit codes: 0 done, 2 trouble.";
+  if (verb == "lint")
+    return "Examples:\n"
+           "  contactscope lint run.jsonl\n"
+           "Exit codes: 0 nothing is wrong, 1 a claim is, 2 trouble.";
+  if (verb == "versus")
+    return "Examples:\n"
+           "  contactscope versus round --engines contactscope,bullet\n"
+           "  contactscope versus solver/stack_of_ten --rollout\n"
+           "Exit codes: 0 every engine is right, 1 one is not, 2 trouble.";
+  if (verb == "doctor")
+    return "Examples:\n"
+           "  contactscope doctor\n"
+           "  contactscope doctor run.jsonl\n"
+           "Exit codes: 0 pictures can be drawn and nothing is wrong, 1 something is, 2 trouble.";
+  if (verb == "list")
+    return "Examples:\n"
+           "  contactscope list scenarios\n"
+           "Exit codes: 0 done, 2 trouble.";
+  if (verb == "review")
+    return "Examples:\n"
+           "  contactscope review\n"
+           "  contactscope review --list | grep ^changed\n"
+           "Exit codes: 0 nothing fails any more, 1 something does, 2 trouble.";
+  if (verb == "merge")
+    return "Examples:\n"
+           "  contactscope merge shards --out out --junit junit.xml\n"
+           "Exit codes: 0 the same, 1 something is not, 2 trouble, such as a part that is missing.";
+  return "";
+}
+
+std::vector<Verb> with_examples(std::vector<Verb> verbs) {
+  for (Verb& verb : verbs)
+    if (verb.footer.empty()) verb.footer = examples_of(verb.name);
+  return verbs;
+}
+
+}  // namespace
 
 const std::vector<Verb>& verbs() {
-  static const std::vector<Verb> all = {render_verb(),  trace_verb(),  check_verb(),
-                                        explore_verb(), study_verb(),  lint_verb(),
-                                        versus_verb(),  doctor_verb(), list_verb()};
+  static const std::vector<Verb> all =
+      with_examples({render_verb(), trace_verb(), check_verb(), review_verb(), show_verb(),
+                     explore_verb(), study_verb(), lint_verb(), versus_verb(), shrink_verb(),
+                     doctor_verb(), list_verb(), merge_verb(), help_verb()});
   return all;
 }
 

@@ -75,10 +75,22 @@ struct Options {
   std::optional<std::vector<Panel>> panels;
   std::string what;  // of `list`
   snapshot::Update update = snapshot::Update::None;
-  int jobs = 0;              // 0: as many as there are processors
-  std::string study;         // name of the study to run
-  std::uint64_t seed = 1;    // of its cases
-  std::optional<int> cases;  // a point of a study; the study knows a default
+  bool facts_only = false;               // `check` draws nothing
+  bool accept = false;                   // it accepts what is named, of its last report
+  std::string accept_as;                 // under a word more: "osmesa"
+  std::string note;                      // what stands beside that
+  bool list_only = false;                // `review` prints what there is
+  std::string junit, markdown;           // files to write
+  bool github = false;                   // annotations on standard output
+  std::string pictures = "auto";         // of `show`: how a terminal draws them
+  std::optional<snapshot::Shard> shard;  // which part of all scenarios
+  std::string times;                     // a file that says how long each takes
+  bool fresh = false;                    // also what nothing changed of is checked
+  int jobs = 0;                          // 0: as many as there are processors
+  std::string condition;                 // of `shrink`: what has to stay
+  std::string study;                     // name of the study to run
+  std::uint64_t seed = 1;                // of its cases
+  std::optional<int> cases;              // a point of a study; the study knows a default
   bool json = false;
   bool quiet = false;
   bool verbose = false;

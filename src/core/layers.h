@@ -41,6 +41,7 @@
   ROW(Reduced, "reduced")                      \
   ROW(SurfacePoints, "surface_points")         \
   ROW(Ids, "ids")                              \
+  ROW(FlipDistance, "flip_distance")           \
   ROW(Persistent, "persistent")                \
   ROW(Impulses, "impulses")                    \
   ROW(Loads, "loads")                          \
@@ -71,6 +72,16 @@
   ROW(Approach, "approach")                    \
   ROW(Minkowski, "minkowski")                  \
   ROW(GaussMap, "gauss_map")
+
+/// What panels show over the time of a sequence, likewise.
+#define CONTACTSCOPE_CHARTS(ROW)               \
+  ROW(Overlap, "overlap")                      \
+  ROW(Energy, "energy")                        \
+  ROW(Impulse, "impulse")                      \
+  ROW(Points, "points")                        \
+  ROW(Ids, "ids")                              \
+  ROW(Margin, "margin")                        \
+  ROW(Verdict, "verdict")
 // clang-format on
 
 namespace contactscope {
@@ -84,6 +95,9 @@ inline constexpr std::array kLayerNames = {CONTACTSCOPE_LAYERS(CONTACTSCOPE_NAME
 enum class Panel { CONTACTSCOPE_PANELS(CONTACTSCOPE_ENUMERATOR) };
 inline constexpr std::array kPanelNames = {CONTACTSCOPE_PANELS(CONTACTSCOPE_NAME)};
 
+enum class Chart { CONTACTSCOPE_CHARTS(CONTACTSCOPE_ENUMERATOR) };
+inline constexpr std::array kChartNames = {CONTACTSCOPE_CHARTS(CONTACTSCOPE_NAME)};
+
 #undef CONTACTSCOPE_ENUMERATOR
 #undef CONTACTSCOPE_NAME
 
@@ -94,7 +108,7 @@ constexpr std::string_view name_of(Panel panel) {
   return kPanelNames[static_cast<std::size_t>(panel)];
 }
 
-/// The Layer or Panel of that name; nothing where there is none.
+/// The Layer, Panel or Chart of that name; nothing where there is none.
 template <class Word, std::size_t N>
 constexpr std::optional<Word> word_named(const std::array<std::string_view, N>& names,
                                          std::string_view name) {

@@ -18,59 +18,65 @@
 /// frame 12 on. `{{` is a brace.
 namespace contactscope {
 
-/// What a placeholder may name. A row has the enumerator, the word, and what it is.
+/// Of which stage of the pipeline a fact is; None: of none that a run may leave out.
+enum class TitleStage { None, Clip, Reduction, Search, Stability, Tree, Query };
+
+/// What a placeholder may name. A row has the enumerator, the word, the stage, and what it is.
 // clang-format off
 #define CONTACTSCOPE_TITLE_FACTS(ROW)                                                             \
-  ROW(Frame, "frame", "number of the frame, or step of a story")                                  \
-  ROW(Time, "time", "s")                                                                          \
-  ROW(Shapes, "shapes", "shapes in the frame")                                                    \
-  ROW(Bodies, "bodies", "bodies that the solver moves")                                           \
-  ROW(Pairs, "pairs", "pairs that were run")                                                      \
-  ROW(Touching, "touching", "pairs with contact points")                                          \
-  ROW(State, "state", "touching, within the margin, apart, ..., of the first pair")               \
-  ROW(Overlap, "overlap", "the largest overlap, of pairs that overlap")                           \
-  ROW(Gap, "gap", "the smallest gap, where nothing overlaps or touches")                          \
-  ROW(Kept, "kept", "contact points")                                                             \
-  ROW(Candidates, "candidates", "points before the reduction")                                    \
-  ROW(Dropped, "dropped", "points that the reduction left out")                                   \
-  ROW(Clipped, "clipped", "points that the clipping dropped")                                     \
-  ROW(Manifolds, "manifolds", "manifolds; of a mesh one for each triangle that is touched")       \
-  ROW(Ids, "ids", "different contact ids")                                                        \
-  ROW(Area, "area", "of the kept points in the contact plane")                                    \
-  ROW(BestArea, "best_area", "the largest that as many points can span")                          \
-  ROW(AreaKept, "area_kept", "per cent of the best area")                                         \
-  ROW(Axis, "axis", "what made the normal, of the first pair that touches")                       \
-  ROW(Type, "type", "the features that touch, of the first pair that touches")                    \
-  ROW(Iterations, "iterations", "of EPA, MPR or sampling, else of GJK")                           \
-  ROW(Stability, "stability", "stable, marginal or unstable, of the first pair that has it")      \
-  ROW(Margin, "margin", "of the centre of mass from the border of its support")                   \
-  ROW(New, "new", "points that an incremental manifold got")                                      \
-  ROW(Persisted, "persisted", "points that it kept")                                              \
-  ROW(Broken, "broken", "points that it dismissed")                                               \
-  ROW(Impulse, "impulse", "sum of the normal impulses, N s")                                      \
-  ROW(Load, "load", "the same over the step, N")                                                  \
-  ROW(Speed, "speed", "of the fastest body")                                                      \
-  ROW(KineticEnergy, "kinetic_energy", "of all bodies")                                           \
-  ROW(Impact, "impact", "when the first pair that hits does, per cent of the step")               \
-  ROW(Ghosts, "ghosts", "speculative points that hold back what would not meet")                  \
-  ROW(Stops, "stops", "stops between this frame and the next")                                    \
-  ROW(Triangles, "triangles", "of a mesh, that a query found")                                    \
-  ROW(Intersections, "intersections", "pairs of triangles that share a point")                    \
-  ROW(NodePairs, "node_pairs", "of the trees of two meshes, compared")                            \
-  ROW(Comparisons, "comparisons", "of two boxes, by the broad phase")                             \
-  ROW(Hits, "hits", "frames of the sequence in which the cache answered")                         \
-  ROW(HitRate, "hit_rate", "per cent of all frames of the sequence")                              \
-  ROW(Frames, "frames", "frames of the sequence")                                                 \
-  ROW(FalsePositives, "false_positives", "frames in which bounds overlap and their shapes do not") \
-  ROW(DeepestOverlap, "deepest_overlap", "the largest overlap of the sequence")
+  ROW(Frame, "frame", None, "number of the frame, or step of a story")                            \
+  ROW(Time, "time", None, "s")                                                                    \
+  ROW(Shapes, "shapes", None, "shapes in the frame")                                              \
+  ROW(Bodies, "bodies", None, "bodies that the solver moves")                                     \
+  ROW(Pairs, "pairs", None, "pairs that were run")                                                \
+  ROW(Touching, "touching", None, "pairs with contact points")                                    \
+  ROW(State, "state", None, "touching, within the margin, apart, ..., of the first pair")         \
+  ROW(Overlap, "overlap", None, "the largest overlap, of pairs that overlap")                     \
+  ROW(Gap, "gap", None, "the smallest gap, where nothing overlaps or touches")                    \
+  ROW(Kept, "kept", None, "contact points")                                                       \
+  ROW(Candidates, "candidates", Reduction, "points before the reduction")                         \
+  ROW(Dropped, "dropped", Reduction, "points that the reduction left out")                        \
+  ROW(Clipped, "clipped", Clip, "points that the clipping dropped")                               \
+  ROW(Manifolds, "manifolds", None, "manifolds; of a mesh one for each triangle that is touched") \
+  ROW(Ids, "ids", None, "different contact ids")                                                  \
+  ROW(Area, "area", Reduction, "of the kept points in the contact plane")                         \
+  ROW(BestArea, "best_area", Reduction, "the largest that as many points can span")               \
+  ROW(AreaKept, "area_kept", Reduction, "per cent of the best area")                              \
+  ROW(Axis, "axis", None, "what made the normal, of the first pair that touches")                 \
+  ROW(Type, "type", None, "the features that touch, of the first pair that touches")              \
+  ROW(Iterations, "iterations", Search, "of EPA, MPR or sampling, else of GJK")                   \
+  ROW(Stability, "stability", Stability, "stable, marginal or unstable, of the first pair")       \
+  ROW(Margin, "margin", Stability, "of the centre of mass from the border of its support")        \
+  ROW(New, "new", None, "points that an incremental manifold got")                                \
+  ROW(Persisted, "persisted", None, "points that it kept")                                        \
+  ROW(Broken, "broken", None, "points that it dismissed")                                         \
+  ROW(Impulse, "impulse", None, "sum of the normal impulses, N s")                                \
+  ROW(Load, "load", None, "the same over the step, N")                                            \
+  ROW(Speed, "speed", None, "of the fastest body")                                                \
+  ROW(KineticEnergy, "kinetic_energy", None, "of all bodies")                                     \
+  ROW(Impact, "impact", None, "when the first pair that hits does, per cent of the step")         \
+  ROW(Ghosts, "ghosts", None, "speculative points that hold back what would not meet")            \
+  ROW(Stops, "stops", None, "stops between this frame and the next")                              \
+  ROW(Triangles, "triangles", Tree, "of a mesh, that a query found")                              \
+  ROW(Intersections, "intersections", Query, "pairs of triangles that share a point")             \
+  ROW(NodePairs, "node_pairs", Query, "of the trees of two meshes, compared")                     \
+  ROW(Comparisons, "comparisons", None, "of two boxes, by the broad phase")                       \
+  ROW(Hits, "hits", None, "frames of the sequence in which the cache answered")                   \
+  ROW(HitRate, "hit_rate", None, "per cent of all frames of the sequence")                        \
+  ROW(Frames, "frames", None, "frames of the sequence")                                           \
+  ROW(FalsePositives, "false_positives", Query, "frames in which bounds overlap, not shapes")     \
+  ROW(DeepestOverlap, "deepest_overlap", None, "the largest overlap of the sequence")
 // clang-format on
 
-#define CONTACTSCOPE_TITLE_ENUMERATOR(word, name, what) word,
-#define CONTACTSCOPE_TITLE_NAME(word, name, what) std::string_view(name),
+#define CONTACTSCOPE_TITLE_ENUMERATOR(word, name, stage, what) word,
+#define CONTACTSCOPE_TITLE_NAME(word, name, stage, what) std::string_view(name),
+#define CONTACTSCOPE_TITLE_STAGE(word, name, stage, what) TitleStage::stage,
 enum class TitleFact { CONTACTSCOPE_TITLE_FACTS(CONTACTSCOPE_TITLE_ENUMERATOR) };
 inline constexpr std::array kTitleFactNames = {CONTACTSCOPE_TITLE_FACTS(CONTACTSCOPE_TITLE_NAME)};
+inline constexpr std::array kTitleFactStages = {CONTACTSCOPE_TITLE_FACTS(CONTACTSCOPE_TITLE_STAGE)};
 #undef CONTACTSCOPE_TITLE_ENUMERATOR
 #undef CONTACTSCOPE_TITLE_NAME
+#undef CONTACTSCOPE_TITLE_STAGE
 
 /// Of a title: text, and behind it what a placeholder asks for.
 struct TitlePiece {

@@ -51,9 +51,14 @@ struct View {
   Story story = Story::None;
   std::vector<Layer> layers;
   std::vector<Panel> panels;
+  /// Of the panels plots and stability; default: all that the sequence has values for.
+  std::optional<std::vector<Chart>> charts;
 
   bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }
   bool shows(Panel panel) const { return std::ranges::find(panels, panel) != panels.end(); }
+  bool shows(Chart chart) const {
+    return !charts || std::ranges::find(*charts, chart) != charts->end();
+  }
 };
 
 }  // namespace contactscope

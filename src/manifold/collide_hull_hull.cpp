@@ -30,8 +30,10 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   FaceSeparations<S> faces_b(pair.b);
   const SatResult<S> axes =
       sat(pair, static_cast<S>(options.margin), options.preference, faces_a, faces_b, preferred);
-  if (recorder) [[unlikely]]
+  if (recorder) [[unlikely]] {
     recorder->axes(pair, faces_a, axes, options.preference);
+    recorder->axis_decisions(pair, faces_a, faces_b, axes, options);
+  }
   if (axes.status == SatStatus::Touching) {
     create_contact(pair, axes, options, contact, recorder);
     if (recorder) [[unlikely]]

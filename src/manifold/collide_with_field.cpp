@@ -79,8 +79,7 @@ class PieceMaker {
       made_.pieces.push_back({corners, 3, face_ref(Owner::A, triangle)});
     });
     std::ranges::sort(vertices);
-    const auto repeated = std::ranges::unique(vertices);
-    vertices.erase(repeated.begin(), repeated.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const int vertex : vertices) add_vertex(at(mesh.vertices, vertex), vertex);
   }
   void add(const Field<S>& field) {
@@ -152,8 +151,9 @@ void add_manifolds(std::vector<FieldTouch> touches, double radius, const Pose<do
     for (const FieldTouch& touch : touches)
       (touch.outward.dot(outward) >= kSameDirection ? same : rest).push_back(touch);
     // Vertices first, so that what does not fit is from inside of a face; then evenly.
-    std::ranges::stable_partition(
-        same, [](const FieldTouch& t) { return t.feature.kind == FeatureKind::Vertex; });
+    std::stable_partition(same.begin(), same.end(), [](const FieldTouch& t) {
+      return t.feature.kind == FeatureKind::Vertex;
+    });
     Contact<S> contact;
     contact.axis = AxisKind::ClosestPoints;
     const Vec3d normal = in_a.rotate(outward) * (flipped ? 1.0 : -1.0);

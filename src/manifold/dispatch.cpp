@@ -112,7 +112,7 @@ void collide_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
   // Each triangle has these of its own, each part of a field a reduction, and a record has room for
   // one of each.
   if (kind_of(pair.b) >= ShapeKind::Mesh)
-    stages.sat = stages.clip = stages.reduction = stages.gjk = false;
+    stages.sat = stages.clip = stages.reduction = stages.gjk = stages.decisions = false;
   Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, *record);
   collide_pair(pair, options, manifolds, &recorder);
 }

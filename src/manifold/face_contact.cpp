@@ -54,6 +54,7 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
     face_polygon(hull, reference, query.face, spare);
     recorder->clip_begins(reference, ClipFace<S>{query.face, plane.normal, spare},
                           ClipFace<S>{incident, other_hull.normal(incident), polygon});
+    recorder->incident_decision(other_hull, query.support, plane.normal, incident);
   }
   const S thickness = clip_thickness(scale);
   // The side planes in the order of the face's edges. All at once, before the first clip: their square

@@ -140,6 +140,7 @@ KeptIndices Recorder<S>::reduce(const CollideOptions& options, ContactPoints<S> 
   reduction.kept.assign(kept.begin(), kept.end());
   reduction.choices = std::move(choices.made);
   if (measured) measure(exact, exact_normal, options.reduction.max_points, reduction);
+  reduction_decisions(reduction, exact_normal);
   return kept;
 }
 

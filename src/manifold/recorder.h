@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -39,6 +42,27 @@ class Recorder {
   /// `faces_a` is what the face query left for A.
   void axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const SatResult<S>& axes,
             Preference preference);
+  /// The margins by which faces and the axis were chosen. `faces_b` is looked at where that query ran.
+  void axis_decisions(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
+                      const FaceSeparations<S>& faces_b, const SatResult<S>& axes,
+                      const CollideOptions& options);
+  /// The margin by which the incident face was chosen from the faces about a vertex.
+  template <class Placed>
+  void incident_decision(const Placed& hull, int support, const Vec3<S>& reference_normal,
+                         int incident) {
+    if (!stages_.decisions) return;
+    S next = std::numeric_limits<S>::infinity();
+    int over = -1;
+    for (const int edge : hull.hull.around_vertex(support)) {
+      const int face = hull.half_edge(edge).face;
+      const S along = reference_normal.dot(hull.normal(face));
+      if (face != incident && along < next) next = along, over = face;
+    }
+    if (over < 0) return;
+    trace::Decision& told =
+        decide("incident_face", "face " + std::to_string(incident), "face " + std::to_string(over));
+    told.margin_cosine = static_cast<double>(next - reference_normal.dot(hull.normal(incident)));
+  }
   /// What the pair's cache held was tried.
   void cache(const CacheAnswer<S>& answer);
   /// `reference` owns the first face.
@@ -50,7 +74,12 @@ class Recorder {
     if (stages_.clip) pair_.clip->dropped.push_back({point(position), reason});
   }
   /// The face contact is given up for another axis.
-  void clip_abandoned() { pair_.clip.reset(); }
+  void clip_abandoned() {
+    pair_.clip.reset();
+    std::erase_if(pair_.decisions, [](const trace::Decision& decision) {
+      return decision.stage == "incident_face";
+    });
+  }
   /// The axis that made the contact, when it is not the one that the test chose.
   void contact_axis(AxisKind kind) {
     if (stages_.sat) pair_.sat->chosen = to_string(kind);
@@ -90,6 +119,12 @@ class Recorder {
                    const PersistentManifold<S>& persistent, const IncrementalOptions& options);
 
  private:
+  trace::Decision& decide(std::string stage, std::string took, std::string over) {
+    return pair_.decisions.emplace_back(
+        trace::Decision{std::move(stage), std::move(took), std::move(over), {}, {}, {}});
+  }
+  void face_decision(const char* stage, const FaceSeparations<S>& all, int count, int took, S tie);
+  void reduction_decisions(const trace::Reduction& reduction, const Vec3d& normal);
   Vec3d point(const Vec3<S>& in_a) const { return to_world_.point(in_a).template cast<double>(); }
   Vec3d direction(const Vec3<S>& in_a) const {
     return to_world_.direction(in_a).template cast<double>();

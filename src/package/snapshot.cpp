@@ -128,7 +128,7 @@ Comparison compare(Facts actual, const std::string& name, const SnapshotOptions&
   Facts compared = actual;
   if (has_stand_ins) compared.header = expected.header;
   const std::vector<std::string> sentences =
-      snapshot::compare_with_stored(*text, stored.string(), compared);
+      snapshot::compare_with_stored(*text, stored.string(), compared).sentences;
   if (sentences.empty()) return {true, {}};
   if (update) return write(joined(sentences) + "\nwrote " + file + " anew");
   std::string message = joined(sentences);

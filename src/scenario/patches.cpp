@@ -88,7 +88,7 @@ void read_patches(const Value& file, const Value& value, Scenario& scenario) {
             "\"contact_plane\", or leave 'views' out");
     }
   }
-  scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames);
+  scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames, scenario.views);
 }
 
 }  // namespace contactscope::scenario_file

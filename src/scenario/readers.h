@@ -233,7 +233,8 @@ void check_title(const Value& value, const Scenario& scenario);
 std::vector<View> read_views(const Value& value);
 /// [snapshots] of a scenario with `frames` frames; first, middle and last frame where it is
 /// missing.
-SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames);
+SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
+                                const std::vector<View>& views);
 
 // expect.cpp, idle_keys.cpp: when shapes, pairs, solver and frames have been read
 

@@ -11,6 +11,7 @@
 #include "core/at.h"
 #include "dynamics/rest.h"
 #include "manifold/dispatch.h"
+#include "manifold/flip_distance.h"
 #include "manifold/incremental.h"
 #include "scenario/between_frames.h"
 #include "scenario/deforming_mesh.h"
@@ -18,6 +19,7 @@
 #include "scenario/pair_chooser.h"
 #include "scenario/patch_facts.h"
 #include "scenario/run_facts.h"
+#include "scenario/shown_stages.h"
 
 namespace contactscope {
 namespace {
@@ -52,21 +54,6 @@ bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   return settings.manifold == ManifoldKind::Incremental ||
          (settings.cache && can_cache(kind(pair.a), kind(pair.b))) ||
          (reducer != nullptr && reducer->remembers);
-}
-
-/// Whether some view shows the layer or panel.
-bool shown(const std::vector<View>& views, auto what) {
-  return std::ranges::any_of(views, [&](const View& view) { return view.shows(what); });
-}
-
-/// Also what is too large to be recorded where no view of the scenario shows it.
-trace::Stages with_insets(trace::Stages stages, const std::vector<View>& views) {
-  stages.gauss_map = stages.gauss_map || shown(views, Panel::GaussMap);
-  stages.minkowski = stages.minkowski || shown(views, Panel::Minkowski);
-  stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
-  stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
-  stages.fields = stages.fields || shown(views, Layer::Field);
-  return stages;
 }
 
 /// The body of a shape at the start.
@@ -344,6 +331,10 @@ class Runner::In final : public Runner::InScalar {
     } else {
       PairCache<S>* const cache = pair.pipeline.cache ? &memory.cache : nullptr;
       collide(a, pose_a, b, pose_b, options, manifolds, cache, record, stages_);
+      if (record != nullptr && stages_.flip && !manifolds.empty())
+        record->flip = flip_distance(a, pose_a, b, pose_b, options,
+                                     {.directions = stages_.flip_directions,
+                                      .seed = static_cast<std::uint64_t>(stages_.flip_seed)});
     }
     memory.kept.clear();
     for (const Manifold<S>& manifold : manifolds)

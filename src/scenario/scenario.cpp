@@ -234,7 +234,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
-  scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames);
+  scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames, scenario.views);
   return scenario;
 }
 

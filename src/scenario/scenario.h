@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -123,7 +124,7 @@ struct ScenarioPair {
 /// and nothing but their reduction to run.
 struct ScenarioPatch {
   std::string name;
-  Vec3d normal = Vec3d::UnitY();                // unit, from a to b
+  Vec3d normal = Vec3d::UnitY();               // unit, from a to b
   std::vector<ContactPoint<double>> points{};  // world; at least one
 };
 
@@ -152,11 +153,18 @@ struct Expectation {
   int line = 0;             // in the file, for messages
 };
 
-/// Which frames `check` stores, and in what size.
+/// What a picture may differ by from the stored one; where nothing is said, render/image/compare.h has it.
+struct PictureLimits {
+  std::optional<int> channel, cluster, total;
+};
+
+/// Which frames `check` stores, in what size, and how exactly they are compared.
 struct SnapshotSettings {
   std::vector<int> frames;  // default: first, middle, last
   int width = 640;
   int height = 360;
+  PictureLimits limits{};
+  std::map<std::string, PictureLimits> view_limits{};  // by the view's name
 };
 
 struct Scenario {

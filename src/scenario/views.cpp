@@ -70,7 +70,7 @@ View read_contact_plane(const Value& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
   for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
-                          "layers", "panels", "impulse_scale", "layout", "inset"}) {
+                          "layers", "panels", "charts", "impulse_scale", "layout", "inset"}) {
     if (const auto value = table.find(key))
       value->fail(std::string("'") + key +
                   "' has no effect on a view of kind \"contact_plane\"; remove it");
@@ -84,7 +84,7 @@ View read_contact_plane(const Value& table) {
 View read_view(const Value& value) {
   const Value& table = value.table({"name", "eye", "target", "fov_degrees", "orthographic_height",
                                     "focus", "story", "layers", "panels", "kind", "choices",
-                                    "impulse_scale", "title", "layout", "inset"});
+                                    "impulse_scale", "title", "layout", "inset", "charts"});
   const auto kind = table.find("kind");
   if (kind && kind->one_of({"scene", "contact_plane"}, "kind") == "contact_plane")
     return read_contact_plane(table);
@@ -126,6 +126,8 @@ View read_view(const Value& value) {
              [](const Value& layers) { return read_words<Layer>(layers, kLayerNames, "layer"); });
   table.read("panels", view.panels,
              [](const Value& panels) { return read_words<Panel>(panels, kPanelNames, "panel"); });
+  if (const auto charts = table.find("charts"))
+    view.charts = read_words<Chart>(*charts, kChartNames, "chart");
   return view;
 }
 
@@ -159,13 +161,27 @@ std::vector<View> read_views(const Value& value) {
   return views;
 }
 
-SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames) {
+namespace {
+
+PictureLimits read_limits(const Value& value) {
+  const Value& table = value.table({"channel", "cluster", "total"});
+  PictureLimits limits;
+  table.read("channel", limits.channel, [](const Value& v) { return v.integer(0, 255); });
+  table.read("cluster", limits.cluster, [](const Value& v) { return v.integer(1, 1 << 26); });
+  table.read("total", limits.total, [](const Value& v) { return v.integer(0, 1 << 26); });
+  return limits;
+}
+
+}  // namespace
+
+SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
+                                const std::vector<View>& views) {
   SnapshotSettings snapshots;
   for (const int frame : {0, (frames - 1) / 2, frames - 1})
     if (snapshots.frames.empty() || frame > snapshots.frames.back())
       snapshots.frames.push_back(frame);
   if (!value) return snapshots;
-  const Value& table = value->table({"frames", "size"});
+  const Value& table = value->table({"frames", "size", "limits", "view_limits"});
   if (const auto list = table.find("frames")) {
     snapshots.frames.clear();
     for (const Value& item : list->array()) {
@@ -182,6 +198,14 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames) {
     if (sides.size() != 2) size->fail("'size' is width and height in pixels, such as [640, 360]");
     snapshots.width = sides[0].integer(kSmallestSide, kLargestSide);
     snapshots.height = sides[1].integer(kSmallestSide, kLargestSide);
+  }
+  table.read("limits", snapshots.limits, read_limits);
+  if (const auto own = table.find("view_limits")) {
+    for (const Value& limits : own->members()) {
+      if (std::ranges::find(views, limits.name(), &View::name) == views.end())
+        limits.fail("'" + limits.name() + "' is no view of this scenario");
+      snapshots.view_limits[limits.name()] = read_limits(limits);
+    }
   }
   return snapshots;
 }

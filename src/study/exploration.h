@@ -66,7 +66,7 @@ struct ReducerSummary {
   double deepest_kept = 1;       // share of the frames
   /// Share of the frames in which the centre of mass is; empty where there is no body.
   std::optional<double> supported{};
-  int ids_changed = 0;           // over the sequence
+  int ids_changed = 0;  // over the sequence
   /// Metres that the patch moved from one frame to the next over metres that the bodies did, at
   /// most. Infinite where a patch moved on bodies at rest, empty where nothing ever moved.
   std::optional<double> moves;

@@ -9,9 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "study/picture.h"
 #include "trace/study.h"
 
 namespace contactscope {
+
+struct Scenario;
 
 struct StudyOptions {
   std::uint64_t seed = 1;          // the same seed gives the same cases and so the same errors
@@ -20,6 +23,8 @@ struct StudyOptions {
   std::optional<int> frames;  // of what is simulated by the study of the solver, >= 1; likewise
   std::vector<std::string>
       peer_folders{};  // of programs of other libraries; $PATH is looked through too
+  const std::vector<Scenario>* scenarios = nullptr;  // of a study that is of scenarios
+  std::vector<int> only_frames{};                    // of those; empty: all
 };
 
 /// Told of each step; may throw to stop the study.
@@ -32,12 +37,15 @@ using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
 // Each is in the file of its name, with what it measures.
 RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver, study_overlap, study_broad_phase, study_meshes,
-    study_triangles, study_time_of_impact, study_tunnelling, study_distance_field;
+    study_triangles, study_time_of_impact, study_tunnelling, study_distance_field,
+    study_flip_distance;
 
 struct StudyInfo {
   std::string name;
   std::string summary;  // one line
   RunStudy* run;
+  StudyPicture* picture = nullptr;  // what is drawn of a result; null: all of it, as it is
+  bool of_scenarios = false;        // it needs some
 };
 
 /// Every study, in the order in which to list them.

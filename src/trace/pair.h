@@ -8,6 +8,7 @@
 
 #include "trace/clip.h"
 #include "trace/contact.h"
+#include "trace/decision.h"
 #include "trace/field_slice.h"
 #include "trace/impact.h"
 #include "trace/minkowski.h"
@@ -218,11 +219,15 @@ struct Stages {
   bool query = true;   // bounds, axes and triangles that cross; the answer is always told
   bool cells = false;  // of a broad phase
   bool node_pairs = false;
-  bool fields = false;  // slices through distance fields, and where they were asked
+  bool fields = false;       // slices through distance fields, and where they were asked
+  bool decisions = false;    // by which margins the pipeline chose
+  bool flip = false;         // what change of pose would change the points: a search
+  int flip_directions = 16;  // of that search
+  int flip_seed = 1;
 
   static constexpr Stages none() {
-    return {false, false, false, false, false, false, false,
-            false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false,
+            false, false, false, false, false, false, false};
   }
 };
 
@@ -253,6 +258,8 @@ struct Pair {
   std::vector<Intersection> intersections{};  // of two meshes
   std::optional<Impact> impact{};             // where the pair is asked when it meets
   std::optional<FieldProbes> field_probes{};  // with a distance field, where a view shows it
+  std::vector<Decision> decisions{};          // in the order in which they were taken
+  std::optional<Flip> flip{};
 
   /// A trace may leave the separation out; see complete().
   static void not_told(Pair& pair) { pair.separation = std::numeric_limits<double>::quiet_NaN(); }
@@ -280,7 +287,9 @@ struct Pair {
         field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).apart("query"),
         field::facts("intersections", &Pair::intersections).where_set().entries("intersection"),
         field::fact("impact", &Pair::impact).apart("impact"),
-        field::fact("field_probes", &Pair::field_probes).apart("field probes"));
+        field::fact("field_probes", &Pair::field_probes).apart("field probes"),
+        field::facts("decisions", &Pair::decisions).where_set().entries("decision"),
+        field::fact("flip", &Pair::flip).apart("flip"));
   }
 };
 

@@ -68,6 +68,9 @@ struct StudySeries {
   std::string panel{};             // series of one panel are drawn together; empty: there is one
   std::string parameter{};         // what the parameter is in this panel
   std::optional<double> row{};     // of a map: its place along the other axis
+  // Of a picture alone, in no file:
+  std::optional<int> look{};  // drawn as the method of this number; empty: as its own
+  bool quiet = false;         // grey and thin: there for the others to be held against
 
   static constexpr auto fields() {
     using S = StudySeries;
@@ -99,13 +102,14 @@ struct Study {
   StudyContext context;
   std::string reference;  // what the error is measured against
   std::string error;      // name of the error
-  std::string unit;       // "m"; empty for a ratio
+  std::string unit;       // "m"; empty for a ratio. Of a picture also kShare and kTimes
   double resolution = 0;  // errors up to this one cannot be told from rounding
   std::string parameter;  // "points": what the parameter counts
   std::vector<StudySeries> series;
   StudyForm form = StudyForm::WorkPrecision;
   std::string row{};     // of a map: what its rows stand for; rows without a number are methods
   std::string signal{};  // the series that is no error, but the size of what the errors spoil
+  std::string shown{};   // of a picture alone: how to read it; empty: what its form says of itself
 
   static constexpr auto fields() {
     using S = Study;
@@ -118,6 +122,10 @@ struct Study {
                       field::facts("series", &S::series));
   }
 };
+
+/// Units of what is drawn on a linear axis from zero: shares of 1, in percent, and multiples.
+inline constexpr const char* kShare = "share";
+inline constexpr const char* kTimes = "times";
 
 /// Whether its series belong to panels: curves and maps always do.
 bool has_panels(const Study& study);

@@ -35,30 +35,98 @@ std::string changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-TEST_F(Check, MissingSnapshotsAreWrittenAndFailOnce) {
+TEST_F(Check, NothingIsWrittenUnlessAsked) {
+  std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun first = check();
   EXPECT_EQ(first.exit_code, 1);
+  EXPECT_THAT(first.out, HasSubstr("new         group/idea: new, nothing is stored"));
+  EXPECT_THAT(stored(), IsEmpty());
+  EXPECT_EQ(check("--write-missing").exit_code, 0);
   EXPECT_THAT(stored(),
               testing::ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0001.png",
                                    "group/idea/trace.jsonl"));
   const ProgramRun second = check();
   EXPECT_EQ(second.exit_code, 0) << second.out;
+  EXPECT_THAT(second.err, HasSubstr("1 scenario: all the same"));
+}
+
+TEST_F(Check, AFolderThatIsNotThereIsNamedAsOne) {
+  const ProgramRun result = check();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr((folder_ / "snapshots") + ": no such folder of snapshots"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "snapshots"));
 }
 
 TEST_F(Check, WithCiNothingIsWritten) {
+  std::filesystem::create_directory(folder_ / "snapshots");
   const ProgramRun result = check("", "CI=true");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(stored(), IsEmpty());
   const ProgramRun update = check("--update=all", "CI=true");
   EXPECT_EQ(update.exit_code, 1);
-  EXPECT_THAT(update.err, HasSubstr("CI=true: nothing is updated"));
+  EXPECT_THAT(update.err, HasSubstr("CI=true: nothing is written"));
   EXPECT_THAT(stored(), IsEmpty());
 }
 
-TEST_F(Check, MovedShapeFailsWithASentenceAndThreePictures) {
-  check();
+TEST_F(Check, FactsOnlyNeedsNoOpenGl) {
+  check("--update");
+  const std::string no_driver =
+      "CI= CONTACTSCOPE_BACKEND=egl __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent";
+  EXPECT_EQ(check("", no_driver).exit_code, 2);
+  EXPECT_EQ(check("--facts-only", no_driver).exit_code, 0);
   store(changed("0.495", "0.480"));
+  const ProgramRun result = check("--facts-only --verbose");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("separation"));
+  EXPECT_THAT(result.err, Not(HasSubstr("OpenGL")));
+}
+
+TEST_F(Check, EveryKindComesOutOfOneRun) {
+  folder_.write("scenarios/group/gone.toml", small_scenario());
+  folder_.write("scenarios/group/torn.toml", small_scenario());
+  folder_.write("scenarios/group/lost.toml", small_scenario());
+  check("--update");
+  std::filesystem::remove(folder_ / "scenarios/group/gone.toml");
+  std::filesystem::remove(folder_ / "snapshots/group/lost/frame_0001.png");
+  folder_.write("snapshots/group/torn/frame_0001.png", "torn");
+  folder_.write("scenarios/group/young.toml", small_scenario());
+  store(changed("0.495", "0.480") +
+        "[[expect]]\na = \"slab\"\nb = \"crate\"\nstate = \"touching\"\npoints = 3\n");
   const ProgramRun result = check();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("4 scenarios: 0 the same, 5 fail (3 changed, 3 new, 1 missing, "
+                                    "3 orphaned, 1 unmet expectation, 1 unreadable, 0 known bad)"));
+}
+
+TEST_F(Check, OneOfTwoPicturesIsAccepted) {
+  check("--update");
+  store(changed("0.495", "0.480"));
+  check();
+  EXPECT_EQ(check("--accept group/idea/frame_0001 group/idea/trace").exit_code, 0);
+  const ProgramRun after = check();
+  EXPECT_EQ(after.exit_code, 1);
+  EXPECT_THAT(after.err, HasSubstr("(1 changed,"));
+  EXPECT_THAT(after.out, HasSubstr("group/idea frame 0: picture differs"));
+  EXPECT_EQ(check("--accept group/idea", "CI=true").exit_code, 2);
+  EXPECT_EQ(check("--accept '*'").exit_code, 0);
+  EXPECT_EQ(check().exit_code, 0);
+}
+
+TEST_F(Check, WhatIsNotInTheReportIsNotAccepted) {
+  check("--update");
+  store(changed("0.495", "0.480"));
+  check();
+  const ProgramRun result = check("--accept group/idea/frame_0002");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("did you mean group/idea/frame_000"));
+  EXPECT_EQ(check("--accept").exit_code, 2);
+}
+
+TEST_F(Check, MovedShapeFailsWithASentenceAndThreePictures) {
+  check("--update");
+  store(changed("0.495", "0.480"));
+  EXPECT_THAT(check().out, HasSubstr("group/idea frame 0, crate: moved 15 mm along -y; so "));
+  const ProgramRun result = check("--verbose");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("group/idea frame 0, slab-crate"));
   EXPECT_THAT(result.out, HasSubstr("separation"));
@@ -67,18 +135,18 @@ TEST_F(Check, MovedShapeFailsWithASentenceAndThreePictures) {
     EXPECT_THAT(files,
                 testing::Contains("check/group/idea/frame_0000." + std::string(kind) + ".png"));
   }
-  EXPECT_THAT(files, testing::Contains("check/index.html"));
+  EXPECT_THAT(files, testing::Contains("check/findings.json"));
 }
 
 TEST_F(Check, UpdateRewritesWhatFailedAndThenAllIsTheSame) {
-  check();
+  check("--update");
   store(changed("0.495", "0.480"));
   EXPECT_EQ(check("--update").exit_code, 0);
   EXPECT_EQ(check().exit_code, 0);
 }
 
 TEST_F(Check, ScenarioAfterABareUpdateIsAScenario) {
-  check();
+  check("--update");
   store(changed("0.495", "0.480"));
   EXPECT_EQ(check("--update group/idea").exit_code, 0);
   EXPECT_EQ(check("--update=all group/idea").exit_code, 0);
@@ -88,17 +156,17 @@ TEST_F(Check, ScenarioAfterABareUpdateIsAScenario) {
 TEST_F(Check, UnmetExpectationFailsThoughTheSnapshotAgrees) {
   store(small_scenario() +
         "[[expect]]\na = \"slab\"\nb = \"crate\"\nstate = \"touching\"\npoints = 3\n");
-  check();
+  check("--update");
   const ProgramRun result = check();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("frames 0 to 1, slab-crate: expected 3 points, got 4\n"));
 }
 
 TEST_F(Check, MissingFileAndTornFileAreCaught) {
-  check();
+  check("--update");
   std::filesystem::remove(folder_ / "snapshots/group/idea/frame_0001.png");
   EXPECT_EQ(check("", "CI=true").exit_code, 1);
-  check();
+  check("--update");
   folder_.write("snapshots/group/idea/frame_0001.png", "torn");
   EXPECT_EQ(check("", "CI=true").exit_code, 1);
   check("--update");
@@ -107,7 +175,7 @@ TEST_F(Check, MissingFileAndTornFileAreCaught) {
 }
 
 TEST_F(Check, ChangedDigitInTheStoredTraceIsCaught) {
-  check();
+  check("--update");
   const std::string path = folder_ / "snapshots/group/idea/trace.jsonl";
   std::string text = read_text(path);
   const std::size_t at = text.find("\"separation\":-0.00");
@@ -120,7 +188,7 @@ TEST_F(Check, ChangedDigitInTheStoredTraceIsCaught) {
 }
 
 TEST_F(Check, SnapshotsOfAScenarioThatIsGoneAreStale) {
-  check();
+  check("--update");
   std::filesystem::rename(folder_ / "scenarios/group/idea.toml",
                           folder_ / "scenarios/group/other.toml");
   const ProgramRun result = check("", "CI=true");
@@ -128,15 +196,16 @@ TEST_F(Check, SnapshotsOfAScenarioThatIsGoneAreStale) {
   EXPECT_THAT(result.out, HasSubstr("group/idea"));
 }
 
-TEST_F(Check, JsonIsOneObjectAScenario) {
-  check();
+TEST_F(Check, JsonIsWhatTheReportHas) {
+  check("--update");
   const ProgramRun result = check("--json");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr(R"({"scenario":"group/idea","same":true,"pictures":2)"));
+  EXPECT_EQ(result.out, read_text(folder_ / "out/check/findings.json"));
+  EXPECT_THAT(result.out, HasSubstr("\"schema\": \"contactscope.check/1\""));
 }
 
 TEST_F(Check, QuietPrintsNothingWhenAllIsTheSame) {
-  check();
+  check("--update");
   const ProgramRun result = check("--quiet");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, IsEmpty());

@@ -112,6 +112,7 @@ TEST(FormatReference, NamesEveryKeyThatTheParserKnows) {
       {"## `[[views]]`", kTwoBoxes + "[[views]]\n" + key},
       {"## `[[expect]]`", kTwoBoxes + "[[expect]]\n" + key},
       {"## `[snapshots]`", kTwoBoxes + "[snapshots]\n" + key},
+      {"## `[snapshots]`", kTwoBoxes + "[snapshots]\nlimits = { qqqqqq = 1 }\n"},
   };
   for (const Place& place : places) {
     const std::string message = complaint(place.scenario);

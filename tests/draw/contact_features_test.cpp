@@ -102,7 +102,7 @@ TEST(SatQueries, StandInThreeColumnsThatShowTheSame) {
   const Sketch sketch = sketch_frame(staging, scene.frames[0]);
   EXPECT_THAT(feature_labels(sketch),
               testing::IsSupersetOf({"faces of A", "faces of B", "pairs of edges",
-                                     "overlap 2.0 mm: the least, chosen", "overlap 3.0 mm",
+                                     "overlap 2.00 mm: the least, chosen", "overlap 3.00 mm",
                                      "not asked any more"}));
   // The same corner of the slab in each column: a third of the view apart, at one height.
   std::vector<Point2> places;
@@ -118,7 +118,7 @@ TEST(SatQueries, AGapEndsTheTest) {
   QueriedCrate scene;
   scene.pair().state = "separated";
   scene.pair().sat->face_a->separation = 0.001;
-  EXPECT_THAT(feature_labels(scene.sketch()), Contains("gap 1.0 mm: ends the test"));
+  EXPECT_THAT(feature_labels(scene.sketch()), Contains("gap 1.00 mm: ends the test"));
 }
 
 }  // namespace

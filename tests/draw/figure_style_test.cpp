@@ -148,7 +148,7 @@ TEST(Moments, StoriesAndCountedFramesTellSteps) {
   EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[3]), "step 3 of 4");
   EXPECT_EQ(Moments(frames, Story::ClipSteps).of(frames[4]), "step 4 of 4");
   for (trace::Frame& frame : frames) frame.time = frame.frame;
-  EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "step 3 of 5");
+  EXPECT_EQ(Moments(frames, Story::None).of(frames[2]), "picture 3 of 5");
   frames.resize(1);
   EXPECT_EQ(Moments(frames, Story::None).of(frames[0]), "frame 0, t = 0.000 s");
 }

@@ -142,6 +142,51 @@ TEST(Illustrate, ANormalIsDrawnInTheViewOrNotInTheLegend) {
   EXPECT_GT(left_out, 10);
 }
 
+TEST(Illustrate, ANormalPointsFromAToBOnTheScreen) {
+  const BoxOnSlab scene;
+  const Staging staging = scene.staged();
+  const Drawing drawing = illustrate(staging, scene.frame);
+  // The slab is A and below: the shaft begins at the points and the head is above it.
+  const std::optional<Point2> foot = staging.camera.project(Vec3d::Zero());
+  const std::optional<Point2> ahead = staging.camera.project(Vec3d(0, 0.2, 0));
+  ASSERT_TRUE(foot && ahead);
+  ASSERT_LT(ahead->y, foot->y);
+  int heads = 0;
+  for (const Primitive& primitive : drawing.primitives) {
+    const Fill* head = std::get_if<Fill>(&primitive);
+    if (!head || head->polygon.size() != 3 || !same(head->color, kNormal)) continue;
+    if (!staging.layout.view.contains(head->polygon.front())) continue;
+    // The tip is the corner that the other two are equally far from.
+    const auto& corners = head->polygon;
+    std::size_t tip = 0;
+    double unlike = 1e9;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double difference = std::abs(distance(corners[i], corners[(i + 1) % 3]) -
+                                         distance(corners[i], corners[(i + 2) % 3]));
+      if (difference < unlike) unlike = difference, tip = i;
+    }
+    const Point2 base = 0.5f * (corners[(tip + 1) % 3] + corners[(tip + 2) % 3]);
+    EXPECT_GT(dot(corners[tip] - base, *ahead - *foot), 0);
+    EXPECT_GT(dot(base - *foot, *ahead - *foot), 0);
+    ++heads;
+  }
+  EXPECT_EQ(heads, 1);
+}
+
+TEST(Illustrate, ADotIsCentredOnItsPoint) {
+  const BoxOnSlab scene;
+  const Staging staging = scene.staged();
+  const Drawing drawing = illustrate(staging, scene.frame);
+  const std::vector<Point2> all = dots(drawing);
+  for (const trace::Point& point : scene.frame.pairs[0].manifolds[0].points) {
+    const std::optional<Point2> at = staging.camera.project(point.position);
+    ASSERT_TRUE(at.has_value());
+    float nearest = 1e9f;
+    for (const Point2& dot : all) nearest = std::min(nearest, distance(dot, *at));
+    EXPECT_LT(nearest, 0.01f);
+  }
+}
+
 TEST(Illustrate, ShallowOverlapIsExaggeratedByAStatedRoundFactor) {
   const BoxOnSlab scene;
   const Staging staging = scene.staged();

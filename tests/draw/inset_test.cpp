@@ -298,8 +298,9 @@ TEST(MinkowskiInset, ANumberLongerThanItsArrowStandsAsideWithALeader) {
     frame.pairs[0].penetration.reset();
     for (Vec3d& vertex : frame.pairs[0].minkowski->vertices) vertex.y() += 0.2 - depth;
     const InsetPicture picture = Staged({frame}, view_of({Panel::Minkowski})).picture();
-    const auto number = std::ranges::find_if(
-        picture.sketch.labels, [](const Label& label) { return label.text.starts_with("overlap"); });
+    const auto number = std::ranges::find_if(picture.sketch.labels, [](const Label& label) {
+      return label.text.starts_with("overlap");
+    });
     ASSERT_NE(number, picture.sketch.labels.end());
     EXPECT_EQ(number->leader, depth < 0.01);
   }
@@ -388,7 +389,7 @@ TEST(GaussMapInset, ACapsulesRingCrossesTheArcsBetweenItsTwoSides) {
   const Staged staged({frame}, view_of({Panel::GaussMap}), {cube("lower", 0.5), pill});
   const InsetPicture picture = staged.picture();
   EXPECT_THAT(picture.note, testing::StartsWith("6 pairs of arcs cross, "));
-  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal, overlap 0.100 m"));
+  EXPECT_THAT(label_texts(picture.sketch), ElementsAre("normal, overlap 100 mm"));
 }
 
 TEST(StagesShown, InsetsAndStepsRecordWhatTheyShowAndNothingElse) {

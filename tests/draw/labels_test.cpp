@@ -20,7 +20,7 @@ bool overlap(const Rect& a, const Rect& b) {
 
 TEST(LabelPlacer, FreeLabelStandsInTheWantedDirection) {
   LabelPlacer placer(kView);
-  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1});
+  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}});
   ASSERT_TRUE(place);
   EXPECT_LT(place->left_baseline.y, 100);
   EXPECT_FALSE(place->needs_leader);
@@ -37,7 +37,7 @@ TEST(LabelPlacer, CrowdedLabelsNeitherOverlapNorLeaveTheViewNorCoverPoints) {
     std::vector<Rect> boxes;
     int placed = 0;
     for (const Point2& p : points) {
-      const auto place = placer.place(p, kWidth, kAscent, kDescent, 8, {1, 0});
+      const auto place = placer.place(p, kWidth, kAscent, kDescent, {8, {1, 0}});
       if (!place) continue;
       ++placed;
       const Rect b = box(*place);
@@ -55,13 +55,13 @@ TEST(LabelPlacer, CrowdedLabelsNeitherOverlapNorLeaveTheViewNorCoverPoints) {
 
 TEST(LabelPlacer, WithoutAnyRoomThereIsNoLabel) {
   LabelPlacer placer({0, 0, 40, 40});
-  EXPECT_FALSE(placer.place({20, 20}, kWidth, kAscent, kDescent, 8, {1, 0}));
+  EXPECT_FALSE(placer.place({20, 20}, kWidth, kAscent, kDescent, {8, {1, 0}}));
 }
 
 TEST(LabelPlacer, FarPlacesGetALeader) {
   LabelPlacer placer(kView);
   placer.block(Point2{150, 100}, 45);
-  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1});
+  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}});
   ASSERT_TRUE(place);
   EXPECT_TRUE(place->needs_leader);
 }
@@ -69,7 +69,7 @@ TEST(LabelPlacer, FarPlacesGetALeader) {
 TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
   LabelPlacer placer(kView);
   placer.avoid({{0, 90}, {300, 90}});  // right above the anchor, where the label wants to be
-  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1});
+  const auto place = placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}});
   ASSERT_TRUE(place);
   const Rect b = box(*place);
   EXPECT_TRUE(b.y > 90 || b.y + b.height < 90);
@@ -78,7 +78,7 @@ TEST(LabelPlacer, LinesDoNotRunThroughALabelThatHasRoomBesideThem) {
 TEST(LabelPlacer, WhereLinesAreEverywhereTheLabelStandsOnThem) {
   LabelPlacer placer(kView);
   for (float y = 0; y < 200; y += 5) placer.avoid({{0, y}, {300, y}});
-  EXPECT_TRUE(placer.place({150, 100}, kWidth, kAscent, kDescent, 8, {0, -1}));
+  EXPECT_TRUE(placer.place({150, 100}, kWidth, kAscent, kDescent, {8, {0, -1}}));
 }
 
 }  // namespace

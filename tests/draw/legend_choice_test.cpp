@@ -31,13 +31,20 @@ std::vector<LegendEntry> numbered(const Swatch& swatch, int count, bool anchored
   return entries;
 }
 
-TEST(LegendChoice, ListsFiveAndLabelsTheRest) {
-  const LegendChoice few = choose_legend(numbered(kPointSwatch, 5, true));
+TEST(LegendChoice, ListsFiveAndLabelsTwo) {
+  const LegendChoice few = choose_legend(numbered(kFaceSwatch, 5, true));
   EXPECT_EQ(few.listed.size(), 5u);
   EXPECT_TRUE(few.labelled.empty());
-  const LegendChoice many = choose_legend(numbered(kPointSwatch, 8, true));
+  const LegendChoice many = choose_legend(numbered(kFaceSwatch, 8, true));
   EXPECT_EQ(many.listed.size(), 5u);
-  EXPECT_EQ(many.labelled.size(), 3u);
+  EXPECT_EQ(many.labelled.size(), 2u);
+}
+
+// Each has a number or a word of its own beside it.
+TEST(LegendChoice, LabelsNoPoints) {
+  const LegendChoice choice = choose_legend(numbered(kPointSwatch, 8, true));
+  EXPECT_EQ(choice.listed.size(), 5u);
+  EXPECT_TRUE(choice.labelled.empty());
 }
 
 TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
@@ -46,16 +53,18 @@ TEST(LegendChoice, ListsWhatHasNoPlaceAndWhatIsMany) {
   for (const LegendEntry& entry : numbered(kPointSwatch, 3, true)) entries.push_back(entry);
   for (const LegendEntry& entry : numbered(kBodySwatch, 1, false)) entries.push_back(entry);
   const LegendChoice choice = choose_legend(entries);
-  // The body that can be labelled goes first, then a face; points and what has no place stay.
-  ASSERT_EQ(choice.labelled.size(), 2u);
-  EXPECT_EQ(choice.labelled[0].swatch, &kBodySwatch);
-  EXPECT_EQ(choice.labelled[1].swatch, &kFaceSwatch);
+  // The body that has a place goes first, then a face; points and what has no place stay.
+  ASSERT_EQ(choice.labelled.size(), 1u);
+  EXPECT_EQ(choice.labelled[0].swatch, &kFaceSwatch);
   EXPECT_FALSE(choice.listed.back().anchor);
 }
 
-TEST(LegendChoice, LeavesOutNothing) {
-  const LegendChoice choice = choose_legend(numbered(kPointSwatch, 9, false));
-  EXPECT_EQ(choice.listed.size(), 9u);
+TEST(LegendChoice, WhatAPanelShowsAloneGoesFirst) {
+  std::vector<LegendEntry> entries = numbered(kPointSwatch, 6, false);
+  entries[1].beside = true;
+  const LegendChoice choice = choose_legend(entries);
+  EXPECT_EQ(choice.listed.size(), 5u);
+  EXPECT_EQ(std::ranges::count(choice.listed, true, &LegendEntry::beside), 0);
 }
 
 TEST(LegendChoice, LabelsSayTheFirstWords) {
@@ -88,33 +97,15 @@ struct BusyCrate : CrateOnSlab {
   }
 };
 
-// What is neither listed nor labelled is a sign that nobody can read.
-TEST(LegendOfPictures, LeavesNothingUnexplained) {
-  for (const bool reduced : {false, true}) {
-    BusyCrate crate;
-    if (reduced) {
-      trace::Reduction& reduction = crate.pair().reduction.emplace();
-      reduction.points = crate.manifold().points;
-      reduction.points.push_back({{0.5, 0, -0.5}, -0.001, "b:v1"});
-      reduction.kept = {0, 1};
-      crate.view.layers.push_back(Layer::Reduced);
-    }
-    const Staging staging = crate.staged();
-    const Sketch sketch = sketch_frame(staging, crate.frames[0]);
-    const LegendChoice choice = legend_of(staging, crate.frames[0]);
-    EXPECT_GT(choice.labelled.size(), 3u);
-    for (const LegendEntry& entry : sketch.legend.sorted()) {
-      const bool listed = std::ranges::find(choice.listed, entry) != choice.listed.end();
-      const bool labelled = std::ranges::find(choice.labelled, entry) != choice.labelled.end();
-      EXPECT_NE(listed, labelled) << entry.text;
-    }
-    const std::vector<std::string> drawn =
-        crate_sample::texts(illustrate(staging, crate.frames[0]));
-    for (const LegendEntry& entry : choice.listed) EXPECT_THAT(drawn, Contains(entry.text));
-    for (const LegendEntry& entry : choice.labelled) EXPECT_THAT(drawn, Contains(label_of(entry)));
-    if (choice.listed.size() <= kMostLegendEntries) continue;
-    for (const LegendEntry& entry : choice.listed) EXPECT_FALSE(entry.anchor) << entry.text;
-  }
+TEST(LegendOfPictures, HasFiveEntriesAndSaysTheMostOfTheRestInPlace) {
+  BusyCrate crate;
+  const Staging staging = crate.staged();
+  const LegendChoice choice = legend_of(staging, crate.frames[0]);
+  EXPECT_EQ(choice.listed.size(), kMostLegendEntries);
+  EXPECT_EQ(choice.labelled.size(), kMostInPlace);
+  const std::vector<std::string> drawn = crate_sample::texts(illustrate(staging, crate.frames[0]));
+  for (const LegendEntry& entry : choice.listed) EXPECT_THAT(drawn, Contains(entry.text));
+  for (const LegendEntry& entry : choice.labelled) EXPECT_THAT(drawn, Contains(label_of(entry)));
 }
 
 TEST(NamesOfShapes, StandOnThemAndNotInTheLegend) {

@@ -193,8 +193,8 @@ TEST_F(MeshPanels, TheMatrixHasABlockForEachPairOfNodesThatDecidedSomething) {
   EXPECT_LE(right, 1232.5);
   EXPECT_LE(bottom, 580);
   EXPECT_THAT(crate_sample::texts(drawing),
-              AllOf(Contains("5 node pairs"), Contains("1 of them, red"),
-                    Contains("75 % of the pairs, grey")));
+              AllOf(Contains("5 pairs of boxes"), Contains("1 of them, vermilion"),
+                    Contains("75 % of the pairs of triangles, grey")));
 }
 
 TEST_F(MeshPanels, WithoutTwoMeshesTheMatrixSaysSo) {
@@ -212,7 +212,7 @@ TEST_F(MeshPanels, TheCostOfATreeIsToldForEachMeshAndEachPair) {
   }
   const std::vector<std::string> all = crate_sample::texts(laid_out(Panel::TreeCost, 2));
   EXPECT_THAT(all, AllOf(Contains("level"), Contains("wall"), Contains("32"), Contains("20"),
-                         Contains("102"), Contains("node pairs compared")));
+                         Contains("102"), Contains("pairs of boxes compared")));
 }
 
 TEST(MeshPictures, TheMatrixAloneAsksForNodePairs) {

@@ -79,7 +79,7 @@ TEST(Parts, ALabelKnowsWhatItNames) {
   int ids = 0;
   for (const Callout& callout : drawing.callouts) {
     const Text& text = std::get<Text>(drawing.primitives[callout.text]);
-    if (callout.layer != "ids" || text.text != "b:v4") continue;
+    if (callout.layer != "ids" || text.text != "corner B4") continue;
     const std::optional<Point2> at = staging.camera.project({-0.5, 0, 0.5});
     ASSERT_TRUE(at);
     EXPECT_EQ(callout.at, *at);

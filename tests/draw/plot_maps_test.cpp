@@ -234,6 +234,57 @@ TEST(PlotCurves, LinesAtTheSamePlacesAreSeenAroundEachOther) {
   expect_legible(drawing);
 }
 
+TEST(PlotCurves, SharesAreInPercentOnALinearAxisFromZero) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  study.unit = trace::kShare;
+  trace::StudySeries& line = study.series.emplace_back();
+  line.method = "half";
+  for (const double share : {0.25, 0.5, 1.0})
+    line.points.push_back({100 * share, share, share, {}, 0, 1});
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  EXPECT_THAT(words(drawing), testing::IsSupersetOf({"0 %", "20 %", "100 %", "half"}));
+  std::vector<float> heights;
+  for (const Disc& disc : all_of<Disc>(drawing)) heights.push_back(disc.center.y);
+  ASSERT_EQ(heights.size(), 3u);
+  EXPECT_NEAR(heights[1] - heights[2], 2 * (heights[0] - heights[1]), 0.1);
+  expect_legible(drawing);
+}
+
+TEST(PlotCurves, LinesOfAFewPanelsAreNamedOnceAndLinesOfManyInALegend) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  for (const char* panel : {"left", "middle", "right"}) {
+    study.series.push_back({"rising", points(0.4), panel, "m"});
+    study.series.push_back({"flat", points(0), panel, "m"});
+  }
+  const auto times_named = [&] {
+    return std::ranges::count(words(plot_curves(study, 1280, 720)), "rising");
+  };
+  EXPECT_EQ(times_named(), 1);
+  for (const auto& [width, height] : kSizes) expect_legible(plot_curves(study, width, height));
+  study.series[5].method = "flatter";
+  EXPECT_EQ(times_named(), 3) << "these are not the same lines";
+  for (const auto& [width, height] : kSizes) expect_legible(plot_curves(study, width, height));
+  study.series.push_back({"rising", points(0.4), "one more", "m"});
+  EXPECT_EQ(times_named(), 1) << "in the legend";
+}
+
+TEST(PlotCurves, WhatIsQuietIsGreyAndAnothersLookIsKept) {
+  trace::Study study = study_of(trace::StudyForm::Curves);
+  study.series.push_back({"quiet", points(0.4)});
+  study.series.push_back({"third", points(0)});
+  study.series[0].quiet = true;
+  study.series[1].look = 2;
+  const Drawing drawing = plot_curves(study, 1280, 720);
+  const auto strokes_like = [&](const Color& color) {
+    return std::ranges::count_if(all_of<Stroke>(drawing), [&](const Stroke& stroke) {
+      return stroke.color.r == color.r && stroke.color.g == color.g && stroke.color.b == color.b;
+    });
+  };
+  EXPECT_EQ(strokes_like(method_style(0).color), 0);
+  EXPECT_EQ(strokes_like(method_style(1).color), 0);
+  EXPECT_GT(strokes_like(method_style(2).color), 15);
+}
+
 TEST(PlotCurves, AnAxisOfOneDecadeHasTwoLabelsAndMore) {
   trace::Study study = study_of(trace::StudyForm::Curves);
   trace::StudySeries& line = study.series.emplace_back();
@@ -269,7 +320,7 @@ TEST(PlotCurves, OneHeightIsOneErrorInEveryPanelOfARow) {
   EXPECT_GE(most, 3u * 21u);
 }
 
-TEST(PlotMap, ACellForEachPointAndACrossForEachFailure) {
+TEST(PlotMap, ACellForEachPointAndACrossWhereSomeFailed) {
   trace::Study map = study_of(trace::StudyForm::Map);
   map.row = "row";
   map.series.push_back({"m", points(0), "one", "p", 1.0});
@@ -282,7 +333,7 @@ TEST(PlotMap, ACellForEachPointAndACrossForEachFailure) {
   map.series[0].points[4].failed = 1;
   EXPECT_EQ(count(), std::pair(fills, strokes + 2));
   map.series[0].points[4].error = map.series[0].points[4].error_worst = std::nullopt;
-  // Where all failed a hatching stands for the colour.
+  // Where all failed a hatching stands for the colour and for the cross.
   EXPECT_EQ(count().first, fills - 1);
   EXPECT_GT(count().second, strokes + 10);
 }

@@ -104,7 +104,7 @@ std::vector<std::pair<float, float>> verdict_levels(const Drawing& drawing) {
   }
   for (const Primitive& primitive : drawing.primitives) {
     const Stroke* stroke = std::get_if<Stroke>(&primitive);
-    if (stroke == nullptr || !same(stroke->color, kContact)) continue;
+    if (stroke == nullptr || !same(stroke->color, series_style(0).color)) continue;
     if (rows == 0 || stroke->from.y < rows || stroke->from.y != stroke->to.y) continue;
     levels.emplace_back(stroke->from.y, stroke->to.x - stroke->from.x);
   }
@@ -203,7 +203,7 @@ TEST(TimeSeries, TwoPairsHaveLinesOfTheirOwnThatEndWithTheirContact) {
   ASSERT_EQ(all.size(), 1u);
   ASSERT_EQ(all[0].pairs.size(), 2u);
   const PairSeries& second = all[0].pairs[1];
-  EXPECT_EQ(second.name, "slab–other");
+  EXPECT_EQ(second.name, "slab and other");
   EXPECT_TRUE(std::isnan(second.penetration[2]));
   EXPECT_EQ(second.penetration[3], 0.006);
   EXPECT_EQ(second.impulse[3], 3);
@@ -227,13 +227,13 @@ TEST(TimeSeries, OfManyPairsTheDeepestIsNamed) {
   EXPECT_EQ(series.deepest[0], "");
   EXPECT_EQ(series.deepest[2].substr(series.deepest[2].size() - 5), "crate")
       << "the first of equals";
-  EXPECT_EQ(series.deepest[4], "slab–other");
-  EXPECT_THAT(texts(panel_of(Panel::Plots, frames, 4)), Contains("slab–other 8.00 mm"));
+  EXPECT_EQ(series.deepest[4], "slab and other");
+  EXPECT_THAT(texts(panel_of(Panel::Plots, frames, 4)), Contains("slab and other 8.00 mm"));
 }
 
 TEST(PlotsPanel, PairsAreNamedAndTheirValuesStandSideBySide) {
   const Drawing drawing = panel_of(Panel::Plots, two_pairs(), 3);
-  EXPECT_THAT(texts(drawing), Contains("slab–other"));
+  EXPECT_THAT(texts(drawing), Contains("slab and other"));
   EXPECT_THAT(texts(drawing), Contains("3.00 mm"));
   EXPECT_THAT(texts(drawing), Contains("6.00 mm"));
 }
@@ -279,7 +279,7 @@ TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
   EXPECT_THAT(all, Contains("3.00 J"));
   EXPECT_THAT(all, Contains("normal impulses, N s"));
   EXPECT_THAT(all, Contains("contact points"));
-  EXPECT_THAT(all, Contains("contact ids, a row each"));
+  EXPECT_THAT(all, Contains("points over time, a row each"));
   EXPECT_THAT(all, Contains("2")) << "tick below the largest value";
   EXPECT_THAT(all, Contains("1.00 s")) << "the whole sequence is on the axis";
   for (std::size_t f = 0; f < 5; ++f) plots_panel(f);  // stays inside
@@ -290,7 +290,7 @@ TEST(PlotsPanel, WhatIsTheSameInEveryFrameIsALineOfWords) {
   frames.erase(frames.begin());  // in the air
   const std::vector<std::string> all = texts(panel_of(Panel::Plots, frames, 2));
   EXPECT_THAT(all, Contains("contact points: 2 in every frame"));
-  EXPECT_THAT(all, Contains("contact ids: none changes"));
+  EXPECT_THAT(all, Contains("contact points: none changes"));
   EXPECT_THAT(all, Not(Contains("contact points")));
   EXPECT_THAT(all, Not(Contains(HasSubstr("a row each"))));
   EXPECT_THAT(texts(plots_panel(2)), Not(Contains(HasSubstr("in every frame"))));
@@ -300,7 +300,7 @@ TEST(PlotsPanel, CurvesEndAtTheCurrentFrame) {
   const auto strokes = [](std::size_t moment) {
     return std::ranges::count_if(plots_panel(moment).primitives, [](const Primitive& primitive) {
       const Stroke* stroke = std::get_if<Stroke>(&primitive);
-      return stroke != nullptr && same(stroke->color, kContact);
+      return stroke != nullptr && same(stroke->color, series_style(0).color);
     });
   };
   EXPECT_EQ(strokes(0), 0);

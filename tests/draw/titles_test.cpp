@@ -39,7 +39,7 @@ TEST(TitlesOfPictures, TheFirstAlternativeThatIsWholeIsShown) {
   crate.pair().manifolds.clear();
   crate.pair().state = "separated";
   crate.pair().separation = 0.25;
-  EXPECT_EQ(crate.title(text), "0.250 m apart");
+  EXPECT_EQ(crate.title(text), "250 mm apart");
   EXPECT_EQ(crate.title("{kept:point} | {frame}: none touch"), "0: none touch");
   EXPECT_EQ(crate.title("{kept:point}"), "0 points");
   crate.frames[0].frame = 1;

@@ -191,6 +191,32 @@ TEST(Restitution, IsTheShareOfTheVelocityThatComesBack) {
   }
 }
 
+/// The velocity upwards with which an elastic box leaves the ground that it meets at `approach`, what
+/// gravity adds in the first sub-step included.
+double rebound(double approach, double dt, int substeps) {
+  Scene<double> scene;
+  scene.restitution = 1;
+  scene.settings.iterations = 100;
+  scene.settings.substeps = substeps;
+  scene.dt = dt;
+  scene.add_plane();
+  const int box = scene.add_box({0.5, 0.5, 0.5}, at(0, 0.5, 0), 2);
+  scene.body(box).velocity = {0, kGravity * dt / substeps - approach, 0};
+  scene.advance();
+  return scene.body(box).velocity.y();
+}
+
+TEST(Restitution, BeginsAtTwiceWhatGravityAddsInASubStepAtEveryStep) {
+  for (const auto& [dt, substeps] : {std::pair{1.0 / 60, 1}, {1.0 / 240, 1}, {1.0 / 60, 4}}) {
+    const double threshold = 2 * kGravity * dt / substeps;
+    EXPECT_NEAR(rebound(0.95 * threshold, dt, substeps), 0, 0.01 * threshold) << dt;
+    EXPECT_NEAR(rebound(1.05 * threshold, dt, substeps), 1.05 * threshold, 0.5 * threshold) << dt;
+  }
+  // From 2 cm, and from 50 cm.
+  EXPECT_NEAR(rebound(0.6, 1.0 / 60, 1), 0.6, 0.1);
+  EXPECT_NEAR(rebound(3, 1.0 / 60, 1), 3, 0.1);
+}
+
 TEST(Restitution, WhatRestsDoesNotBounce) {
   Scene<double> scene;
   scene.restitution = 1;

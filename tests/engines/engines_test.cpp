@@ -128,7 +128,7 @@ TEST(Engines, CannonStepsNoCapsules) {
 /// Its convex radius rounds edges off: where two cross at a right angle, twice (sqrt(2) - 1) of it is lost.
 TEST(Engines, JoltMissesEdgesThatItRoundsOff) {
   const Json jolt = versus("hull/edge_contact", "jolt").at("jolt");
-  EXPECT_EQ(jolt["missed"], 3);
+  EXPECT_EQ(jolt["missed"], 1);
 }
 
 /// cannon-es has no capsules, and says so.

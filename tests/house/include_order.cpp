@@ -18,13 +18,13 @@ struct Folder {
 
 // As src/README.md has them: a folder uses only folders before it.
 constexpr Folder kOrder[] = {
-    {"recorder", "src"}, {"core", "src"},        {"trace", "src"},      {"geometry", "src"},
-    {"query", "src"},    {"field", "src"},       {"broadphase", "src"}, {"continuous", "src"},
-    {"reduce", "src"},   {"manifold", "src"},    {"lint", "src"},       {"versus", "src"},
-    {"dynamics", "src"}, {"scenario", "src"},    {"study", "src"},      {"image", "render"},
-    {"draw", "render"},  {"gl", "render"},       {"overlay", "render"}, {"vector", "render"},
-    {"page", "render"},  {"snapshot", "render"}, {"app", "src"},        {"package", "src"},
-    {"adapters", "src"},
+    {"recorder", "src"},  {"core", "src"},     {"trace", "src"},       {"geometry", "src"},
+    {"query", "src"},     {"field", "src"},    {"broadphase", "src"},  {"continuous", "src"},
+    {"reduce", "src"},    {"manifold", "src"}, {"lint", "src"},        {"versus", "src"},
+    {"dynamics", "src"},  {"scenario", "src"}, {"shrink", "src"},      {"study", "src"},
+    {"image", "render"},  {"draw", "render"},  {"gl", "render"},       {"overlay", "render"},
+    {"vector", "render"}, {"page", "render"},  {"snapshot", "render"}, {"app", "src"},
+    {"package", "src"},   {"adapters", "src"},
 };
 
 /// The floors of render/draw, each with those that it may use. What lies on none is the top.

@@ -32,5 +32,25 @@ TEST(GjkRecord, TellsTheStepsOfGjkWhereItRan) {
   }
 }
 
+// The last simplex is the one that carries the closest points; without it the record would stop short.
+TEST(GjkRecord, TheLastStepCarriesTheClosestPoints) {
+  const Shape<double> box = test::cube(0.5);
+  for (const Vec3d& center : {Vec3d(0.7, 0.7, 0.1), Vec3d(0.7, -0.8, 0.9), Vec3d(-0.6, 0.2, 0.7)}) {
+    const trace::Pair pair =
+        test::record_of<double>({box, {}, test::ball(0.5), {Quatd::Identity(), center}});
+    ASSERT_TRUE(pair.gjk.has_value());
+    ASSERT_EQ(pair.gjk->steps.size(), static_cast<std::size_t>(pair.gjk->iterations));
+    const trace::Simplex& last = pair.gjk->steps.back();
+    // Off the simplex's own corners by no more than they span, and beside each edge it is on.
+    Vec3d lower = last.front().a, upper = last.front().a;
+    for (const trace::SimplexVertex& vertex : last) {
+      lower = lower.cwiseMin(vertex.a);
+      upper = upper.cwiseMax(vertex.a);
+    }
+    EXPECT_TRUE((pair.gjk->point_a.array() >= lower.array() - 1e-12).all());
+    EXPECT_TRUE((pair.gjk->point_a.array() <= upper.array() + 1e-12).all());
+  }
+}
+
 }  // namespace
 }  // namespace contactscope

@@ -178,5 +178,25 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
   }
 }
 
+TEST(PairCacheHistory, TheRecordTellsHowFarTheSecondBoxHasMoved) {
+  const PairCase<double> start = test::stacked_cubes(0.4, 0.005);
+  const Shape<double> a = start.a, b = start.b;
+  PairCache<double> cache;
+  Manifolds<double> manifolds;
+  collide(a, start.pose_a, b, start.pose_b, {}, manifolds, &cache);
+  // Of a frame without a full test the way goes on from where that was made.
+  for (const double way : {0.01, 0.02, 0.04}) {
+    Pose<double> moved = start.pose_b;
+    moved.position.x() += way;
+    trace::Pair record;
+    collide(a, start.pose_a, b, moved, {}, manifolds, &cache, &record);
+    ASSERT_TRUE(record.cache && record.cache->hit);
+    ASSERT_TRUE(record.cache->moved.has_value());
+    EXPECT_NEAR(*record.cache->moved, way, 1e-12);
+    ASSERT_TRUE(record.cache->normal.has_value());
+    EXPECT_NEAR(record.cache->normal->y(), 1, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace contactscope

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "manifold/dispatch.h"
@@ -143,6 +145,29 @@ TYPED_TEST(RecordOfAPair, TellsTheStagesOfAFaceContact) {
   EXPECT_NEAR(record.reduction->best_area, 2 * circumradius_squared, rounding);
   EXPECT_LE(record.reduction->area, record.reduction->best_area + 1e-15);
   EXPECT_GT(record.reduction->area, 0.8 * record.reduction->best_area);
+}
+
+TYPED_TEST(RecordOfAPair, TellsThePointsThatSpanTheBestArea) {
+  using S = TypeParam;
+  CollideOptions options;
+  options.reducer = find_reducer("extremes");
+  ASSERT_NE(options.reducer, nullptr);
+  trace::Pair record;
+  recorded(test::stacked_cubes(30 * kDegree, 0.01).cast<S>(), options, record);
+  ASSERT_TRUE(record.reduction.has_value());
+  const trace::Reduction& reduction = *record.reduction;
+  ASSERT_EQ(reduction.best.size(), 4u);
+  // Their quadrilateral, by the cross product of its diagonals.
+  const auto at = [&](std::size_t k) {
+    return reduction.points[static_cast<std::size_t>(reduction.best[k])].position;
+  };
+  std::vector<Vec3d> ring = {at(0), at(1), at(2), at(3)};
+  const Vec3d middle = 0.25 * (ring[0] + ring[1] + ring[2] + ring[3]);
+  std::ranges::sort(
+      ring, {}, [&](const Vec3d& p) { return std::atan2(p.z() - middle.z(), p.x() - middle.x()); });
+  const double area = 0.5 * (ring[2] - ring[0]).cross(ring[3] - ring[1]).norm();
+  EXPECT_NEAR(area, reduction.best_area, 1e-6);
+  EXPECT_GE(reduction.best_area, reduction.area - 1e-6);
 }
 
 TYPED_TEST(RecordOfAPair, SidePlanesAreInTheOrderOfTheReferencePolygon) {

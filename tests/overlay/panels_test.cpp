@@ -90,8 +90,8 @@ class PanelColumnTest : public ::testing::Test {
 TEST_F(PanelColumnTest, PlotsGrowWithTheFrames) {
   const std::vector<trace::Frame> frames = resting_ball(false);
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
-    const int early = count(rendered(frames, {Panel::Plots}, width, height, 0), draw::kContact);
-    const int late = count(rendered(frames, {Panel::Plots}, width, height, 3), draw::kContact);
+    const int early = count(rendered(frames, {Panel::Plots}, width, height, 0), draw::kBox);
+    const int late = count(rendered(frames, {Panel::Plots}, width, height, 3), draw::kBox);
     EXPECT_GT(early, 0);
     EXPECT_GT(late, early + 50) << "the curve has grown; ids that never change are a line of words";
   }

@@ -8,7 +8,7 @@ cd /
 "$tree/bin/contactscope" trace hull/face_contact --frames 0 | head -c 100 | grep -q '"hull/face_contact"'
 page=$tree/share/man/man1/contactscope.1
 grep -q '^.SH NAME' "$page"
-for verb in render trace check explore study lint versus doctor list; do
+for verb in render trace check review show merge explore study lint versus doctor list help; do
   grep -q "^.SS \"contactscope $verb" "$page" || { echo "no verb $verb in the man page"; exit 1; }
 done
 test -s "$tree/share/zsh/site-functions/_contactscope"
@@ -27,7 +27,7 @@ PATH=$tree/bin:$PATH bash -eu -c '
       exit 1
     fi
   }
-  expect "render" contactscope re
+  expect "render" contactscope ren
   expect "--reducer" contactscope render --red
   expect "optimal optimal_deepest" contactscope render --reducer opti
   expect "shapes,contact_axis shapes,contacts" contactscope render --layers shapes,cont

@@ -235,6 +235,42 @@ TEST(Epa, ItsPolytopesAreClosedConvexAroundTheOriginAndGrow) {
   EXPECT_GT(seen, 500);
 }
 
+// Two level boxes have a difference of which each side is a rectangle of many corners: what lies on a
+// side is replaced with it, and not left beside triangles as thin as rounding.
+TEST(Epa, FacesOnOnePlaneAreReplacedTogether) {
+  Random random(23);
+  int steps_seen = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3d half_a(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
+    const Vec3d half_b(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
+    const Vec3d place =
+        0.9 * Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1))
+                  .cwiseProduct(half_a + half_b);
+    const PairCase<double> pair{
+        make_box(half_a), at(0, 0, 0), make_box(half_b), {Quatd::Identity(), place}};
+    PenetrationSteps<double> steps;
+    const auto found =
+        penetration<double>(PenetrationMethod::Epa, support_set(pair.a), support_set(pair.b),
+                            relative_pose(pair.pose_a, pair.pose_b), {}, nullptr, &steps);
+    ASSERT_EQ(found.status, PenetrationStatus::Converged) << i;
+    ASSERT_NEAR(found.depth, (half_a + half_b - place.cwiseAbs()).minCoeff(), 1e-14) << i;
+    for (const PolytopeStep<double>& step : steps.polytopes) {
+      for (const std::array<int, 3>& face : step.faces) {
+        const auto point = [&](int k) {
+          const GjkVertex<double>& vertex =
+              step.vertices[static_cast<std::size_t>(face[static_cast<std::size_t>(k)])];
+          return Vec3d(vertex.b - vertex.a);
+        };
+        const Vec3d side1 = point(1) - point(0), side2 = point(2) - point(0);
+        const double longest = std::max(side1.norm(), side2.norm());
+        ASSERT_GT(side1.cross(side2).norm() / longest, 1e-6) << i;
+      }
+      ++steps_seen;
+    }
+  }
+  EXPECT_GT(steps_seen, 200);
+}
+
 TEST(Epa, TakesTheSimplexOfAnotherPlaceForAHintOnly) {
   Random random(19);
   int stale = 0;

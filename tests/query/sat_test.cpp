@@ -141,6 +141,25 @@ TYPED_TEST(Sat, PreferenceTakesAFaceThatIsLittleDeeperThanAnEdge) {
   EXPECT_TRUE(differed) << "no tilt at which the preference matters";
 }
 
+TYPED_TEST(Sat, PreferenceTakesAFaceOfTheSecondHullWhereNoneOfTheFirstIsNearTheEdge) {
+  using S = TypeParam;
+  // A small cube, tilted a little, on the edge of another one: its level face is nearly as deep as the
+  // two edges, and the faces of the first are at 45 degrees.
+  int of_second = 0;
+  for (double tilt = 0.01; tilt < 0.06; tilt += 0.01) {
+    PairCase<double> pair{cube(0.5), at(0, 0, 0), cube(0.3), at(0, 0.5 * std::sqrt(2) + 0.29, 0)};
+    pair.pose_a.rotation = about(Vec3d::UnitX(), 45 * kDegree);
+    pair.pose_b.rotation = about(Vec3d::UnitZ(), tilt * kDegree);
+    const SatResult<S> pure = sat_of(pair.cast<S>(), Preference::None);
+    const SatResult<S> preferred = sat_of(pair.cast<S>(), Preference::Relative);
+    ASSERT_EQ(pure.chosen, AxisKind::EdgeEdge) << tilt;
+    ASSERT_LT(pure.face_a.separation, S(-0.1)) << tilt;
+    EXPECT_EQ(preferred.chosen, AxisKind::FaceB) << tilt;
+    ++of_second;
+  }
+  EXPECT_GE(of_second, 3);
+}
+
 TEST(BruteForceSat, FindsTheGapOfLevelAndOfCrossedCubes) {
   EXPECT_NEAR(oracle(test::stacked_cubes(0.3, 0.01)), -0.01, 1e-14);
   EXPECT_NEAR(oracle(test::stacked_cubes(0.3, -0.25)), 0.25, 1e-14);

@@ -372,7 +372,9 @@ class CompareWithStored : public testing::Test {
     trace_.frames[1].solver->slop = 0;
     text_ = to_json_lines(trace_);
   }
-  std::vector<std::string> compare() const { return compare_with_stored(text_, "file", trace_); }
+  std::vector<std::string> compare() const {
+    return compare_with_stored(text_, "file", trace_).sentences;
+  }
   void replace(const std::string& old, const std::string& by) {
     const std::size_t at = text_.rfind(old);
     ASSERT_NE(at, std::string::npos);

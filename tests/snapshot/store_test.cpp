@@ -83,6 +83,14 @@ TEST_F(StoredFiles, ATraceIsReadBack) {
   EXPECT_EQ(read_stored_trace(folder_.path(), kScenario), to_json_lines(sample_trace()));
 }
 
+TEST_F(StoredFiles, ANameWithoutAFolderIsWrittenWhereWeAre) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  EXPECT_NO_THROW(write_text("junit.xml", "x"));
+  std::filesystem::current_path(before);
+  EXPECT_EQ(read_text(folder_ / "junit.xml"), "x");
+}
+
 TEST_F(StoredFiles, WritingReplacesTheWholeFileAndLeavesNothingBeside) {
   const std::filesystem::path file = folder_.path() / "a" / "b" / "text";
   write_text(file, "a long first text");

@@ -5,44 +5,44 @@
 namespace contactscope::snapshot {
 namespace {
 
-void expect(Finding finding, Policy policy, Verdict verdict, bool fails) {
-  const Decision decision = decide(finding, policy);
-  EXPECT_EQ(decision.verdict, verdict);
-  EXPECT_EQ(decision.fails, fails) << static_cast<int>(decision.verdict);
+constexpr FindingKind kKinds[] = {FindingKind::Changed,    FindingKind::New,
+                                  FindingKind::Missing,    FindingKind::Orphaned,
+                                  FindingKind::Unreadable, FindingKind::UnmetExpectation,
+                                  FindingKind::KnownBad};
+
+TEST(Verdict, NothingIsWrittenWhereNobodyAsked) {
+  for (const FindingKind kind : kKinds) EXPECT_EQ(decide(kind, {}), Done::Nothing);
 }
 
-TEST(Verdict, WithoutUpdateOnlyWhatIsMissingIsWrittenAndStillFails) {
-  const Policy local{false, Update::None};
-  expect(Finding::Same, local, Verdict::Same, false);
-  expect(Finding::Different, local, Verdict::Different, true);
-  expect(Finding::Missing, local, Verdict::Written, true);
-  expect(Finding::Stale, local, Verdict::Stale, true);
+TEST(Verdict, WriteMissingWritesNothingElse) {
+  const Policy policy{false, Update::Missing};
+  EXPECT_EQ(decide(FindingKind::New, policy), Done::Written);
+  EXPECT_EQ(decide(FindingKind::Missing, policy), Done::Written);
+  for (const FindingKind kind :
+       {FindingKind::Changed, FindingKind::Orphaned, FindingKind::Unreadable})
+    EXPECT_EQ(decide(kind, policy), Done::Nothing);
 }
 
-TEST(Verdict, UpdateRewritesOnlyWhatFailed) {
-  const Policy update{false, Update::Failed};
-  expect(Finding::Same, update, Verdict::Same, false);
-  expect(Finding::Different, update, Verdict::Updated, false);
-  expect(Finding::Missing, update, Verdict::Written, false);
-  expect(Finding::Stale, update, Verdict::Removed, false);
+TEST(Verdict, UpdateMendsEveryFile) {
+  for (const Update update : {Update::Failed, Update::All}) {
+    const Policy policy{false, update};
+    EXPECT_EQ(decide(FindingKind::Changed, policy), Done::Updated);
+    EXPECT_EQ(decide(FindingKind::Unreadable, policy), Done::Updated);
+    EXPECT_EQ(decide(FindingKind::New, policy), Done::Written);
+    EXPECT_EQ(decide(FindingKind::Missing, policy), Done::Written);
+    EXPECT_EQ(decide(FindingKind::Orphaned, policy), Done::Removed);
+  }
 }
 
-TEST(Verdict, UpdateAllRewritesEverything) {
-  const Policy all{false, Update::All};
-  expect(Finding::Same, all, Verdict::Updated, false);
-  expect(Finding::Different, all, Verdict::Updated, false);
-  expect(Finding::Missing, all, Verdict::Written, false);
-  expect(Finding::Stale, all, Verdict::Removed, false);
+TEST(Verdict, NoUpdateMendsAnExpectationOrTakesAKnownBug) {
+  const Policy policy{false, Update::All};
+  EXPECT_EQ(decide(FindingKind::UnmetExpectation, policy), Done::Nothing);
+  EXPECT_EQ(decide(FindingKind::KnownBad, policy), Done::Nothing);
 }
 
 TEST(Verdict, CiNeverWritesWhateverIsAsked) {
-  for (const Update update : {Update::None, Update::Failed, Update::All}) {
-    const Policy ci{true, update};
-    expect(Finding::Same, ci, Verdict::Same, false);
-    expect(Finding::Different, ci, Verdict::Different, true);
-    expect(Finding::Missing, ci, Verdict::Missing, true);
-    expect(Finding::Stale, ci, Verdict::Stale, true);
-  }
+  for (const Update update : {Update::None, Update::Missing, Update::Failed, Update::All})
+    for (const FindingKind kind : kKinds) EXPECT_EQ(decide(kind, {true, update}), Done::Nothing);
 }
 
 TEST(Verdict, CiIsReadFromItsVariable) {

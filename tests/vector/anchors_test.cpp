@@ -72,7 +72,7 @@ TEST(Anchors, LabelsSayWhatTheyNameAndWhereTheyStand) {
   const json all = anchors(scene);
   int named = 0;
   for (const json& label : all["labels"]) {
-    if (label["text"] != "b:v4") continue;
+    if (label["text"] != "corner B4") continue;
     EXPECT_EQ(label["layer"], "ids");
     EXPECT_EQ(label["of"], "point b:v4");
     EXPECT_GT(label["box"]["pixels"][2], 10);

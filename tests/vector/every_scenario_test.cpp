@@ -82,7 +82,9 @@ std::string with_fonts_of(const std::string& svg, const std::string& folder) {
 // Both programs draw at twice the size, so that letters and thin lines stand where they are to and not on
 // the next pixel, and all is compared at half of ours. What differs there was looked at, picture by
 // picture: soft edges that a fill of ours has not, and in poppler lines of one pixel, which it moves onto
-// whole ones. With 80 of 255 steps let pass, librsvg left no two pixels in one place and poppler 12.
+// whole ones; edges of boxes in one place, which add up in pixels and which a vector file has once; and the
+// end of a long title, which poppler has a quarter of a pixel off. With 96 of 255 steps let pass, neither left
+// two pixels in one place.
 // Strips of ids are stripes two pixels wide, which the rasterizer puts on whole rows of pixels: unequal,
 // where the vector files have them equal. At a quarter of the size, where stripes are one grey, no pixel at
 // all was off by more than 64 in librsvg, and by more than 87 in poppler and in dense strips, while a
@@ -92,10 +94,10 @@ struct Limits {
   PixelLimits half, quarter;
 };
 constexpr Limits kSvgLimits{"rsvg-convert",
-                            {.channel = 80, .cluster = 5, .total = 30},
+                            {.channel = 96, .cluster = 5, .total = 30},
                             {.channel = 72, .cluster = 1, .total = 0}};
 constexpr Limits kPdfLimits{"pdftoppm",
-                            {.channel = 80, .cluster = 18, .total = 60},
+                            {.channel = 96, .cluster = 18, .total = 60},
                             {.channel = 96, .cluster = 1, .total = 0}};
 
 constexpr int kStripes = 96;  // of a channel, in librsvg too
@@ -157,7 +159,9 @@ draw::Drawing picture_of(const Scenario& scenario) {
 bool has_strips(const draw::Drawing& drawing) {
   return std::ranges::any_of(drawing.primitives, [](const draw::Primitive& primitive) {
     const auto* text = std::get_if<draw::Text>(&primitive);
-    return text != nullptr && text->text.starts_with("contact ids");
+    return text != nullptr && (text->text.starts_with("points over time") ||
+                               text->text.starts_with("points by pair") ||
+                               text->text.starts_with("points of the first"));
   });
 }
 

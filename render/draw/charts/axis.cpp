@@ -1,7 +1,6 @@
 #include "draw/charts/axis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "draw/scene/quantity.h"
@@ -11,16 +10,6 @@ namespace {
 
 constexpr double kLeastSpan = 0.477;  // a factor of three, in decades
 constexpr double kRounding = 1e-9;    // of a logarithm: a tick at the very end is on the axis
-
-std::string superscript(int exponent) {
-  constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                   "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent))) {
-    text += kDigits[static_cast<std::size_t>(digit - '0')];
-  }
-  return text;
-}
 
 std::string power_of_ten(double value) {
   const int exponent = static_cast<int>(std::floor(std::log10(value) + kRounding));

@@ -6,6 +6,7 @@
 
 #include "core/at.h"
 #include "draw/scene/layout.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -15,6 +16,7 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kHeading = 22;
 constexpr double kUnder = 26;
+constexpr double kUnderCurves = 42;  // with the name of the axis
 constexpr double kBetween = 18;
 constexpr double kGutter = 22;  // between diagrams of work precision
 constexpr double kTitle = 28;
@@ -71,6 +73,7 @@ std::string spell_context(const trace::StudyContext& context, bool with_scalar) 
 }
 
 std::string subtitle(const trace::Study& study) {
+  if (!study.shown.empty()) return study.shown;
   std::set<double> parameters;
   for (const trace::StudyPoint& point : points_of(study)) parameters.insert(point.parameter);
   std::string along;
@@ -86,8 +89,8 @@ std::string subtitle(const trace::Study& study) {
 
 /// With names as they are read and not as options spell them: "sweep and prune".
 trace::Study named_in_words(trace::Study study) {
-  for (trace::StudySeries& series : study.series) std::ranges::replace(series.method, '_', ' ');
-  std::ranges::replace(study.signal, '_', ' ');
+  for (trace::StudySeries& series : study.series) series.method = in_words(series.method);
+  study.signal = in_words(study.signal);
   return study;
 }
 
@@ -146,19 +149,23 @@ std::string spell_failures(const trace::StudySeries& series) {
     failed += point.failed;
     of += point.of;
   }
-  return std::to_string(failed) + " of " + std::to_string(of);
+  return spell_count(failed) + " of " + spell_count(of);
 }
 
-PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height) {
+PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has_legend, int width,
+                   int height) {
   const Layout layout = make_layout(width, height, false, {});
-  const bool has_legend = study.form != trace::StudyForm::WorkPrecision;
+  const bool is_small = study.form != trace::StudyForm::WorkPrecision;  // multiples
   PlotPage page{{.width = width, .height = height}, layout.scale, {}, {}};
-  draw_captions(study.title, "Against " + study.reference,
-                spell_context(study.context, !has_legend), layout, page.drawing);
+  draw_captions(study.title, "Against " + study.reference, spell_context(study.context, !is_small),
+                layout, page.drawing);
   const double left = layout.legend.x;
-  const double top = left + layout.px(kTitle + 4);
-  const float baseline = has_legend ? layout.px(12) : 0.8f * layout.px(kSubtitle);
-  Pen(page.drawing, layout.scale, has_legend ? kPlotText : kSubtitle)
+  const FittedTitle title =
+      fit_title(study.title, static_cast<float>(layout.legend.width), layout.scale);
+  const double title_rows = title.lines.size() > 1 ? 2.3 * title.size : kTitle;
+  const double top = left + layout.px(title_rows + 4);
+  const float baseline = is_small ? layout.px(12) : 0.8f * layout.px(kSubtitle);
+  Pen(page.drawing, layout.scale, is_small ? kPlotText : kSubtitle)
       .text(shown, {static_cast<float>(left), static_cast<float>(top) + baseline}, Align::Left,
             kQuietText);
   const double legend = top + layout.px(16 + 0.5 * kLegend);
@@ -192,7 +199,8 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Rect& area = panels[i].area = cell_of(space, columns, rows, i, scale * kBetween, 0);
     area.y += scale * kHeading;
-    area.height -= scale * (kHeading + kUnder);
+    const bool names_axis = study.form == trace::StudyForm::Curves;
+    area.height -= scale * (kHeading + (names_axis ? kUnderCurves : kUnder));
     panels[i].begins_row = i % columns == 0;
   }
   return panels;
@@ -217,7 +225,7 @@ Drawing plot(const trace::Study& measured, int width, int height) {
   if (in_panels) rows = parts.size() > 2 ? 2 : 1;
   const std::size_t columns = (parts.size() + rows - 1) / rows;
 
-  PlotPage page = plot_page(study, subtitle(study), width, height);
+  PlotPage page = plot_page(study, subtitle(study), false, width, height);
   const double gutter = page.scale * static_cast<float>(kGutter);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Rect rect =

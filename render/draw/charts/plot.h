@@ -28,10 +28,11 @@ namespace contactscope::draw {
 Drawing plot(const trace::Study& study, int width, int height);
 
 /// Small multiples of a study of form Curves: in each panel the largest error of every series
-/// against the parameter, both logarithmic; a parameter that counts one by one, as frames do, is not. The
-/// error axis is the same in all panels. Series of the
+/// against the parameter, both logarithmic; a parameter that counts one by one, as frames do, is not, and
+/// shares and multiples are not. The error axis is the same in all panels. Series of the
 /// same name look the same everywhere: solid and filled, or dashed and hollow where the name goes on
-/// after a comma ("float, unrounded" beside "float"). The series that study.signal names is a grey
+/// after a comma ("float, unrounded" beside "float"). They are named at their ends in up to three panels,
+/// once where all have the same, and in a legend in more. The series that study.signal names is a grey
 /// line: errors above it drown what is measured. Failures are crosses in rows at the top, with how
 /// many of how many cases.
 Drawing plot_curves(const trace::Study& study, int width, int height);
@@ -123,8 +124,9 @@ struct PlotPage {
   Rect panels;
 };
 /// With the captions of a study, and under its title a line that says what is shown. Below that is
-/// room for a legend, unless the lines themselves are labelled: those of work precision.
-PlotPage plot_page(const trace::Study& study, const std::string& shown, int width, int height);
+/// room for a legend where there is one.
+PlotPage plot_page(const trace::Study& study, const std::string& shown, bool has_legend, int width,
+                   int height);
 
 /// A panel of a study, and its place on a page of small multiples.
 struct PlotPanel {
@@ -145,7 +147,9 @@ struct Course {
   std::string method;
   MethodStyle style;
   bool strong = false;                       // on the front
+  bool quiet = false;                        // there to hold the others against
   std::vector<Point2> points;                // those with an error, in the order of the parameter
+  std::vector<double> parameters;            // of these
   std::vector<std::array<float, 2>> spread;  // x of the least and greatest time of each
   std::vector<float> failures;               // x of the points with failures
   std::string failure_text;                  // "mjx: 3 of 120"

@@ -86,8 +86,8 @@ struct AnswerMaps : Pen {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const float above = static_cast<float>(area.y) - px(6);
     text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
-    text(std::to_string(wrong) + " of " + std::to_string(of) + " wrong", {right, above},
-         Align::Right, kText);
+    text(spell_count(wrong) + " of " + spell_count(of) + " wrong", {right, above}, Align::Right,
+         kText);
     text("across: " + panel.parameter + ", up: " + row,
          {left, static_cast<float>(area.bottom()) + px(38)}, Align::Left, kQuietText);
   }
@@ -114,7 +114,8 @@ struct AnswerMaps : Pen {
 }  // namespace
 
 Drawing plot_answers(const trace::Study& study, int width, int height) {
-  PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
+  PlotPage page = plot_page(study, study.shown.empty() ? "Colour: " + study.error : study.shown,
+                            true, width, height);
   const AnswerMaps maps{Pen(page.drawing, page.scale, kPlotText)};
   maps.legend(page.legend);
   std::vector<PlotPanel> panels = panels_of(study);
@@ -123,8 +124,10 @@ Drawing plot_answers(const trace::Study& study, int width, int height) {
       (page.panels.width - scale * (kLeftOfAnswers + (count - 1) * kBetweenAnswers)) / count;
   const double side = std::min(across, page.panels.height - scale * (kOverAnswers + kUnderAnswers));
   double x = page.panels.x + scale * kLeftOfAnswers;
+  // In the middle of the room that is left under the legend.
+  const double spare = page.panels.height - scale * (kOverAnswers + kUnderAnswers) - side;
   for (PlotPanel& panel : panels) {
-    panel.area = {x, page.panels.y + scale * kOverAnswers, side, side};
+    panel.area = {x, page.panels.y + scale * kOverAnswers + 0.4 * spare, side, side};
     panel.begins_row = &panel == &panels.front();
     maps.panel(panel, study.row);
     x += side + scale * kBetweenAnswers;

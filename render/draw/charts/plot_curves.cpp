@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
+#include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -11,11 +14,17 @@ namespace {
 constexpr double kLeft = 52;
 constexpr double kFailureRow = 15;
 constexpr int kFailureRows = 4;
+constexpr std::size_t kMostWithNames = 3;  // panels; of more the lines have a legend
+
+/// Where the names of a panel's lines stand.
+enum class Naming { None, Beside, Inside };
 
 struct CurveStyle {
   Color color;
+  Color text = kText;
   bool dashed = false;
   bool signal = false;
+  bool quiet = false;
   int covered =
       0;  // by so many later ones at the same places: it is drawn wider, to be seen beside them
 
@@ -25,8 +34,15 @@ struct CurveStyle {
 
 /// One colour for all series whose names begin alike: that which the study's other plots give the
 /// method of that number.
-CurveStyle style_of(const trace::Study& study, const std::string& method) {
-  if (method == study.signal) return {kDropped, true, true};
+CurveStyle style_of(const trace::Study& study, const trace::StudySeries& of) {
+  const std::string& method = of.method;
+  const bool dashed = method.find(',') != std::string::npos && !of.look;
+  if (method == study.signal) return {kDropped, kQuietText, true, true};
+  if (of.quiet) return {kDropped, kQuietText, dashed, false, true};
+  if (of.look) {
+    const MethodStyle look = method_style(static_cast<std::size_t>(*of.look));
+    return {look.color, look.text, dashed};
+  }
   const auto stem_of = [](const std::string& name) { return name.substr(0, name.find(',')); };
   std::vector<std::string> stems;
   for (const trace::StudySeries& series : study.series) {
@@ -36,7 +52,8 @@ CurveStyle style_of(const trace::Study& study, const std::string& method) {
   }
   const auto index =
       static_cast<std::size_t>(std::ranges::find(stems, stem_of(method)) - stems.begin());
-  return {method_style(index).color, method.find(',') != std::string::npos, false};
+  const MethodStyle look = method_style(index);
+  return {look.color, look.text, dashed};
 }
 
 /// The parameter goes up by one from point to point.
@@ -64,30 +81,53 @@ bool has_zero(const PlotPanel& panel) {
   });
 }
 
+/// Names beside the ends of lines would tell nothing apart where several end at zero.
+bool several_end_at_zero(const std::vector<PlotPanel>& panels) {
+  return std::ranges::any_of(panels, [](const PlotPanel& panel) {
+    return std::ranges::count_if(panel.series, [](const trace::StudySeries* series) {
+             return !series->points.empty() && series->points.back().error &&
+                    largest_error(series->points.back()) == 0;
+           }) > 1;
+  });
+}
+
+bool same_lines(const std::vector<PlotPanel>& panels) {
+  return std::ranges::all_of(panels, [&](const PlotPanel& panel) {
+    return std::ranges::equal(panel.series, panels.front().series, {}, &trace::StudySeries::method,
+                              &trace::StudySeries::method);
+  });
+}
+
 struct Curves : Pen {
   const trace::Study& study;
   PositiveRange errors;  // of all panels
   bool any_failed;
 
-  void legend(Point2 at) const {
+  bool is_linear() const { return study.unit == trace::kShare || study.unit == trace::kTimes; }
+
+  /// With names of lines where these have none of their own; and of failures.
+  void legend(Point2 at, bool names) const {
     std::set<std::string> told;
     const auto name = [&](const std::string& what) {
       text(what, at + Point2{px(36), px(5)}, Align::Left, kText);
       at.x += px(36) + width_of(what) + px(26);
     };
     for (const trace::StudySeries& series : study.series) {
-      if (!told.insert(series.method).second) continue;
-      const CurveStyle style = style_of(study, series.method);
+      if (!names || !told.insert(series.method).second) continue;
+      const CurveStyle style = style_of(study, series);
       line(at, {at.x + px(30), at.y}, style.signal ? 1.5 : 2.5, style.color, style.dash());
       if (!style.signal) marker({at.x + px(15), at.y}, style);
       name(series.method);
     }
     if (!any_failed) return;
-    cross({at.x + px(15), at.y}, 4, 1.8, kText);
+    const auto failing = std::ranges::find_if(study.series, [](const trace::StudySeries& series) {
+      return std::ranges::any_of(series.points, [](const auto& point) { return point.failed > 0; });
+    });
+    cross({at.x + px(15), at.y}, 4, 1.8, style_of(study, *failing).color);
     name("failures, of all cases");
   }
 
-  void panel(const PlotPanel& panel) const {
+  void panel(const PlotPanel& panel, Naming naming) const {
     PositiveRange parameters;
     bool counts = true;
     for (const trace::StudySeries* series : panel.series) {
@@ -101,30 +141,78 @@ struct Curves : Pen {
     const float top = above + px((any_failed ? kFailureRows : 0) * kFailureRow + 4);
     const Axis x = counts ? Axis{parameters.low, parameters.high, left + px(8), right - px(8)}
                           : parameters.axis(left, right, px(8), px(8));
-    const Axis y = errors.axis(bottom, top, px(6), px(6));
+    const Axis y = is_linear() ? Axis{0, 1.04 * errors.high, bottom, top}
+                               : errors.axis(bottom, top, px(6), px(6));
     draw_decades_along(x, area, true, *this);
-    draw_decades_up(y, area, true, panel.begins_row, *this);
+    if (is_linear())
+      draw_shares_up(y, area, panel.begins_row);
+    else
+      draw_decades_up(y, area, true, panel.begins_row, *this);
     frame(area, 1.2, kChartBorder);
-    text(panel.parameter, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
-    for (const bool signal : {true, false}) {
+    text(panel.name, {left, above - px(6)}, Align::Left, kText, Weight::Bold);
+    text(fitted(panel.parameter, Weight::Regular, right - left), {right, bottom + px(34)},
+         Align::Right, kQuietText);
+    for (const bool behind : {true, false}) {
       for (std::size_t i = 0; i < panel.series.size(); ++i) {
-        CurveStyle style = style_of(study, panel.series[i]->method);
-        if (style.signal != signal) continue;
+        CurveStyle style = style_of(study, *panel.series[i]);
+        if ((style.signal || style.quiet) != behind) continue;
         for (std::size_t later = i + 1; later < panel.series.size(); ++later)
           style.covered += covers(*panel.series[later], *panel.series[i]) ? 1 : 0;
         curve(*panel.series[i], style, x, y);
       }
     }
-    if (panel.begins_row && has_zero(panel))
+    if (panel.begins_row && has_zero(panel) && !is_linear())
       text("0", {left - px(8), bottom + px(5)}, Align::Right, kQuietText);
+    std::vector<NamedLine> lines = named_lines(panel);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const trace::StudyPoint& point : panel.series[i]->points)
+        if (point.error)
+          lines[i].points.push_back({x.at(point.parameter), y.at(largest_error(point))});
+    if (naming == Naming::Beside) name_beside(lines, area, *this);
+    if (naming == Naming::Inside) name_inside(lines, area, *this);
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series) {
       if (failures(*series, x, left, right, row)) row += px(kFailureRow);
     }
   }
 
+  /// Names are all that is known of them before they have places.
+  std::vector<NamedLine> named_lines(const PlotPanel& panel) const {
+    std::vector<NamedLine> lines;
+    for (const trace::StudySeries* series : panel.series) {
+      const CurveStyle style = style_of(study, *series);
+      lines.push_back({series->method, style.text, style.quiet || style.signal, {}});
+    }
+    return lines;
+  }
+
+  /// Round numbers from zero on, of shares in percent.
+  void draw_shares_up(const Axis& y, const Rect& area, bool labels) const {
+    const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
+    const bool share = study.unit == trace::kShare;
+    for (int i = 0;; ++i) {
+      const double value = i * linear_step(y.high);
+      if (value > y.high) break;
+      const float at = y.at(value);
+      if (i > 0) line({left, at}, {right, at}, 1, kChartGrid);
+      line({left - px(5), at}, {left, at}, 1.2, kChartBorder);
+      const std::string label =
+          share ? spell_number(100 * value) + " %" : spell_number(value) + " ×";
+      if (labels) text(label, {left - px(8), at + px(5)}, Align::Right, kQuietText);
+    }
+  }
+
+  /// A fifth of the axis or less, 1, 2 or 5 times a power of ten.
+  static double linear_step(double high) {
+    const double least = high / 6, decade = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+      if (factor * decade >= least) return factor * decade;
+    return 10 * decade;
+  }
+
   void marker(const Point2& at, const CurveStyle& style) const {
-    draw_marker(Marker::Circle, at, px(3.4 + style.wider()), style.color, drawing());
+    draw_marker(Marker::Circle, at, px((style.quiet ? 2.4 : 3.4) + style.wider()), style.color,
+                drawing());
     if (style.dashed) draw_marker(Marker::Circle, at, px(1.9), kWhite, drawing());
   }
 
@@ -136,8 +224,8 @@ struct Curves : Pen {
     for (std::size_t i = 1; i < series.points.size(); ++i) {
       const trace::StudyPoint &before = series.points[i - 1], &point = series.points[i];
       if (!before.error || !point.error) continue;
-      line(place(before), place(point), style.signal ? 1.5 : 2.2 + style.wider(), style.color,
-           style.dash());
+      line(place(before), place(point), style.signal || style.quiet ? 1.5 : 2.2 + style.wider(),
+           style.color, style.dash());
     }
     if (style.signal) return;
     for (const trace::StudyPoint& point : series.points) {
@@ -154,7 +242,7 @@ struct Curves : Pen {
       const float at = x.at(point.parameter);
       ++crosses;
       on_the_left += at < 0.5f * (left + right);
-      cross({at, row}, 3.6, 1.8, style_of(study, series.method).color);
+      cross({at, row}, 3.6, 1.8, style_of(study, series).color);
     }
     if (crosses == 0) return false;
     const bool at_left = 2 * on_the_left < crosses;
@@ -174,15 +262,33 @@ Drawing plot_curves(const trace::Study& study, int width, int height) {
   const bool has_worst = std::ranges::any_of(points, [](const trace::StudyPoint& p) {
     return p.error && p.error_worst && *p.error_worst > *p.error;
   });
-  std::string shown = has_worst ? "Largest " + study.error : study.error;
-  shown[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shown[0])));
-  PlotPage page = plot_page(study, shown, width, height);
+  std::string shown = study.shown.empty() ? study.error : study.shown;
+  if (study.shown.empty() && has_worst) shown = "Largest " + shown;
+  if (!shown.empty())
+    shown[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shown[0])));
+  const std::vector<PlotPanel> all = panels_of(study);
+  const Naming naming = all.size() > kMostWithNames ? Naming::None
+                        : several_end_at_zero(all)  ? Naming::Inside
+                                                    : Naming::Beside;
+  const bool has_legend = naming == Naming::None || any_failed;
+  PlotPage page = plot_page(study, shown, has_legend, width, height);
   PositiveRange errors;
   for (const trace::StudyPoint& point : points) errors.include(largest_error(point));
   if (errors.high == 0) errors = {1e-16, 1};
-  const Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, any_failed};
-  curves.legend(page.legend);
-  for (const PlotPanel& panel : panels_on(page, study, kLeft)) curves.panel(panel);
+  Curves curves{Pen(page.drawing, page.scale, kPlotText), study, errors, any_failed};
+  if (has_legend) curves.legend(page.legend, naming == Naming::None);
+  // Where every panel has the same lines, these are named once.
+  const bool once = all.size() > 1 && same_lines(all);
+  const auto room = [&](const PlotPanel& panel) {
+    return naming == Naming::Beside ? room_beside(curves.named_lines(panel), curves) : 0;
+  };
+  if (once) page.panels.width -= room(all.back());
+  std::vector<PlotPanel> panels = panels_on(page, study, kLeft);
+  const PlotPanel& named = naming == Naming::Beside ? panels.back() : panels.front();
+  for (PlotPanel& panel : panels) {
+    if (!once) panel.area.width -= room(panel);
+    curves.panel(panel, once && &panel != &named ? Naming::None : naming);
+  }
   return page.drawing;
 }
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "draw/scene/palette.h"
+
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
+constexpr Color kQuietLine = rgb(0xA9AEB5);
 constexpr float kZeroSlot = 12;
 constexpr float kFailureRow = 18;
 constexpr float kCross = 5;
@@ -34,7 +37,9 @@ struct Mapping {
     for (const trace::StudySeries& series : study.series) {
       Course& course = courses.emplace_back();
       course.method = series.method;
-      course.style = method_style(courses.size() - 1);
+      course.style =
+          method_style(series.look ? static_cast<std::size_t>(*series.look) : courses.size() - 1);
+      if (series.quiet) course.style = {kQuietLine, kQuietText, course.style.marker};
       course.failures = failures_of(series);
       if (course.failures.empty()) continue;
       place_failures(series, course);
@@ -52,7 +57,8 @@ struct Mapping {
     const std::vector<bool> front = on_front(study, kind);
     float slot = 0;
     for (std::size_t i = 0; i < courses.size(); ++i) {
-      courses[i].strong = front[i];
+      courses[i].quiet = study.series[i].quiet;
+      courses[i].strong = front[i] && !courses[i].quiet;
       const std::vector<trace::StudyPoint>& points = study.series[i].points;
       const float zero_row = zeros_begin + px(kZeroSlot) * (slot + 0.8f);
       for (const trace::StudyPoint& point : points) {
@@ -61,6 +67,7 @@ struct Mapping {
         const auto& [median, least, most] = point.nanoseconds;
         courses[i].points.push_back({x.at(median), is_zero(point) ? zero_row : y.at(*error)});
         courses[i].spread.push_back({x.at(least), x.at(most)});
+        courses[i].parameters.push_back(point.parameter);
       }
       slot += std::ranges::any_of(points, zero) ? 1 : 0;
     }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLeftNumbers = 56;
 constexpr double kLeftNames = 132;
+constexpr double kBarCell = 58;  // of the legend's bar
 
 // From white over Okabe-Ito's sky blue and blue to near black: lightness alone tells the order.
 constexpr std::array<Color, 8> kDecades = {rgb(0xEAF5FC), rgb(0xC4E3F6), rgb(0x8FCBEE),
@@ -36,6 +37,8 @@ Axis axis_through(const std::vector<double>& values, double from, double to) {
 struct Map : Pen {
   const trace::Study& study;
   bool numbered;  // its rows
+  const char* some_failed = "some cases failed";
+  const char* all_failed = "all failed";
 
   void legend(const Point2& begin) const {
     float at = begin.x;
@@ -43,24 +46,31 @@ struct Map : Pen {
       text(what, {at + aside, begin.y + px(5)}, Align::Left, kText);
       at += aside + width_of(what) + px(18);
     };
-    const auto box = [&] { return Rect{at, begin.y - px(8), px(26), px(16)}; };
+    const auto box = [&](double width) { return Rect{at, begin.y - px(8), px(width), px(16)}; };
     std::size_t most = 0;
     for (const trace::StudyPoint& point : points_of(study)) {
       if (point.error) most = std::max(most, decade_of(largest_error(point)));
     }
+    // One bar of all decades, with the bounds between them inside of it.
+    const auto bar = static_cast<double>(kBarCell);
+    const Rect whole{at, begin.y - px(8), px(bar * static_cast<double>(most + 1)), px(16)};
     for (std::size_t i = 0; i <= most; ++i) {
-      fill(box(), kDecades[i]);
-      frame(box(), 1.2, kChartBorder);
+      fill(box(bar), kDecades[i]);
       const bool open = i + 1 == kDecades.size();
       const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));
-      name((open ? "> " : "≤ ") + spell_tick_error(bound, ""), px(32));
+      const bool dark = i > 3;
+      text((open ? "> " : "≤ ") + spell_tick_error(bound, ""),
+           {at + px(0.5 * bar), begin.y + px(5)}, Align::Center, dark ? kWhite : kText);
+      at += px(bar);
     }
+    frame(whole, 1.2, kChartBorder);
+    at += px(24);
     cross({at + px(10), begin.y}, 5, 1.8, kFailure);
     at += px(22);
-    name("cases failed", 0);
-    hatched(box());
-    frame(box(), 1.2, kChartBorder);
-    name("all of them", px(32));
+    name(some_failed, 0);
+    hatched(box(26));
+    frame(box(26), 1.2, kChartBorder);
+    name(all_failed, px(32));
   }
 
   void panel(const PlotPanel& panel) const {
@@ -109,7 +119,7 @@ struct Map : Pen {
   void cell(const trace::StudyPoint& point, const Rect& rect) const {
     if (point.error) fill(rect, kDecades[decade_of(largest_error(point))]);
     if (point.failed == 0) return;
-    if (!point.error) hatched(rect);
+    if (!point.error) return hatched(rect);
     const double room = 0.32 * std::min(rect.width, rect.height) / px(1);
     cross(pixel(rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height), std::clamp(room, 2.0, 5.0),
           1.8, kFailure);
@@ -119,7 +129,8 @@ struct Map : Pen {
 }  // namespace
 
 Drawing plot_map(const trace::Study& study, int width, int height) {
-  PlotPage page = plot_page(study, "Colour: " + study.error, width, height);
+  PlotPage page = plot_page(study, study.shown.empty() ? "Colour: " + study.error : study.shown,
+                            true, width, height);
   const bool numbered =
       std::ranges::all_of(study.series, [](const auto& series) { return series.row.has_value(); });
   const Map map{Pen(page.drawing, page.scale, kPlotText), study, numbered};

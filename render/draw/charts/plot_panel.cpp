@@ -6,6 +6,7 @@
 #include "draw/charts/plot.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
+#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -113,12 +114,18 @@ struct Diagram : Pen {
   }
 
   void draw_headings() {
+    // A picture of least times alone has no other.
+    const auto is_one = [](const trace::StudyPoint& point) {
+      return point.nanoseconds.min == point.nanoseconds.max;
+    };
+    const bool is_least = std::ranges::all_of(points_of(whole), is_one);
     const float x = static_cast<float>(rect.x);
     const float baseline = static_cast<float>(rect.y) + 0.8f * px(kHeading);
     const auto heading = [&](const std::string& what, float at, Weight weight) {
       text(what, {at, baseline}, Align::Left, kText, weight, kHeading);
     };
-    text("time of a call, median", {right, bottom + px(2 * kPlotText + 5)}, Align::Right, kText);
+    text(is_least ? "least time of a call" : "time of a call, median",
+         {right, bottom + px(2 * kPlotText + 5)}, Align::Right, kText);
     if (!study.series.empty() && !study.series.front().panel.empty())
       return heading(study.series.front().panel, x, Weight::Bold);
     heading(study.error, x, Weight::Regular);
@@ -137,7 +144,7 @@ struct Diagram : Pen {
   }
 
   static Color ink(const Course& course) {
-    return course.strong ? course.style.color : muted(course.style.color);
+    return course.strong || course.quiet ? course.style.color : muted(course.style.color);
   }
 
   void draw_line(const Course& course) {
@@ -213,7 +220,7 @@ struct Diagram : Pen {
     obstacles.boxes.push_back(arrow);
     std::vector<const Course*> order;  // the strong ones choose first
     for (const Course& course : plot.courses) {
-      if (!course.points.empty()) order.push_back(&course);
+      if (!course.points.empty() && !course.method.empty()) order.push_back(&course);
       for (std::size_t i = 0; i < course.points.size(); ++i) {
         obstacles.markers.push_back(course.points[i]);
         if (i == 0) continue;
@@ -225,25 +232,51 @@ struct Diagram : Pen {
     const auto weight_of = [](const Course* course) {
       return course->strong ? Weight::Bold : Weight::Regular;
     };
-    const std::vector<LineLabel> labels = mapped(order, [&](const Course* course) {
+    std::vector<LineLabel> labels = mapped(order, [&](const Course* course) {
       return LineLabel{width_of(course->method, weight_of(course)),
                        {course->points.back(), course->points.front()}};
     });
+    const Course* const line_of_ends = marked(order);
+    const std::vector<std::string> ends = parameters_at_ends(line_of_ends);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const std::vector<Point2>& points = line_of_ends->points;
+      labels.push_back({width_of(ends[i]), {i == 0 ? points.front() : points.back()}});
+    }
     const float height = px(kPlotText);
     const double inset = px(3);
     const Rect room{left + inset, plot.failures_end + inset, right - left - 2 * inset,
                     bottom - plot.failures_end - 2 * inset};
     const std::vector<PlacedLabel> places =
         place_line_labels(labels, obstacles, room, height, scale());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
       if (places[i].needs_leader)
         line(places[i].anchor, places[i].leader_end, 1, muted(order[i]->style.text));
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Point2 at =
           pixel(places[i].box.x, places[i].box.y) + Point2{0, 0.5f * (height + 0.68f * height)};
-      text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(order[i]), 0, 2);
+      if (i < order.size())
+        text(order[i]->method, at, Align::Left, order[i]->style.text, weight_of(order[i]), 0, 2);
+      else
+        text(ends[i - order.size()], at, Align::Left, kQuietText, Weight::Regular, 0, 2);
     }
+  }
+
+  /// The first of the strong lines that is not on the row of zeros; null where there is none.
+  const Course* marked(const std::vector<const Course*>& order) const {
+    for (const Course* course : order)
+      if (course->strong && course->points.size() > 1 && course->points.back().y < plot.zeros_begin)
+        return course;
+    return nullptr;
+  }
+
+  /// "5" and "32 points": where that line begins, and where it ends.
+  std::vector<std::string> parameters_at_ends(const Course* course) const {
+    if (course == nullptr) return {};
+    const std::string& counted =
+        study.series.front().parameter.empty() ? study.parameter : study.series.front().parameter;
+    return {spell_number(course->parameters.front()),
+            spell_number(course->parameters.back()) + " " + counted};
   }
 };
 

@@ -14,7 +14,8 @@ constexpr double kScene = 26;     // the line under the heading
 constexpr double kChartGap = 22;
 constexpr double kCellGap = 12;
 constexpr double kCellName = 40;  // name and note below a cell
-constexpr double kCellRow = 290;  // a row of cells with their names
+constexpr double kCellRow = 222;  // a row of cells with their names
+constexpr int kOneRow = 640;      // height of a page with one row of cells
 constexpr std::size_t kMostInRow = 5;
 
 /// The same number in each row, but for the last.
@@ -31,7 +32,7 @@ std::size_t rows_of(std::size_t cells) {
 
 int rollout_page_height(std::size_t cells) {
   const std::size_t rows = std::max<std::size_t>(1, rows_of(cells));
-  return 720 + static_cast<int>(rows - 1) * static_cast<int>(kCellRow);
+  return kOneRow + static_cast<int>(rows - 1) * static_cast<int>(kCellRow);
 }
 
 RolloutPage rollout_page(const std::string& result, const std::string& title,

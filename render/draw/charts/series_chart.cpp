@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include "draw/charts/axis.h"
@@ -16,10 +17,16 @@ constexpr double kChartHeading = 22;  // pixels at 720 lines, above the curves
 constexpr double kNothing = 1e-9;     // of any unit: what is left of zero by rounding
 constexpr double kChartHeadroom = 1.08;
 
+/// Counts as titles have them.
+std::string plain_number(double value) {
+  return value == std::round(value) ? spell_count(static_cast<std::int64_t>(value))
+                                    : spell_number(value);
+}
+
 /// In the axis' unit: numbers that follow each other in one place should not change theirs.
 std::string newest_value(const SeriesChart& chart, double value, const Prefix& prefix) {
   if (std::isnan(value)) return "none";
-  if (chart.unit.empty()) return spell_number(value);
+  if (chart.unit.empty()) return plain_number(value);
   const double scaled = value / prefix.size, size = std::abs(scaled);
   const int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : size < 0.0995 ? 3 : 2;
   std::string text = size < 0.0005 ? "0" : printed("%.*f", decimals, size);
@@ -92,7 +99,7 @@ struct ChartPen : Pen {
     line(left, pixel(area.right(), left.y), strong ? 1.6 : 1.0, strong ? kText : kChartBorder);
     const float size = px(kChartText - 1);
     if (value != 0 && std::abs(left.y - y.at(0)) < 0.9f * size) return;  // no room beside zero
-    text(value == 0 ? "0" : spell_number(value / prefix.size), left + Point2{-px(6), 0.34f * size},
+    text(value == 0 ? "0" : plain_number(value / prefix.size), left + Point2{-px(6), 0.34f * size},
          Align::Right, kQuietText);
   }
 
@@ -143,9 +150,10 @@ void SeriesChart::fit() {
   if (high == low) high = 1;  // nothing but zeros
 }
 
+// None of the colours of what stands in a view beside charts.
 SeriesStyle series_style(std::size_t index) {
   constexpr std::array<SeriesStyle, 4> kStyles{
-      {{kContact, 0}, {kMotion, 8}, {kText, 2.5f}, {kClipPolygon, 14}}};
+      {{kBox, 0}, {kPolytope, 8}, {kArcOfA, 2.5f}, {kMargin, 14}}};
   return kStyles[index % kStyles.size()];
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/at.h"
+#include "draw/charts/curve_labels.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 
@@ -17,7 +18,9 @@ constexpr double kTicksLeft = 46;
 constexpr double kTicksBelow = 38;  // with the name of the axis
 constexpr double kLabelGap = 16;    // between the end of a line and its name
 constexpr double kLabelRow = 17;
-constexpr double kFarOut = 5;  // times as far as the others: the axis leaves it out
+constexpr double kOnePlace = 14;           // ends so near to each other cannot be told apart
+constexpr std::size_t kLeastTogether = 4;  // lines
+constexpr double kFarOut = 5;              // times as far as the others: the axis leaves it out
 
 struct Range {
   double low = 0, high = 0;
@@ -128,6 +131,7 @@ struct ChartOverTime : Pen {
     frame(area, 1.2, kChartBorder);
     // The first one last, so that the others do not hide it.
     for (std::size_t i = chart.lines.size(); i-- > 0;) draw_line(chart.lines[i]);
+    draw_early_labels();
     draw_labels();
   }
 
@@ -166,13 +170,72 @@ struct ChartOverTime : Pen {
     if (one.breaks_off && !points.empty()) cross(points.back(), 5, 2.4, style.color);
   }
 
+  Point2 end_of(std::size_t i) const {
+    return place(chart.lines[i], chart.lines[i].values.size() - 1);
+  }
+
+  bool ends_early(std::size_t i) const {
+    return end_of(i).x < static_cast<float>(area.right()) - px(2);
+  }
+
+  /// Lines that end before the others are named where they do.
+  void draw_early_labels() const {
+    std::vector<NamedLine> lines;
+    for (std::size_t i = 0; i < chart.lines.size(); ++i) {
+      const TimeLine& one = chart.lines[i];
+      NamedLine& line =
+          lines.emplace_back(NamedLine{labels[i], method_style(one.style).text, false, {}});
+      for (std::size_t k = 0; k < one.values.size(); ++k) line.points.push_back(place(one, k));
+    }
+    std::vector<const NamedLine*> named;
+    std::vector<std::vector<Point2>> anchors;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].points.empty() || !ends_early(i)) continue;
+      named.push_back(&lines[i]);
+      const std::vector<Point2>& points = lines[i].points;
+      anchors.push_back(
+          {points.back(), points[points.size() * 9 / 10], points[points.size() * 3 / 4]});
+    }
+    name_near(named, anchors, lines, area, *this);
+  }
+
+  /// Lines by where they end, those together that end at the same place to less than a row.
+  std::vector<std::vector<std::size_t>> crowds() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < chart.lines.size(); ++i)
+      if (!chart.lines[i].values.empty()) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return end_of(i).y; });
+    std::vector<std::vector<std::size_t>> groups;
+    for (const std::size_t i : order) {
+      const bool is_near = !groups.empty() && end_of(i).x == end_of(groups.back().front()).x &&
+                           end_of(i).y - end_of(groups.back().front()).y < px(kOnePlace);
+      if (is_near)
+        groups.back().push_back(i);
+      else
+        groups.push_back({i});
+    }
+    return groups;
+  }
+
+  std::string all_of(std::size_t count) const {
+    return count == chart.lines.size() ? "all " + std::to_string(count)
+                                       : "the " + std::to_string(count) + " others";
+  }
+
+  /// Many that end at one place have one label, for which of them is which cannot be seen there.
   void draw_labels() const {
     std::vector<std::size_t> which;
     std::vector<float> wanted;
-    for (std::size_t i = 0; i < chart.lines.size(); ++i) {
-      if (chart.lines[i].values.empty()) continue;
-      which.push_back(i);
-      wanted.push_back(place(chart.lines[i], chart.lines[i].values.size() - 1).y);
+    std::vector<std::size_t> how_many;
+    for (const std::vector<std::size_t>& crowd : crowds()) {
+      const bool together = crowd.size() >= kLeastTogether;
+      for (const std::size_t i : crowd) {
+        if (together && i != crowd[crowd.size() / 2]) continue;
+        if (ends_early(i)) continue;
+        which.push_back(i);
+        wanted.push_back(end_of(i).y);
+        how_many.push_back(together ? crowd.size() : 1);
+      }
     }
     const float row = px(kLabelRow);
     const auto top = static_cast<float>(area.y) + 0.4f * row;
@@ -183,12 +246,12 @@ struct ChartOverTime : Pen {
       const TimeLine& one = chart.lines[which[k]];
       const MethodStyle style = method_style(one.style);
       const Point2 end = place(one, one.values.size() - 1);
-      const bool ends_at_border = end.x > static_cast<float>(area.right()) - px(2);
-      if (ends_at_border)
-        line(end, {left - px(3), heights[k]}, 1, style.text);
-      else
-        line({static_cast<float>(area.right()) + px(3), heights[k]}, {left - px(3), heights[k]}, 1,
-             style.text, 2);
+      if (how_many[k] > 1) {
+        line(end, {left - px(3), heights[k]}, 1, kText);
+        text(all_of(how_many[k]), {left, heights[k] + px(5)}, Align::Left, kText, Weight::Bold);
+        continue;
+      }
+      line(end, {left - px(3), heights[k]}, 1, style.text);
       text(labels[which[k]], {left, heights[k] + px(5)}, Align::Left, style.text, Weight::Bold);
     }
   }

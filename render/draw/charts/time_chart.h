@@ -24,7 +24,8 @@ struct TimeChart {
   std::vector<TimeLine> lines{};
 };
 
-/// Draws a chart into `rect`, with its name above it, ticks to the left and under it and names of lines to the right.
+/// Draws a chart into `rect`, with its name above it, ticks to the left and under it and names of lines to the right;
+/// one that ends early is named where it does, and several that end at one place are named together.
 /// Where one line goes more than five times as far as the others do, the axis leaves it out, and its name says
 /// how far it went.
 void draw_time_chart(const TimeChart& chart, const Rect& rect, const Pen& pen);

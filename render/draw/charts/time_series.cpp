@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
@@ -59,7 +60,7 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
       group.known.try_emplace({pair.a, pair.b}, KnownPair{group.pairs.size()});
   if (is_new) {
     const std::vector<double> none(frames, std::numeric_limits<double>::quiet_NaN());
-    group.pairs.push_back({pair.a + "–" + pair.b, none, none});
+    group.pairs.push_back({name_in_words(pair.a) + " and " + name_in_words(pair.b), none, none});
   }
   KnownPair& own = entry->second;
   const auto note_id = [&](const trace::Point& point, IdState state) {
@@ -119,7 +120,7 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
     }
     for (Group& group : groups) {
       if (!group.query.empty() && !group.last_query.empty() && group.query != group.last_query)
-        group.series.queries.push_back({f, group.last_query, group.query});
+        group.series.queries.push_back({f, in_words(group.last_query), in_words(group.query)});
       group.last_query = std::exchange(group.query, "");
     }
   }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kLabelSize = 17;
 constexpr double kDigit = 22;
-constexpr Color kEdgeSeenInside = kMotion;
 
 struct ChoicePen : Pen {
   struct Label {
@@ -78,6 +77,7 @@ struct ChoicePen : Pen {
     const Vec2d at = place(chosen());
     const double half = 0.22 * std::min(plane.map.width, plane.map.height);
     stroke(at - half * across, at + half * across, 2, kNormal, 7);
+    labels.push_back({at + half * across, "the farthest", kText, false});
     const Vec2d tip = middle + half * along;
     stroke(middle, tip - px(8) * along, 3, kNormal);
     const double head = px(13);
@@ -104,30 +104,21 @@ struct ChoicePen : Pen {
       at = (1 - 0.62) * place(kept[0]) + 0.62 * at;
     } else if (rule == "triangle" && winner) {
       triangle(measure.edge[0], measure.edge[1], measure.point);
-    } else if (rule == "triangle" || grows) {
+    } else if (rule == "triangle") {
       sides(measure, 1.2, with_alpha(kDropped, 0.55f));
-    } else if (rule != "deepest") {
+    } else if (rule != "deepest" && !grows) {
       return;
     }
     labels.push_back({at, value, color, winner});
   }
 
-  /// The winner with each edge, as on the talk's slides: one negative area (or distance), and
-  /// positive ones that are skipped. Of the others the one that decides.
+  /// The winner with the edge that sees it outside, by a negative area or distance. Of the others the
+  /// one that decides.
   void outside(const trace::Measure& measure, const std::string& spelled, bool by_distance) {
     const Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
     const Vec2d centroid = (from + to + point) / 3;
-    if (!(measure.value < 0)) {
-      if (by_distance) return;  // the edges that see it inside decide nothing
-      fill({pixel(from), pixel(to), pixel(point)}, with_alpha(kEdgeSeenInside, 0.07f));
-      for (const Vec2d& end : {from, to}) {
-        stroke(end, point, 1.2f, with_alpha(kEdgeSeenInside, 0.6f), 6);
-        placer.block(pixel(end), pixel(point), px(4));
-      }
-      labels.push_back({centroid, spelled, kEdgeSeenInside, false, true});
-      return;
-    }
+    if (!(measure.value < 0)) return;  // the edges that see it inside decide nothing
     hatch(convex_polygon({from, to, point}), {}, 5, 1.3, kContact);
     sides(measure, 2.5, kContact);
     if (!by_distance) {
@@ -186,7 +177,7 @@ struct ChoicePen : Pen {
     const Vec2d way = (label.inwards ? -1.0 : 1.0) * way_out(middle, label.at);
     const auto found =
         placer.place(pixel(label.at), width_of(label.text, weight), 0.76f * ascent(size, weight),
-                     descent(size, weight), px(14), pixel(way));
+                     descent(size, weight), {px(14), pixel(way)});
     if (!found) return;
     if (found->needs_leader) {
       stroke(label.at, flat(found->leader_end), 3.5, with_alpha(kWhite, 0.8f));

@@ -47,11 +47,23 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
 }
 
 // The signs of the contact plane alone. Its legend stands in the order in which it is made.
-constexpr Swatch kKeptPolygonSwatch{LegendGroup::Points, 12,
-                                    [](auto& pen) { pen.area(kContact, 0.16f, 2); }};
+constexpr Swatch kTriangleSwatch{LegendGroup::Points, 12, [](auto& pen) {
+                                   pen.area(kClipPolygon, 0.10f, 0);
+                                   pen.area(kContact, 0.16f, 2);
+                                 }};
+// Over the contact polygon, as it is drawn, and what is left of that.
+constexpr Swatch kKeptAreaSwatch{
+    LegendGroup::Points, 12, [](auto& pen) {
+      pen.box(with_alpha(kClipPolygon, 0.10f), kClipPolygon, 1.2);
+      pen.hatched(kDropped);
+      const std::vector<Point2> half = {pen.at(0, -7), pen.at(15, -7), pen.at(15, 7), pen.at(0, 7)};
+      pen.fill(half, kWhite);
+      pen.fill(half, with_alpha(kClipPolygon, 0.10f));
+      pen.fill(half, with_alpha(kContact, 0.16f));
+      pen.outline(half, 2, kContact);
+    }};
 constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13,
                                 [](auto& pen) { draw_deepest_mark(pen.middle(), pen, 0.72); }};
-constexpr Swatch kLostAreaSwatch{LegendGroup::Points, 14, [](auto& pen) { pen.hatched(kDropped); }};
 constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15,
                                     [](auto& pen) { pen.area(kNormal, 0, 1.6, true); }};
 constexpr Swatch kAxesBoxSwatch{LegendGroup::Points, 16,
@@ -61,22 +73,6 @@ constexpr Swatch kCandidateSwatch{LegendGroup::Points, 17, [](auto& pen) {
                                   }};
 constexpr Swatch kOutsideTriangleSwatch{LegendGroup::Points, 18,
                                         [](auto& pen) { pen.hatched(kContact); }};
-constexpr Swatch kInsideTriangleSwatch{
-    LegendGroup::Points, 19,
-    [](auto& pen) { pen.box(with_alpha(kMotion, 0.12f), with_alpha(kMotion, 0.6f), 1.2, true); }};
-// Two rows of a strip: one kept to the end, one given up for the other.
-constexpr Swatch kKeptIdsSwatch{
-    LegendGroup::Points, 20, [](auto& pen) {
-      const auto bar = [&](double from, double to, double top, const Color& color) {
-        const Point2 low = pen.at(from, top), end = pen.at(to);
-        pen.fill(Rect{low.x, low.y, double(end.x) - low.x, pen.px(5)}, color);
-      };
-      constexpr Color kFaint = rgb(0xD5D8DC);
-      bar(0, 12, -6, kContact);
-      bar(12, 22, -6, kFaint);
-      bar(0, 12, 1, kFaint);
-      bar(12, 22, 1, kContact);
-    }};
 
 }  // namespace
 
@@ -104,7 +100,6 @@ std::vector<LegendEntry> ContactCells::legend() const {
     entry.swatch = &swatch;
     entry.text = text;
   };
-  add(true, kClipPolygonSwatch, "contact polygon");
   if (choices_ > 0) {  // what the shown one was made by
     const auto by_rule = [&](const char* rule) {
       return any_cell([&](const ContactCell& cell) {
@@ -112,29 +107,33 @@ std::vector<LegendEntry> ContactCells::legend() const {
         return shown > 0 && shown <= cell.choices.size() && cell.choices[shown - 1].rule == rule;
       });
     };
-    const bool outside = by_rule("outside"), by_distance = by_rule("distance");
-    const bool grows = outside || by_distance, triangle = by_rule("triangle") || grows;
-    add(true, kPlainPointSwatch, "contact point");
+    const bool by_distance = by_rule("distance"), grows = by_rule("outside") || by_distance,
+               triangle = by_rule("triangle") || grows;
+    const bool few = !grows;  // signs: with more, dots and their polygon need no word
+    add(few, kClipPolygonSwatch, "contact polygon");
+    add(few, kPlainPointSwatch, "contact point");
     add(true, kKeptSwatch, "kept, in order of choice");
-    add(triangle, kKeptPolygonSwatch, grows ? "triangle so far" : "largest triangle");
+    add(triangle, kTriangleSwatch, grows ? "triangle so far" : "largest triangle");
     add(grows, kOutsideTriangleSwatch, "added outside");
-    add(outside, kInsideTriangleSwatch, "edge sees it inside");
     add(by_distance, kDecidingEdgesSwatch, "distance to the edge");
-    add(triangle || by_rule("farthest"), kCandidateSwatch, "other candidates");
+    add(few && (triangle || by_rule("farthest")), kCandidateSwatch, "other candidates");
     return entries;
   }
   const bool reduces =
       any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+  const bool has_best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });
+  add(!reduces, kClipPolygonSwatch, "contact polygon");
   add(reduces, kReducedSwatch, "reduced away");
   add(true, kKeptSwatch, reduces ? "kept, in order of choice" : "kept");
   add(any_cell([](const ContactCell& cell) { return !deepest_of(cell.points).empty(); }),
       kDeepestSwatch, "deepest");
-  add(reduces, kKeptPolygonSwatch, "kept area");
-  add(reduces, kLostAreaSwatch, "lost area");
-  add(any_cell([](const ContactCell& cell) { return cell.best.size() > 2; }), kBestPolygonSwatch,
-      "best polygon");
+  add(reduces, kKeptAreaSwatch, "kept area, hatched: lost");
+  add(has_best, kBestPolygonSwatch, "largest area");
   add(any_cell(by_extremes), kAxesBoxSwatch, "box along the axes");
-  add(!ids_.empty(), kKeptIdsSwatch, "ids kept, over the frames");
+  // The rows beneath say as much of the deepest.
+  if (entries.size() > kMostLegendEntries)
+    std::erase_if(entries,
+                  [](const LegendEntry& entry) { return entry.swatch == &kDeepestSwatch; });
   return entries;
 }
 
@@ -185,8 +184,11 @@ void ContactCells::draw_cell(std::size_t number, std::size_t moment, const Pen& 
     draw_map(cell, {patch.axes, patch.center, grid_.pixels_per_metre, map, pen});
   }
   if (grid_.strip > 0) {
-    const double inset = pen.px(3);
-    ids_[number].draw_rows({rect.x, map.bottom() + inset, rect.width, grid_.strip - 2 * inset},
+    const double inset = pen.px(3), caption = pen.px(kStripCaption);
+    const double y = map.bottom() + inset;
+    pen.text(pen.fitted("points over time", Weight::Regular, width),
+             pixel(rect.x, y + 0.75 * caption), Align::Left, kQuietText);
+    ids_[number].draw_rows({rect.x, y + caption, rect.width, grid_.strip - 2 * inset - caption},
                            moment, moments_.size(), pen);
   }
   double baseline = map.bottom() + grid_.strip + 0.8 * pen.px(kNumberRow);

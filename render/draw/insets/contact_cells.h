@@ -100,7 +100,8 @@ class ContactCells {
   static constexpr double kName = 15;       // size of a cell's heading
   static constexpr double kNumber = 14;     // size of the numbers beneath
   static constexpr double kNumberRow = 17;  // height of a row of numbers
-  static constexpr double kGap = 14;        // between cells
+  static constexpr double kStripCaption = 18;
+  static constexpr double kGap = 14;  // between cells
 
   /// How much larger text and marks of the cells are than those of the rest of the picture.
   double signs() const;

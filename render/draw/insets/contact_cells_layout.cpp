@@ -80,7 +80,7 @@ std::vector<std::string> ContactCells::left_out() const {
     list.emplace_back("the numbers on the right");
   }
   if (!shows(Detail::Strip) && moments_.size() > 1 && choices_ == 0)
-    list.emplace_back("the ids over time");
+    list.emplace_back("the points over time");
   if (!shows(Detail::Legend)) list.emplace_back("the legend");
   if (!shows(Detail::Names) && cell_count() > 1) list.emplace_back("the names");
   return list;
@@ -136,7 +136,7 @@ double ContactCells::strip_height() const {
   if (!shows(Detail::Strip) || choices_ > 0 || ids_.empty()) return 0;
   const auto rows = static_cast<double>(ids_.front().row_count());
   const double wide = cell_count() > kFewCells ? 1 : 1.75;
-  return rows == 0 ? 0 : wide * std::min(kMostStrip, kStripRow * rows) + 6;
+  return rows == 0 ? 0 : wide * std::min(kMostStrip, kStripRow * rows) + kStripCaption + 6;
 }
 
 std::size_t ContactCells::row_count() const {
@@ -210,7 +210,8 @@ ContactCells::Grid ContactCells::best_grid() const {
   best.strip = px(strip_height());
   if (best.strip > 0) {
     const double used = reserve + best.pixels_per_metre * extent_.y();
-    const double wide = px(kWideRow * static_cast<double>(ids_.front().row_count()) + 6);
+    const double wide =
+        px(kWideRow * static_cast<double>(ids_.front().row_count()) + kStripCaption + 6);
     const double more = std::clamp(wide - best.strip, 0.0, std::max(0.0, best.map_height - used));
     best.strip += more;
     best.map_height -= more;

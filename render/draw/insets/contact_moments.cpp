@@ -12,10 +12,13 @@
 namespace contactscope::draw {
 namespace {
 
+constexpr double kLittle = 0.01;  // of the depth
+
 std::string percent(double share) {
   const double value = 100 * share;
   // Only what is whole may be called so.
   const bool nearly = value > 99.94 && value < 99.9995;
+  if (value > 99.9995) return "100 %";
   return printed(nearly ? "%.3f %%" : "%.1f %%", value);
 }
 
@@ -44,10 +47,12 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   for (const trace::Point& point : reduction.points) deepest = std::min(deepest, point.separation);
   for (const int i : reduction.kept) kept = std::min(kept, at(reduction.points, i).separation);
   const bool has_deepest = kept - deepest <= separation_noise(reduction.points);
-  return {{"area " + area + (has_best ? ", " + share : ""), "", "area " + share},
-          {has_deepest ? "deepest kept, " + spell_length(-deepest)
-                       : "deepest lost by " + spell_length(kept - deepest),
-           "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest}};
+  const bool matters = kept - deepest > kLittle * -deepest;
+  return {
+      {"area " + area + (has_best ? ", " + share + " of the largest" : ""), "", "area " + share},
+      {has_deepest ? "deepest kept, " + spell_length(-deepest)
+                   : "deepest lost by " + spell_length(kept - deepest),
+       "", has_deepest ? "deepest kept" : "deepest lost", !has_deepest && matters}};
 }
 
 // Of the largest number among the places: sixteen last digits of a float.
@@ -72,7 +77,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
     if (exploration.a.empty()) {  // points that belong to no shapes
       moment.caption = std::to_string(exploration.points.size()) + " points";
     } else {
-      moment.caption = exploration.a + " and " + exploration.b;
+      moment.caption = name_in_words(exploration.a) + " and " + name_in_words(exploration.b);
       if (!exploration.label.empty()) moment.caption += " (" + exploration.label + ")";
     }
     if (exploration.triangle) {
@@ -83,7 +88,7 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
       const trace::ReducerAnswer& answer =
           *std::ranges::find(exploration.reducers, name, &trace::ReducerAnswer::name);
       ContactCell& cell = moment.cells.emplace_back();
-      cell.name = name;
+      cell.name = in_words(name);
       cell.normal = exploration.normal;
       cell.points = exploration.points;
       cell.kept = answer.kept;
@@ -112,8 +117,10 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
   });
   for (const trace::Pair* known : cells) {
     const std::string& method = known->reduction->method;
-    std::string name = known->label.empty() || known->label == method ? in_words(method) : known->label;
-    if (several_bodies && !labels_tell_apart) name = known->a + " and " + known->b + ": " + name;
+    std::string name =
+        known->label.empty() || known->label == method ? in_words(method) : known->label;
+    if (several_bodies && !labels_tell_apart)
+      name = name_in_words(known->a) + " and " + name_in_words(known->b) + ": " + name;
     const std::vector<const trace::Pair*> history = pair_history(frames, *known);
     for (std::size_t f = 0; f < frames.size(); ++f) {
       ContactCell& cell = moments[f].cells.emplace_back();

@@ -97,8 +97,8 @@ void ContactPlane::number_kept(const std::vector<Point2>& places, const std::vec
     const std::string digit = std::to_string(k + 1);
     const float width = text_width(digit, height, FontWeight::Bold);
     const float up = 0.76f * ascent(height, FontWeight::Bold), room = kBadgeRoom * up;
-    auto found = placer.place(place, width + 2 * room, up + room, room, px(kKeptReach * size + 2),
-                              pixel(way_out(middle, flat(place))));
+    auto found = placer.place(place, width + 2 * room, up + room, room,
+                              {px(kKeptReach * size + 2), pixel(way_out(middle, flat(place)))});
     if (!found) continue;
     found->left_baseline.x += room;
     if (found->needs_leader) line(place, found->leader_end, 1, kContact);
@@ -116,7 +116,8 @@ void ContactPlane::scale_bar(double share, double middle) const {
   const float end = px(3);
   line({left, y}, {right, y}, 1.5, kQuietText);
   for (const float x : {left, right}) line({x, y - end}, {x, y + end}, 1.5, kQuietText);
-  text(spell_quantity(metres, "m", 1), {left - px(8), y + px(4.5)}, Align::Right, kQuietText);
+  text(spell_quantity(metres, "m", 1, length_unit(metres)), {left - px(8), y + px(4.5)},
+       Align::Right, kQuietText);
 }
 
 Vec2d middle_of(const std::vector<Point2>& places) {

@@ -162,17 +162,19 @@ void draw_best(const Vec3d& normal, const std::string& text, bool chosen, const 
   sketch.label(normal, text, kAxisText, chosen ? 18.0f : 15.0f, 15).bold = chosen;
 }
 
-void draw_best_axes(const trace::Sat& sat, double noise, const Camera& camera, Sketch& sketch) {
+void draw_best_axes(const trace::Sat& sat, double noise, const LengthUnit& unit,
+                    const Camera& camera, Sketch& sketch) {
   const bool of_a = sat.chosen == "face_a";
   const auto& face = of_a ? sat.face_a : sat.face_b;
   if (face && (of_a || sat.chosen == "face_b"))
-    draw_best(face->normal,
-              (of_a ? "face of A: " : "face of B: ") + spell_separation(face->separation, noise),
-              true, camera, sketch);
+    draw_best(
+        face->normal,
+        (of_a ? "face of A: " : "face of B: ") + spell_separation(face->separation, noise, unit),
+        true, camera, sketch);
   if (sat.edge)
     draw_best(sat.edge->normal,
               "edge " + std::to_string(sat.edge->a) + " × edge " + std::to_string(sat.edge->b) +
-                  ", " + spell_separation(sat.edge->separation, noise),
+                  ", " + spell_separation(sat.edge->separation, noise, unit),
               sat.chosen == "edge_edge", camera, sketch);
   sketch.explain(kBestAxisSwatch, "best axis of a query");
 }
@@ -230,11 +232,12 @@ InsetPicture sketch_gauss_map(const Inset& inset, const Scene& scene) {
     sketch.explain(kCrossingSwatch, "arcs that cross");
   }
   if (pair->sat) {
-    draw_best_axes(*pair->sat, scene.noise(*pair), inset.camera, sketch);
+    draw_best_axes(*pair->sat, scene.noise(*pair), scene.scales.length, inset.camera, sketch);
   } else if (!pair->manifolds.empty()) {
-    draw_best(pair->manifolds.front().normal,
-              "normal, " + spell_separation(pair->separation, scene.noise(*pair)), true,
-              inset.camera, sketch);
+    draw_best(
+        pair->manifolds.front().normal,
+        "normal, " + spell_separation(pair->separation, scene.noise(*pair), scene.scales.length),
+        true, inset.camera, sketch);
     sketch.explain(kBestAxisSwatch, "normal of the contact");
   }
   const std::size_t count = crossings.size();

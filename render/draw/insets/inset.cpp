@@ -69,6 +69,7 @@ void draw_inset(const Inset& inset, const InsetPicture& picture, const Layout& l
                 Drawing& drawing) {
   Layout inner = layout;
   inner.view = inset.camera.viewport();
+  inner.framed = true;
   inner.insets.clear();  // labels keep off other insets, not off their own
   drawing.begin(kInsetPart, {}, name_of(inset.panel));
   compose(picture.sketch, inset.camera, inner, drawing);

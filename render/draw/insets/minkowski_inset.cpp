@@ -20,6 +20,9 @@ constexpr Swatch kDifferenceSwatch{LegendGroup::Differences, 0,
                                    [](auto& pen) { pen.box(kDifference, kShapeEdge, 1.5); }};
 constexpr Swatch kSimplexSwatch{LegendGroup::Differences, 1,
                                 [](auto& pen) { pen.area(kClipPolygon, 0.16f, 2); }};
+// Of two points; one alone is a support point.
+constexpr Swatch kSimplexLineSwatch{LegendGroup::Differences, 1,
+                                    [](auto& pen) { pen.level_line(0, 22, 2.5, kClipPolygon); }};
 constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
                                  [](auto& pen) { pen.area(kPolytope, 0.06f, 1.2); }};
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
@@ -55,6 +58,7 @@ struct DifferencePen {
   const Camera& camera;
   float scale;  // pixels for one at 720 lines
   double smallest;
+  LengthUnit unit;
   Sketch& sketch;
 
   void vertex(const SimplexStep& step, std::size_t i) const {
@@ -71,7 +75,7 @@ struct DifferencePen {
     // A halo would cover the origin.
     sketch.arrows.push_back(
         {.to = to, .double_headed = true, .width = 3, .color = kAxis, .halo = false});
-    Label& label = sketch.label(0.5 * to, name + spell_length(metres), kAxisText, 16, 14);
+    Label& label = sketch.label(0.5 * to, name + spell_length(metres, 0, unit), kAxisText, 16, 14);
     const std::optional<float> seen = seen_distance(camera, Vec3d::Zero(), to);
     label.leader = seen && *seen < text_width(label.text, scale * label.size, Weight::Bold);
     if (label.leader) {  // on the other side of the origin's name
@@ -103,10 +107,13 @@ struct DifferencePen {
     next(step);
     if (count == 0) return;
     const bool mpr = step.of == SimplexStep::Of::Mpr;
-    sketch.explain(kSimplexSwatch, mpr ? "portal and inner point" : "simplex");
+    if (mpr || count > 2)
+      sketch.explain(kSimplexSwatch, mpr ? "portal and inner point" : "simplex");
+    else if (count == 2)
+      sketch.explain(kSimplexLineSwatch, "simplex");
     if (mpr) return;
     const Vec3d nearest = nearest_to_origin(points);
-    distance(nearest, nearest.norm(), "");
+    distance(nearest, nearest.norm(), step.last() ? "gap " : "");
     if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
   }
 
@@ -219,7 +226,7 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   picture.note = note_of(*pair, step);
   // Rounding in float leaves so much of nothing.
   const DifferencePen pen{inset.camera, static_cast<float>(scene.scales.pixel), 1e-6 * size,
-                          sketch};
+                          scene.scales.length, sketch};
   if (step && step->polytope != nullptr)
     pen.polytope(*step);
   else if (step)

@@ -30,8 +30,9 @@ void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d&
                            .width = 1.8f,
                            .head = 10,
                            .color = kAxis});
-  sketch.label(0.5 * (from + to) + below, "speculative margin " + spell_length(margin), kAxisText,
-               17, 10, Vec3d(-scene.camera.up()));
+  sketch.label(0.5 * (from + to) + below,
+               "speculative margin " + spell_length(margin, 0, scene.scales.length), kAxisText, 17,
+               10, Vec3d(-scene.camera.up()));
 }
 
 void draw_ahead(const Scene& scene, Sketch& sketch) {

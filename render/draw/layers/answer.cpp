@@ -2,11 +2,13 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/answers.h"
-#include "draw/scene/quantity.h"
+#include "draw/scene/pair_words.h"
 
 /// The answer to what a pair was asked: the closest or deepest points and what lies between them.
 namespace contactscope::draw {
 namespace {
+
+constexpr double kLeastOfAnswer = 14;  // pixels: nearer to each other, dots hide what is measured
 
 constexpr Swatch kPointsSwatch{LegendGroup::Axes, 4, [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
 
@@ -33,12 +35,18 @@ void draw_answer(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (other->query && other->query->gap && is_same_measure(pair, *other)) return;
   const bool apart = *query.gap >= 0;
   const Vec3d &from = *query.point_a, &to = *query.point_b;
-  for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);
-  sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
-  if (from == to || *query.gap == 0) return;  // a measure of rounding
-  draw_measure(scene, from, to, 3, apart ? "gap" : "overlap", sketch);
-  sketch.label(0.5 * (from + to), spell_length(std::abs(*query.gap), scene.noise(pair)), kAxisText,
-               17, 14, scene.camera.right());
+  const bool touches = from == to || *query.gap == 0;  // else it would be a measure of rounding
+  const std::optional<float> pixels = seen_distance(scene.camera, from, to);
+  if (touches || (pixels && *pixels >= kLeastOfAnswer * scene.scales.pixel)) {
+    for (const Vec3d& point : {from, to}) sketch.mark(MarkKind::Node, point, kAxisText);
+    // Otherwise what measures between them covers them.
+    if (touches) sketch.explain(kPointsSwatch, apart ? "closest points" : "deepest points", from);
+  }
+  if (touches) return;
+  draw_measure(scene, apart ? Measured::Gap : Measured::Overlap, from, to, 3, "", sketch);
+  sketch.label(0.5 * (from + to),
+               spell_separation(*query.gap, scene.noise(pair), scene.scales.length), kAxisText, 17,
+               14, scene.camera.right());
 }
 
 }  // namespace

@@ -2,36 +2,53 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/box_outline.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 
 /// The boxes by which a broad phase chose the pairs.
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;      // boxes
-constexpr double kRoundingOfBounds = 1e-5;  // of a box's size; those of float are traced
+constexpr std::size_t kMostNamed = 12;  // boxes
+constexpr double kNameRoom = 20;        // pixels that a name beside a box takes
+constexpr double kAxisLength = 56;      // pixels
 
 constexpr Swatch kMeetingSwatch{LegendGroup::Trees, 3, [](auto& pen) { pen.area(kBox, 0, 2.5); }};
 constexpr Swatch kShapeBoxSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); },
                                  kBox};
+constexpr double kLeastShared = 6;  // pixels: what is smaller is not seen to be filled
+constexpr Color kShared = with_alpha(kBox, 0.22f);
+constexpr Swatch kSharedSwatch{LegendGroup::Trees, 4,
+                               [](auto& pen) { pen.box(kShared, kShared, 1); }};
 constexpr Swatch kAloneSwatch{LegendGroup::Trees, 4,
                               [](auto& pen) { pen.area(kDropped, 0, 1.5, true); }};
 
-/// The upper corner, or the next one that is in no other box: a name there is clearly this box's.
-Vec3d free_corner(const trace::Bounds& bounds, const std::vector<trace::Bounds>& all) {
-  const trace::Box& box = bounds.box;
-  const double rounding = kRoundingOfBounds * (box.upper - box.lower).norm();
-  for (int bits = 7; bits >= 0; --bits) {
-    const Vec3d corner((bits & 1 ? box.upper : box.lower).x(),
-                       (bits & 2 ? box.upper : box.lower).y(),
-                       (bits & 4 ? box.upper : box.lower).z());
-    const auto holds = [&](const trace::Bounds& other) {
-      return &other != &bounds && (corner - other.box.lower).minCoeff() >= -rounding &&
-             (other.box.upper - corner).minCoeff() >= -rounding;
-    };
-    if (std::ranges::none_of(all, holds)) return corner;
-  }
-  return box.upper;
+/// A place for a name, and the way from the box to it.
+struct NamePlace {
+  Vec3d at, out;
+};
+
+/// Beneath the box as it is seen, above it or beside it: the first side at which no other box is.
+NamePlace free_side(const Scene& scene, const trace::Bounds& bounds,
+                    const std::vector<trace::Bounds>& all) {
+  const Vec3d right = scene.camera.right(), up = scene.camera.up();
+  const auto half = [](const trace::Box& box) -> Vec3d { return 0.5 * (box.upper - box.lower); };
+  const auto center = [](const trace::Box& box) -> Vec3d { return 0.5 * (box.upper + box.lower); };
+  const double pixels = scene.camera.pixels_per_metre(center(bounds.box)) / scene.scales.pixel;
+  const auto place = [&](const Vec3d& out) -> NamePlace {
+    return {center(bounds.box) + out.cwiseAbs().dot(half(bounds.box)) * out, out};
+  };
+  const auto is_free = [&](const NamePlace& name) {
+    const double room = kNameRoom / pixels;
+    return std::ranges::none_of(all, [&](const trace::Bounds& other) {
+      const Vec3d way = name.at - center(other.box), reach = half(other.box);
+      return &other != &bounds && std::abs(right.dot(way)) < right.cwiseAbs().dot(reach) + room &&
+             std::abs(up.dot(way)) < up.cwiseAbs().dot(reach) + room;
+    });
+  };
+  for (const Vec3d& out : {Vec3d(-up), up, right, Vec3d(-right)})
+    if (const NamePlace name = place(out); is_free(name)) return name;
+  return place(-up);
 }
 
 // What debuggers of engines draw first: the axis-aligned box of each shape.
@@ -46,6 +63,75 @@ void draw_boxes_of_shapes(const Scene& scene, Sketch& sketch) {
   }
 }
 
+// The edges that the eye sees of a solid box; those behind it faint, for many wires are a thicket.
+void outline_solid(const Scene& scene, const trace::Box& box, const LineStyle& style,
+                   Sketch& sketch) {
+  const Eigen::AlignedBox3d solid(box.lower, box.upper);
+  // By bits: 1 the upper x, 2 the upper y, 4 the upper z.
+  const auto corner = [&](int bits) {
+    return Vec3d(solid.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)));
+  };
+  const auto is_front = [&](int bits, int axis) {
+    return scene.camera.faces(corner(bits),
+                              ((bits >> axis & 1) != 0 ? 1.0 : -1.0) * Vec3d::Unit(axis));
+  };
+  LineStyle behind = style;
+  behind.width = 1;
+  behind.color = with_alpha(style.color, 0.35f);
+  for (int bits = 0; bits < 8; ++bits) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((bits >> axis & 1) != 0) continue;
+      const bool seen = is_front(bits, (axis + 1) % 3) || is_front(bits, (axis + 2) % 3);
+      sketch.line(corner(bits), corner(bits | 1 << axis), seen ? style : behind);
+    }
+  }
+}
+
+// What two boxes share, as the eye sees it.
+void draw_shared(const Scene& scene, const trace::Box& a, const trace::Box& b, Sketch& sketch) {
+  const Eigen::AlignedBox3d shared =
+      Eigen::AlignedBox3d(a.lower, a.upper).intersection(Eigen::AlignedBox3d(b.lower, b.upper));
+  if (shared.isEmpty()) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool upper : {false, true}) {
+      std::vector<Vec3d> face(4, upper ? shared.max() : shared.min());
+      for (Vec3d& corner : face) corner[u] = shared.min()[u], corner[v] = shared.min()[v];
+      face[1][u] = face[2][u] = shared.max()[u];
+      face[2][v] = face[3][v] = shared.max()[v];
+      if (scene.camera.faces(face[0], (upper ? 1.0 : -1.0) * Vec3d::Unit(axis)))
+        sketch.surfaces.push_back({face, kShared});
+    }
+  }
+  const Vec3d seen = scene.camera.pixels_per_metre(shared.center()) * shared.sizes();
+  const auto width = [&](const Vec3d& way) { return seen.dot(way.cwiseAbs()); };
+  if (std::min(width(scene.camera.right()), width(scene.camera.up())) >
+      kLeastShared * scene.scales.pixel)
+    sketch.explain(kSharedSwatch, "where two boxes overlap", shared.center());
+}
+
+// Which way the axes go along which sweep and prune sorts the ends.
+void draw_swept_axes(const Scene& scene, const std::vector<trace::Bounds>& all, Sketch& sketch) {
+  Eigen::AlignedBox3d around;
+  for (const trace::Bounds& bounds : all) {
+    around.extend(bounds.box.lower);
+    around.extend(bounds.box.upper);
+  }
+  const Vec3d right = scene.camera.right(), up = scene.camera.up(), reach = 0.5 * around.sizes();
+  const Vec3d corner =
+      around.center() - right.cwiseAbs().dot(reach) * right - up.cwiseAbs().dot(reach) * up;
+  const double length =
+      kAxisLength * scene.scales.pixel / scene.camera.pixels_per_metre(around.center());
+  constexpr const char* kNames[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d way = length * Vec3d::Unit(axis);
+    // One that looks at the eye is a point.
+    if (std::hypot(right.dot(way), up.dot(way)) < 0.3 * length) continue;
+    sketch.arrows.push_back(arrow_to_scale(corner, way, 2, 9, kShapeEdge));
+    sketch.label(corner + way, kNames[axis], kText, 16, 6, Vec3d::Unit(axis));
+  }
+}
+
 void draw_bounds(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase) return draw_boxes_of_shapes(scene, sketch);
   const auto meets = [&](const trace::Bounds& bounds) {
@@ -54,20 +140,27 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     });
   };
   std::vector<trace::Bounds> all = scene.frame.broad_phase->bounds;
-  const auto meeting = std::ranges::stable_partition(all, std::not_fn(meets)).begin();
+  const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;
-    outline(bounds->box, {}, alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kBox},
-            sketch);
+    outline_solid(scene, bounds->box,
+                  alone ? LineStyle{1.5f, kDropped, true} : LineStyle{2.5f, kBox}, sketch);
     if (all.size() <= kMostNamed) {
-      const Vec3d corner = free_corner(*bounds, all);
-      sketch.label(corner, bounds->name, kText, 14, 4,
-                   Vec3d(corner - 0.5 * (bounds->box.lower + bounds->box.upper)));
+      const NamePlace name = free_side(scene, *bounds, all);
+      sketch.label(name.at, in_words(bounds->name), kText, 16, 6, name.out);
     }
-    sketch.explain(
-        alone ? kAloneSwatch : kMeetingSwatch,
-        alone ? "box that meets no other" : "box that meets another: the pair is collided",
-        bounds->box.upper);
+    sketch.explain(alone ? kAloneSwatch : kMeetingSwatch,
+                   alone ? "box that meets no other" : "box that meets another", bounds->box.upper);
+  }
+  if (scene.frame.broad_phase->method == "sweep_and_prune" && all.size() <= kMostNamed)
+    draw_swept_axes(scene, all, sketch);
+  const auto box_of = [&](const std::string& name) -> const trace::Box* {
+    const auto found = std::ranges::find(all, name, &trace::Bounds::name);
+    return found == all.end() ? nullptr : &found->box;
+  };
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    const trace::Box *a = box_of(pair.a), *b = box_of(pair.b);
+    if (a != nullptr && b != nullptr) draw_shared(scene, *a, *b, sketch);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
@@ -11,9 +12,10 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kBesidePoint = 20;  // pixels from the point, clear of its arrows
-constexpr double kLeastDepth = 2;    // pixels: less looks like a touch
-constexpr double kEqually = 1e-2;    // of the overlap
+constexpr double kBesidePoint = 20;    // pixels from the point, clear of its arrows
+constexpr double kLeastWhisker = 6.5;  // pixels: a shorter one is hidden by its dot
+constexpr double kLeastDepth = 2;      // pixels: less looks like a touch
+constexpr double kEqually = 1e-2;      // of the overlap
 
 constexpr Swatch kOneShotSwatch{LegendGroup::Points, 4, [](auto& pen) {
                                   pen.whisker(2.5, kContact);
@@ -99,6 +101,19 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   // Where some normals are not those of the rest, the points of the rest step back.
   const std::optional<Vec3d> usual =
       scene.shows(Layer::Normals) ? usual_normal(scene.frame) : std::nullopt;
+  const auto is_seen = [&](const PairPoint& kept) {
+    auto [from, to] = whisker_at(scene, pair, kept);
+    const Vec3d& at = kept.point->position;
+    // The arrow of its impulse covers the part on its side.
+    if (scene.shows(Layer::Impulses) && kept.point->impulse) {
+      const Vec3d out = (scene.body(pair.b) != nullptr ? 1 : -1) * kept.manifold->normal;
+      for (Vec3d* end : {&from, &to})
+        if ((*end - at).dot(out) > 0) *end = at;
+    }
+    const std::optional<float> pixels = seen_distance(scene.camera, from, to);
+    return pixels && *pixels > kLeastWhisker * scene.scales.pixel;
+  };
+  const bool any_whisker = std::ranges::any_of(kept_points(pair), is_seen);
   for (const PairPoint& kept : kept_points(pair)) {
     if (usual && is_like(*usual, kept.manifold->normal)) {
       sketch.mark(MarkKind::Speck, kept.point->position, kDropped);
@@ -121,6 +136,8 @@ void draw_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                                        spell_factor(scene.scales.gap));
     else if (square)
       sketch.explain(kOneShotSwatch, "one-shot point, whisker = overlap" + factor);
+    else if (!any_whisker)
+      sketch.explain(kPlainPointSwatch, "contact point");
     else
       sketch.explain(kContactSwatch, "contact point, whisker = overlap" + factor);
   }
@@ -170,7 +187,13 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                    Vec3d(0.8 * a->vertices[0] + 0.2 * b->vertices[0]));
   }
   if (pair.state != "separated" || !(pair.separation > 0)) return;
-  if (const auto gap = gap_of(pair, *a, *b))
+  const auto gap = gap_of(pair, *a, *b);
+  if (!gap) return;
+  const bool is_round = a->traced().radius > 0 || b->traced().radius > 0;
+  if (scene.shows(Layer::Core) && pair.incremental) return;  // its sum shows the gap
+  if (scene.shows(Layer::Core) && is_round)                  // and has the number
+    draw_measure(scene, Measured::Gap, gap->on_a, gap->on_b, 3, "", sketch);
+  else
     draw_gap(scene, gap->on_a, gap->on_b, pair.separation, scene.noise(pair), 16,
              scene.camera.right(), sketch);
 }
@@ -194,9 +217,12 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const OnBoth whisker = whisker_at(scene, pair, *deepest);
   const Vec3d aside = kBesidePoint * scene.scales.pixel / pixels * left;
   const Vec3d from = whisker.on_a + aside, to = whisker.on_b + aside;
-  draw_measure(scene, from, to, 2.5f, "overlap" + spell_factor(scene.scales.overlap), sketch);
-  sketch.label(0.5 * (from + to), spell_length(-point.separation, scene.noise(pair)), kAxisText, 17,
-               12, left);
+  const std::string factor = spell_factor(scene.scales.overlap);
+  draw_measure(scene, Measured::Overlap, from, to, 2.5f, factor.empty() ? "" : "overlap" + factor,
+               sketch);
+  sketch.label(0.5 * (from + to),
+               spell_separation(point.separation, scene.noise(pair), scene.scales.length),
+               kAxisText, 17, 14, left);
 }
 
 }  // namespace

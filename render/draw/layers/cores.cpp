@@ -26,12 +26,6 @@ constexpr LineStyle kExtension{1.0f, with_alpha(kQuietText, 0.8f)};
 constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0,
                              [](auto& pen) { pen.area(kMargin, 0, 1.8, true); }};
 constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) { pen.area(kMargin, 0, 2); }};
-// A length between two ticks.
-constexpr Swatch kMarginsSwatch{LegendGroup::Cores, 2, [](auto& pen) {
-                                  pen.level_line(2, 20, 1.8, kMargin);
-                                  for (const double at : {2.0, 20.0})
-                                    pen.line(pen.at(at, -4), pen.at(at, 4), 1.8, kMargin);
-                                }};
 
 constexpr int kRoundedSteps = 180;
 constexpr int kBisections = 40;
@@ -176,11 +170,12 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const auto place = [&](int column, double along) -> Vec3d {
     return cores->on_a + along * normal + column * kColumn * pixel * side;
   };
-  const auto arrow = [&](int column, double from, double to, const Color& color) {
+  const auto arrow = [&](int column, double from, double to, const Color& color, bool overlaps) {
     if (std::abs(to - from) < kLeastOfSum * pixel) return;
     sketch.arrows.push_back({.from = place(column, from),
                              .to = place(column, to),
-                             .double_headed = true,
+                             .double_headed = !overlaps,
+                             .bars = overlaps,
                              .width = 3,
                              .color = color});
   };
@@ -196,12 +191,12 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.label(place(column, along), text, color, 16, 8, away);
   };
   const double distance = cores->distance;
-  arrow(0, 0, distance, kAxis);
+  arrow(0, 0, distance, kAxis, distance < 0);
   if (distance < 0) {
     label(0, 0.5 * distance,
           "cores overlap " + spell_margin(-distance) + ", by " + in_words(pair.incremental->query),
           kAxisText, -side);
-    sketch.explain(kAxisSwatch, "overlap of the cores", place(0, 0.5 * distance));
+    sketch.explain(kOverlapSwatch, "overlap of the cores", place(0, 0.5 * distance));
     return;
   }
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
@@ -216,12 +211,11 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   label(2, distance - 0.3 * margin_b, "B's margin " + spell_margin(margin_b), kMargin,
         side + 2 * normal);
   const bool apart = b >= a;
-  sketch.explain(kMarginsSwatch, "margins", place(1, 0.5 * a));
   sketch.explain(
       kAxisSwatch,
       apart ? "distance of the cores, and the gap that the margins leave" : "distance of the cores",
       place(0, 0.5 * distance));
-  arrow(3, a, b, apart ? kAxis : kContact);
+  arrow(3, a, b, apart ? kAxis : kContact, !apart);
   label(3, 0.5 * (a + b), (apart ? "gap " : "overlap ") + spell_margin(std::abs(b - a)),
         apart ? kAxisText : kContact, side);
   label(0, 0.5 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
@@ -241,7 +235,7 @@ void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   if (!any) return;
   sketch.explain(kCoreSwatch,
-                 "core, " + spell_length(std::max(margin_a, margin_b)) + " within the faces");
+                 "core, " + spell_margin(std::max(margin_a, margin_b)) + " within the faces");
   sketch.explain(kRoundedSwatch, "core and margin: the surface that touches");
   draw_sum(scene, pair, sketch);
 }

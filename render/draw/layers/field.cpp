@@ -11,7 +11,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kMostLines = 8;          // on each side of the surface
+constexpr int kMostLines = 16;         // on each side of the surface
+constexpr double kCellsBetween = 3;    // from a line to the next
 constexpr double kBetweenProbes = 14;  // pixels
 constexpr Color kOutside = rgb(0x7D8894);
 constexpr Color kInside = rgb(0x6A4C93);
@@ -79,8 +80,7 @@ void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
   for (const bool upright : {false, true}) {
     auto& sides = upright ? beside : below;
     std::ranges::sort(sides);
-    const auto twice = std::ranges::unique(sides);
-    sides.erase(twice.begin(), twice.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     Cells::each_run(sides, [&](int line, int begin, int end) {
       if (upright)
         sketch.line(cells.corner(line, begin), cells.corner(line, end), kGrid);
@@ -88,7 +88,9 @@ void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
         sketch.line(cells.corner(begin, line), cells.corner(end, line), kGrid);
     });
   }
-  if (!slice.band.empty()) sketch.explain(kBandSwatch, "cells of the narrow band");
+  // Where cells ask their triangles, those stand for the grid.
+  if (!slice.band.empty() && slice.exact.empty())
+    sketch.explain(kBandSwatch, "cells of the narrow band");
 }
 
 void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
@@ -98,7 +100,7 @@ void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
                                 cells.corner(end, row + 1), cells.corner(begin, row + 1)},
                                kExact});
   });
-  if (!slice.exact.empty()) sketch.explain(kExactSwatch, "cells that ask their triangles");
+  if (!slice.exact.empty()) sketch.explain(kExactSwatch, "cell that asks its triangles");
 }
 
 void draw_level(const trace::FieldSlice& slice, double level, const LineStyle& style,
@@ -122,21 +124,22 @@ bool draw_contours(const trace::FieldSlice& slice, double spacing, Sketch& sketc
 }
 
 void draw_slices(const Scene& scene, Sketch& sketch) {
-  double largest = 0;
-  for (const trace::FieldSlice& slice : scene.frame.field_slices)
+  double largest = 0, cell = 0;
+  for (const trace::FieldSlice& slice : scene.frame.field_slices) {
+    cell = std::max(cell, slice.cell);
     for (const double distance : slice.distances)
       largest = std::max(largest, slice.cell * std::abs(distance));
+  }
   if (!(largest > 0)) return;
-  const double spacing = round_down(2 * largest / kMostLines);
+  const double spacing = round_down(std::max(kCellsBetween * cell, 2 * largest / kMostLines));
   bool inside = false;
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
     inside |= draw_contours(slice, spacing, sketch);
   }
-  sketch.explain(
-      inside ? kLinesSwatch : kOutsideSwatch,
-      "distance 0, then every " + spell_length(spacing) + (inside ? ", dashed inside" : ""));
+  sketch.explain(inside ? kLinesSwatch : kOutsideSwatch,
+                 "distance, every " + spell_quantity(spacing, "m", 1, scene.scales.length));
 }
 
 /// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.
@@ -153,7 +156,7 @@ void draw_probes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
             .second)
       sketch.mark(MarkKind::Speck, probe.position, kProbe);
   }
-  if (!drawn.empty()) sketch.explain(kProbeSwatch, "where the field was asked");
+  if (!drawn.empty()) sketch.explain(kProbeSwatch, "asked here");
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -9,11 +13,44 @@ namespace {
 // More names than this would be a thicket.
 constexpr std::size_t kMostEdgeNames = 12;
 
+/// "A5 × B9" of the edges "a:e5 b:e9", "corner B4" of "b:v4"; of other names these.
+std::string features_of(std::string_view id) {
+  std::string text;
+  int edges = 0;
+  while (!id.empty()) {
+    const std::string_view word = id.substr(0, id.find(' '));
+    id.remove_prefix(std::min(word.size() + 1, id.size()));
+    const bool known = word.size() > 3 && word[1] == ':' && (word[0] == 'a' || word[0] == 'b') &&
+                       (word[2] == 'e' || word[2] == 'v' || word[2] == 'f');
+    if (!text.empty()) text += edges > 0 && known && word[2] == 'e' ? " × " : " ";
+    if (!known) {
+      text += word;
+      continue;
+    }
+    edges += word[2] == 'e';
+    text += word[2] == 'v' ? "corner " : word[2] == 'f' ? "face " : "";
+    text += word[0] == 'a' ? 'A' : 'B';
+    text += word.substr(3);
+  }
+  return text;
+}
+
+/// Between the points that an edge makes; nothing where these are less than two.
+std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
+  std::vector<Vec3d> on_edge;
+  for (const PairPoint& any : all_points(pair)) {
+    const std::vector<PairEdge> edges = edges_in(any.point->id);
+    if (std::ranges::find(edges, edge) != edges.end()) on_edge.push_back(any.point->position);
+  }
+  if (on_edge.size() < 2) return std::nullopt;
+  return mean_of(on_edge);
+}
+
 // Catto 2007, "Feature-Based Contact Points": the ids, and the edges that they consist of, each
 // named beside it. Those of a mesh count within a triangle, and a round shape has none that is seen.
 void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const PairPoint& kept : kept_points(pair))
-    sketch.label(kept.point->position, kept.point->id, kText, 15, 12);
+    sketch.label(kept.point->position, features_of(kept.point->id), kText, 15, 12);
   std::vector<PairEdge> edges;
   for (const PairPoint& any : all_points(pair)) {
     for (const PairEdge& edge : edges_in(any.point->id)) {
@@ -26,10 +63,9 @@ void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (shape == nullptr || shape->is_mesh()) continue;
     const auto ends = shape->edge(index);
     if (!ends || shape->traced().radius > 0) continue;
-    sketch
-        .label(0.5 * ((*ends)[0] + (*ends)[1]), (of_a ? "a:e" : "b:e") + std::to_string(index),
-               kQuietText, 15, 5)
-        .bold = false;
+    sketch.label(middle_of(pair, {of_a, index}).value_or(0.5 * ((*ends)[0] + (*ends)[1])),
+                 (of_a ? "edge A" : "edge B") + std::to_string(index), of_a ? kArcOfA : kArcOfB, 16,
+                 5);
   }
 }
 

@@ -18,6 +18,8 @@ constexpr std::size_t kLabelledPoints = 8;  // points: more numbers than these w
 // The colour of friction is too light for letters on white; the same hue, darkened.
 constexpr Color kFrictionText = rgb(0x8F4B3E);
 
+constexpr Swatch kPushedSwatch{LegendGroup::Points, 3,
+                               [](auto& pen) { pen.dot(0, 4.0, kContact); }};
 constexpr Swatch kNormalImpulseSwatch{LegendGroup::Forces, 1,
                                       [](auto& pen) { pen.arrow(3, 10, kImpulse); }};
 constexpr Swatch kWarmStartSwatch{LegendGroup::Forces, 2, [](auto& pen) {
@@ -73,7 +75,7 @@ void draw_normal_impulse(const Scene& scene, const trace::Point& point, const Ve
     if (!(shown * scene.camera.pixels_per_metre(at) >= kLeastImpulse)) continue;
     if (warm) {
       sketch.bordered_line(at, at + shown * out, {6.0f, kWhite}, 9.0f, kImpulse);
-      sketch.explain(kWarmStartSwatch, "kept of the step before", Vec3d(at + 0.5 * shown * out));
+      sketch.explain(kWarmStartSwatch, "kept of the step before");
     } else {
       sketch.arrows.push_back(arrow_to_scale(at, shown * out, 3, 12, kImpulse));
       sketch.arrows.back().halo = false;
@@ -183,9 +185,10 @@ void draw_load(const Scene& scene, const trace::Pair& pair, double side, Sketch&
   const PairLoad load = load_of(scene, pair, side);
   if (load.outermost == nullptr || !(load.normal > 0)) return;
   const double step = scene.scales.step;
-  const std::string normal = spell_quantity(load.normal / step, "N");
+  const std::string normal = spell_quantity(load.normal / step, "N", 3, scene.scales.load);
   const bool rubs = scene.shows(Layer::Friction) && load.friction.norm() >= 1e-6 * load.normal;
-  const std::string friction = spell_quantity(load.friction.norm() / step, "N");
+  const std::string friction =
+      spell_quantity(load.friction.norm() / step, "N", 3, scene.scales.load);
   if (load.at.size() == 1) {
     const Vec3d& at = load.outermost->position;
     sketch.label(at, normal, kImpulse, 17, 12, scene.camera.right());
@@ -220,7 +223,10 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     const Vec3d& at = point->position;
     if (!point->impulse || !scene.camera.sees(at)) continue;
     const Vec3d out = side * manifold->normal;
-    if (!scene.shows(Layer::Contacts)) sketch.mark(MarkKind::Core, at, kContact);
+    if (!scene.shows(Layer::Contacts)) {
+      sketch.mark(MarkKind::Node, at, kContact);
+      sketch.explain(kPushedSwatch, "contact point", at);
+    }
     draw_normal_impulse(scene, *point, out, sketch);
     if (moves_a && moves_b && points == 1) draw_normal_impulse(scene, *point, -out, sketch);
     draw_friction(scene, *point, side, sketch);
@@ -228,7 +234,8 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     const double pixels = scene.camera.pixels_per_metre(at);
     if (shows_loads(scene) || points > kLabelledPoints || length * pixels < kLeastImpulse) continue;
     sketch.label(at + std::min(length, scene.scales.longest_impulse) * out,
-                 spell_quantity(point->impulse->normal, "N s"), kImpulse, 15, 8, out);
+                 spell_quantity(point->impulse->normal, "N s", 3, scene.scales.load), kImpulse, 15,
+                 8, out);
   }
 }
 

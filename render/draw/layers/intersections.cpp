@@ -16,17 +16,28 @@ constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
                                          [](auto& pen) { pen.area(kContact, 0.22f, 1); }};
 constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
                               [](auto& pen) { pen.dot(0, 4.8, kContact); }};
+constexpr LineStyle kUncounted{2.5f, kContact, true, LineStyle::Hidden::Faint};
+constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
+                                  [](auto& pen) { pen.dashes(2.5, kContact); }};
 constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,
                                  [](auto& pen) { pen.area(kAxis, 0.45f, 1.5); }};
 
-void draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, const Color& color,
+/// Of a mesh of which so many triangles cross, none is set off: all of it would be in their colour.
+constexpr double kMostOfMesh = 0.5;
+
+/// Whether there are any to be seen.
+bool draw_triangles(const PlacedShape* mesh, const std::set<int>& triangles, const Color& color,
                     float fill, Sketch& sketch) {
-  if (mesh == nullptr) return;
+  if (mesh == nullptr || triangles.empty()) return false;
+  if (static_cast<double>(triangles.size()) >
+      kMostOfMesh * static_cast<double>(mesh->traced().faces.size()))
+    return false;
   for (const int triangle : triangles) {
     if (triangle < 0 || triangle >= count_of(mesh->traced().faces)) continue;
     sketch.face(mesh->polygon(triangle), with_alpha(color, fill),
                 {1.0f, with_alpha(color, 0.6f), false, LineStyle::Hidden::Gone});
   }
+  return true;
 }
 
 /// An area that has become a line is drawn as one.
@@ -36,8 +47,10 @@ void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
   sketch.explain(kDegenerateSwatch, "triangle without an area", mesh->polygon(triangle)[0]);
 }
 
-/// What two triangles share; a lone point where it is no end of a line that is drawn anyway.
+/// What two triangles share; a lone point where it is no end of a line that is drawn anyway. Faint
+/// where the answer is no all the same, as of an exclusive comparison.
 void draw_segments(const trace::Pair& pair, Sketch& sketch) {
+  const bool counts = pair.overlap.value_or(true);
   std::vector<Vec3d> ends, points;
   for (const trace::Intersection& meeting : pair.intersections) {
     if (!meeting.segment) continue;
@@ -46,8 +59,12 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
       points.push_back(from);
       continue;
     }
-    sketch.line(from, to, {3.5f, kContact, false, LineStyle::Hidden::Faint});
-    sketch.explain(kMeetingCurveSwatch, "where the surfaces meet");
+    sketch.line(from, to,
+                counts ? LineStyle{3.5f, kContact, false, LineStyle::Hidden::Faint} : kUncounted);
+    if (counts)
+      sketch.explain(kMeetingCurveSwatch, "where the surfaces meet");
+    else
+      sketch.explain(kUncountedSwatch, "where they touch, which does not count");
     ends.insert(ends.end(), {from, to});
   }
   const auto before = [](const Vec3d& p, const Vec3d& q) {
@@ -56,8 +73,11 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   std::ranges::sort(ends, before);
   for (const Vec3d& point : points) {
     if (std::ranges::binary_search(ends, point, before)) continue;
-    sketch.mark(MarkKind::Dot, point, kContact);
-    sketch.explain(kTouchSwatch, "a point where they touch", point);
+    sketch.mark(counts ? MarkKind::Dot : MarkKind::Hollow, point, kContact);
+    if (counts)
+      sketch.explain(kTouchSwatch, "a point where they touch", point);
+    else
+      sketch.explain(kUncountedSwatch, "where they touch, which does not count", point);
   }
 }
 
@@ -70,13 +90,16 @@ void draw_intersections(const Scene& scene, const trace::Pair& pair, Sketch& ske
     (coplanar ? coplanar_a : crossing_a).insert(meeting.a);
     (coplanar ? coplanar_b : crossing_b).insert(meeting.b);
   }
-  draw_triangles(a, crossing_a, kContact, 0.22f, sketch);
-  draw_triangles(b, crossing_b, kContact, 0.22f, sketch);
-  draw_triangles(a, coplanar_a, kAxis, 0.35f, sketch);
-  draw_triangles(b, coplanar_b, kAxis, 0.35f, sketch);
-  if (!crossing_a.empty())
+  // Among the boxes of trees the line where they meet is enough.
+  const bool set_off = !scene.shows(Layer::Tree);
+  const bool crosses_a = set_off && draw_triangles(a, crossing_a, kContact, 0.22f, sketch);
+  const bool crosses_b = set_off && draw_triangles(b, crossing_b, kContact, 0.22f, sketch);
+  if (crosses_a || crosses_b)
     sketch.explain(kCrossingTriangleSwatch, "triangle that crosses the other mesh");
-  if (!coplanar_a.empty()) sketch.explain(kCoplanarSwatch, "triangles that overlap in one plane");
+  const bool coplanar_of_a = draw_triangles(a, coplanar_a, kAxis, 0.35f, sketch);
+  const bool coplanar_of_b = draw_triangles(b, coplanar_b, kAxis, 0.35f, sketch);
+  if (coplanar_of_a || coplanar_of_b)
+    sketch.explain(kCoplanarSwatch, "triangles that overlap in one plane");
   for (const trace::Intersection& meeting : pair.intersections) {
     if (meeting.a_degenerate) draw_degenerate(a, meeting.a, sketch);
     if (meeting.b_degenerate) draw_degenerate(b, meeting.b, sketch);

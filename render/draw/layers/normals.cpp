@@ -64,10 +64,9 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                                          scene.camera.pixels_per_metre(arrow.from) *
                                          arrow.direction;
     if (steps_back)
-      sketch.explain(kUsualNormalSwatch, "normal as most have it", ahead);
+      sketch.explain(kUsualNormalSwatch, "normal and points as most have them", ahead);
     else
-      sketch.explain(kNormalSwatch, stands_out ? "normal more than 30° off" : "normal, from A to B",
-                     ahead);
+      sketch.explain(kNormalSwatch, "normal, from A to B", ahead);
   }
 }
 

@@ -35,7 +35,8 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   const double factor = scene.scales.drift, pixels = scene.camera.pixels_per_metre(at);
   // Where the two places that met when the point was found are now. As long as the dot is wide,
   // they say nothing.
-  if (factor * pixels * (point.on_b() - point.on_a()).norm() >= kLeastAnchors) {
+  if (factor * pixels * (point.on_b() - point.on_a()).norm() >=
+      kLeastAnchors * scene.scales.pixel) {
     const Vec3d middle = 0.5 * (point.on_a() + point.on_b());
     const Vec3d from = middle + factor * (point.on_a() - middle);
     const Vec3d to = middle + factor * (point.on_b() - middle);

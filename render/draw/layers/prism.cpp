@@ -25,6 +25,7 @@ constexpr Swatch kEdgeSwatch{LegendGroup::Motion, 10, [](auto& pen) { pen.area(k
 constexpr Swatch kVertexSwatch{LegendGroup::Motion, 11,
                                [](auto& pen) { pen.area(kVertexTint, 1, 1); }};
 constexpr Swatch kWaySwatch{LegendGroup::Motion, 12, [](auto& pen) { pen.dashes(1.5, kContact); }};
+constexpr Swatch kHitSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.dot(0, 4.8, kContact); }};
 
 /// What the eye sees of a ball.
 std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double radius) {
@@ -112,8 +113,11 @@ void draw_prism(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   }
   const Vec3d center = ball->pose.position;
   sketch.line(center, center + way->displacement, kWay);
-  if (pair.impact->status == "hit")
-    sketch.mark(MarkKind::Dot, center + pair.impact->time * way->displacement, kContact);
+  if (pair.impact->status == "hit") {
+    const Vec3d touching = center + pair.impact->time * way->displacement;
+    sketch.mark(MarkKind::Dot, touching, kContact);
+    sketch.explain(kHitSwatch, "the ball touches", touching);
+  }
   sketch.explain(kFaceSwatch, "touches the face");
   sketch.explain(kEdgeSwatch, "an edge");
   sketch.explain(kVertexSwatch, "a vertex");

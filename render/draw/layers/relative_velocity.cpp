@@ -43,10 +43,14 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       sketch.line(at + whole, at + part, {1.2f, kMotion, true});
       sketch.explain(kWholeSwatch, "relative velocity at the contact", Vec3d(at + 0.8 * whole));
     }
+    const std::string spelled = spell_closing(speed, scales.closing);
+    if (!is_seen(part)) {
+      sketch.label(at, spelled + " along the normal", kMotion, 18, 12, scene.camera.right());
+      continue;
+    }
     sketch.explain(kPartSwatch, "its part along the normal", Vec3d(at + 0.8 * part));
-    if (is_seen(part)) sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kMotion));
-    sketch.label(is_seen(part) ? Vec3d(at + part) : at, spell_closing(speed, scales.closing),
-                 kMotion, 18, 12, scene.camera.right());
+    sketch.arrows.push_back(arrow_to_scale(at, part, 4, 14, kMotion));
+    sketch.label(at + part, spelled, kMotion, 18, 12, scene.camera.right());
   }
 }
 

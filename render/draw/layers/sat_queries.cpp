@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
@@ -57,13 +58,6 @@ std::array<std::optional<BestAxis>, 3> best_axes(const Scene& scene, const trace
       if (const auto ends = scene.edge(*name, index)) best.edges.push_back(*ends);
   }
   return found;
-}
-
-/// All in the unit that suits the largest: "0.390 m", "68.6 mm".
-std::string in_unit_of(double largest, double metres) {
-  const Prefix prefix = prefix_for(largest);
-  return printed(prefix.size == 1 ? "%.3f " : "%.1f ", std::abs(metres) / prefix.size) +
-         prefix.name + "m";
 }
 
 trace::Polygon square_about(const Vec3d& middle, const Vec3d& normal, const Vec3d& along,
@@ -121,9 +115,6 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   if (!pair.sat || a == nullptr || b == nullptr) return;
   const std::array<std::optional<BestAxis>, 3> found = best_axes(scene, pair);
   constexpr std::array<std::string_view, 3> kChosen = {"face_a", "face_b", "edge_edge"};
-  double largest = 0;
-  for (const auto& best : found)
-    if (best) largest = std::max(largest, std::abs(best->separation));
   const double size = std::min(a->mesh->radius, b->mesh->radius);
   std::vector<Vec3d> both = a->vertices;
   append(both, b->vertices);
@@ -147,7 +138,7 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     std::string words = "not asked any more";
     if (found[k]) {
       const bool apart = found[k]->separation > 0;
-      words = (apart ? "gap " : "overlap ") + in_unit_of(largest, found[k]->separation);
+      words = spell_separation(found[k]->separation, scene.noise(pair), scene.scales.length);
       if (chosen) words += apart ? ": ends the test" : ": the least, chosen";
     }
     const double row = 1.45 * kQueryName * scene.scales.pixel / pixels;

@@ -9,6 +9,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kBesideWhisker = 44;  // pixels
+constexpr double kLeastOfAxis = 14;    // pixels: nearer to each other, dots hide the gap
 
 constexpr Swatch kClosestPointsSwatch{LegendGroup::Axes, 3,
                                       [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
@@ -48,11 +49,13 @@ void draw_separation(const Scene& scene, const trace::Pair& pair, const Query& q
     if (!aside.isZero()) sketch.line(end, end + 1.15 * aside, {1.2f, kAxis});
   }
   const Vec3d begin = from + aside, end = to + aside;
-  draw_measure(scene, begin, end, chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
+  draw_measure(scene, metres > 0 ? Measured::Gap : Measured::Overlap, begin, end,
+               chosen ? 3.5f : 2.0f, words(scene, pair, all), sketch);
   const std::string note = all && chosen && metres <= 0 ? ", chosen" : "";
   sketch
       .label(0.5 * (begin + end),
-             std::string(name) + ": " + spell_separation(metres, scene.noise(pair)) + note,
+             std::string(name) + ": " +
+                 spell_separation(metres, scene.noise(pair), scene.scales.length) + note,
              kAxisText, chosen ? 18.0f : 15.0f, 17)
       .bold = chosen;
 }
@@ -81,10 +84,13 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
     if (const auto ends = scene.edge(*name, index))
       sketch.line((*ends)[0], (*ends)[1], {chosen ? 5.0f : 3.5f, kAxis});
   }
-  if (chosen) {
+  const std::optional<float> pixels = seen_distance(scene.camera, edge.point_a, edge.point_b);
+  if (chosen && pixels && *pixels >= kLeastOfAxis * scene.scales.pixel) {
     for (const Vec3d& point : {edge.point_a, edge.point_b})
       sketch.mark(MarkKind::Node, point, kAxisText);
-    sketch.explain(kClosestPointsSwatch, "closest points of the edges", edge.point_a);
+    // The heads of a gap's arrow cover them.
+    if (edge.separation < 0)
+      sketch.explain(kClosestPointsSwatch, "closest points of the edges", edge.point_a);
   }
   draw_separation(scene, pair, {"edges", edge.point_b, edge.normal, edge.separation, chosen}, all,
                   sketch);

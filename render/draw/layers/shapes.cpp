@@ -47,7 +47,8 @@ void explain_margin(const Scene& scene, Legend& legend) {
   if (widest == nullptr) return;
   const trace::Shape& core = *widest->mesh->core;
   if (!scene.frame.field_slices.empty()) return;  // they have enough signs of their own
-  legend.explain(kMarginSwatch, "shape without its margin of " + spell_length(core.margin));
+  legend.explain(kMarginSwatch, "shape without its margin of " +
+                                    spell_length(core.margin, 0, scene.scales.length));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
     const std::vector<SupportPoint> points = points_of(*step, shown, of_a);
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = i + 1; j < points.size(); ++j)
-        sketch.line(points[i].at, points[j].at, {2.5f, color});
+        sketch.line(points[i].at, points[j].at, {2.5f, color, !of_a});  // those of B dashed
       std::string text;
       for (const int number : points[i].numbers)
         text += (text.empty() ? "" : " ") + std::to_string(number);
@@ -67,11 +67,11 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
   const Vec3d& from = epa ? pair.penetration->point_a : pair.gjk->point_a;
   const Vec3d& to = epa ? pair.penetration->point_b : pair.gjk->point_b;
   sketch.arrows.push_back(
-      {.from = from, .to = to, .double_headed = true, .width = 3, .color = kAxis});
+      {.from = from, .to = to, .double_headed = !epa, .bars = epa, .width = 3, .color = kAxis});
   sketch.label(
       0.5 * (from + to),
-      (epa ? "overlap " : "gap ") +
-          spell_length(epa ? pair.penetration->depth : pair.gjk->distance, scene.noise(pair)),
+      (epa ? "overlap " : "gap ") + spell_length(epa ? pair.penetration->depth : pair.gjk->distance,
+                                                 scene.noise(pair), scene.scales.length),
       kAxisText, 17, 14);
 }
 

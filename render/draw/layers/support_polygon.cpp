@@ -102,7 +102,9 @@ void draw_support(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   explain_support(stability, turns(pair), sketch.legend);
   if (stability.support.size() > 2)
     sketch.surfaces.push_back({stability.support, with_alpha(kClipPolygon, 0.28f)});
-  if (stability.support.size() > 1) sketch.outline(stability.support, {3.0f, kClipPolygon});
+  // A line is seen on both sides of the axis that lies on it.
+  const float width = stability.support.size() == 2 && turns(pair) ? 7.0f : 3.0f;
+  if (stability.support.size() > 1) sketch.outline(stability.support, {width, kClipPolygon});
   if (turns(pair)) draw_free_axis(scene, pair, sketch);
   if (stability.support.empty()) return;
   sketch.label(stability.projection, verdict_of(stability), kText, 18, 16,

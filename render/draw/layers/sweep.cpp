@@ -7,48 +7,62 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastBetween = 0.03;  // of the step: of skins that are nearer one is drawn
+constexpr double kLeastWay = 3;         // pixels of a shape through the step
+constexpr double kLeastBetween = 0.02;  // of the step: of skins that are nearer one is drawn
 
 constexpr LineStyle kSkin{1.2f, kDropped};
 constexpr LineStyle kEnd{2.0f, kDropped, true};
 constexpr LineStyle kMeeting{3.0f, kContact};
 
-constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5, [](auto& pen) { pen.area(kDropped, 0, 1.2); }};
+constexpr Swatch kSkinSwatch{LegendGroup::Motion, 5,
+                             [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 constexpr Swatch kEndSwatch{LegendGroup::Motion, 6, [](auto& pen) { pen.dashes(2, kDropped); }};
 constexpr Swatch kMeetingSwatch{LegendGroup::Motion, 7,
-                                [](auto& pen) { pen.area(kContact, 0, 3); }};
+                                [](auto& pen) { pen.level_line(0, 23, 3, kContact); }};
 
-constexpr Swatch kGhostSwatch{LegendGroup::Motion, 8, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
+constexpr LineStyle kTrue{2.2f, kShapeEdge};
+constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
+                             [](auto& pen) { pen.level_line(0, 23, 2.2, kShapeEdge); }};
 
-bool moves(const trace::Travel& travel) {
-  return !travel.displacement.isZero(0) || !travel.turn.isZero(0);
+constexpr Swatch kGhostSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
+
+/// Whether a shape goes or turns so far that it is seen elsewhere: what rests would be drawn over itself.
+bool moves(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel) {
+  const double way = travel.displacement.norm() + travel.turn.norm() * shape.mesh->radius;
+  return way * scene.camera.pixels_per_metre(travel.pivot) > kLeastWay * scene.scales.pixel;
 }
 
 void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.impact) return;
   const trace::Impact& impact = *pair.impact;
-  // A cast moves shapes as they stand; only the next frame shows what they have turned by.
-  const auto draw_at = [&](double time, const LineStyle& style) {
-    const double turned = impact.method == "swept" && time < 1 ? 0 : time;
+  // A cast moves shapes as they stand; where it meets shows how they are turned by then.
+  const bool is_cast = impact.method == "swept";
+  const auto draw_turned = [&](double time, double turned, const LineStyle& style) {
     for (const auto& [name, travel] :
          {std::pair(pair.a, impact.travel_a), std::pair(pair.b, impact.travel_b)}) {
       const PlacedShape* shape = scene.find(name);
-      if (shape == nullptr || shape->traced().half_space || !moves(travel)) continue;
+      if (shape == nullptr || shape->traced().half_space || !moves(scene, *shape, travel)) continue;
       draw_ghost(scene.camera,
                  moved(*shape, travel.pivot, time * travel.displacement, turned * travel.turn),
                  style, sketch);
     }
   };
+  const auto draw_at = [&](double time, const LineStyle& style) {
+    draw_turned(time, is_cast && time < 1 ? 0 : time, style);
+  };
   double last = 0;
   for (const trace::ImpactStep& step : impact.steps) {
     if (impact.method == "speculative") break;  // nobody searches; the answer judges ghosts alone
+    if (impact.status == "separated") break;    // nothing is found: the way is drawn, and enough
     if (step.safe - last < kLeastBetween || step.safe >= 1) continue;
     if (impact.status == "hit" && impact.time - step.safe < kLeastBetween) continue;
     last = step.safe;
     draw_at(step.safe, kSkin);
     sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
   }
-  const bool moved_any = moves(impact.travel_a) || moves(impact.travel_b);
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  const bool moved_any = (a != nullptr && moves(scene, *a, impact.travel_a)) ||
+                         (b != nullptr && moves(scene, *b, impact.travel_b));
   if (moved_any) {
     draw_at(1, kEnd);
     sketch.explain(kEndSwatch, "at the next frame, if nothing stopped it");
@@ -63,6 +77,11 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (!corners->empty()) sketch.explain(kMeetingSwatch, "the triangles where they first meet");
   }
   if (impact.status != "hit") return;
+  const bool turns = !impact.travel_a.turn.isZero(0) || !impact.travel_b.turn.isZero(0);
+  if (is_cast && turns) {
+    draw_turned(impact.time, impact.time, kTrue);
+    sketch.explain(kTrueSwatch, "where it is by then");
+  }
   if (moved_any) {
     draw_at(impact.time, kMeeting);
     sketch.explain(kMeetingSwatch, "where they first meet");

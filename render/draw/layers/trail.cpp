@@ -13,7 +13,11 @@ constexpr std::size_t kMostSkins = 12;  // of one shape; older ones are left out
 constexpr LineStyle kPast{1.2f, kDropped};
 constexpr LineStyle kTrailWay{1.2f, kDropped, true};
 
-constexpr Swatch kPastSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.area(kDropped, 0, 1.2); }};
+constexpr double kLeastStep = 4;      // pixels: nearer to each other, outlines merge into bars
+constexpr double kLeastTurn = 0.005;  // half a turn's sine
+
+constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
+                             [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
 
 void draw_trail(const Scene& scene, Sketch& sketch) {
   if (scene.sequence == nullptr) return;
@@ -29,17 +33,24 @@ void draw_trail(const Scene& scene, Sketch& sketch) {
     }
     if (past.size() > kMostSkins) past.erase(past.begin(), past.end() - kMostSkins);
     past.push_back(shape.pose);
+    const Vec3d now = shape.pose.transform(middle);
+    const double pixels_per_metre = scene.camera.pixels_per_metre(now) / scene.scales.pixel;
+    std::optional<Vec3d> last;  // where the newest skin that is drawn was
     for (std::size_t k = 0; k + 1 < past.size(); ++k) {
       const Pose<double>&then = past[k], &next = past[k + 1];
-      const Vec3d way = next.transform(middle) - then.transform(middle);
+      const Vec3d place = then.transform(middle), way = next.transform(middle) - place;
+      const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
       if (way.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
-      const Eigen::AngleAxisd back(then.rotation * shape.pose.rotation.conjugate());
-      const Vec3d now = shape.pose.transform(middle);
-      draw_ghost(scene.camera,
-                 moved(shape, now, then.transform(middle) - now, Vec3d(back.angle() * back.axis())),
+      sketch.line(place, place + way, kTrailWay);
+      const auto merges = [&](const Vec3d& other) {
+        return (place - other).norm() * pixels_per_metre < kLeastStep;
+      };
+      if (turn.vec().norm() < kLeastTurn && (merges(now) || (last && merges(*last)))) continue;
+      last = place;
+      const Eigen::AngleAxisd back(turn);
+      draw_ghost(scene.camera, moved(shape, now, place - now, Vec3d(back.angle() * back.axis())),
                  kPast, sketch);
-      sketch.line(then.transform(middle), then.transform(middle) + way, kTrailWay);
-      sketch.explain(kPastSwatch, "in the frames before", then.transform(middle));
+      sketch.explain(kPastSwatch, "in the frames before", place);
     }
   }
 }

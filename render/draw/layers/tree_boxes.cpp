@@ -46,9 +46,9 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   });
   for (const trace::TreeVisit& visit : visits) {
     const bool inner = !visit.leaf;
-    const LineStyle style =
-        visit.overlaps ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kBox, inner ? 0.8f : 1)}
-                       : LineStyle{1.5f, kDropped, true};
+    const LineStyle style = visit.overlaps
+                                ? LineStyle{inner ? 1.5f : 3.0f, with_alpha(kBox, inner ? 0.8f : 1)}
+                                : LineStyle{1.5f, kDropped, true};
     if (!visit.overlaps)
       sketch.surfaces.push_back({widest_cut(visit.box, *mesh), with_alpha(kDropped, kLeftOut)});
     outline(visit.box, mesh->pose, style, sketch);
@@ -69,7 +69,7 @@ void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
     const PlacedShape* mesh = scene.find(deformed.name);
     if (mesh == nullptr) continue;
     for (const trace::Box& box : deformed.boxes)
-      outline(box, mesh->pose, {1.5f, with_alpha(kBox, 0.9f)}, sketch);
+      outline(box, mesh->pose, {1.2f, with_alpha(kBox, 0.7f)}, sketch);
     sketch.explain(kDeformedSwatch, "boxes of the tree, four levels down");
   }
 }

@@ -1,14 +1,16 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/convex_polygon.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastVelocity = 5;        // pixels: a shorter one is only a head
-constexpr double kLeastNamed = 1.5;         // pixels
+constexpr double kLeastVelocity = 12;       // pixels: a shorter one is only a head
+constexpr double kLeastShare = 0.05;        // of the fastest: slower, it does not matter
 constexpr double kLeastSpin = 0.12;         // radians, likewise
 constexpr double kSpinRadius = 0.42;        // of the body's radius
 constexpr std::size_t kLabelledBodies = 4;  // bodies: more numbers than these would be a crowd
@@ -34,20 +36,20 @@ constexpr Swatch kSpinSwatch{
           kMotion);
     }};
 
-// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn. A
-// velocity that is too short for an arrow still has its number, beside those of other bodies.
-void draw_velocity(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
+// A velocity is drawn as the way of the centre of mass in a stated time, a spin as the turn. One that
+// is too short for an arrow has no number either, which nothing would bear.
+void draw_velocity(const Scene& scene, const trace::Body& body, double fastest, bool numbered,
+                   Sketch& sketch) {
   const Vec3d& center = body.center_of_mass;
   const Vec3d way = scene.scales.velocity * body.velocity;
   const double pixels = way.norm() * scene.camera.pixels_per_metre(center);
-  if (pixels < (numbered ? kLeastNamed : kLeastVelocity)) return;
+  if (pixels < kLeastVelocity || body.velocity.norm() < kLeastShare * fastest) return;
   sketch.explain(kVelocitySwatch,
                  "velocity, way in " + spell_quantity(scene.scales.velocity, "s", 1));
-  const bool drawn = pixels >= kLeastVelocity;
-  if (drawn) sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kMotion));
+  sketch.arrows.push_back(arrow_to_scale(center, way, 3.5f, 13, kMotion));
   if (numbered)
-    sketch.label(drawn ? Vec3d(center + way) : center, spell_quantity(body.velocity.norm(), "m/s"),
-                 kMotion, 16, 9, way.normalized());
+    sketch.label(center + way, spell_quantity(body.velocity.norm(), "m/s"), kMotion, 16, 9,
+                 way.normalized());
 }
 
 void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketch& sketch) {
@@ -67,16 +69,27 @@ void draw_spin(const Scene& scene, const trace::Body& body, bool numbered, Sketc
 
 void draw_velocities(const Scene& scene, Sketch& sketch) {
   const bool numbered = scene.bodies().size() <= kLabelledBodies;
+  double fastest = 0;
+  for (const trace::Body& body : scene.bodies()) fastest = std::max(fastest, body.velocity.norm());
   for (const trace::Body& body : scene.bodies()) {
-    draw_velocity(scene, body, numbered, sketch);
+    draw_velocity(scene, body, fastest, numbered, sketch);
     draw_spin(scene, body, numbered, sketch);
   }
 }
 
 // Beside the centre of mass.
 void draw_masses(const Scene& scene, Sketch& sketch) {
-  for (const trace::Body& body : scene.bodies())
-    sketch.label(body.center_of_mass, spell_number(body.mass) + " kg", kText, 19, 0);
+  for (const trace::Body& body : scene.bodies()) {
+    Label& label = sketch.label(body.center_of_mass, spell_number(body.mass) + " kg", kText, 19, 0,
+                                scene.camera.up());
+    const PlacedShape* shape = scene.find(body.name);
+    if (shape == nullptr) continue;
+    for (const Vec3d& corner : extent_points(*shape)) {
+      if (const std::optional<Point2> at = scene.camera.project(corner))
+        label.ground.emplace_back(at->x, at->y);
+    }
+    label.ground = convex_polygon(std::move(label.ground));
+  }
 }
 
 }  // namespace

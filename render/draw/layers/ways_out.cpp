@@ -65,8 +65,8 @@ void draw_ways_out(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
         arrow_to_scale(center, end - center, taken ? 5.0f : 2.5f, taken ? 16.0f : 12.0f, color));
     const std::string name = way.of_edges ? "edges: " : "";
     sketch
-        .label(end, name + spell_length(way.overlap), kAxisText, taken ? 20.0f : 17.0f, 10,
-               way.direction)
+        .label(end, name + spell_length(way.overlap, 0, scene.scales.length), kAxisText,
+               taken ? 20.0f : 17.0f, 10, way.direction)
         .bold = taken;
     if (taken)
       sketch.explain(kWayTakenSwatch, "way out that is taken, as long as the overlap");

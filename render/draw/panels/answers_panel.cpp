@@ -11,8 +11,10 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kBarLines = 0.55f;  // height of a row of cells, in lines of text
-constexpr float kBelowBar = 3;      // pixels at 720 lines
+constexpr double kAnswerBar = 14;      // pixels at 720 lines, the height of a row of cells
+constexpr double kBelowAnswerBar = 3;  // likewise
+constexpr double kLeastBetween = 8;    // and between two rows
+constexpr double kMostBetween = 56;
 
 bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();
@@ -27,7 +29,8 @@ struct AnswerHistory {
 
 class AnswersPanel : public PanelContent {
  public:
-  AnswersPanel(const Staging& staging, const Frames& frames) : scale_(staging.layout.scale) {
+  AnswersPanel(const Staging& staging, const Frames& frames)
+      : scale_(staging.layout.scale), unit_(staging.scales.length) {
     for (const trace::Pair* pair : distinct_pairs(frames, has_query)) {
       AnswerHistory& history = histories_.emplace_back();
       history.name = pair_name(*pair);
@@ -37,15 +40,19 @@ class AnswersPanel : public PanelContent {
         if (moment == nullptr || !moment->query) continue;
         answer = answer_kind(*moment);
         history.of_bounds = history.of_bounds || moment->query->shapes.has_value();
+        has_wrong_ =
+            has_wrong_ || *answer == AnswerKind::FalsePositive || *answer == AnswerKind::Missed;
       }
     }
+    std::ranges::stable_sort(histories_, {}, &AnswerHistory::of_bounds);
   }
 
   PanelNeed need(const PanelMoment&) const override {
-    const float heading = Sheet::heading_height(scale_);
-    const float one = row_height(), count = static_cast<float>(histories_.size());
-    const float all = heading + one * std::max(1.0f, count);
-    return {heading + one, all, all, 0};
+    const float heading = Sheet::heading_height(scale_), count = static_cast<float>(rows());
+    const auto between = scale_ * static_cast<float>(kLeastBetween);
+    const auto wide = scale_ * static_cast<float>(kMostBetween);
+    return {heading + row_height(), heading + count * (row_height() + between),
+            heading + count * (row_height() + wide), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -54,23 +61,27 @@ class AnswersPanel : public PanelContent {
       sheet.paragraph("does not apply: no pair is asked anything in this sequence", kQuietText);
       return {};
     }
+    const double room = sheet.rest().height / static_cast<double>(rows()) - row_height();
+    const auto between = static_cast<float>(std::clamp<double>(room, 0, kMostBetween * scale_));
     std::size_t shown = 0;
     for (const AnswerHistory& history : histories_) {
       const bool fits = row_height() <= static_cast<float>(sheet.rest().height) + 1;
       if (shown > 0 && !fits) break;
-      sheet.line(history.name + ": " + told(history, moment.frame), kText);
-      if (is_sequence()) draw_cells(history, moment.frame, sheet);
-      const float bar = is_sequence() ? kBarLines * sheet.text_height() : 0;
-      sheet.skip(bar + kBelowBar * scale_);
+      draw_row(history, moment.frame, sheet);
+      sheet.skip(between);
       ++shown;
     }
     return sheet.more(histories_.size() - shown, "pair", "pairs");
   }
 
  private:
+  std::size_t rows() const { return std::max<std::size_t>(1, histories_.size()); }
+
+  /// Name and answer, the cells, and a line of words.
   float row_height() const {
-    const float bar = is_sequence() ? kBarLines : 0;
-    return Sheet::line_height(scale_) * (1 + bar) + (kBelowBar + 2) * scale_;
+    const double bar = is_sequence() ? kAnswerBar + kBelowAnswerBar : 0;
+    return Sheet::line_height(scale_) * (has_wrong_ ? 2.0f : 1.0f) +
+           static_cast<float>(bar + 8) * scale_;
   }
 
   /// A frame alone has no history.
@@ -79,30 +90,58 @@ class AnswersPanel : public PanelContent {
         histories_, [](const AnswerHistory& history) { return history.answers.size() > 1; });
   }
 
-  /// Of shapes the answer of a frame; of bounds those up to it: "yes 12 of 24, 5 false (42 %)".
+  void draw_row(const AnswerHistory& history, std::size_t now, Sheet& sheet) const {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const double baseline = rest.y + 0.82 * sheet.text_height();
+    const std::string answer = answer_at(history, now);
+    const float used = pen.width_of(answer) + pen.px(10);
+    pen.text(pen.fitted(history.name, Weight::Bold, static_cast<float>(rest.width) - used),
+             pixel(rest.x, baseline), Align::Left, kText, Weight::Bold);
+    pen.text(answer, pixel(rest.right(), baseline), Align::Right, kText);
+    sheet.skip(sheet.text_height());
+    if (is_sequence()) {
+      draw_cells(history, now, sheet);
+      sheet.skip(pen.px(kAnswerBar + kBelowAnswerBar));
+    }
+    if (has_wrong_) sheet.line(told(history, now), kQuietText);
+  }
+
+  /// Of shapes what they are asked; of bounds whether that is so: "yes, falsely".
+  std::string answer_at(const AnswerHistory& history, std::size_t now) const {
+    if (!history.answers[now]) return "not asked";
+    if (!history.of_bounds) return spell_answer(*history.moments[now], unit_);
+    switch (*history.answers[now]) {
+      case AnswerKind::Yes:
+        return "yes";
+      case AnswerKind::No:
+        return "no";
+      case AnswerKind::FalsePositive:
+        return "yes, falsely";
+      case AnswerKind::Missed:
+        break;
+    }
+    return "no, falsely";
+  }
+
+  /// Of bounds those up to a frame: "falsely in 5 of 24 frames". Nothing where none is wrong.
   static std::string told(const AnswerHistory& history, std::size_t now) {
-    if (!history.of_bounds)
-      return history.answers[now] ? spell_answer(*history.moments[now]) : "not asked";
-    int asked = 0, yes = 0, wrong = 0, missed = 0;
+    int asked = 0, wrong = 0;
     for (std::size_t f = 0; f <= now; ++f) {
       const auto& answer = history.answers[f];
       if (!answer) continue;
       ++asked;
-      yes += *answer == AnswerKind::Yes || *answer == AnswerKind::FalsePositive;
-      missed += *answer == AnswerKind::Missed;
-      wrong += *answer == AnswerKind::FalsePositive;
+      wrong += *answer == AnswerKind::FalsePositive || *answer == AnswerKind::Missed;
     }
-    std::string text = "yes " + std::to_string(yes) + " of " + std::to_string(asked);
-    text += ", " + std::to_string(wrong) + " false";
-    if (missed > 0) return text + ", " + std::to_string(missed) + " missed";
-    if (wrong > 0) text += printed(" (%.0f %%)", 100.0 * wrong / yes);
-    return text;
+    if (wrong == 0) return {};
+    return "falsely in " + std::to_string(wrong) + " of " + std::to_string(asked) +
+           (asked == 1 ? " frame" : " frames");
   }
 
   static void draw_cells(const AnswerHistory& history, std::size_t now, const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
-    const double height = kBarLines * sheet.text_height();
+    const double height = pen.px(kAnswerBar);
     const double cell = rest.width / static_cast<double>(history.answers.size());
     pen.fill({rest.x, rest.y, rest.width, height}, with_alpha(kQuietText, 0.08f));
     for (std::size_t f = 0; f <= now; ++f) {
@@ -119,7 +158,9 @@ class AnswersPanel : public PanelContent {
   }
 
   float scale_;
-  std::vector<AnswerHistory> histories_;
+  LengthUnit unit_;
+  bool has_wrong_ = false;                // some bounds, in some frame
+  std::vector<AnswerHistory> histories_;  // shapes before bounds
 };
 
 }  // namespace

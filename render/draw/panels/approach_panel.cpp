@@ -26,7 +26,7 @@ class ApproachPanel : public PanelContent {
 
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double chart) {
-      return Sheet::heading_height(scale_) + 2 * Sheet::line_height(scale_) +
+      return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
              static_cast<float>(chart + kApproachBelow) * scale_;
     };
     return {high(kLeastApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
@@ -43,10 +43,11 @@ class ApproachPanel : public PanelContent {
     const trace::Impact& impact = *pair->impact;
     sheet.row("method", in_words(impact.method) + ", " + std::to_string(impact.steps.size()) +
                             (impact.steps.size() == 1 ? " step" : " steps"));
-    sheet.row("answer",
-              in_words(impact.status) +
-                  (impact.status == "hit" ? ", at " + printed("%.4f", impact.time) + " of the step"
-                                          : ""));
+    sheet.row("answer", in_words(impact.status) +
+                            (impact.status == "hit"
+                                 ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"
+                                 : ""));
+    if (!impact.steps.empty()) sheet.line("pink: they cannot meet before its end", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
     const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
@@ -69,10 +70,11 @@ class ApproachPanel : public PanelContent {
     };
     pen.line(place(0, 0), place(1, 0), 1, kDropped);
     const double left = chart.x - pen.px(6), below = chart.y + chart.height + pen.px(20);
-    pen.text(spell_length(most), pixel(left, chart.y + pen.px(10)), Align::Right, kQuietText);
+    pen.text(spell_length(most, 0, length_unit(most)), pixel(left, chart.y + pen.px(10)),
+             Align::Right, kQuietText);
     pen.text("0", pixel(left, chart.y + chart.height + pen.px(4)), Align::Right, kQuietText);
     pen.text("0", pixel(chart.x, below), Align::Center, kQuietText);
-    pen.text("time", pixel(chart.x + 0.5 * chart.width, below), Align::Center, kQuietText);
+    pen.text("share of the step", pixel(chart.x + 0.5 * chart.width, below), Align::Center, kQuietText);
     pen.text("1", pixel(chart.x + chart.width, below), Align::Center, kQuietText);
 
     std::vector<Point2> curve;

@@ -13,16 +13,16 @@ struct AxisRow {
   const char* name;
 };
 constexpr std::array<AxisRow, 3> kAxisRows{
-    {{"face_a", "face A"}, {"face_b", "face B"}, {"edge_edge", "edges"}}};
+    {{"face_a", "faces of A"}, {"face_b", "faces of B"}, {"edge_edge", "edges"}}};
 
 // Lines of text.
-constexpr float kMostRow = 3.6f;
+constexpr float kMostRow = 3.6f, kMostRowOfOne = 6;
 constexpr float kLeastRow = 0.9f;
 constexpr float kAroundHistory = 2.8f;  // a title, the frames and space below
 constexpr float kHeadline = 2.4f;       // how often the cache answered, where one pair is shown
 constexpr float kLeastHistory = kAroundHistory + kLeastRow * static_cast<float>(kAxisRows.size());
 
-constexpr double kNameColumn = 62;    // pixels at 720 lines
+constexpr double kNameColumn = 78;    // pixels at 720 lines
 constexpr double kHeadlineSize = 30;  // likewise
 
 bool from_cache(const trace::Pair& pair) {
@@ -98,14 +98,15 @@ class AxisHistoryPanel : public PanelContent {
       available -= line;  // for the words below
     const float fitting = std::max(1.0f, available / (kLeastHistory * line));
     const std::size_t shown = std::min(pairs_.size(), static_cast<std::size_t>(fitting));
-    const float row =
-        std::min(kMostRow * line, (available / static_cast<float>(shown) - kAroundHistory * line) /
-                                      static_cast<float>(kAxisRows.size()));
+    const float row = std::min((count_ > 1 ? kMostRow : kMostRowOfOne) * line,
+                               (available / static_cast<float>(shown) - kAroundHistory * line) /
+                                   static_cast<float>(kAxisRows.size()));
     for (const auto& [name, moments] : std::span(pairs_).first(shown)) {
-      sheet.line(name + ": " + told(counted(moments, moment.frame)), kText);
+      if (!(headline_height() > 0))
+        sheet.line(name + ": " + told(counted(moments, moment.frame)), kText);
       draw_rows(moments, moment.frame, row, sheet);
       sheet.skip(row * static_cast<float>(kAxisRows.size()));
-      draw_ends(moments.size(), sheet);
+      draw_ends(moments.size(), moment.frame, sheet);
       sheet.skip(1.5f * line);
     }
     return sheet.more(count_ - shown, "pair", "pairs");
@@ -130,13 +131,22 @@ class AxisHistoryPanel : public PanelContent {
     sheet.skip(headline_height());
   }
 
-  /// Under the rows: the first and the last frame of the sequence.
-  static void draw_ends(std::size_t frames, const Sheet& sheet) {
+  /// Under the rows: the first and the last frame of the sequence, and this one where it has room.
+  static void draw_ends(std::size_t frames, std::size_t now, const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
     const double y = rest.y + sheet.text_height();
-    pen.text("frame 0", pixel(rest.x + pen.px(kNameColumn), y), Align::Left, kQuietText);
-    pen.text(std::to_string(frames - 1), pixel(rest.right(), y), Align::Right, kQuietText);
+    const std::string first = "frame 0", last = std::to_string(frames - 1), here = "this frame";
+    const double left = rest.x + pen.px(kNameColumn), width = rest.right() - left;
+    const double x = left + width * (static_cast<double>(now) + 0.5) / static_cast<double>(frames);
+    const double half = 0.5 * pen.width_of(here, Weight::Bold) + pen.px(6);
+    const double low = left + half, high = rest.right() - half;
+    const double at = std::clamp(x, low, std::max(low, high));
+    pen.text(here, pixel(at, y), Align::Center, kText, Weight::Bold);
+    if (at - half > left + pen.width_of(first))
+      pen.text(first, pixel(left, y), Align::Left, kQuietText);
+    if (at + half < rest.right() - pen.width_of(last))
+      pen.text(last, pixel(rest.right(), y), Align::Right, kQuietText);
   }
 
   static void draw_rows(const std::vector<AxisMoment>& moments, std::size_t now, float row,
@@ -166,12 +176,14 @@ class AxisHistoryPanel : public PanelContent {
         while (to < now && is_here(to) && from_cache(*moments[to].pair) == cached) ++to;
         bar(from, to, kAxis);
       }
-      if (is_here(now)) bar(now, now + 1, kAxisText);
+      if (is_here(now)) bar(now, now + 1, kAxis);
       for (std::size_t f = 0; f <= now; ++f) {
         if (!is_here(f) || !moments[f].switched) continue;
         pen.fill({at(f) - pen.px(1.5), y, pen.px(3), static_cast<double>(row)}, kWhite);
       }
     }
+    const double most = row * static_cast<double>(kAxisRows.size());
+    pen.frame({at(now), rest.y - pen.px(1), cell, most + pen.px(2)}, 1.5, kText);
   }
 
   float scale_;

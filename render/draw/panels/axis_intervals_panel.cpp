@@ -24,7 +24,7 @@ bool has_axes(const trace::Pair& pair) {
 class AxisIntervalsPanel : public PanelContent {
  public:
   AxisIntervalsPanel(const Staging& staging, const Frames& frames)
-      : frames_(frames), scale_(staging.layout.scale) {
+      : frames_(frames), scale_(staging.layout.scale), unit_(staging.scales.length) {
     for (const trace::Frame& frame : frames) {
       for (const trace::Pair& pair : frame.pairs) {
         if (!has_axes(pair)) continue;
@@ -104,8 +104,8 @@ class AxisIntervalsPanel : public PanelContent {
     }
     const std::string gap = vanishes       ? "parallel"
                             : axis.skipped ? "skipped"
-                            : axis.gap > 0 ? "+" + spell_length(axis.gap)
-                                           : spell_length(axis.gap);
+                            : axis.gap > 0 ? "+" + spell_length(axis.gap, 0, unit_)
+                                           : spell_length(axis.gap, 0, unit_);
     const float baseline = static_cast<float>(rest.y) + sheet.text_height() * 0.86f;
     pen.text(gap, {static_cast<float>(rest.right()), baseline}, Align::Right,
              axis.separates ? kAxisText
@@ -117,6 +117,7 @@ class AxisIntervalsPanel : public PanelContent {
 
   const Frames& frames_;
   float scale_;
+  LengthUnit unit_;
   double reach_ = 0;  // metres: no end of an interval is farther from the middle
 };
 

@@ -11,9 +11,11 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kMapFree = 0.14;    // of the map's size, free on every side
+constexpr double kMapFree = 0.09;    // of the map's size, free on every side
 constexpr float kLeastMapLines = 5;  // lines of text that the map and its scale are high
-constexpr float kCaptionLines = 2.4f;
+constexpr float kCaptionLines = 2.8f;
+constexpr double kResult = 17;  // size of what the points come to, pixels at 720 lines
+constexpr double kFlattest = 0.3;
 constexpr int kRoundSteps = 96;
 constexpr double kProjectionRadius = 7.5;  // pixels at 720 lines
 
@@ -93,23 +95,32 @@ class ContactPlanePanel : public PanelContent {
     }
     const Rect rest = sheet.rest();
     const double line = sheet.line_height();
-    const double caption = rest.bottom() - kCaptionLines * line;
-    const Rect map{rest.x, rest.y, rest.width, caption - line - rest.y};
+    // No higher than what it shows: the words stand under that.
+    const double room = rest.height - (kCaptionLines + 1) * line;
+    const Vec2d sizes = sizes_along(axes_as_seen(staging_.camera, pair->manifolds.front().normal));
+    const double wanted = rest.width * sizes.y() / sizes.x();
+    const Rect map{rest.x, rest.y, rest.width, std::min(room, wanted)};
+    const double caption = map.bottom() + line;
     const ContactPlane plane = plane_of(*pair, map, sheet.pen());
     draw_round_shapes(*pair, frame, plane);
     if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane);
     const std::vector<std::string> words = draw_points(*pair, plane);
     if (staging_.view.shows(Layer::CenterOfMass)) draw_projection(*pair, plane);
     plane.scale_bar(0.3, caption - 0.2 * line);
-    sheet.skip_to(rest.bottom() - 2 * line);
-    sheet.lines(words, kText);
+    const Pen& pen = sheet.pen();
+    double baseline = caption + 1.1 * line;
+    for (const std::string& each : words) {
+      pen.text(pen.fitted(each, Weight::Bold, static_cast<float>(rest.width), kResult),
+               pixel(rest.x, baseline), Align::Left, kText, Weight::Bold, kResult);
+      baseline += 1.15 * pen.px(kResult);
+    }
+    sheet.skip_to(baseline);
     return {};
   }
 
  private:
-  /// One scale for the sequence: the largest frame fits.
-  ContactPlane plane_of(const trace::Pair& pair, const Rect& map, const Pen& pen) const {
-    const PlaneAxes axes = axes_as_seen(staging_.camera, pair.manifolds.front().normal);
+  /// Of what must be seen whole in any frame.
+  PlaneExtent extent_along(const PlaneAxes& axes) const {
     PlaneExtent extent;
     for (const Vec3d& point : points_) extent.extend(axes.along(point));
     for (const auto& [center, radius] : balls_) {
@@ -117,7 +128,19 @@ class ContactPlanePanel : public PanelContent {
         for (const double way : {radius, -radius}) extent.extend(axes.along(center + way * side));
       }
     }
-    const Vec2d sizes = extent.sizes().cwiseMax(Vec2d::Constant(1e-12));
+    return extent;
+  }
+  /// No map is so flat that its marks have no room.
+  Vec2d sizes_along(const PlaneAxes& axes) const {
+    const Vec2d sizes = extent_along(axes).sizes().cwiseMax(Vec2d::Constant(1e-12));
+    return {sizes.x(), std::max(sizes.y(), kFlattest * sizes.x())};
+  }
+
+  /// One scale for the sequence: the largest frame fits.
+  ContactPlane plane_of(const trace::Pair& pair, const Rect& map, const Pen& pen) const {
+    const PlaneAxes axes = axes_as_seen(staging_.camera, pair.manifolds.front().normal);
+    const PlaneExtent extent = extent_along(axes);
+    const Vec2d sizes = sizes_along(axes);
     const double share = 1 - 2 * kMapFree;
     const double scale = std::min(map.width * share / sizes.x(), map.height * share / sizes.y());
     return {axes, extent.center(), scale, map, pen};
@@ -176,9 +199,11 @@ class ContactPlanePanel : public PanelContent {
     return {text + " points"};
   }
 
-  static std::string words_without_area(const std::vector<trace::Point>& points) {
+  std::string words_without_area(const std::vector<trace::Point>& points) const {
+    const LengthUnit& unit = staging_.scales.length;
     if (points.size() != 2) return std::to_string(points.size()) + " point, no area";
-    return "2 points, " + spell_length((points[1].position - points[0].position).norm()) + " apart";
+    return "2 points, " + spell_length((points[1].position - points[0].position).norm(), 0, unit) +
+           " apart";
   }
 
   std::vector<std::string> draw_reduction(const trace::Reduction& reduction,
@@ -198,7 +223,7 @@ class ContactPlanePanel : public PanelContent {
     if (kept.size() < 3)
       return {words_without_area(
           mapped(kept, [&](int i) { return reduction.points[static_cast<std::size_t>(i)]; }))};
-    std::vector<std::string> words = {"area of the kept points " + spell_area(reduction.area)};
+    std::vector<std::string> words = {"area " + spell_area(reduction.area)};
     if (fewer && reduction.best_area > 0)
       words.push_back(printed("%.1f %% of the best %zu of %zu points",
                               100 * reduction.area / reduction.best_area, kept.size(),

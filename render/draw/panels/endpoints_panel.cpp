@@ -3,13 +3,14 @@
 #include <map>
 
 #include "draw/panels/panel.h"
+#include "draw/scene/pair_words.h"
 
 /// What sweep and prune keeps in order: the ends of all boxes on each axis, and where two of them
 /// changed places since the frame before.
 namespace contactscope::draw {
 namespace {
 
-constexpr float kLeastBox = 3, kMostBox = 16;  // pixels at 720 lines: a box on an axis
+constexpr float kLeastBox = 3, kMostBox = 21;  // pixels at 720 lines: a box on an axis
 constexpr float kNamed = 14;                   // rows at least so high bear names
 constexpr double kBoxNames = 74;               // pixels at 720 lines
 constexpr double kAfterAxis = 8;
@@ -61,18 +62,29 @@ class EndpointsPanel : public PanelContent {
   }
 
  private:
+  /// What the swaps on an axis come to: of a single one which two boxes passed each other.
+  static std::string what_passes(const trace::BroadPhase& phase, int axis) {
+    int swaps = 0, begun = 0, ended = 0;
+    const trace::EndSwap* last = nullptr;
+    for (const trace::EndSwap& swap : phase.end_swaps) {
+      if (swap.axis != kAxes[axis]) continue;
+      ++swaps;
+      (swap.meets ? begun : ended) += swap.counts;
+      last = &swap;
+    }
+    if (swaps == 0) return "nothing passes";
+    const std::string outcome = begun + ended == 0 ? "no pair begins"
+                                : ended == 0       ? number_of(begun, "pair begins", "pairs begin")
+                                : begun == 0       ? number_of(ended, "pair ends", "pairs end")
+                                             : number_of(begun, "pair begins", "pairs begin") +
+                                                   ", " + number_of(ended, "ends", "end");
+    if (swaps > 1) return std::to_string(swaps) + " ends pass, " + outcome;
+    return in_words(last->lower) + " passes " + in_words(last->upper) + ", " + outcome;
+  }
+
   /// A bar a box, in the order of their lower ends.
   void draw_axis(const trace::BroadPhase& phase, int axis, double row, Sheet& sheet) const {
-    int swaps = 0, count = 0;
-    for (const trace::EndSwap& swap : phase.end_swaps) {
-      swaps += swap.axis == kAxes[axis];
-      count += swap.axis == kAxes[axis] && swap.counts;
-    }
-    sheet.line(std::string("along ") + kAxes[axis] + ": " +
-                   (swaps == 0 ? "nothing passes"
-                               : number_of(swaps, "swap", "swaps") + ", " +
-                                     number_of(count, "pair", "pairs") + " begun or ended"),
-               kText);
+    sheet.line(std::string("along ") + kAxes[axis] + ": " + what_passes(phase, axis), kText);
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
     const bool named = row >= static_cast<double>(pen.px(kNamed));
@@ -92,7 +104,7 @@ class EndpointsPanel : public PanelContent {
           {from, y + 0.5 * (row - bar), std::max(1.0, across(bounds.box.upper[axis]) - from), bar},
           with_alpha(kShapeEdge, 0.45f));
       if (named)
-        pen.text(pen.fitted(bounds.name, FontWeight::Regular, pen.px(kBoxNames - 6)),
+        pen.text(pen.fitted(in_words(bounds.name), FontWeight::Regular, pen.px(kBoxNames - 6)),
                  {static_cast<float>(rest.x), static_cast<float>(y + 0.8 * row)}, Align::Left,
                  kQuietText);
       height_of[bounds.name] = y + 0.5 * row;

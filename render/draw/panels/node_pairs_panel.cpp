@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
@@ -10,7 +11,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kMatrixCaption = 22;  // pixels at 720 lines, beside and under the matrix
-constexpr double kLeastMatrix = 150, kGoodMatrix = 300;
+constexpr double kLeastMatrix = 150, kGoodMatrix = 300, kMostMatrix = 316;
 constexpr double kLeastBlock = 1.6;  // of a pair of leaves
 
 const trace::Pair* asked_pair(const trace::Frame& frame) {
@@ -32,11 +33,11 @@ class NodePairsPanel : public PanelContent {
       return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
              static_cast<float>(matrix + kMatrixCaption) * scale_;
     };
-    return {high(kLeastMatrix), high(kGoodMatrix), 0, 2};
+    return {high(kLeastMatrix), high(kGoodMatrix), high(kMostMatrix), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
-    sheet.heading("node pairs of the two trees");
+    sheet.heading("triangles of A against those of B");
     const trace::Pair* pair = asked_pair(frames_[moment.frame]);
     if (pair == nullptr) {
       sheet.paragraph("does not apply: no two meshes are asked in this frame", kQuietText);
@@ -46,9 +47,11 @@ class NodePairsPanel : public PanelContent {
     const auto leaves = std::ranges::count_if(
         visits, [](const trace::NodePair& visit) { return visit.overlaps && visit.leaves; });
     const double all = static_cast<double>(visits[0].count_a) * visits[0].count_b;
-    sheet.row("compared", spell_number(static_cast<double>(visits.size())) + " node pairs");
-    sheet.row("reach leaves", spell_number(static_cast<double>(leaves)) + " of them, red");
-    sheet.row("spared", spell_number(100 * spared(visits) / all) + " % of the pairs, grey");
+    sheet.row("compared",
+              spell_count(static_cast<std::int64_t>(visits.size())) + " pairs of boxes");
+    sheet.row("reach leaves", spell_count(leaves) + " of them, vermilion");
+    sheet.row("spared",
+              spell_number(100 * spared(visits) / all) + " % of the pairs of triangles, grey");
     draw_matrix(visits, sheet);
     return {};
   }
@@ -84,7 +87,7 @@ class NodePairsPanel : public PanelContent {
       if (visit.overlaps && visit.leaves) pen.fill(block(visit, pen.px(kLeastBlock)), kContact);
     pen.frame(matrix, 1.2, kShapeEdge);
     const double below = matrix.bottom() + 0.75 * caption;
-    pen.text("triangles in tree order: A down, B to the right", pixel(matrix.x, below), Align::Left,
+    pen.text("in tree order: A down, B to the right", pixel(matrix.x, below), Align::Left,
              kQuietText);
     pen.text("A", pixel(rest.x, matrix.y + sheet.text_height()), Align::Left, kQuietText);
     pen.text("B", pixel(rest.x, below), Align::Left, kQuietText);

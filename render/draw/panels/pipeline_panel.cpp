@@ -1,24 +1,26 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/answers.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/quantity.h"
+#include "image/font.h"
 
 /// How many pairs each stage of the pipeline let through: the survey's "Collision Pipeline",
 /// Gregorius 2015, "Collision Pipeline".
 namespace contactscope::draw {
 namespace {
 
-constexpr double kBarHeight = 10, kAfterBar = 6;  // pixels at 720 lines
-constexpr float kSpacing = 5;                     // likewise, between rows of a sheet
+// Pixels at 720 lines.
+constexpr double kCountText = 15, kBeforeBar = 4, kBarHeight = 14, kAfterBar = 14;
+constexpr double kLargest = 1.4;  // times that, where there is room
 
 struct StageCount {
   std::string name;
   std::int64_t count;
   Color color;
+  bool of_pairs = true;  // what bars compare; ends and points are other things
 };
 
 /// What the narrow phase does with the pairs of a sequence.
@@ -43,8 +45,8 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
                       std::int64_t{shapes} * (shapes - 1) / 2, kShapeEdge});
     const bool ends = frame.broad_phase->method == "sweep_and_prune";
     stages.push_back({ends ? "ends that passed each other" : "pairs of boxes compared",
-                      frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f)});
-    stages.push_back({"boxes overlap: narrow phase", frame.broad_phase->pairs, kBox});
+                      frame.broad_phase->comparisons, with_alpha(kDropped, 0.7f), !ends});
+    stages.push_back({"whose boxes overlap", frame.broad_phase->pairs, kBox});
   } else {
     stages.push_back({"pairs: narrow phase", count_of(frame.pairs), kBox});
   }
@@ -61,14 +63,9 @@ std::vector<StageCount> stages_of(const trace::Frame& frame, const PairUse& use)
   }
   if (use.collided) {
     stages.push_back({"pairs in contact", touching, with_alpha(kContact, 0.6f)});
-    stages.push_back({"contact points", points, kContact});
+    stages.push_back({"contact points", points, kContact, false});
   }
   return stages;
-}
-
-/// What a bar is as long as: a stage often lets one of a thousand through.
-double digits(std::int64_t count) {
-  return std::log10(1 + static_cast<double>(count));
 }
 
 class PipelinePanel : public PanelContent {
@@ -76,48 +73,66 @@ class PipelinePanel : public PanelContent {
   PipelinePanel(const Staging& staging, const Frames& frames)
       : frames_(frames), use_(use_of(frames)), scale_(staging.layout.scale) {
     for (const trace::Frame& frame : frames)
-      for (const StageCount& stage : stages_of(frame, use_)) most_ = std::max(most_, stage.count);
+      for (const StageCount& stage : stages_of(frame, use_))
+        if (stage.of_pairs) most_ = std::max(most_, stage.count);
   }
 
   PanelNeed need(const PanelMoment& moment) const override {
-    const auto rows = static_cast<float>(stages_of(frames_[moment.frame], use_).size());
-    const float bar = static_cast<float>(kBarHeight + kAfterBar) * scale_;
-    const float height = Sheet::heading_height(scale_) + Sheet::line_height(scale_) +
-                         rows * (Sheet::line_height(scale_) + bar + kSpacing * scale_);
-    return {height, height, height, 0};
+    const float rows = scale_ * height_of(stages_of(frames_[moment.frame], use_));
+    const float heading = Sheet::heading_height(scale_);
+    const float large = heading + static_cast<float>(kLargest) * rows;
+    return {heading + rows, large, large, 0};
   }
 
-  /// A bar a stage, on the same scale in every frame, so that a bar that grows is a count that
-  /// does.
+  /// A bar for each count of pairs, on the same scale in every frame, so that a bar that grows is a
+  /// count that does. All is larger where there is room.
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const trace::Frame& frame = frames_[moment.frame];
     sheet.heading(frame.broad_phase ? "broad phase: " + in_words(frame.broad_phase->method)
                                     : "what each stage lets through");
-    for (const StageCount& stage : stages_of(frame, use_)) {
-      const Rect row = sheet.rest();
-      const Pen& pen = sheet.pen();
+    const std::vector<StageCount> stages = stages_of(frame, use_);
+    const Rect rest = sheet.rest();
+    const Pen& pen = sheet.pen();
+    const double larger =
+        std::clamp(rest.height / static_cast<double>(scale_ * height_of(stages)), 1.0, kLargest);
+    const double size = larger * kCountText;
+    double y = rest.y;
+    for (const StageCount& stage : stages) {
+      const double baseline = y + 0.86 * static_cast<double>(pen.px(size));
       const std::string number = spell_count(stage.count);
-      pen.text(number,
-               {static_cast<float>(row.right()),
-                static_cast<float>(row.y) + pen.px(1) + sheet.text_height() * 0.86f},
-               Align::Right, kText, Weight::Bold);
-      sheet.line(stage.name, kText);
-      const Rect rest = sheet.rest();
-      const double share = digits(stage.count) / std::max(1.0, digits(most_));
-      const double width = stage.count == 0 ? 0 : std::max(1.0, rest.width * share);
-      pen.fill({rest.x, rest.y, rest.width, pen.px(kBarHeight)}, with_alpha(kDropped, 0.1f));
-      pen.fill({rest.x, rest.y, width, pen.px(kBarHeight)}, stage.color);
-      sheet.skip(pen.px(kBarHeight + kAfterBar));
+      pen.text(number, pixel(rest.right(), baseline), Align::Right, kText, Weight::Bold, size);
+      const float taken = text_width(number, pen.px(size), Weight::Bold) + pen.px(size);
+      pen.text(
+          pen.fitted(stage.name, Weight::Regular, static_cast<float>(rest.width) - taken, size),
+          pixel(rest.x, baseline), Align::Left, kText, Weight::Regular, size);
+      y += static_cast<double>(pen.px(larger * (kCountText + kBeforeBar)));
+      if (stage.of_pairs) {
+        const double share = static_cast<double>(stage.count) / static_cast<double>(most_);
+        const double width = stage.count == 0 ? 0 : std::max<double>(pen.px(2), rest.width * share);
+        const double high = pen.px(larger * kBarHeight);
+        pen.fill({rest.x, y, rest.width, high}, with_alpha(kDropped, 0.1f));
+        pen.fill({rest.x, y, width, high}, stage.color);
+        y += high;
+      }
+      y += static_cast<double>(pen.px(larger * kAfterBar));
     }
-    sheet.line("bars on a logarithmic scale", kQuietText);
+    sheet.skip_to(y);
     return {};
   }
 
  private:
+  /// Of all rows at their least, pixels at 720 lines.
+  static float height_of(const std::vector<StageCount>& stages) {
+    double height = 0;
+    for (const StageCount& stage : stages)
+      height += kCountText + kBeforeBar + kAfterBar + (stage.of_pairs ? kBarHeight : 0);
+    return static_cast<float>(height);
+  }
+
   const Frames& frames_;
   PairUse use_;
   float scale_;
-  std::int64_t most_ = 0;
+  std::int64_t most_ = 1;  // pairs
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr double kLeastPlot = 46;
-constexpr double kMostPlot = 165;
+constexpr double kMostPlot = 220;
+constexpr double kBelowCharts = 14;
 constexpr double kTimeAxis = 20;
 constexpr double kNamesRow = 20;
 constexpr double kCurveSwatch = 22;
@@ -37,8 +38,17 @@ class PlotsPanel : public PanelContent {
     const Layout& layout = staging_.layout;
     const float least =
         Sheet::heading_height(layout.scale) + layout.px(kTimeAxis + kNamesRow + kLeastPlot);
-    const int charts = solved_ ? 4 : 2;
-    return {least, least + layout.px((charts - 1) * kLeastPlot), 0, 2};
+    int charts = 0;
+    for (const Chart chart : {Chart::Overlap, Chart::Points, Chart::Energy, Chart::Impulse}) {
+      const bool has = solved_ || chart == Chart::Overlap || chart == Chart::Points;
+      charts += has && staging_.view.shows(chart);
+    }
+    charts = std::max(charts, 1);
+    const float good = least + layout.px((charts - 1) * kLeastPlot);
+    // Without the strip it ends where its charts do.
+    const bool has_strip = staging_.view.shows(Chart::Ids) || staging_.view.shows(Chart::Points);
+    const float wanted = least + layout.px(charts * kMostPlot - kLeastPlot + kBelowCharts);
+    return {least, good, has_strip ? 0 : std::max(good, wanted), 2};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -109,27 +119,30 @@ class PlotsPanel : public PanelContent {
       penetration.subjects = all[0].deepest;
     if (!all.empty()) penetration.changes = all[0].queries;
     const bool same_points = std::ranges::all_of(points.curves, is_constant);
-    if (same_points && !points.curves.empty() && frames_.size() > 1) {
+    const View& view = staging_.view;
+    if (same_points && !points.curves.empty() && frames_.size() > 1 && view.shows(Chart::Points)) {
       std::string counts;
       for (const std::vector<double>& curve : points.curves)
         counts += (counts.empty() ? "" : ", ") + spell_number(curve.front());
       constants_.push_back("contact points: " + counts + " in every frame");
     }
-    if (ids_->row_count() > 0 && ids_->is_constant() && frames_.size() > 1)
-      constants_.emplace_back("contact ids: none changes");
-    for (SeriesChart* chart : {&penetration, &energy, &impulse, &points}) {
-      if (chart->curves.empty() || chart->curves[0].empty()) continue;
+    if (ids_->row_count() > 0 && ids_->is_constant() && frames_.size() > 1 &&
+        view.shows(Chart::Ids))
+      constants_.emplace_back("contact points: none changes");
+    for (const auto& [chart, kind] : {std::pair{&penetration, Chart::Overlap},
+                                      {&energy, Chart::Energy},
+                                      {&impulse, Chart::Impulse},
+                                      {&points, Chart::Points}}) {
+      if (!view.shows(kind) || chart->curves.empty() || chart->curves[0].empty()) continue;
       if (chart == &points && same_points && frames_.size() > 1) continue;
       chart->fit();
       charts_.push_back(std::move(*chart));
     }
   }
 
-  /// Of many scattered copies, as crate_5 is one, a name says nothing.
+  /// Of many scattered copies, as crate 5 is one, a name says nothing.
   static bool names_a_copy(const std::string& pair) {
-    const std::size_t mark = pair.find('_');
-    return mark != std::string::npos && mark + 1 < pair.size() && pair[mark + 1] >= '0' &&
-           pair[mark + 1] <= '9';
+    return pair.find_first_of("0123456789") != std::string::npos;
   }
 
   static bool is_constant(const std::vector<double>& curve) {
@@ -158,6 +171,7 @@ class PlotsPanel : public PanelContent {
 
   /// 0 where the charts need all the room.
   double strip_height(double room, const Pen& pen) const {
+    if (!staging_.view.shows(Chart::Ids)) return 0;
     if (ids_->row_count() == 0 || (ids_->is_constant() && frames_.size() > 1)) return 0;
     const auto rows = static_cast<double>(ids_->row_count());
     const double share = kStripShare * room;
@@ -173,10 +187,10 @@ class PlotsPanel : public PanelContent {
     const auto rows = static_cast<double>(ids_->row_count());
     const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_->pair_count() > 1;
     const auto most = static_cast<std::size_t>(inner.height / pen.px(kLeastIdRow));
-    const std::string text = !bands ? "contact ids, a row each"
+    const std::string text = !bands ? "points over time, a row each"
                              : ids_->pair_count() <= most
-                                 ? "contact ids by pair, cut where one changes"
-                                 : "contact ids of the first " + std::to_string(most) + " of " +
+                                 ? "points by pair, cut where one changes"
+                                 : "points of the first " + std::to_string(most) + " of " +
                                        std::to_string(ids_->pair_count()) + " pairs";
     pen.text(text, pixel(strip.x, strip.y + pen.px(kStripHeading - 6)), Align::Left, kText);
     if (bands) {

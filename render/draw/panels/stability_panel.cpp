@@ -126,6 +126,8 @@ class StabilityPanel : public PanelContent {
     // The map says most; over time comes next, and the verdicts' rows last.
     const auto map_height = [&] { return rect.height - words - chart - band; };
     if (frames_.size() < 2) chart = band = 0;
+    if (!staging_.view.shows(Chart::Margin)) chart = 0;
+    if (!staging_.view.shows(Chart::Verdict)) band = 0;
     if (map_height() < pen.px(kLeastStabilityMap)) band = 0;
     if (map_height() < pen.px(kLeastStabilityMap)) chart = 0;
     const double map = map_height();
@@ -231,6 +233,7 @@ class StabilityPanel : public PanelContent {
     };
     write(pair == nullptr                        ? "no contact"
           : pair->stability->verdict == "stable" ? spell_balance(balance_of(*pair->stability))
+          : histories_.size() > 1                ? pair->stability->verdict
                                                  : "unstable: " + pair->stability->verdict,
           Weight::Bold);
     if (pair == nullptr) return;

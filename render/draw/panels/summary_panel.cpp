@@ -47,7 +47,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
                   Add&& add) {
   if (pair.query) {
     add("asked", [&] { return spell_question(*pair.query); });
-    add("answer", [&] { return spell_answer(pair); });
+    add("answer", [&] { return spell_answer(pair, staging.scales.length); });
     add("by", [&] { return in_words(pair.query->method); });
     return;
   }
@@ -58,7 +58,8 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
     add("contact", [&] { return types_of(pair); });
   add(gap_or_overlap(pair.separation), [&] {
     return spell_length(std::abs(pair.separation),
-                        noise_of(*staging.header, staging.meshes, frame, pair));
+                        noise_of(*staging.header, staging.meshes, frame, pair),
+                        staging.scales.length);
   });
   if (pair.state != "separated") add("points", [&] { return counted(pair); });
   if (pair.incremental) {
@@ -72,7 +73,7 @@ void for_each_row(const Staging& staging, const trace::Frame& frame, const trace
   if (pair.degenerate) {
     add("no normal", [&] {
       return pair.degenerate->geometry +
-             (pair.degenerate->answer == "skip" ? "; no contact made" : "; fallback");
+             (pair.degenerate->answer == "skip" ? "; no contact made" : "; a direction is chosen");
     });
   }
 }

@@ -11,7 +11,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeastChart = 70, kMostChart = 150, kAxisBelow = 20,
+constexpr double kLeastChart = 70, kMostChart = 230, kMostAlone = 400, kAxisBelow = 20,
                  kNames = 20;  // px at 720 lines
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -51,7 +51,7 @@ class TreeCostPanel : public PanelContent {
       return Sheet::heading_height(scale_) +
              static_cast<float>(charts * (chart + kNames) + kAxisBelow) * scale_;
     };
-    return {high(kLeastChart), high(1.3 * kLeastChart), high(kMostChart), 0};
+    return {high(kLeastChart), high(1.3 * kLeastChart), high(most()), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -61,17 +61,19 @@ class TreeCostPanel : public PanelContent {
     const Rect rect = sheet.rest();
     const auto charts = static_cast<double>(charts_.size());
     const double height = std::min<double>(
-        pen.px(kMostChart), (rect.height - pen.px(kAxisBelow)) / charts - pen.px(kNames));
+        pen.px(most()), (rect.height - pen.px(kAxisBelow)) / charts - pen.px(kNames));
     double y = rect.y;
     for (const NamedChart& named : charts_) {
       double x = rect.x;
-      for (std::size_t i = 0; i < named.names.size() && named.names.size() > 1; ++i) {
+      // Both charts have the same names.
+      const bool is_named = named.names.size() > 1 && &named == &charts_.front();
+      for (std::size_t i = 0; i < named.names.size() && is_named; ++i) {
         draw_series_swatch(i, pixel(x, y + pen.px(0.5 * kNames)), 18, pen);
         pen.text(named.names[i], pixel(x + pen.px(22), y + pen.px(0.75 * kNames)), Align::Left,
                  kText);
         x += pen.px(34) + pen.width_of(named.names[i]);
       }
-      y += named.names.size() > 1 ? pen.px(kNames) : 0;
+      y += is_named ? pen.px(kNames) : 0;
       draw_series_chart(named.chart, moment.frame, {rect.x, y, rect.width, height}, pen);
       y += height;
     }
@@ -82,7 +84,17 @@ class TreeCostPanel : public PanelContent {
   }
 
  private:
+  double most() const { return deforms() ? kMostChart : kMostAlone; }
   bool deforms() const { return !frames_.front().deformed.empty(); }
+
+  /// What the pair of a mesh is called, so that both charts have the same names.
+  static std::string name_of(const trace::Deformed& deformed,
+                             const std::vector<trace::Pair>& pairs) {
+    for (const trace::Pair& pair : pairs)
+      if (!pair.label.empty() && (pair.a == deformed.name || pair.b == deformed.name))
+        return pair.label;
+    return deformed.name;
+  }
 
   struct NamedChart {
     SeriesChart chart;
@@ -93,14 +105,14 @@ class TreeCostPanel : public PanelContent {
     NamedCurves expected(frames_.size()), compared(frames_.size());
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       for (const trace::Deformed& deformed : frames_[f].deformed)
-        expected.set(deformed.name, f, deformed.cost);
+        expected.set(name_of(deformed, frames_[f].pairs), f, deformed.cost);
       for (const trace::Pair& pair : frames_[f].pairs)
         if (pair.query && pair.query->trees)
           compared.set(pair.label.empty() ? pair_name(pair) : pair.label, f,
                        pair.query->trees->node_pairs);
     }
-    if (deforms()) add("boxes that a query tests, by their surfaces", expected);
-    add("node pairs compared", compared);
+    if (deforms()) add("boxes a query is expected to test", expected);
+    add("pairs of boxes compared", compared);
   }
 
   void add(const char* name, const NamedCurves& curves) {

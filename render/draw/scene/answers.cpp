@@ -17,9 +17,9 @@ std::string things_of(const trace::Query& query) {
 }
 
 /// "gap 120 mm", "overlap 3.00 mm".
-std::string spell_gap(double gap) {
+std::string spell_gap(double gap, const LengthUnit& unit) {
   if (gap == 0) return "they touch";
-  return spell_separation(gap, 0);
+  return spell_separation(gap, 0, unit);
 }
 
 /// Where two meshes are that do not cross.
@@ -43,17 +43,17 @@ std::string spell_intersections(const trace::Pair& pair) {
   return text + (count == 1 ? "meets" : "meet");
 }
 
-std::string reason_of(const trace::Pair& pair) {
+std::string reason_of(const trace::Pair& pair, const LengthUnit& unit) {
   const trace::Query& query = *pair.query;
   if (answer_kind(pair) == AnswerKind::FalsePositive) {
     const auto& gap = query.shapes->gap;
-    return ", though the shapes are " + (gap ? spell_length(*gap) + " " : std::string()) +
+    return ", though the shapes are " + (gap ? spell_length(*gap, 0, unit) + " " : std::string()) +
            "apart: a false positive";
   }
   if (answer_kind(pair) == AnswerKind::Missed) return ", though the shapes overlap: a miss";
   if (query.containment) return spell_containment(pair, *query.containment);
   if (!pair.intersections.empty()) return spell_intersections(pair);
-  return query.gap ? ", " + spell_gap(*query.gap) : "";
+  return query.gap ? ", " + spell_gap(*query.gap, unit) : "";
 }
 
 }  // namespace
@@ -73,11 +73,10 @@ Color answer_color(AnswerKind kind) {
     case AnswerKind::Yes:
       return kBox;
     case AnswerKind::Missed:
-      return kText;
     case AnswerKind::FalsePositive:
       break;
   }
-  return kContact;
+  return kText;
 }
 
 std::string spell_question(const trace::Query& query) {
@@ -92,16 +91,17 @@ std::string spell_question(const trace::Query& query) {
   return "do " + things + verb + compared + "?";
 }
 
-std::string spell_answer(const trace::Pair& pair) {
+std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit) {
   const trace::Query& query = *pair.query;
   const bool overlap = pair.overlap.value_or(false);
   if (query.asked == "distance" || query.asked == "penetration") {
-    if (!query.gap) return overlap ? "0 m: they overlap" : "not known";
-    if (*query.gap == 0) return "0 m: they touch";
-    if (query.asked == "distance" && *query.gap < 0) return "0 m: they overlap";
-    return spell_gap(*query.gap);
+    const std::string none = spell_length(0, 0, unit);
+    if (!query.gap) return overlap ? none + ": they overlap" : "not known";
+    if (*query.gap == 0) return none + ": they touch";
+    if (query.asked == "distance" && *query.gap < 0) return none + ": they overlap";
+    return spell_gap(*query.gap, unit);
   }
-  return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair);
+  return (query.touching.value_or(overlap) ? "yes" : "no") + reason_of(pair, unit);
 }
 
 std::string label_with_answer(const trace::Pair& pair) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "draw/scene/drawing.h"
+#include "draw/scene/quantity.h"
 #include "trace/trace.h"
 
 /// What pictures say of pairs that were asked something else than their manifold.
@@ -26,7 +27,7 @@ Color answer_color(AnswerKind kind);
 std::string spell_question(const trace::Query& query);
 
 /// "yes, though the shapes are 12.0 cm apart: a false positive"
-std::string spell_answer(const trace::Pair& pair);
+std::string spell_answer(const trace::Pair& pair, const LengthUnit& unit = {});
 
 /// Of a pair whose bounds were asked, its label with what they say: "spheres: yes, falsely".
 std::string label_with_answer(const trace::Pair& pair);

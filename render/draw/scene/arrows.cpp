@@ -12,17 +12,25 @@ constexpr double kOuterArrow = 24;    // pixels
 
 }  // namespace
 
-void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
-                  const std::string& text, Sketch& sketch) {
+void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Vec3d& to,
+                  float width, const std::string& text, Sketch& sketch) {
   const std::optional<float> pixels = seen_distance(scene.camera, from, to);
   if (!pixels) return;
+  const Vec3d middle = 0.5 * (from + to);
+  const auto explain = [&](const Swatch& swatch) {
+    if (!text.empty()) sketch.explain(swatch, text, middle);
+  };
   Arrow arrow{.from = from, .to = to, .width = width, .head = 10, .color = kAxis};
+  if (what == Measured::Overlap) {
+    arrow.bars = true;
+    sketch.arrows.push_back(arrow);
+    return explain(kOverlapSwatch);
+  }
   // A length that is seen as a point has room too.
   if (*pixels >= kLeastMeasure * scene.scales.pixel || *pixels <= 0) {
     arrow.double_headed = true;
     sketch.arrows.push_back(arrow);
-    sketch.explain(kAxisSwatch, text, Vec3d(0.5 * (from + to)));
-    return;
+    return explain(kAxisSwatch);
   }
   // As drawings measure what is narrow. The arrows are as long on the screen as if seen squarely.
   const Vec3d outward = (from - to) * (kOuterArrow * scene.scales.pixel / *pixels);
@@ -31,13 +39,14 @@ void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float 
     arrow.to = tip;
     sketch.arrows.push_back(arrow);
   }
-  sketch.explain(kNarrowAxisSwatch, text, Vec3d(0.5 * (from + to)));
+  explain(kNarrowAxisSwatch);
 }
 
 void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres, double noise,
               double clearance, const Vec3d& aside, Sketch& sketch) {
-  draw_measure(scene, from, to, 3, "gap", sketch);
-  sketch.label(0.5 * (from + to), spell_length(metres, noise), kAxisText, 17, clearance, aside);
+  draw_measure(scene, Measured::Gap, from, to, 3, "", sketch);
+  sketch.label(0.5 * (from + to), "gap " + spell_length(metres, noise, scene.scales.length),
+               kAxisText, 17, clearance, aside);
 }
 
 void draw_curved_arrow(const Camera& camera, const Vec3d& center, const Vec3d& axis, double radius,

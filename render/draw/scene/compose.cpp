@@ -1,10 +1,11 @@
 #include <algorithm>
-#include <map>
+#include <array>
 #include <span>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/labels.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/pen.h"
 #include "draw/scene/points.h"
 #include "draw/scene/sketch.h"
@@ -13,75 +14,26 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr float kJoin = 0.25f;          // pixels
-constexpr float kAvoided = 1.5f;        // pixels: labels keep off lines of this width
-constexpr double kLabelHeadingSize = 21;     // pixels at 720 lines
-constexpr double kLeastHeading = 0.65;  // of that, in a narrow view
-constexpr float kLeastPiece = 4;        // pixels of a curve: shorter ones have more ends than line
+constexpr float kJoin = 0.25f;            // pixels
+constexpr float kAvoided = 1.5f;          // pixels: labels keep off lines of this width
+constexpr double kLabelHeadingSize = 21;  // pixels at 720 lines
+constexpr double kLeastHeading = 0.65;    // of that, in a narrow view
+constexpr double kWholeView = 0.9;        // of its width
+constexpr float kLeastPiece = 4;  // pixels of a curve: shorter ones have more ends than line
 
 // Of what is marked on the ground behind a body.
 constexpr float kFaintGround = 0.2f;  // of its opacity
 constexpr double kLeastSeen = 0.2;    // of its area: less to be seen, it shows through bodies
-constexpr std::size_t kMostBodySides =
-    160;  // faces of bodies before it: of a landscape all counts as seen
 
-using Outline = std::vector<Vec2d>;  // a convex polygon of the screen, counter-clockwise
-
-Outline as_outline(const std::vector<Point2>& polygon) {
-  return convex_polygon(mapped(polygon, [](const Point2& p) { return Vec2d(p.x, p.y); }));
-}
-
-/// The part of `polygon` on one side of the line through two points: on its left, or not.
-Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool left) {
-  const double sign = left ? 1 : -1;
-  return clipped(
-      polygon, [&](const Vec2d& p) { return sign * turn(from, to, p); },
-      [](const Vec2d& p, const Vec2d& q, double at_p, double at_q) -> Vec2d {
-        return p + at_p / (at_p - at_q) * (q - p);
-      });
-}
-
-/// What of the polygons is outside of a convex one.
-std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
-  constexpr double kLeastArea = 0.25;  // square pixels
-  std::vector<Outline> result;
-  for (Outline rest : polygons) {
-    for (std::size_t i = 0; i < hole.size() && rest.size() > 2; ++i) {
-      const Vec2d &from = hole[i], &to = hole[(i + 1) % hole.size()];
-      Outline outside = cut(rest, from, to, false);
-      if (outside.size() > 2 && area_of(outside) > kLeastArea) result.push_back(std::move(outside));
-      rest = cut(rest, from, to, true);
-    }
+/// Whether all of a box is on a convex polygon, in the winding of convex_polygon().
+bool lies_on(const std::vector<Vec2d>& polygon, const Rect& box) {
+  if (polygon.size() < 3) return false;
+  for (const Vec2d& corner : {Vec2d(box.x, box.y), Vec2d(box.right(), box.y),
+                              Vec2d(box.x, box.bottom()), Vec2d(box.right(), box.bottom())}) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      if (turn(polygon[i], polygon[(i + 1) % polygon.size()], corner) < 0) return false;
   }
-  return result;
-}
-
-/// The bodies among the surfaces that are seen before a polygon of the screen: flat faces one by
-/// one, round bodies as a whole.
-std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const Camera& camera,
-                                     std::span<const Surface> surfaces) {
-  const Outline whole = as_outline(polygon);
-  Eigen::AlignedBox2d box;
-  for (const Vec2d& p : whole) box.extend(p);
-  std::vector<Outline> found;
-  std::map<int, std::vector<Vec2d>> round;
-  for (const Surface& surface : surfaces) {
-    if (surface.kind != Surface::Kind::Body) continue;
-    std::vector<Point2> seen = project_polygon(camera, surface.polygon);
-    if (seen.empty()) continue;
-    if (surface.body >= 0) {
-      for (const Point2& p : seen) round[surface.body].emplace_back(p.x, p.y);
-      continue;
-    }
-    Eigen::AlignedBox2d own;
-    for (const Point2& p : seen) own.extend(Vec2d(p.x, p.y));
-    if (!own.intersects(box)) continue;
-    if (found.size() == kMostBodySides) return {};
-    found.push_back(as_outline(seen));
-  }
-  for (auto& [body, points] : round) found.push_back(convex_polygon(std::move(points)));
-  std::erase_if(found, [](const Outline& outline) { return outline.size() < 3; });
-  return found;
+  return true;
 }
 
 struct Composer {
@@ -93,6 +45,8 @@ struct Composer {
   LabelPlacer placer{layout.view};
   HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows};
   std::size_t current = 0;  // part of what is drawn now
+  // Where bodies are cut off above and below, left and right.
+  std::array<std::optional<std::pair<float, float>>, 2> cuts{};
 
   void run() {
     // Drawn over the view afterwards: no label goes there.
@@ -104,6 +58,7 @@ struct Composer {
     draw_surfaces();
     each_of(&Sketch::curves, &SketchPart::curves, "line", &Composer::draw_curve);
     each_of(&Sketch::lines, &SketchPart::lines, "line", &Composer::draw_line);
+    draw_breaks();
     each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_inside);
     each_of(&Sketch::arrows, &SketchPart::arrows, "arrow", &Composer::draw_arrow);
     each_of(&Sketch::marks, &SketchPart::marks, "mark", &Composer::draw_mark_outside);
@@ -147,12 +102,49 @@ struct Composer {
     for (const Surface& surface : surfaces) {
       std::vector<Point2> polygon = project_polygon(camera, surface.polygon);
       if (polygon.empty()) continue;
+      if (surface.kind == Surface::Kind::Body) note_cut(polygon);
       if (surface.part != last) begin(surface.part, "surface");
       last = surface.part;
       if (surface.kind == Surface::Kind::Ground)
         draw_ground(polygon, surface.color, {&surface + 1, surfaces.data() + surfaces.size()});
       else
         pen.fill(std::move(polygon), surface.color);
+    }
+  }
+
+  float border(std::size_t side) const {
+    return static_cast<float>(side == 0 ? layout.view.y : layout.view.bottom());
+  }
+
+  // Where a body goes on above or below the view.
+  void note_cut(const std::vector<Point2>& polygon) {
+    constexpr float kAtBorder = 0.01f;  // pixels
+    if (layout.framed) return;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      for (std::size_t side = 0; side < cuts.size(); ++side) {
+        const float y = border(side);
+        if (std::max(std::abs(p.y - y), std::abs(q.y - y)) > kAtBorder) continue;
+        const auto [left, right] = std::minmax(p.x, q.x);
+        auto& cut = cuts[side];
+        if (!cut) cut.emplace(left, right);
+        cut->first = std::min(cut->first, left);
+        cut->second = std::max(cut->second, right);
+      }
+    }
+  }
+
+  // What is cut off has no edge there: a line of long dashes says so, as in drawings. A floor that
+  // fills the view needs none.
+  void draw_breaks() {
+    constexpr double kLeastCut = 12, kDash = 14, kGap = 5;  // pixels
+    for (std::size_t side = 0; side < cuts.size(); ++side) {
+      const auto& cut = cuts[side];
+      if (!cut || cut->second - cut->first < px(kLeastCut)) continue;
+      if (cut->second - cut->first > kWholeView * layout.view.width) continue;
+      drawing.begin(kBreakPart, {}, "line");
+      pen.line({cut->first, border(side)}, {cut->second, border(side)}, 1.5,
+               with_alpha(kShapeEdge, 0.8f), kDash, kGap);
     }
   }
 
@@ -225,13 +217,13 @@ struct Composer {
   std::vector<Span> spans_of(const Vec3d& from, const Vec3d& to, const LineStyle& style) const {
     if (style.hidden == LineStyle::Hidden::Same) return {{0, 1, false}};
     std::vector<Span> spans = hidden_lines.split(from, to);
-    // Where an edge behind a mesh ends in a corner of what hides it, a speck of it would be seen.
-    if (style.hidden == LineStyle::Hidden::Gone && spans.size() > 1) {
-      std::erase_if(spans, [&](const Span& span) {
+    // Where an edge behind a shape ends in a corner of what hides it, a speck of it would be seen.
+    if (spans.size() > 1) {
+      for (Span& span : spans) {
         const Vec3d way = to - from;
-        return !span.hidden &&
-               on_screen(from + span.from * way, from + span.to * way) < px(style.width);
-      });
+        if (on_screen(from + span.from * way, from + span.to * way) < px(style.width + 1))
+          span.hidden = true;
+      }
     }
     return spans;
   }
@@ -283,6 +275,24 @@ struct Composer {
     pen.outline(corners, 1, color);
   }
 
+  // A line between two strokes; where these would touch, it goes on beyond them.
+  void draw_bars(const Point2& from, const Point2& to, const Arrow& arrow) {
+    constexpr double kReach = 7, kTail = 13, kLeastLine = 14;  // pixels
+    const float length = distance(from, to);
+    const Point2 along = (to - from) / length, aside = px(kReach) * perpendicular(along);
+    const float tail = length < px(kLeastLine) ? px(kTail) : 0;
+    const Point2 begin = from - tail * along, end = to + tail * along;
+    for (const bool halo : {true, false}) {
+      if (halo && !arrow.halo) continue;
+      const double width = arrow.width + (halo ? 4 : 0);
+      const Color color = halo ? with_alpha(kWhite, 0.85f) : arrow.color;
+      pen.line(begin, end, tail > 0 && !halo ? 0.7 * width : width, color);
+      for (const Point2& bar : {from, to}) pen.line(bar - aside, bar + aside, width, color);
+    }
+    placer.block(begin, end, px(arrow.width + 6));
+    for (const Point2& bar : {from, to}) placer.block(bar - aside, bar + aside, px(3));
+  }
+
   void draw_arrow(const Arrow& arrow) {
     const Vec3d end =
         arrow.to.value_or(arrow.from + arrow.pixels * layout.scale /
@@ -299,6 +309,7 @@ struct Composer {
     const float length = distance(*a, *b);
     if (length < px(1)) return;
     const Point2 along = (*b - *a) / length;
+    if (arrow.bars) return draw_bars(*a, *b, arrow);
     // Short arrows keep their shape: the heads shrink before the shaft is lost.
     const double size = std::min<double>(arrow.head, arrow.head_share * length / layout.scale);
     const Point2 inset = (arrow.open ? 0 : px(0.9 * size)) * along;
@@ -316,13 +327,13 @@ struct Composer {
     placer.block(*a, *b, px(arrow.width + 6));
   }
 
-  // What is inside of a shape stays under what is said about it. So does an origin under the arrow
-  // that begins there, which may be no longer than it.
+  // What is inside of a shape stays under what is said about it. So do an origin and a node under the
+  // arrow that begins or ends there, which may be no longer than they are wide.
   void draw_mark_inside(const Mark& mark) { draw_mark_if(true, mark); }
   void draw_mark_outside(const Mark& mark) { draw_mark_if(false, mark); }
   void draw_mark_if(bool inside, const Mark& mark) {
-    const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Origin ||
-                           mark.kind == MarkKind::HeldOrigin;
+    const bool is_inside = mark.kind == MarkKind::Core || mark.kind == MarkKind::Node ||
+                           mark.kind == MarkKind::Origin || mark.kind == MarkKind::HeldOrigin;
     if (is_inside != inside) return;
     const std::optional<Point2> at = camera.project(mark.at);
     if (!at || !layout.view.contains(*at)) return;
@@ -336,7 +347,8 @@ struct Composer {
     drawing.begin("heading", {}, "label");
     const float width = static_cast<float>(layout.view.width);
     // A narrow view has it smaller, before it loses its end.
-    const float natural = text_width(pen.said(sketch.heading).text, px(kLabelHeadingSize), Weight::Bold);
+    const float natural =
+        text_width(pen.said(sketch.heading).text, px(kLabelHeadingSize), Weight::Bold);
     const double shrunk = kLabelHeadingSize * std::clamp<double>(width / natural, kLeastHeading, 1);
     const float size = px(shrunk);
     const Said text = pen.fitted(sketch.heading, Weight::Bold, width, shrunk);
@@ -357,6 +369,18 @@ struct Composer {
     return reach < 1 ? Point2{0, -1} : way / reach;
   }
 
+  // Thin and grey, so that it is taken for nothing of what it leads to.
+  void draw_leader(const Point2& at, const Point2& end, bool foot) {
+    constexpr double kClear = 4, kFoot = 2.4;  // pixels
+    const float length = distance(at, end);
+    if (length <= px(2 * kClear)) return;
+    const Point2 begin = foot ? at : at + px(kClear) / length * (end - at);
+    pen.line(begin, end, 3.5, with_alpha(kWhite, 0.8f));
+    pen.line(begin, end, 1, kQuietText);
+    if (foot) pen.disc(at, kFoot, kQuietText);
+    placer.block(begin, end, px(2));
+  }
+
   void draw_label(const Label& label) {
     const std::optional<Point2> at = camera.project(label.at);
     if (!at || !layout.view.contains(*at)) return;
@@ -365,18 +389,20 @@ struct Composer {
     const float up = 0.76f * ascent(size, weight);  // capitals and digits, not accents
     const Said text = pen.said(label.text);
     const bool has_badge = label.badge != Badge::None;
-    const float room = has_badge ? (label.badge == Badge::Support ? 2 : 1) * kBadgeRoom * up : 0;
     const float width = text_width(text.text, size, weight);
-    std::optional<LabelPlacer::Place> place = placer.place(
-        *at, width + 2 * room, up + room, has_badge ? room : descent(size, weight),
-        px(label.clearance), wanted_direction(label, *at), label.direction.has_value());
+    const bool diamond = label.badge == Badge::Support;
+    const float room = !has_badge ? 0
+                       : diamond  ? std::max(2 * kBadgeRoom * up, 0.35f * width + kBadgeRoom * up)
+                                  : kBadgeRoom * up;
+    std::optional<LabelPlacer::Place> place =
+        placer.place(*at, width + 2 * room, up + room, has_badge ? room : descent(size, weight),
+                     {px(label.clearance), wanted_direction(label, *at),
+                      label.direction.has_value(), label.leader});
     if (!place) return;
     place->left_baseline.x += room;
-    if (place->needs_leader || label.leader) {
-      pen.line(*at, place->leader_end, 3.5, with_alpha(kWhite, 0.8f));
-      pen.line(*at, place->leader_end, 1, label.color);
-      placer.block(*at, place->leader_end, px(2));
-    }
+    const Rect box{place->left_baseline.x, place->left_baseline.y - up, width, up};
+    if ((place->needs_leader || label.leader) && !lies_on(label.ground, box))
+      draw_leader(*at, place->leader_end, label.foot);
     draw_badge(label.badge, place->left_baseline + Point2{0.5f * width, -0.5f * up}, width, up,
                label.color, pen);
     Callout callout{drawing.primitives.size(), *at, {}, {}, label.of};

@@ -131,7 +131,7 @@ inline constexpr std::string_view kTitlePart = "title", kSourcePart = "source",
                                   kMomentPart = "moment", kLegendPart = "legend",
                                   kPanelPart = "panel", kInsetPart = "inset",
                                   kPairLabelPart = "pair_label", kShapeNamesPart = "shape_names",
-                                  kPlanePart = "contact_plane";
+                                  kPlanePart = "contact_plane", kBreakPart = "break";
 
 /// Text that names something, with the place of what it names.
 struct Callout {

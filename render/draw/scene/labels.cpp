@@ -16,6 +16,16 @@ constexpr int kUncrossedNearby = 6;
 constexpr int kDirections = 16;
 // Space around a label's letters that stays free, pixels.
 constexpr float kPadding = 2;
+// A leader that starts this near to a line, pixels, and turns off it by less, looks like more of it.
+constexpr float kBesideLine = 7;
+constexpr float kAlongLine = 0.9f;  // cosine
+
+float distance_to(const Segment2& line, const Point2& p) {
+  const Point2 way = line.to - line.from;
+  const float squared = dot(way, way);
+  const float t = squared > 0 ? std::clamp(dot(p - line.from, way) / squared, 0.0f, 1.0f) : 0;
+  return distance(line.from + t * way, p);
+}
 
 }  // namespace
 
@@ -24,6 +34,7 @@ void LabelPlacer::block(const Point2& center, float radius) {
 }
 
 void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
+  blocked_.push_back({from, to});
   // A chain of squares follows a slanted line more closely than its bounding box.
   const int wanted = static_cast<int>(distance(from, to) / std::max(width, 1.0f)) + 1;
   const int pieces = std::clamp(wanted, 1, 200);
@@ -33,9 +44,25 @@ void LabelPlacer::block(const Point2& from, const Point2& to, float width) {
   }
 }
 
+bool LabelPlacer::misleads(const Point2& anchor, const Point2& end) const {
+  const float reach = distance(anchor, end);
+  if (!(reach > 0)) return false;
+  const Point2 way = (end - anchor) / reach;
+  const auto is_crossed = [&](const Rect& text) {
+    return clip_segment(text, anchor, end).has_value();
+  };
+  const auto runs_along = [&](const Segment2& line) {
+    const float length = distance(line.from, line.to);
+    return length > 0 && distance_to(line, anchor) < kBesideLine &&
+           std::abs(dot(line.to - line.from, way)) > kAlongLine * length;
+  };
+  return std::ranges::any_of(texts_, is_crossed) || std::ranges::any_of(blocked_, runs_along);
+}
+
 std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
-                                                     float ascent, float descent, float clearance,
-                                                     const Point2& direction, bool outwards) {
+                                                     float ascent, float descent,
+                                                     const Wish& wish) {
+  const auto& [clearance, direction, outwards, has_leader] = wish;
   const float height = ascent + descent;
   const double wanted = std::atan2(direction.y, direction.x);
   const auto is_free = [&](const Rect& box) {
@@ -47,10 +74,12 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       return clip_segment(box, line.from, line.to).has_value();
     });
   };
+  // Rings off lines, then all rings, and then with any leader.
   const int uncrossed_rings = outwards ? kUncrossedNearby : kUncrossedRings;
-  for (int attempt = 0; attempt < uncrossed_rings + kRings; ++attempt) {
+  for (int attempt = 0; attempt < uncrossed_rings + 2 * kRings; ++attempt) {
     const bool uncrossed = attempt < uncrossed_rings;
-    const int ring = uncrossed ? attempt : attempt - uncrossed_rings;
+    const bool any_leader = attempt >= uncrossed_rings + kRings;
+    const int ring = uncrossed ? attempt : (attempt - uncrossed_rings) % kRings;
     const double reach = clearance + ring * 0.75 * height;
     for (int i = 0; i < kDirections; ++i) {
       // 0, +1, -1, +2, -2, ... steps away from the wanted direction.
@@ -67,10 +96,12 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       const Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding,
                      width + 2 * kPadding, height + 2 * kPadding};
       if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
-      taken_.push_back(box);
       const Point2 end = box.nearest(anchor);
-      return Place{pixel(cx - 0.5 * width, cy + 0.5 * height - descent),
-                   distance(end, anchor) > clearance + 0.8 * height, end};
+      const bool needs_leader = distance(end, anchor) > clearance + 0.8 * height;
+      if (!any_leader && (needs_leader || has_leader) && misleads(anchor, end)) continue;
+      taken_.push_back(box);
+      texts_.push_back(box);
+      return Place{pixel(cx - 0.5 * width, cy + 0.5 * height - descent), needs_leader, end};
     }
   }
   return std::nullopt;

@@ -11,14 +11,16 @@ namespace contactscope::draw {
 ///
 /// Places are tried on rings around the anchor, nearest ring first and on each ring from the wanted
 /// direction outwards; the first one is taken that is free and that no line crosses. Where there is
-/// none nearby, lines may cross it. A label that found no free place on any ring is left out rather
-/// than drawn over something.
+/// none nearby, lines may cross it. A leader runs neither through another label nor along a line that
+/// labels keep off, unless there is no other place. A label that found no free place on any ring is
+/// left out rather than drawn over something.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rect& view) : view_(view) {}
 
   /// Keeps labels off a disc, or off a line of some width; pixels.
   void block(const Point2& center, float radius);
+  /// No leader runs on along such a line either: it would look like more of it.
   void block(const Point2& from, const Point2& to, float width);
   /// Keeps labels off a line where they can.
   void avoid(const Segment2& line) { lines_.push_back(line); }
@@ -29,15 +31,25 @@ class LabelPlacer {
     Point2 leader_end;  // point of the label's box nearest to the anchor
   };
 
-  /// `ascent`, `descent`, `width`: size of the text; `direction`: unit, y down. `outwards`: rather
-  /// on a line than on the other side of the anchor.
+  struct Wish {
+    float clearance = 0;      // between the anchor and the text, pixels
+    Point2 direction;         // from the anchor; unit, y down
+    bool outwards = false;    // rather on a line than on the other side of the anchor
+    bool has_leader = false;  // also from near by
+  };
+
+  /// `ascent`, `descent`, `width`: size of the text.
   std::optional<Place> place(const Point2& anchor, float width, float ascent, float descent,
-                             float clearance, const Point2& direction, bool outwards = false);
+                             const Wish& wish);
 
  private:
+  bool misleads(const Point2& anchor, const Point2& end) const;
+
   Rect view_;
   std::vector<Rect> taken_;
-  std::vector<Segment2> lines_;
+  std::vector<Rect> texts_;      // labels, which no leader crosses
+  std::vector<Segment2> lines_;  // that labels avoid
+  std::vector<Segment2> blocked_;
 };
 
 /// A label that belongs to an end of a line.

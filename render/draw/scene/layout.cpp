@@ -83,6 +83,10 @@ std::string fitted(const std::string& text, float size, FontWeight weight, float
   return shortened;
 }
 
+double Layout::footer_baseline() const {
+  return height - std::max(page.x, footer ? double(descent(px(kSourceSize), Weight::Regular)) : 0);
+}
+
 Layout make_layout(int width, int height, bool has_panels,
                    const std::vector<std::vector<float>>& legend_widths, int insets,
                    const FigureStyle& style, const std::optional<std::string>& title) {
@@ -109,7 +113,7 @@ Layout make_layout(int width, int height, bool has_panels,
   const double title_height =
       layout.title_lines == 0 ? 0 : layout.px(layout.title_lines * layout.title_size + 14);
   const double top = margin + title_height;
-  const double source_top = height - margin - (style.footer ? layout.px(kSourceSize) : 0);
+  const double source_top = layout.footer_baseline() - (style.footer ? layout.px(kSourceSize) : 0);
   const double legend_height = rows * layout.px(kLegendRow);
   const double legend_top = source_top - (style.footer ? layout.px(8) : 0) - legend_height;
   const bool is_last = rows == 0 && !style.footer;
@@ -173,7 +177,7 @@ void draw_captions(const std::string& title, const std::string& source, const st
                    const Layout& layout, Drawing& drawing) {
   const float left = static_cast<float>(layout.page.x);
   const float right = static_cast<float>(layout.page.right());
-  const float bottom = static_cast<float>(layout.height) - left;  // margins are equal
+  const auto bottom = static_cast<float>(layout.footer_baseline());
   const float room = right - left;
   const Pen pen(drawing, layout.scale, kSourceSize);
   if (layout.title_lines > 0) {

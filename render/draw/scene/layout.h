@@ -26,10 +26,13 @@ struct Layout {
   double title_size = 28;      // pixels at 720 lines
   int title_lines = 1;         // 0: it has no title
   bool footer = true;
+  bool framed = false;           // a frame is drawn around the view
   bool ground = true;            // panels have a ground of their own
   const Words* words = nullptr;  // of the drawings
 
   float px(double at_720) const { return scale * static_cast<float>(at_720); }
+  /// Of the source and the moment, a margin above the lower border; their letters reach below it.
+  double footer_baseline() const;
 };
 
 /// `legend_widths`: for each picture of the sequence the widths of its legend's entries, so that

@@ -16,27 +16,47 @@ constexpr double kHalfBox = 7;              // half its height
 
 }  // namespace
 
-void Legend::explain(const Swatch& swatch, const std::string& text,
-                     const std::optional<Vec3d>& anchor) {
-  const LegendEntry entry{&swatch, text, anchor};
+void Legend::explain(const LegendEntry& entry) {
   const auto found = std::ranges::find(entries_, entry);
-  if (found == entries_.end())
-    entries_.push_back(entry);
-  else if (!found->anchor)
-    found->anchor = anchor;
+  if (found == entries_.end()) return entries_.push_back(entry);
+  if (!found->anchor) found->anchor = entry.anchor;
+  found->beside = found->beside && entry.beside;
 }
 
 void Legend::explain(const Legend& other) {
-  for (const LegendEntry& entry : other.entries_) explain(*entry.swatch, entry.text, entry.anchor);
+  for (const LegendEntry& entry : other.entries_) explain(entry);
 }
 
 std::vector<LegendEntry> Legend::sorted() const {
-  std::vector<LegendEntry> sorted = entries_;
-  // A measure too narrow for its arrow means the same as one that is not.
-  std::erase_if(sorted, [&](const LegendEntry& entry) {
-    return entry.swatch == &kNarrowAxisSwatch &&
-           std::ranges::find(entries_, LegendEntry{&kAxisSwatch, entry.text}) != entries_.end();
-  });
+  const auto has = [&](const Swatch& swatch, const auto& holds) {
+    return std::ranges::any_of(entries_, [&](const LegendEntry& entry) {
+      return entry.swatch == &swatch && holds(entry.text);
+    });
+  };
+  std::vector<LegendEntry> sorted;
+  for (const LegendEntry& entry : entries_) {
+    // A measure too narrow for its arrow means the same as one that is not; and a point whose whisker
+    // its dot hides is a contact point too.
+    if (entry.swatch == &kNarrowAxisSwatch &&
+        has(kAxisSwatch, [&](const std::string& text) { return text == entry.text; }))
+      continue;
+    if (entry.swatch == &kPlainPointSwatch && has(kContactSwatch, [](const auto&) { return true; }))
+      continue;
+    const auto same = std::ranges::find(sorted, entry.swatch, &LegendEntry::swatch);
+    if (same == sorted.end()) {
+      sorted.push_back(entry);
+    } else if (entry.text.find(same->text) != std::string::npos) {
+      same->text = entry.text;
+    } else if (same->text.find(entry.text) == std::string::npos) {
+      // "distance, every 200 mm or 50 mm": what both begin with is said once.
+      std::size_t alike = 0;
+      while (alike < std::min(same->text.size(), entry.text.size()) &&
+             same->text[alike] == entry.text[alike])
+        ++alike;
+      const std::size_t word = entry.text.rfind(' ', alike == 0 ? 0 : alike - 1);
+      same->text += " or " + entry.text.substr(word == std::string::npos ? 0 : word + 1);
+    }
+  }
   std::ranges::stable_sort(sorted, {}, [](const LegendEntry& entry) {
     return std::tuple(entry.swatch->group, entry.swatch->place);
   });
@@ -48,6 +68,7 @@ LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
   if (sorted.size() <= kMostLegendEntries) return {sorted, {}};
   // Rank of each: smaller ones are listed.
   const auto rank = [](const LegendEntry& entry) {
+    if (entry.beside) return 6;
     if (!entry.anchor) return 0;
     switch (entry.swatch->group) {
       case LegendGroup::Points:
@@ -69,14 +90,22 @@ LegendChoice choose_legend(const std::vector<LegendEntry>& sorted) {
     }
     return 5;
   };
+  const auto bears_words = [](const LegendEntry& entry) {
+    const LegendGroup group = entry.swatch->group;
+    return group == LegendGroup::Points || group == LegendGroup::Forces ||
+           group == LegendGroup::Motion || group == LegendGroup::Masses;
+  };
   std::vector<std::size_t> order(sorted.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return rank(sorted[i]); });
   std::vector<bool> listed(sorted.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    listed[order[k]] = k < kMostLegendEntries || !sorted[order[k]].anchor;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    (listed[i] ? choice.listed : choice.labelled).push_back(sorted[i]);
+  for (std::size_t k = 0; k < kMostLegendEntries; ++k) listed[order[k]] = true;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (listed[i])
+      choice.listed.push_back(sorted[i]);
+    else if (sorted[i].anchor && !bears_words(sorted[i]) && choice.labelled.size() < kMostInPlace)
+      choice.labelled.push_back(sorted[i]);
+  }
   return choice;
 }
 

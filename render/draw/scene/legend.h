@@ -45,6 +45,7 @@ struct LegendEntry {
   /// Where a label at the thing itself can say it, world; nothing: the legend alone can, because
   /// the sign is everywhere, or because its scale stands there.
   std::optional<Vec3d> anchor{};
+  bool beside = false;  // a panel shows it, and the view does not
 
   /// Whether both say the same.
   bool operator==(const LegendEntry& other) const {
@@ -55,6 +56,9 @@ struct LegendEntry {
 /// So many at most stand in a legend, where the others can be labelled.
 inline constexpr std::size_t kMostLegendEntries = 5;
 
+/// So many labels at most stand in for entries: more are a crowd.
+inline constexpr std::size_t kMostInPlace = 2;
+
 /// Of a picture's signs those that its legend explains, and those that labels do.
 struct LegendChoice {
   std::vector<LegendEntry> listed;    // in the order in which a picture lists them
@@ -63,8 +67,9 @@ struct LegendChoice {
 
 /// Up to kMostLegendEntries are listed. Of more, those that have no place in the picture are listed
 /// first, then points, forces and motion, which are many in a picture, before faces, lines and
-/// bodies, of which each is one thing that can be pointed at. Never left out: what has no anchor is
-/// listed in any case.
+/// bodies, of which each is one thing that can be pointed at, and what panels show alone last. Of the
+/// others two are labelled that are no points, forces or bodies: these bear a number or a word of
+/// their own.
 LegendChoice choose_legend(const std::vector<LegendEntry>& sorted);
 
 /// What a label at the thing says: the words before the first ", " or ": ".
@@ -74,11 +79,14 @@ class Legend {
  public:
   /// Adds an entry unless it stands there already.
   void explain(const Swatch& swatch, const std::string& text,
-               const std::optional<Vec3d>& anchor = std::nullopt);
+               const std::optional<Vec3d>& anchor = std::nullopt) {
+    explain(LegendEntry{&swatch, text, anchor});
+  }
+  void explain(const LegendEntry& entry);
   /// Adds those of another that are new.
   void explain(const Legend& other);
   const std::vector<LegendEntry>& entries() const { return entries_; }
-  /// In the order in which a picture lists them.
+  /// In the order in which a picture lists them, signs that look alike once.
   std::vector<LegendEntry> sorted() const;
 
  private:
@@ -148,6 +156,9 @@ inline constexpr Swatch kClipPolygonSwatch{LegendGroup::Faces, 3,
 inline constexpr Swatch kSupportSwatch{LegendGroup::Faces, 4,
                                        [](auto& pen) { pen.area(kClipPolygon, 0.28f, 2.5); }};
 
+inline constexpr Swatch kSupportLineSwatch{
+    LegendGroup::Faces, 4, [](auto& pen) { pen.level_line(0, 22, 3, kClipPolygon); }};
+
 inline constexpr Swatch kDroppedSwatch{LegendGroup::Points, 0,
                                        [](auto& pen) { pen.crossed(kDropped); }};
 inline constexpr Swatch kReducedSwatch{LegendGroup::Points, 1,
@@ -172,7 +183,7 @@ inline void explain_support(const trace::Stability& stability, bool turns, Legen
     legend.explain(kSupportSwatch, "support: hull of the contact points",
                    Vec3d(0.5 * (stability.support[0] + stability.support[1])));
   if (stability.support.size() == 2)
-    legend.explain(kSupportSwatch, "support: a line between two points",
+    legend.explain(kSupportLineSwatch, "support: a line between two points",
                    Vec3d(0.3 * stability.support[0] + 0.7 * stability.support[1]));
   if (turns)
     legend.explain(kFreeAxisSwatch, "axis about which the body turns", (*stability.axis)[1]);
@@ -192,6 +203,12 @@ inline constexpr Swatch kNarrowAxisSwatch{LegendGroup::Axes, 2, [](auto& pen) {
                                             pen.level_line(19, 22, 3, kAxis);
                                             pen.head(12, -8, kAxis);
                                           }};
+
+inline constexpr Swatch kOverlapSwatch{LegendGroup::Axes, 1, [](auto& pen) {
+                                         pen.level_line(4, 18, 3, kAxis);
+                                         for (const double at : {4.0, 18.0})
+                                           pen.line(pen.at(at, -6), pen.at(at, 6), 3, kAxis);
+                                       }};
 
 /// Width of an entry's swatch and text in pixels, and the gap to the next. `words`: those of the
 /// picture's reader; null: the program's own.

@@ -137,7 +137,8 @@ void draw_badge(Badge badge, const Point2& middle, float width, float height, co
   }
   std::vector<Point2> outline;
   if (badge == Badge::Support) {
-    const float reach = x + 0.6f * y;
+    // Its corners are as far out as those of the number ask for.
+    const float reach = std::max(x + 0.6f * y, 0.85f * width + room);
     outline = {{middle.x - reach, middle.y},
                {middle.x, middle.y - 1.5f * y},
                {middle.x + reach, middle.y},

@@ -117,7 +117,10 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
 
   const auto hidden = many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint;
   const LineStyle border{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
-  const LineStyle silhouette{2.0f, kShapeEdge, false, hidden};
+  // The hills of a landscape are not what it ends with.
+  const bool landscape = many && open;
+  const LineStyle silhouette{landscape ? 1.3f : 2.0f,
+                             with_alpha(kShapeEdge, landscape ? 0.6f : 1.0f), false, hidden};
   const LineStyle crease{1.5f, border.color, false, hidden};
   const LineStyle thin{1.0f, with_alpha(kShapeEdge, thin_alpha(scene, shape)), false,
                        LineStyle::Hidden::Gone};

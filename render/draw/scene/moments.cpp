@@ -42,6 +42,7 @@ Moments::Moments(const std::vector<trace::Frame>& frames, Story story) {
   if (frames.empty()) return;
   const bool told = story != Story::None;
   steps_ = told || counts_frames(frames);
+  word_ = told ? "step" : "picture";
   before_first_ = told ? 0 : 1;
   last_ = told ? steps_told(frames, story) : 0;
   if (last_ == 0) last_ = frames.back().frame + before_first_;
@@ -49,7 +50,7 @@ Moments::Moments(const std::vector<trace::Frame>& frames, Story story) {
 
 std::string Moments::of(const trace::Frame& frame) const {
   if (!steps_) return printed("frame %d, t = %.3f s", frame.frame, frame.time);
-  return printed("step %d of %d", std::min(frame.frame + before_first_, last_), last_);
+  return printed("%s %d of %d", word_, std::min(frame.frame + before_first_, last_), last_);
 }
 
 }  // namespace contactscope::draw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "draw/scene/quantity.h"
 
@@ -35,8 +36,9 @@ const char* gap_or_overlap(double separation) {
   return separation > 0 ? "gap" : "overlap";
 }
 
-std::string spell_separation(double separation, double noise) {
-  return std::string(gap_or_overlap(separation)) + " " + spell_length(std::abs(separation), noise);
+std::string spell_separation(double separation, double noise, const LengthUnit& unit) {
+  return std::string(gap_or_overlap(separation)) + " " +
+         spell_length(std::abs(separation), noise, unit);
 }
 
 std::string spell_axis(const std::string& axis) {
@@ -53,15 +55,45 @@ std::string spell_features(const std::string& type) {
   return type.substr(0, dash) + " on " + type.substr(dash + 1);
 }
 
-std::string in_words(std::string code) {
-  for (const char* name : {"gjk", "epa", "mpr", "sat", "aabb", "obb"}) {
-    if (code != name) continue;
-    std::ranges::transform(code, code.begin(),
-                           [](char c) { return static_cast<char>(c - 'a' + 'A'); });
-    return code;
+std::string in_words(std::string_view code) {
+  // Where a code says less than what it stands for.
+  constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
+      {"optimal", "best area"},
+      {"optimal_deepest", "best area with the deepest"},
+      {"area_deepest", "area, the deepest first"}};
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"gjk", "GJK"},     {"epa", "EPA"},       {"mpr", "MPR"},     {"sat", "SAT"},
+      {"aabb", "AABB"},   {"obb", "OBB"},       {"bvh", "BVH"},     {"sdf", "SDF"},
+      {"ode", "ODE"},     {"mjx", "MJX"},       {"jolt", "Jolt"},   {"bullet", "Bullet"},
+      {"physx", "PhysX"}, {"newton", "Newton"}, {"dart", "DART"},   {"mujoco", "MuJoCo"},
+      {"box3d", "Box3D"}, {"rapier", "Rapier"}, {"parry", "Parry"}, {"fcl", "FCL"}};
+  for (const auto& [phrase, words] : kPhrases)
+    if (code == phrase) return std::string(words);
+  std::string text;
+  while (!code.empty()) {
+    const std::size_t end = std::min(code.find_first_of("_ "), code.size());
+    std::string_view word = code.substr(0, end);
+    for (const auto& [known, name] : kNames)
+      if (word == known) word = name;
+    text += word;
+    if (end < code.size()) text += ' ';
+    code.remove_prefix(std::min(end + 1, code.size()));
   }
-  std::ranges::replace(code, '_', ' ');
-  return code;
+  return text;
+}
+
+std::string name_in_words(std::string_view name) {
+  std::string words;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto is_digit = [&](std::size_t at) { return name[at] >= '0' && name[at] <= '9'; };
+    const bool parts = name[i] == '_' || name[i] == ' ';
+    // "crate 1" of "crate1", but "box3d" has its number in it.
+    const bool counts = is_digit(i) && i > 0 && !is_digit(i - 1) &&
+                        name.find_first_not_of("0123456789", i) == std::string_view::npos;
+    if ((parts || counts) && !words.empty() && words.back() != ' ') words += ' ';
+    if (!parts) words += name[i];
+  }
+  return words;
 }
 
 Balance balance_of(const trace::Stability& stability) {

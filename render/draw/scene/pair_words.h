@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "draw/scene/quantity.h"
 #include "trace/trace.h"
 
 /// What pictures call what a trace tells of a pair: one word for a thing, wherever it is said.
@@ -24,7 +26,7 @@ std::string spell_state(PairState state);
 /// "gap" or "overlap", of a separation with its sign.
 const char* gap_or_overlap(double separation);
 /// "gap 3.00 mm", "overlap 450 mm": never a sign. `noise` as in spell_length().
-std::string spell_separation(double separation, double noise);
+std::string spell_separation(double separation, double noise, const LengthUnit& unit = {});
 
 /// "face of A", "edges of A and B", "closest points", of an axis as traces name it.
 std::string spell_axis(const std::string& axis);
@@ -32,7 +34,10 @@ std::string spell_axis(const std::string& axis);
 std::string spell_features(const std::string& type);
 
 /// "time of impact" of "time_of_impact", "GJK" of "gjk": what a trace calls a method, for people.
-std::string in_words(std::string code);
+std::string in_words(std::string_view code);
+
+/// "small crate 3" of "small_crate3": what a scenario calls a shape, for people.
+std::string name_in_words(std::string_view name);
 
 /// Whether a body can rest on a manifold. A margin of less than 5 % of the support is marginal: the
 /// next push may turn the body.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {
@@ -168,7 +169,8 @@ std::vector<const trace::Pair*> pair_history(const std::vector<trace::Frame>& fr
 }
 
 std::string pair_name(const trace::Pair& pair) {
-  return pair.label.empty() ? pair.a + ", " + pair.b : pair.label;
+  if (!pair.label.empty()) return pair.label;
+  return name_in_words(pair.a) + " and " + name_in_words(pair.b);
 }
 
 std::string axis_of(const trace::Pair& pair) {

@@ -8,6 +8,11 @@
 namespace contactscope::draw {
 namespace {
 
+// What a length may be in a unit that is not its own.
+constexpr double kLeastInUnit = 1e-2, kMostInUnit = 1e4;
+// Likewise of other quantities.
+constexpr double kLeastInPrefix = 1e-2, kMostInPrefix = 1e4;
+
 std::string with_minus_sign(const std::string& text) {
   return !text.empty() && text[0] == '-' ? "−" + text.substr(1) : text;
 }
@@ -22,14 +27,35 @@ double rounded_to(int digits, double value) {
 std::string spelled(double value, int digits, const std::string& unit) {
   const double size = std::abs(value);
   const int whole = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) + 1 : 1;
-  return with_minus_sign(printed("%.*f", std::clamp(digits - whole, 0, digits), value)) + " " +
+  return with_minus_sign(printed("%.*f", std::clamp(digits - whole, 0, digits + 2), value)) + " " +
          unit;
 }
 
 }  // namespace
 
-std::string spell_number(double value) {
-  return with_minus_sign(printed("%.*g", 4, value));
+std::string superscript(int exponent) {
+  constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                   "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kDigits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+std::string spell_number(double value, int digits) {
+  constexpr double kLeastPlain = 1e-3;  // smaller ones have zeros to be counted
+  const bool small = value != 0 && std::abs(value) < kLeastPlain * (1 - 1e-9);
+  std::string text =
+      with_minus_sign(small ? printed("%.*e", digits - 1, value) : printed("%.*g", digits, value));
+  const std::size_t power = text.find('e');
+  if (power == std::string::npos) return text;
+  const int exponent = std::stoi(text.substr(power + 1));
+  text.resize(power);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text + " × 10" + superscript(exponent);
 }
 
 std::string spell_count(std::int64_t count) {
@@ -39,27 +65,34 @@ std::string spell_count(std::int64_t count) {
   return count < 0 ? with_minus_sign(text) : text;
 }
 
-std::string spell_length(double metres) {
-  if (metres == 0) return "0 m";
-  const double rounded = rounded_to(3, metres);
-  Prefix prefix = prefix_for(rounded);
-  if (prefix.size > 1) prefix = {1e3, "k"};
-  return spelled(rounded / prefix.size, 3, std::string(prefix.name) + "m");
+LengthUnit length_unit(double largest) {
+  if (!(largest > 0)) return {};
+  if (largest >= 1) return Prefix{};
+  if (largest >= 2e-4) return Prefix{1e-3, "m"};
+  return largest >= 1e-6 ? Prefix{1e-6, "µ"} : Prefix{1e-9, "n"};
 }
 
-std::string spell_length(double metres, double noise) {
-  if (metres == 0 || !(noise > 0)) return spell_length(metres);
-  const double decade = std::pow(10.0, std::floor(std::log10(noise) + 1e-9));
-  if (std::abs(metres) < noise) {
-    const double most = decade * std::ceil(noise / decade - 1e-6);
-    const Prefix prefix = prefix_for(most);
-    return printed("< %.4g ", most / prefix.size) + prefix.name + "m";
+std::string spell_length(double metres, double noise, const LengthUnit& unit) {
+  const auto prefix_of = [&](double length) {
+    const double in_unit = unit ? std::abs(length) / unit->size : 0;
+    if (in_unit >= kLeastInUnit && in_unit < kMostInUnit) return *unit;
+    const Prefix fitting = prefix_for(length);
+    return fitting.size > 1 ? Prefix{1e3, "k"} : fitting;
+  };
+  if (metres == 0) return std::string("0 ") + (unit ? unit->name : "") + "m";
+  int digits = 3;
+  if (noise > 0) {
+    const double decade = std::pow(10.0, std::floor(std::log10(noise) + 1e-9));
+    if (std::abs(metres) < noise) {
+      const double most = decade * std::ceil(noise / decade - 1e-6);
+      const Prefix prefix = prefix_of(most);
+      return "< " + spell_number(most / prefix.size) + " " + prefix.name + "m";
+    }
+    const double most_digits = std::floor(std::log10(std::abs(metres) / decade) + 1e-9) + 1;
+    digits = static_cast<int>(std::clamp(most_digits, 1.0, 3.0));
   }
-  const double most_digits = std::floor(std::log10(std::abs(metres) / decade) + 1e-9) + 1;
-  const int digits = static_cast<int>(std::clamp(most_digits, 1.0, 3.0));
   const double rounded = rounded_to(digits, metres);
-  Prefix prefix = prefix_for(rounded);
-  if (prefix.size > 1) prefix = {1e3, "k"};
+  const Prefix prefix = prefix_of(rounded);
   return spelled(rounded / prefix.size, digits, std::string(prefix.name) + "m");
 }
 
@@ -111,9 +144,12 @@ Prefix prefix_for(double value) {
   return kPrefixes.back();
 }
 
-std::string spell_quantity(double value, const std::string& unit, int digits) {
+std::string spell_quantity(double value, const std::string& unit, int digits,
+                           const std::optional<Prefix>& of_all) {
   const double rounded = rounded_to(digits, value);
-  const Prefix prefix = prefix_for(rounded);
+  const double in_all = of_all ? std::abs(rounded) / of_all->size : 0;
+  const bool fits = in_all >= kLeastInPrefix && in_all < kMostInPrefix;
+  const Prefix prefix = fits ? *of_all : prefix_for(rounded);
   return spelled(rounded / prefix.size, digits, prefix.name + unit);
 }
 

@@ -144,8 +144,10 @@ struct RadiiSketch {
       text += (text.empty() ? "" : overlaps ? " + " : " − ") + millimetres(radius, least);
     }
     const std::string distance = millimetres(std::abs(apart), least);
-    text = overlaps ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
-                    : "gap " + distance + " − " + text;
+    const bool in_one_place = overlaps && distance.find_first_not_of("0.") == std::string::npos;
+    text = in_one_place ? "overlap " + text
+           : overlaps   ? "overlap " + text + (apart < 0 ? " + " : " − ") + distance
+                        : "gap " + distance + " − " + text;
     text += " = " + millimetres(least, least) + " mm";
     const Vec3d middle = 0.5 * (at.a + radius_a * at.normal + at.b - radius_b * at.normal);
     sketch.label(middle, text, overlaps ? kContact : kAxisText, kSumSize, 60, aside).leader = true;

@@ -12,6 +12,7 @@
 #include "core/at.h"
 #include "core/view.h"
 #include "draw/scene/camera.h"
+#include "draw/scene/quantity.h"
 #include "draw/scene/sketch.h"
 #include "trace/trace.h"
 
@@ -83,18 +84,20 @@ std::vector<PlacedShape> place_shapes(const ShapeMeshes& meshes, const trace::Fr
 /// How long arrows and overlaps are drawn, the same in a whole sequence. The factors are 1, 2 or 5
 /// times a power of ten, so that a legend can state them.
 struct SequenceScales {
-  double overlap = 1;          // overlaps are drawn this many times as long
-  double gap = 1;              // and gaps of points that do not touch yet
-  double impulse = 0;          // metres for one newton second; 0 where there are no impulses
-  double longest_impulse = 0;  // metres; longer arrows are cut there, and marked as such
-  double friction = 0;         // metres for one newton second of friction
-  double velocity = 0;         // seconds: an arrow is the way in this time; 0 where nothing moves
-  double spin = 0;             // seconds: a curved arrow is the turn in this time
-  double drift = 1;            // how far anchors are apart is drawn this many times as long
-  double closing = 0;          // metres a second: largest relative velocity along a normal
-  double step = 0;             // seconds from a frame to the next; 0 of one frame alone
-  double pixel = 1;            // pixels for one at 720 lines
-  double touching = 0;         // metres: a contact point whose separation is larger does not touch
+  double overlap = 1;            // overlaps are drawn this many times as long
+  double gap = 1;                // and gaps of points that do not touch yet
+  double impulse = 0;            // metres for one newton second; 0 where there are no impulses
+  double longest_impulse = 0;    // metres; longer arrows are cut there, and marked as such
+  double friction = 0;           // metres for one newton second of friction
+  double velocity = 0;           // seconds: an arrow is the way in this time; 0 where nothing moves
+  double spin = 0;               // seconds: a curved arrow is the turn in this time
+  double drift = 1;              // how far anchors are apart is drawn this many times as long
+  double closing = 0;            // metres a second: largest relative velocity along a normal
+  double step = 0;               // seconds from a frame to the next; 0 of one frame alone
+  double pixel = 1;              // pixels for one at 720 lines
+  LengthUnit length{};           // of all numbers
+  std::optional<Prefix> load{};  // of all impulses or forces, of the usual ones
+  double touching = 0;  // metres: a contact point whose separation is larger does not touch
 };
 
 SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Frame>& frames,
@@ -145,13 +148,17 @@ double noise_of(const trace::Header& header, const ShapeMeshes& meshes, const tr
 
 Vec3d up_axis(const trace::Header& header);
 
-/// A length between two points, which `text` explains: a two-headed arrow, or where that would be
-/// too short to be one, two that point at it from outside.
-void draw_measure(const Scene& scene, const Vec3d& from, const Vec3d& to, float width,
-                  const std::string& text, Sketch& sketch);
+/// What lies between two points.
+enum class Measured { Gap, Overlap };
 
-/// A gap of `metres`, known to `noise` metres, between two points, with its length `clearance`
-/// pixels away along `aside`.
+/// Their distance. Of a gap a two-headed arrow, or where that would be too short to be one, two that
+/// point at it from outside; of an overlap a line between two bars. `text`: what it is in the legend;
+/// empty: a label says it.
+void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Vec3d& to,
+                  float width, const std::string& text, Sketch& sketch);
+
+/// A gap of `metres`, known to `noise` metres, between two points, with "gap" and its length
+/// `clearance` pixels away along `aside`.
 void draw_gap(const Scene& scene, const Vec3d& from, const Vec3d& to, double metres, double noise,
               double clearance, const Vec3d& aside, Sketch& sketch);
 

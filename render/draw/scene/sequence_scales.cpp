@@ -67,9 +67,13 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   double speed = 0, spin = 0;               // on the screen at one pixel a metre; radians a second
   double drift = 0, deepest = 0, gap = 0;   // pixels
   double pixels_per_metre = 0;
+  double most_overlap = 0, most_gap = 0;  // metres
   for (const trace::Frame& frame : frames) {
     double largest = 0, largest_friction = 0;
     for (const trace::Pair& pair : frame.pairs) {
+      const double separation = pair.query && pair.query->gap ? *pair.query->gap : pair.separation;
+      most_overlap = std::max(most_overlap, -separation);
+      most_gap = std::max(most_gap, separation);
       for (const auto& [manifold, point] : all_points(pair)) {
         if (!camera.sees(point->position)) continue;
         const double here = camera.pixels_per_metre(point->position);
@@ -109,6 +113,9 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   fit_gap(gap, scales.pixel, scales);
   const double smallest = meshes.smallest_radius();
   if (std::isfinite(smallest)) scales.touching = kTouching * smallest;
+  // What overlaps is what the pictures are about, unless it is a touch.
+  scales.length = length_unit(
+      most_overlap > scales.touching || most_gap <= scales.touching ? most_overlap : most_gap);
   const double height = layout.view.height;
   if (!impulses.empty()) {
     const double share = height / pixels_per_metre;
@@ -119,6 +126,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
     scales.impulse =
         view.impulse_scale.value_or(round_down(length / usual(impulses) * unit)) / unit;
     scales.longest_impulse = view.impulse_scale ? kLongestStated * share : kLongestImpulse * length;
+    scales.load = prefix_for(usual(impulses) / unit);
     scales.friction = scales.impulse;
     if (view.shows(Layer::Friction) && !frictions.empty())
       scales.friction = round_down(kUsualFriction * length / usual(frictions) * unit) / unit;

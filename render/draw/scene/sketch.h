@@ -42,6 +42,7 @@ struct Arrow {
   float pixels = 0;
   std::optional<Vec3d> to{};
   bool double_headed = false;
+  bool bars = false;  // strokes across its ends, and no heads: what overlaps, measured
   float width = 2;
   float head = 9;  // pixels
   Color color{};
@@ -106,8 +107,10 @@ struct Label {
   double clearance = 8;  // pixels between the point and the text
   // Places are tried starting in this direction (world); none: away from the sketch's centre.
   std::optional<Vec3d> direction;
-  bool leader = false;  // a line to the point also from near by
-  std::string of{};     // what it names, "point b:v4", where another drawing may ask for it
+  bool leader = false;          // a line to the point also from near by
+  bool foot = false;            // its leader ends in a small dot
+  std::vector<Vec2d> ground{};  // convex, on the screen: on it the label needs no leader
+  std::string of{};             // what it names, "point b:v4", where another drawing may ask for it
   Badge badge = Badge::None;
 };
 

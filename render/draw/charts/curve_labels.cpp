@@ -1,0 +1,155 @@
+#include "draw/charts/curve_labels.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/at.h"
+#include "draw/scene/labels.h"
+
+namespace contactscope::draw {
+namespace {
+
+// Pixels at 720 lines.
+constexpr std::size_t kMostObstacles = 60;
+constexpr float kRow = 17;
+constexpr float kLetters = 14;
+constexpr float kLeader = 18;
+constexpr float kWidest = 150;   // of a row of a name
+constexpr float kAtBorder = 12;  // so near to it a line ends there
+constexpr float kOverhang = 12;  // of names, beyond the lower end of the chart
+
+Weight weight_of(const NamedLine& line) {
+  return line.quiet ? Weight::Regular : Weight::Bold;
+}
+
+std::vector<std::string> rows_of(const NamedLine& line, const Pen& pen) {
+  std::vector<std::string> rows;
+  std::istringstream words(line.name);
+  for (std::string word; words >> word;) {
+    const bool fits =
+        !rows.empty() && pen.width_of(rows.back() + " " + word, weight_of(line)) <= pen.px(kWidest);
+    if (fits)
+      rows.back() += " " + word;
+    else
+      rows.push_back(word);
+  }
+  return rows;
+}
+
+/// A name to the right of a chart.
+struct Beside {
+  const NamedLine* line;
+  std::vector<std::string> rows;
+  float middle;  // y
+};
+
+/// Down where they crowd, and back up from the bottom.
+void spread_out(std::vector<Beside>& names, float row, float top, float bottom) {
+  std::ranges::stable_sort(names, {}, &Beside::middle);
+  const auto half = [&](const Beside& name) {
+    return 0.5f * row * static_cast<float>(name.rows.size());
+  };
+  float least = top;
+  for (Beside& name : names) {
+    name.middle = std::max(name.middle, least + half(name));
+    least = name.middle + half(name);
+  }
+  float most = bottom;
+  for (auto name = names.rbegin(); name != names.rend(); ++name) {
+    name->middle = std::min(name->middle, most - half(*name));
+    most = name->middle - half(*name);
+  }
+}
+
+}  // namespace
+
+void name_near(const std::vector<const NamedLine*>& named,
+               const std::vector<std::vector<Point2>>& anchors, const std::vector<NamedLine>& lines,
+               const Rect& area, const Pen& pen) {
+  LabelObstacles obstacles;
+  for (const NamedLine& line : lines) {
+    // Of a curve of many points some tell where it runs.
+    const std::size_t step = 1 + line.points.size() / kMostObstacles;
+    if (step == 1)
+      obstacles.markers.insert(obstacles.markers.end(), line.points.begin(), line.points.end());
+    for (std::size_t i = step; i < line.points.size(); i += step)
+      obstacles.lines.push_back({line.points[i - step], line.points[i], 1.2f});
+  }
+  std::vector<LineLabel> labels;
+  for (std::size_t i = 0; i < named.size(); ++i)
+    labels.push_back({pen.width_of(named[i]->name, weight_of(*named[i])), anchors[i]});
+  const float height = pen.px(kLetters);
+  const double inset = pen.px(4);
+  const Rect room{area.x + inset, area.y + inset, area.width - 2 * inset, area.height - 2 * inset};
+  const std::vector<PlacedLabel> places =
+      place_line_labels(labels, obstacles, room, height, pen.scale());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PlacedLabel& place = places[i];
+    const NamedLine& line = *named[i];
+    if (place.needs_leader) pen.line(place.anchor, place.leader_end, 1, line.color);
+    pen.text(line.name, pixel(place.box.x, place.box.y) + Point2{0, 0.84f * height}, Align::Left,
+             line.color, weight_of(line), 0, 2);
+  }
+}
+
+float room_beside(const std::vector<NamedLine>& lines, const Pen& pen) {
+  float widest = 0;
+  for (const NamedLine& line : lines)
+    for (const std::string& row : rows_of(line, pen))
+      widest = std::max(widest, pen.width_of(row, weight_of(line)));
+  return lines.empty() ? 0 : widest + pen.px(kLeader + 2);
+}
+
+void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen) {
+  const auto right = static_cast<float>(area.right());
+  std::vector<Beside> beside;
+  std::vector<const NamedLine*> inside;
+  std::vector<std::vector<Point2>> anchors;
+  for (const NamedLine& line : lines) {
+    if (line.points.empty()) continue;
+    const Point2& end = line.points.back();
+    if (end.x > right - pen.px(kAtBorder)) {
+      beside.push_back({&line, rows_of(line, pen), end.y});
+    } else {
+      inside.push_back(&line);
+      anchors.push_back({end});
+    }
+  }
+  name_near(inside, anchors, lines, area, pen);
+  const float row = pen.px(kRow);
+  spread_out(beside, row, static_cast<float>(area.y),
+             static_cast<float>(area.bottom()) + pen.px(kOverhang));
+  const float left = right + pen.px(kLeader);
+  for (const Beside& name : beside) {
+    pen.line(name.line->points.back(), {left - pen.px(3), name.middle}, 1, name.line->color);
+    float baseline =
+        name.middle + pen.px(5) - 0.5f * row * static_cast<float>(name.rows.size() - 1);
+    for (const std::string& text : name.rows) {
+      pen.text(text, {left, baseline}, Align::Left, name.line->color, weight_of(*name.line));
+      baseline += row;
+    }
+  }
+}
+
+void name_inside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen) {
+  std::vector<const NamedLine*> named;
+  std::vector<std::vector<Point2>> anchors;
+  for (const NamedLine& line : lines) {
+    if (line.points.empty()) continue;
+    named.push_back(&line);
+    // Where no other line is near.
+    std::vector<Point2> own = line.points;
+    const auto nearest = [&](const Point2& point) {
+      float least = 1e9f;
+      for (const NamedLine& other : lines)
+        for (const Point2& at : other.points)
+          if (&other != &line) least = std::min(least, distance(at, point));
+      return -least;
+    };
+    std::ranges::stable_sort(own, {}, nearest);
+    anchors.push_back(own);
+  }
+  name_near(named, anchors, lines, area, pen);
+}
+
+}  // namespace contactscope::draw

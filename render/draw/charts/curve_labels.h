@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/scene/pen.h"
+
+namespace contactscope::draw {
+
+/// A line of a chart, as pixels, and how it is called.
+struct NamedLine {
+  std::string name;
+  Color color;  // of the letters
+  bool quiet = false;
+  std::vector<Point2> points;  // from left to right
+};
+
+/// Pixels to the right of a chart that the names of its lines need; long ones take several rows.
+float room_beside(const std::vector<NamedLine>& lines, const Pen& pen);
+
+/// Names lines to the right of the area, from the top in the order of their ends, each with a leader;
+/// and those that end before they get there at their end.
+void name_beside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen);
+
+/// Names some of the lines of a chart inside of the area, each near one of its anchors.
+void name_near(const std::vector<const NamedLine*>& named,
+               const std::vector<std::vector<Point2>>& anchors, const std::vector<NamedLine>& lines,
+               const Rect& area, const Pen& pen);
+
+/// Names lines inside of the area, where they can be told apart.
+void name_inside(const std::vector<NamedLine>& lines, const Rect& area, const Pen& pen);
+
+}  // namespace contactscope::draw

@@ -1,0 +1,71 @@
+#include "draw/scene/outlines.h"
+
+#include <map>
+#include <utility>
+
+#include "core/at.h"
+#include "core/convex_polygon.h"
+
+namespace contactscope::draw {
+namespace {
+
+constexpr std::size_t kMostBodySides =
+    160;  // faces of bodies before it: of a landscape all counts as seen
+
+/// The part of `polygon` on one side of the line through two points: on its left, or not.
+Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool left) {
+  const double sign = left ? 1 : -1;
+  return clipped(
+      polygon, [&](const Vec2d& p) { return sign * turn(from, to, p); },
+      [](const Vec2d& p, const Vec2d& q, double at_p, double at_q) -> Vec2d {
+        return p + at_p / (at_p - at_q) * (q - p);
+      });
+}
+
+}  // namespace
+
+Outline as_outline(const std::vector<Point2>& polygon) {
+  return convex_polygon(mapped(polygon, [](const Point2& p) { return Vec2d(p.x, p.y); }));
+}
+
+std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
+  constexpr double kLeastArea = 0.25;  // square pixels
+  std::vector<Outline> result;
+  for (Outline rest : polygons) {
+    for (std::size_t i = 0; i < hole.size() && rest.size() > 2; ++i) {
+      const Vec2d &from = hole[i], &to = hole[(i + 1) % hole.size()];
+      Outline outside = cut(rest, from, to, false);
+      if (outside.size() > 2 && area_of(outside) > kLeastArea) result.push_back(std::move(outside));
+      rest = cut(rest, from, to, true);
+    }
+  }
+  return result;
+}
+
+std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const Camera& camera,
+                                     std::span<const Surface> surfaces) {
+  const Outline whole = as_outline(polygon);
+  Eigen::AlignedBox2d box;
+  for (const Vec2d& p : whole) box.extend(p);
+  std::vector<Outline> found;
+  std::map<int, std::vector<Vec2d>> round;
+  for (const Surface& surface : surfaces) {
+    if (surface.kind != Surface::Kind::Body) continue;
+    std::vector<Point2> seen = project_polygon(camera, surface.polygon);
+    if (seen.empty()) continue;
+    if (surface.body >= 0) {
+      for (const Point2& p : seen) round[surface.body].emplace_back(p.x, p.y);
+      continue;
+    }
+    Eigen::AlignedBox2d own;
+    for (const Point2& p : seen) own.extend(Vec2d(p.x, p.y));
+    if (!own.intersects(box)) continue;
+    if (found.size() == kMostBodySides) return {};
+    found.push_back(as_outline(seen));
+  }
+  for (auto& [body, points] : round) found.push_back(convex_polygon(std::move(points)));
+  std::erase_if(found, [](const Outline& outline) { return outline.size() < 3; });
+  return found;
+}
+
+}  // namespace contactscope::draw

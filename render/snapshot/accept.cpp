@@ -1,0 +1,65 @@
+#include "snapshot/accept.h"
+
+#include <fnmatch.h>
+
+#include "image/png.h"
+#include "snapshot/check.h"
+#include "snapshot/store.h"
+
+namespace contactscope::snapshot {
+namespace fs = std::filesystem;
+
+bool names(const std::string& pattern, const Finding& finding) {
+  std::string wanted = pattern;
+  while (wanted.size() > 1 && wanted.back() == '/') wanted.pop_back();
+  std::string key = finding.key();
+  while (true) {
+    if (fnmatch(wanted.c_str(), key.c_str(), 0) == 0) return true;
+    const std::size_t slash = key.rfind('/');
+    if (slash == std::string::npos) return false;
+    key.resize(slash);
+  }
+}
+
+std::string accept(const fs::path& report, const fs::path& snapshots, Finding& finding,
+                   const Acceptance& how) {
+  if (finding.done != Done::Nothing || finding.review == Review::Accepted)
+    return finding.key() + " is done already";
+  if (finding.file.empty())
+    return finding.key() + " is an expectation; mend it in the scenario, or what fails it";
+  if (finding.kind == FindingKind::KnownBad && how.word.empty())
+    return finding.key() + " is as " + finding.file +
+           ", which is known to be bad; remove that file first if it is right after all";
+  const fs::path stored = snapshots / finding.file;
+  if (sha256_of_file(stored) != finding.stored_sha256)
+    return finding.key() + " is stale: " + stored.generic_string() +
+           " is not what the report was made against; run check again";
+  if (finding.kind == FindingKind::Orphaned) {
+    remove_stored(stored);
+    finding.done = Done::Removed;
+    finding.review = Review::Accepted;
+    return {};
+  }
+  const fs::path candidate = report / finding.candidate;
+  if (finding.candidate.empty() || sha256_of_file(candidate) != finding.candidate_sha256)
+    return finding.key() + " is stale: its candidate " + candidate.generic_string() +
+           " is gone, or not what the report tells of; run check again";
+  fs::path target = stored;
+  if (!how.word.empty()) {
+    const bool is_list = stored == hashes_path(snapshots, finding.scenario);
+    if (is_list) return finding.key() + " is not stored under a word more; accept it without --as";
+    const std::string name = stored.filename().string();
+    target.replace_filename(name.substr(0, name.find('.')) + "." + how.word +
+                            stored.extension().string());
+  }
+  if (finding.is_picture())
+    write_stored_picture(target, read_png(candidate.string()));
+  else
+    write_text(target, *read_text_file(candidate));
+  if (!how.note.empty()) write_text(fs::path(target).replace_extension(".txt"), how.note + "\n");
+  finding.done = finding.stored_sha256.empty() ? Done::Written : Done::Updated;
+  finding.review = Review::Accepted;
+  return {};
+}
+
+}  // namespace contactscope::snapshot

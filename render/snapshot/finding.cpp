@@ -1,0 +1,98 @@
+#include "snapshot/finding.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace contactscope::snapshot {
+namespace {
+
+/// What is told first: an expectation, then facts, then pictures by the size of their difference.
+int weight(const Finding& finding) {
+  if (finding.kind == FindingKind::UnmetExpectation) return 1 << 30;
+  if (!finding.is_picture()) return 1 << 29;
+  return finding.pixels ? finding.pixels->found.differing : 0;
+}
+
+int largest(const Cause& cause) {
+  int most = 0;
+  for (const Finding* finding : cause.findings)
+    if (finding->pixels) most = std::max(most, finding->pixels->found.differing);
+  return most;
+}
+
+}  // namespace
+
+Tally tally(const Outcome& outcome) {
+  Tally tally;
+  for (const ScenarioOutcome& scenario : outcome.scenarios) {
+    const bool is_there = !scenario.file.empty();
+    tally.scenarios += is_there;
+    tally.failing += scenario.fails();
+    tally.same += is_there && scenario.findings.empty();
+    tally.known_same += scenario.is_known_same;
+    tally.frames += scenario.frames;
+    tally.pictures += scenario.pictures;
+    tally.written += scenario.written;
+    for (const Finding& finding : scenario.findings) {
+      tally.accepted += finding.review == Review::Accepted;
+      if (!finding.fails()) continue;
+      ++tally.kinds[static_cast<std::size_t>(finding.kind)];
+      tally.rejected += finding.review == Review::Rejected;
+    }
+  }
+  return tally;
+}
+
+std::string counted(int count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
+std::string summary(const Tally& tally) {
+  std::string text = counted(tally.scenarios, "scenario") + ": ";
+  text += tally.failing == 0 && tally.same == tally.scenarios
+              ? "all the same"
+              : std::to_string(tally.same) + " the same, " + std::to_string(tally.failing) +
+                    (tally.failing == 1 ? " fails" : " fail");
+  if (tally.failing > 0) {
+    std::string kinds;
+    for (std::size_t kind = 0; kind < kFindingKinds.size(); ++kind) {
+      std::string name(kFindingKinds[kind]);
+      std::ranges::replace(name, '_', ' ');
+      if (name == "unmet expectation" && tally.kinds[kind] != 1) name += "s";
+      kinds += (kinds.empty() ? "" : ", ") + std::to_string(tally.kinds[kind]) + " " + name;
+    }
+    text += " (" + kinds + ")";
+  }
+  if (tally.accepted > 0) text += ", " + std::to_string(tally.accepted) + " accepted";
+  if (tally.rejected > 0) text += ", " + std::to_string(tally.rejected) + " rejected";
+  if (tally.written > 0) text += ", " + counted(tally.written, "file") + " written or removed";
+  return text;
+}
+
+std::vector<Cause> causes(const Outcome& outcome) {
+  std::map<std::string, Cause> by_cause;
+  for (const ScenarioOutcome& scenario : outcome.scenarios) {
+    for (const Finding& finding : scenario.findings) {
+      if (!finding.fails()) continue;
+      Cause& cause = by_cause[finding.cause];
+      cause.findings.push_back(&finding);
+      if (cause.scenarios.empty() || cause.scenarios.back() != finding.scenario)
+        cause.scenarios.push_back(finding.scenario);
+    }
+  }
+  std::vector<Cause> all;
+  for (auto& [name, cause] : by_cause) {
+    std::ranges::stable_sort(
+        cause.findings, [](const Finding* a, const Finding* b) { return weight(*a) > weight(*b); });
+    all.push_back(std::move(cause));
+  }
+  std::ranges::stable_sort(all, [](const Cause& a, const Cause& b) {
+    if (a.scenarios.size() != b.scenarios.size()) return a.scenarios.size() > b.scenarios.size();
+    if (largest(a) != largest(b)) return largest(a) > largest(b);
+    return a.findings.front()->key() < b.findings.front()->key();
+  });
+  return all;
+}
+
+}  // namespace contactscope::snapshot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "snapshot/compare_facts.h"
+#include "trace/json.h"
+
+namespace contactscope::snapshot {
+
+/// What differs of one frame, or of the header, whose number is -1.
+struct FrameDifferences {
+  int frame = -1;
+  const trace::Frame* expected = nullptr;  // null of the header
+  const trace::Frame* actual = nullptr;
+  std::vector<Difference> differences;
+};
+
+/// What a changed trace is told by.
+struct FirstCause {
+  /// "hull/face_contact frame 12, table-crate: the separating axis test now takes face b: overlap
+  /// 19.98 mm, against 20.01 mm of face a, 0.03 mm between them; so the reference face, 4 clip steps
+  /// and 3 of 4 ids changed".
+  std::string sentence;
+  /// Where and how in the pipeline, without a number or a name: equal for traces that one edit of the
+  /// program may have changed.
+  std::string signature;
+};
+
+/// The first frame in which anything differs, and in it what the pipeline decides first: all else may follow
+/// from it. `frames` is not empty, in their order, the header first.
+FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames);
+
+}  // namespace contactscope::snapshot

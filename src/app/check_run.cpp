@@ -1,0 +1,397 @@
+#include "app/check_run.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/figure_canvas.h"
+#include "app/known_same.h"
+#include "app/moved_layers.h"
+#include "app/progress.h"
+#include "app/reports/report.h"
+#include "app/shard.h"
+#include "app/studio.h"
+#include "core/at.h"
+#include "core/input_error.h"
+#include "draw/staging.h"
+#include "scenario/run.h"
+#include "snapshot/brittle.h"
+#include "snapshot/check.h"
+#include "snapshot/report_folder.h"
+#include "snapshot/spelling.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+namespace fs = std::filesystem;
+using snapshot::Finding;
+using snapshot::FindingKind;
+using snapshot::ScenarioOutcome;
+
+/// What the facts of a scenario explain about its pictures.
+struct Explanation {
+  const snapshot::TraceDifferences* trace = nullptr;
+  const snapshot::CheckedFrames* frames = nullptr;  // null where every frame is stored
+  std::string cause;                                // of the trace
+};
+
+bool contains(const std::vector<int>& numbers, int number) {
+  return std::ranges::find(numbers, number) != numbers.end();
+}
+
+/// Why a picture differs, as far as its facts say; sets its cause.
+void explain(Finding& picture, const Explanation& facts) {
+  if (picture.kind != FindingKind::Changed) return;
+  const auto follow = [&](const std::string& why) {
+    if (!facts.cause.empty()) picture.cause = facts.cause;
+    picture.sentence += "; " + why;
+  };
+  if (contains(facts.trace->frames, *picture.frame)) {
+    std::string layers;
+    for (const std::string& layer : picture.layers) layers += (layers.empty() ? "" : ", ") + layer;
+    return follow("its facts changed" + (layers.empty() ? "" : ", and with them " + layers));
+  }
+  if (facts.trace->is_setup || facts.trace->is_words)
+    return follow(facts.trace->is_setup ? "the shapes or settings changed" : "its words changed");
+  std::vector<int> others = facts.trace->frames;
+  if (facts.frames)
+    others.insert(others.end(), facts.frames->changed.begin(), facts.frames->changed.end());
+  std::ranges::sort(others);
+  if (!others.empty())
+    return follow("its own facts are the same, but those of " +
+                  std::string(others.size() > 1 ? "frames " : "frame ") +
+                  snapshot::spell_numbers(others) + " changed, to which the camera is fitted too");
+  picture.cause = "drawing";
+  picture.sentence +=
+      facts.frames && !facts.frames->is_compared
+          ? "; its own facts are the same; those of frames that are not stored were not compared"
+          : "; every fact of the sequence is as stored, so the drawing changed, or its picture is "
+            "older than its trace";
+}
+
+PixelLimits limits_of(const SnapshotSettings& settings, const std::string& view) {
+  PixelLimits limits;
+  const auto take = [&](const PictureLimits& own) {
+    limits.channel = own.channel.value_or(limits.channel);
+    limits.cluster = own.cluster.value_or(limits.cluster);
+    limits.total = own.total.value_or(limits.total);
+  };
+  take(settings.limits);
+  if (const auto own = settings.view_limits.find(view); own != settings.view_limits.end())
+    take(own->second);
+  return limits;
+}
+
+class Checker {
+ public:
+  Checker(const Options& options, snapshot::ReportFolder& report)
+      : options_(options),
+        studio_(options.backend, ledger_),
+        report_(report),
+        policy_{snapshot::is_ci(std::getenv("CI")), options.update} {}
+
+  ScenarioOutcome check(Input& input) {
+    const Scenario& scenario = input.scenario;
+    ScenarioOutcome outcome{scenario.name, scenario.path};
+    const snapshot::Shelf shelf = snapshot::shelf_of(options_.snapshot_root, scenario.name);
+    Sequence sequence = facts_of(input, outcome);
+    snapshot::CheckedFrames frames;
+    const bool has_hashes = !input.trace;
+    if (has_hashes) frames = check_frames(shelf, scenario, sequence, outcome);
+
+    trace::Trace stored{sequence.header, {}};
+    sequence.each(scenario.snapshots.frames,
+                  [&](std::size_t index) { stored.frames.push_back(sequence.frames[index]); });
+    // While its pictures are drawn.
+    std::future<snapshot::CheckedTrace> pending = std::async(
+        std::launch::async, [&] { return snapshot::check_trace(shelf, stored, policy_); });
+    std::vector<Finding> pictures;
+    if (!options_.facts_only) {
+      for (const View& view : selected_views(scenario, options_))
+        check_pictures(shelf, scenario, view, sequence, outcome, pictures);
+    }
+    snapshot::CheckedTrace trace = pending.get();
+    const snapshot::TraceDifferences differences = trace.differences;
+    if (trace.finding) report_.add_text(*trace.finding, snapshot::to_json_lines(stored));
+    Explanation facts{&differences, has_hashes && has_unstored(scenario) ? &frames : nullptr, {}};
+    if (trace.finding && trace.finding->kind == FindingKind::Changed)
+      facts.cause = trace.finding->cause;
+    else if (frames.finding && frames.finding->kind == FindingKind::Changed)
+      facts.cause = frames.finding->cause;
+    if (frames.finding && frames.finding->kind == FindingKind::Changed)
+      frames.finding->cause = facts.cause;
+    if (trace.finding && !frames.changed.empty() && !differences.frames.empty() &&
+        frames.changed.front() < differences.frames.front())
+      trace.finding->sentence += "; its facts changed from frame " +
+                                 std::to_string(frames.changed.front()) +
+                                 " on, which is not stored";
+    take(std::move(trace), outcome);
+    take(std::move(frames), outcome);
+    if (!pictures.empty() && !differences.frames.empty())
+      name_layers(shelf, scenario, sequence, differences, pictures);
+    for (Finding& picture : pictures) {
+      explain(picture, facts);
+      outcome.findings.push_back(std::move(picture));
+    }
+    if (options_.view.empty()) check_stale(shelf, scenario, outcome);
+    return outcome;
+  }
+
+  /// Stored scenarios that no file describes any more. What was stored of another engine's trace has no
+  /// such file.
+  std::vector<ScenarioOutcome> check_orphans(std::vector<std::string> names) {
+    for (const std::string& name : snapshot::stored_of_engines(options_.snapshot_root))
+      names.push_back(name);
+    std::vector<ScenarioOutcome> outcomes;
+    for (snapshot::Checked& file :
+         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_)) {
+      const std::string& name = file.finding->scenario;
+      if (outcomes.empty() || outcomes.back().scenario != name)
+        outcomes.push_back(ScenarioOutcome{name});
+      take(std::move(file), outcomes.back());
+    }
+    return outcomes;
+  }
+
+  const Ledger& ledger() const { return ledger_; }
+
+  /// All that findings depend on and that is of no scenario. Opens OpenGL where pictures are drawn.
+  std::string surroundings() {
+    const Timed timed(ledger_, "hash the program");
+    return program_sha256() + " " + snapshot::rounding() + " " +
+           (options_.facts_only ? "facts" : studio_.driver());
+  }
+
+ private:
+  static bool has_unstored(const Scenario& scenario) {
+    return count_of(scenario.snapshots.frames) < scenario.frames;
+  }
+
+  static draw::FigureStyle style_of(const Scenario& scenario) {
+    draw::FigureStyle style;
+    style.words = words_of(scenario);
+    return style;
+  }
+
+  static void take(snapshot::Checked checked, ScenarioOutcome& outcome) {
+    outcome.written += checked.is_written;
+    if (checked.finding) outcome.findings.push_back(std::move(*checked.finding));
+  }
+
+  /// Runs the scenario, and asks it what its file expects.
+  Sequence facts_of(Input& input, ScenarioOutcome& outcome) {
+    if (input.trace) {
+      outcome.file = input.file;
+      return std::move(*input.trace);
+    }
+    const Scenario& scenario = input.scenario;
+    trace::Stages stages;
+    stages.decisions = true;
+    Sequence sequence = run_sequence(scenario, stages, false, ledger_);
+    snapshot::note_brittle(snapshot::take_brittle(scenario.snapshots.frames, scenario.views,
+                                                  sequence.header, sequence.frames),
+                           options_.verbose, outcome.notes);
+    const std::vector<std::string> unmet = unmet_expectations(scenario, sequence.frames);
+    if (!unmet.empty()) {
+      Finding finding{FindingKind::UnmetExpectation, scenario.name};
+      finding.sentence = unmet.front();
+      finding.details = unmet;
+      finding.cause = "expectations of " + scenario.name;
+      outcome.findings.push_back(std::move(finding));
+    }
+    return sequence;
+  }
+
+  snapshot::CheckedFrames check_frames(const snapshot::Shelf& shelf, const Scenario& scenario,
+                                       const Sequence& sequence, ScenarioOutcome& outcome) {
+    const Timed timed(ledger_, "hash frames");
+    snapshot::FrameHashes hashes{snapshot::rounding(), {}};
+    for (const trace::Frame& frame : sequence.frames) {
+      if (!contains(scenario.snapshots.frames, frame.frame))
+        hashes.hashes[frame.frame] = snapshot::hash_of(frame);
+    }
+    snapshot::CheckedFrames checked = snapshot::check_frames(shelf, hashes, policy_);
+    const bool is_stored = !checked.finding || checked.finding->kind == FindingKind::Changed;
+    if (!hashes.hashes.empty() && is_stored && !checked.is_compared)
+      outcome.notes.push_back(
+          "frames that are not stored were not compared, for this machine rounds otherwise than "
+          "the one that wrote " +
+          snapshot::hashes_path(shelf.root, shelf.scenario).generic_string());
+    outcome.frames =
+        count_of(scenario.snapshots.frames) + (checked.is_compared ? count_of(hashes.hashes) : 0);
+    if (checked.finding) report_.add_text(*checked.finding, to_text(hashes));
+    return checked;
+  }
+
+  void check_pictures(const snapshot::Shelf& shelf, const Scenario& scenario, const View& view,
+                      Sequence& sequence, ScenarioOutcome& outcome,
+                      std::vector<Finding>& findings) {
+    const draw::Staging staging =
+        draw::stage(sequence.header, sequence.frames, view, scenario.snapshots.width,
+                    scenario.snapshots.height, style_of(scenario));
+    studio_.render(
+        staging, sequence, scenario.snapshots.frames, [&](const trace::Frame& shown, Image image) {
+          const Timed timed(ledger_, "compare");
+          // A view chosen on the command line stays where it would be among the others.
+          const snapshot::PictureKey key{
+              scenario.name, scenario.views.size() > 1 ? std::optional(view.name) : std::nullopt,
+              shown.frame};
+          snapshot::CheckedPicture checked = snapshot::check_picture(
+              shelf, key, image, policy_, limits_of(scenario.snapshots, view.name));
+          ++outcome.pictures;
+          outcome.written += checked.is_written;
+          if (!checked.finding) return;
+          Finding finding = std::move(*checked.finding);
+          report_.add_picture(finding, checked, image);
+          findings.push_back(std::move(finding));
+        });
+  }
+
+  /// Which layers of a picture are drawn otherwise of the stored facts.
+  void name_layers(const snapshot::Shelf& shelf, const Scenario& scenario, const Sequence& sequence,
+                   const snapshot::TraceDifferences& differences, std::vector<Finding>& pictures) {
+    constexpr int kMost = 4;  // each takes as long as to draw it twice
+    const Timed timed(ledger_, "compare layers");
+    std::istringstream text(*snapshot::read_stored_trace(shelf.root, shelf.scenario));
+    const trace::Trace stored = trace::read_trace(text, "stored");
+    int named = 0;
+    for (Finding& picture : pictures) {
+      if (picture.kind != FindingKind::Changed || !contains(differences.frames, *picture.frame) ||
+          named++ >= kMost)
+        continue;
+      const auto find = [&](const std::vector<trace::Frame>& frames) {
+        return std::ranges::find(frames, *picture.frame, &trace::Frame::frame);
+      };
+      const auto expected = find(stored.frames), actual = find(sequence.frames);
+      if (expected == stored.frames.end() || actual == sequence.frames.end()) continue;
+      const View& view = picture.view.empty()
+                             ? scenario.views.front()
+                             : *std::ranges::find(scenario.views, picture.view, &View::name);
+      const draw::Staging staging =
+          draw::stage(sequence.header, sequence.frames, view, scenario.snapshots.width,
+                      scenario.snapshots.height, style_of(scenario));
+      try {
+        picture.layers = moved_layers(staging, *expected, *actual);
+      } catch (const std::exception& error) {
+        ledger_.note(picture.key() + ": layers were not compared: " + error.what());
+      }
+    }
+  }
+
+  void check_stale(const snapshot::Shelf& shelf, const Scenario& scenario,
+                   ScenarioOutcome& outcome) {
+    std::vector<std::string> views;
+    if (scenario.views.size() > 1) views = mapped(scenario.views, &View::name);
+    for (snapshot::Checked& file :
+         snapshot::check_stale(shelf, views, scenario.snapshots.frames, policy_))
+      take(std::move(file), outcome);
+  }
+
+  const Options& options_;
+  Ledger ledger_;
+  Studio studio_;
+  snapshot::ReportFolder& report_;
+  snapshot::Policy policy_;
+};
+
+void require_folder(const Options& options) {
+  if (fs::is_directory(options.snapshot_root) || options.update != snapshot::Update::None) return;
+  throw InputError(options.snapshot_root, 0, 0,
+                   "no such folder of snapshots; run where it is, name another with --snapshots "
+                   "DIR, or let check --write-missing make it with the first ones");
+}
+
+/// Leaves those of the shard; returns the names of all.
+std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options) {
+  std::vector<Costed> scenarios;
+  for (const Input& input : inputs) {
+    // Without times: a picture costs about as much as ten frames of facts.
+    const SnapshotSettings& stored = input.scenario.snapshots;
+    const int pictures = count_of(stored.frames) * count_of(input.scenario.views);
+    scenarios.push_back({input.scenario.name, 1.0 + 0.1 * input.scenario.frames + pictures});
+  }
+  if (!options.times.empty()) read_times(options.times, scenarios);
+  std::vector<std::string> names = mapped(scenarios, &Costed::name);
+  const std::vector<std::string> own = names_in_shard(std::move(scenarios), *options.shard);
+  std::erase_if(inputs, [&](const Input& input) {
+    return !std::ranges::binary_search(own, input.scenario.name);
+  });
+  std::ranges::sort(names);
+  return names;
+}
+
+/// With the times of scenarios that did not run this time.
+std::string merged_times(const fs::path& folder, const nlohmann::ordered_json& times) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  if (const auto text = snapshot::read_text_file(folder / "times.json")) {
+    all = nlohmann::ordered_json::parse(*text, nullptr, false);
+    if (!all.is_object()) all = nlohmann::ordered_json::object();
+  }
+  all.update(times);
+  return all.dump(1) + "\n";
+}
+
+}  // namespace
+
+snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) {
+  require_folder(options);
+  const std::string folder = options.shard ? folder_of(*options.shard) : "check";
+  snapshot::ReportFolder report(options.out, folder);
+  Checker checker(options, report);
+  snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};
+  const std::vector<std::string> all =
+      mapped(inputs, [](const Input& input) { return input.scenario.name; });
+  if (options.shard) outcome.all = keep_shard(inputs, options);
+
+  // What changes every file, or looks at a part of each scenario, is no case for it.
+  const bool can_be_known = options.view.empty() && options.update != snapshot::Update::All;
+  std::optional<KnownSame> known;
+  std::vector<std::string> contents(inputs.size());
+  if (can_be_known) {
+    known.emplace(report.folder(), checker.surroundings());
+    contents = contents_of(inputs, options.snapshot_root);
+  }
+  nlohmann::ordered_json times = nlohmann::ordered_json::object();
+  {
+    Progress progress(count_of(inputs), options.quiet);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      stop_if_interrupted();
+      Input& input = inputs[i];
+      const std::string name = input.scenario.name;
+      const bool is_file = known && !input.trace;
+      progress.advance(name);
+      if (is_file && !options.fresh) {
+        if (auto same = known->find(name, contents[i])) {
+          same->file = input.scenario.path;
+          outcome.scenarios.push_back(std::move(*same));
+          continue;
+        }
+      }
+      const auto begin = std::chrono::steady_clock::now();
+      outcome.scenarios.push_back(checker.check(input));
+      const std::chrono::duration<double, std::milli> time =
+          std::chrono::steady_clock::now() - begin;
+      times[name] = std::round(time.count() * 10) / 10;
+      if (is_file) known->add(outcome.scenarios.back(), contents[i]);
+    }
+  }
+  const bool is_first = !options.shard || options.shard->part == 1;
+  if (options.scenarios.empty() && options.view.empty() && is_first) {
+    for (ScenarioOutcome& orphan : checker.check_orphans(all))
+      outcome.scenarios.push_back(std::move(orphan));
+  }
+  std::ranges::stable_sort(outcome.scenarios, {}, &ScenarioOutcome::scenario);
+  report.add_file("times.json", merged_times(report.folder(), times));
+  if (known) report.add_file("known_same.json", known->text());
+  retell_page(report.aside(), outcome, options);
+  report.publish(outcome);
+  if (options.verbose) checker.ledger().print(std::cerr, "check");
+  return outcome;
+}
+
+}  // namespace contactscope::app

@@ -1,0 +1,49 @@
+#include <iostream>
+
+#include "app/reports/rows.h"
+
+namespace contactscope::app {
+namespace {
+
+/// As workflow commands want it: "docs.github.com, Workflow commands for GitHub Actions".
+std::string escaped(const std::string& text, bool is_property) {
+  std::string all;
+  for (const char c : text) {
+    if (c == '%')
+      all += "%25";
+    else if (c == '\n')
+      all += "%0A";
+    else if (c == '\r')
+      all += "%0D";
+    else if (is_property && c == ':')
+      all += "%3A";
+    else if (is_property && c == ',')
+      all += "%2C";
+    else
+      all += c;
+  }
+  return all;
+}
+
+/// An annotation a cause, at the file of the first scenario that has it: a pull request shows ten.
+void tell_github(const Told& told) {
+  for (const snapshot::Cause& cause : snapshot::causes(told.outcome)) {
+    const snapshot::Finding& first = *cause.findings.front();
+    std::string file;
+    for (const snapshot::ScenarioOutcome& scenario : told.outcome.scenarios)
+      if (scenario.scenario == first.scenario) file = scenario.file;
+    std::string text = first.sentence;
+    if (cause.scenarios.size() > 1)
+      text += "\ntold once of " + std::to_string(cause.scenarios.size()) + " scenarios";
+    text += "\n" + accept_command(told, first.scenario);
+    std::cout << "::error " << (file.empty() ? "" : "file=" + escaped(file, true) + ",")
+              << "title=" << escaped(first.key(), true) << "::" << escaped(text, false) << '\n';
+  }
+}
+
+}  // namespace
+
+const Report kGithubReport{"github", [](const Told& told) { return told.options.github; },
+                           &tell_github};
+
+}  // namespace contactscope::app

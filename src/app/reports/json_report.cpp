@@ -1,0 +1,12 @@
+#include <iostream>
+
+#include "app/reports/rows.h"
+#include "snapshot/outcome_json.h"
+
+namespace contactscope::app {
+
+/// The file findings.json, on standard output.
+const Report kJsonReport{"json", [](const Told& told) { return told.options.json; },
+                         [](const Told& told) { std::cout << snapshot::to_json(told.outcome); }};
+
+}  // namespace contactscope::app

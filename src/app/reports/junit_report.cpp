@@ -1,0 +1,69 @@
+#include <fstream>
+#include <sstream>
+
+#include "app/reports/rows.h"
+#include "snapshot/store.h"
+#include "vector/markup.h"
+
+namespace contactscope::app {
+namespace {
+
+using snapshot::Finding;
+using snapshot::ScenarioOutcome;
+
+/// The file that Jenkins, GitLab and others read: a suite a group, a case a scenario. Pictures are attachments as
+/// the JUnit attachments plugin and GitLab find them.
+void tell_junit(const Told& told) {
+  std::ostringstream out;
+  const snapshot::Tally counts = snapshot::tally(told.outcome);
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"contactscope check\" "
+         "tests=\""
+      << told.outcome.scenarios.size() << "\" failures=\"" << counts.failing << "\">\n";
+  std::string group;
+  for (std::size_t i = 0; i < told.outcome.scenarios.size(); ++i) {
+    const ScenarioOutcome& scenario = told.outcome.scenarios[i];
+    const std::size_t slash = scenario.scenario.find('/');
+    if (scenario.scenario.substr(0, slash) != group) {
+      if (!group.empty()) out << " </testsuite>\n";
+      group = scenario.scenario.substr(0, slash);
+      int tests = 0, failures = 0;
+      for (const ScenarioOutcome& other : told.outcome.scenarios) {
+        if (!other.scenario.starts_with(group + "/")) continue;
+        ++tests;
+        failures += other.fails();
+      }
+      out << " <testsuite name=\"" << vector::escaped(group) << "\" tests=\"" << tests
+          << "\" failures=\"" << failures << "\">\n";
+    }
+    out << "  <testcase classname=\"" << vector::escaped(group) << "\" name=\""
+        << vector::escaped(scenario.scenario.substr(slash + 1)) << "\" file=\""
+        << vector::escaped(scenario.file) << "\">\n";
+    std::string attachments;
+    for (const Finding& finding : scenario.findings) {
+      if (!finding.fails()) continue;
+      out << "   <failure type=\"" << snapshot::name_of(finding.kind) << "\" message=\""
+          << vector::escaped(finding.sentence) << "\">";
+      for (const std::string& detail : finding.details) out << vector::escaped(detail) << '\n';
+      out << vector::escaped(accept_command(told, finding.key())) << "</failure>\n";
+      for (const std::string& file : {finding.expected, finding.candidate, finding.difference}) {
+        if (!file.empty())
+          attachments += "[[ATTACHMENT|" +
+                         std::filesystem::absolute(told.folder / file).lexically_normal().string() +
+                         "]]\n";
+      }
+    }
+    if (!attachments.empty())
+      out << "   <system-out>" << vector::escaped(attachments) << "</system-out>\n";
+    out << "  </testcase>\n";
+  }
+  if (!group.empty()) out << " </testsuite>\n";
+  out << "</testsuites>\n";
+  snapshot::write_text(told.options.junit, out.str());
+}
+
+}  // namespace
+
+const Report kJunitReport{"junit", [](const Told& told) { return !told.options.junit.empty(); },
+                          &tell_junit};
+
+}  // namespace contactscope::app

@@ -1,0 +1,71 @@
+#include <sstream>
+
+#include "app/reports/rows.h"
+#include "image/base64.h"
+#include "image/png.h"
+#include "image/terminal.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+using snapshot::Cause;
+using snapshot::Finding;
+
+// $GITHUB_STEP_SUMMARY takes a mebibyte.
+constexpr std::size_t kMostBytes = 900000;
+
+/// A small picture inside of the text.
+std::string inline_picture(const Told& told, const char* what, const std::string& file) {
+  if (file.empty() || !file.ends_with(".png")) return "| ";
+  constexpr int kWidth = 320;
+  const std::vector<std::uint8_t> png =
+      encode_png(shrunk(read_png((told.folder / file).string()), kWidth), 9);
+  return "| ![" + std::string(what) + "](data:image/png;base64," +
+         base64({reinterpret_cast<const char*>(png.data()), png.size()}) + ") ";
+}
+
+/// Text in which nothing is a mark.
+std::string plain(const std::string& text) {
+  std::string all;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|!").find(c) != std::string_view::npos) all += '\\';
+    all += c == '\n' ? ' ' : c;
+  }
+  return all;
+}
+
+void tell_markdown(const Told& told) {
+  std::ostringstream out;
+  const std::vector<Cause> causes = snapshot::causes(told.outcome);
+  out << "## contactscope check\n\n" << snapshot::summary(snapshot::tally(told.outcome)) << "\n";
+  std::size_t bytes = 0;
+  for (const Cause& cause : causes) {
+    const Finding& first = *cause.findings.front();
+    out << "\n### " << plain(first.key()) << "\n\n" << plain(first.sentence) << "\n\n";
+    if (cause.scenarios.size() > 1) {
+      out << "One cause in " << cause.scenarios.size() << " scenarios:";
+      for (const std::string& scenario : cause.scenarios) out << " `" << scenario << "`";
+      out << "\n\n";
+    }
+    for (const Finding* finding : cause.findings) {
+      if (!finding->is_picture() || finding->candidate.empty()) continue;
+      const std::string row = inline_picture(told, "expected", finding->expected) +
+                              inline_picture(told, "actual", finding->candidate) +
+                              inline_picture(told, "difference", finding->difference) + "|\n\n";
+      if (bytes + row.size() > kMostBytes) break;
+      bytes += row.size();
+      out << "| expected | actual | difference |\n|---|---|---|\n" << row;
+      break;  // the largest of each cause
+    }
+    out << "    " << accept_command(told, first.scenario) << "\n";
+  }
+  snapshot::write_text(told.options.markdown, out.str());
+}
+
+}  // namespace
+
+const Report kMarkdownReport{
+    "markdown", [](const Told& told) { return !told.options.markdown.empty(); }, &tell_markdown};
+
+}  // namespace contactscope::app

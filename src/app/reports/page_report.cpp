@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/reports/page_data.h"
+#include "app/reports/rows.h"
+#include "image/base64.h"
+#include "snapshot/store.h"
+
+namespace contactscope::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using snapshot::Cause;
+using snapshot::Finding;
+
+/// Pictures stand in the page itself, so that it can be sent to somebody, up to what a browser opens with ease; the rest
+/// is linked.
+class Pictures {
+ public:
+  explicit Pictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::string source(const std::string& file) {
+    constexpr std::uintmax_t kMost = 64 << 20;
+    const std::optional<std::string> png = snapshot::read_text_file(folder_ / file);
+    if (!png || bytes_ + png->size() > kMost) return file;
+    bytes_ += png->size();
+    return "data:image/png;base64," + base64(*png);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::uintmax_t bytes_ = 0;
+};
+
+/// What of a scenario's trace differs in one frame.
+std::vector<std::string> facts_of(const snapshot::Outcome& outcome, const Finding& picture) {
+  const auto scenario =
+      std::ranges::find(outcome.scenarios, picture.scenario, &snapshot::ScenarioOutcome::scenario);
+  std::vector<std::string> facts;
+  const std::string own = picture.scenario + " frame " + std::to_string(*picture.frame);
+  for (const Finding& finding : scenario->findings) {
+    if (finding.is_picture()) continue;
+    for (const std::string& detail : finding.details) {
+      if (!detail.starts_with(own + ",") && !detail.starts_with(own + ":")) continue;
+      facts.push_back(detail.substr(own.size() + 2));
+    }
+  }
+  return facts;
+}
+
+Json finding_json(const Told& told, const Finding& finding, Pictures& pictures) {
+  Json json{{"key", finding.key()},
+            {"kind", snapshot::name_of(finding.kind)},
+            {"sentence", finding.sentence},
+            {"details", finding.details},
+            {"review", snapshot::kReviews[static_cast<std::size_t>(finding.review)]}};
+  if (!finding.file.empty()) json["accept"] = accept_command(told, finding.key());
+  if (!finding.is_picture()) return json;
+  json["frame"] = *finding.frame;
+  json["facts"] = facts_of(told.outcome, finding);
+  json["layers"] = finding.layers;
+  if (!finding.candidate.empty()) json["candidate"] = pictures.source(finding.candidate);
+  if (!finding.expected.empty()) json["expected"] = pictures.source(finding.expected);
+  if (!finding.difference.empty()) json["difference"] = pictures.source(finding.difference);
+  return json;
+}
+
+void tell_page(const Told& told) {
+  Pictures pictures(told.folder);
+  Json json{{"summary", snapshot::summary(snapshot::tally(told.outcome))},
+            {"causes", Json::array()}};
+  for (const Cause& cause : snapshot::causes(told.outcome)) {
+    std::string kind(snapshot::name_of(cause.findings.front()->kind));
+    std::ranges::replace(kind, '_', ' ');
+    std::string scenarios;
+    for (const std::string& scenario : cause.scenarios)
+      scenarios += (scenarios.empty() ? "" : " ") + scenario;
+    Json one{{"kind", kind},
+             {"scenarios", cause.scenarios},
+             {"pictures", std::ranges::count_if(cause.findings, &Finding::is_picture)},
+             {"accept", accept_command(told, scenarios)},
+             {"findings", Json::array()}};
+    // What is told by its first finding is looked at in the pictures.
+    std::vector<const Finding*> shown = cause.findings;
+    std::stable_partition(shown.begin() + 1, shown.end(),
+                          [](const Finding* finding) { return finding->is_picture(); });
+    for (const Finding* finding : shown)
+      one["findings"].push_back(finding_json(told, *finding, pictures));
+    json["causes"].push_back(std::move(one));
+  }
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // What would end the script that holds it.
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c");
+  std::string page(check_page());
+  const std::string_view mark = "@REPORT@";
+  page.replace(page.find(mark), mark.size(), text);
+  snapshot::write_text(told.folder / "report.html", page);
+}
+
+}  // namespace
+
+const Report kPageReport{"page",
+                         [](const Told& told) {
+                           return snapshot::tally(told.outcome).failing > 0 ||
+                                  std::filesystem::exists(told.folder / "report.html");
+                         },
+                         &tell_page};
+
+}  // namespace contactscope::app

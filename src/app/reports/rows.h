@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/reports/report.h"
+
+namespace contactscope::app {
+
+// Each is in the file of its name.
+extern const Report kPageReport, kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
+    kMarkdownReport;
+
+}  // namespace contactscope::app

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "app/reports/rows.h"
+
+namespace contactscope::app {
+namespace {
+
+using snapshot::Cause;
+using snapshot::Finding;
+using snapshot::ScenarioOutcome;
+
+constexpr int kIndent = 12;
+
+void put_line(const std::string& begin, const std::string& text) {
+  std::cout << std::left << std::setw(kIndent) << begin << text << '\n';
+}
+
+std::string kind_in_words(const Finding& finding) {
+  std::string name(snapshot::name_of(finding.kind));
+  std::ranges::replace(name, '_', ' ');
+  return name == "unmet expectation" ? "unmet" : name;
+}
+
+std::string list_of(const std::vector<std::string>& names, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (text.empty() ? "" : ", ") + names[i];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
+/// One cause: its sentence, and who else is concerned.
+void put_cause(const Cause& cause, bool is_verbose) {
+  constexpr std::size_t kMostSentences = 5, kMostNames = 12;
+  const Finding& first = *cause.findings.front();
+  put_line(kind_in_words(first), first.sentence);
+  if (cause.scenarios.size() > 1) {
+    int pictures = 0;
+    for (const Finding* finding : cause.findings) pictures += finding->is_picture();
+    put_line("", "told once of " +
+                     snapshot::counted(static_cast<int>(cause.scenarios.size()), "scenario") +
+                     (pictures > 0 ? " and " + snapshot::counted(pictures, "picture") : "") + ": " +
+                     list_of(cause.scenarios, is_verbose ? cause.scenarios.size() : kMostNames));
+  }
+  const std::size_t most = is_verbose                    ? cause.findings.size()
+                           : cause.scenarios.size() == 1 ? kMostSentences
+                                                         : 1;
+  for (std::size_t i = 0; i < cause.findings.size() && i < most; ++i) {
+    const Finding& finding = *cause.findings[i];
+    if (i > 0) put_line("", finding.sentence);
+    const bool is_told = finding.kind == snapshot::FindingKind::UnmetExpectation || is_verbose;
+    for (const std::string& detail : finding.details)
+      if (is_told && detail != finding.sentence) put_line("", "  " + detail);
+  }
+  if (most < cause.findings.size() && cause.scenarios.size() == 1)
+    put_line("", "and " + std::to_string(cause.findings.size() - most) + " more of it");
+}
+
+void print_written(const ScenarioOutcome& scenario) {
+  put_line("updated", scenario.scenario + ", " + snapshot::counted(scenario.written, "file") +
+                          " written or removed");
+}
+
+void tell_terminal(const Told& told) {
+  const snapshot::Outcome& outcome = told.outcome;
+  const Options& options = told.options;
+  for (const ScenarioOutcome& scenario : outcome.scenarios) {
+    if (scenario.fails()) continue;
+    if (scenario.written > 0 && !options.quiet)
+      print_written(scenario);
+    else if (options.verbose)
+      put_line("same", scenario.scenario + (scenario.is_known_same ? ", as nothing changed" : ""));
+  }
+  for (const Cause& cause : snapshot::causes(outcome)) put_cause(cause, options.verbose);
+  const snapshot::Tally counts = snapshot::tally(outcome);
+  std::cout.flush();
+  if (options.quiet) return;
+  std::vector<std::string> notes;
+  for (const ScenarioOutcome& scenario : outcome.scenarios)
+    for (const std::string& note : scenario.notes) notes.push_back(scenario.scenario + ": " + note);
+  const std::size_t most = options.verbose ? notes.size() : 3;
+  for (std::size_t i = 0; i < notes.size() && i < most; ++i) std::cerr << notes[i] << '\n';
+  if (most < notes.size()) std::cerr << "and " << notes.size() - most << " more such notes\n";
+  if (counts.known_same > 0)
+    std::cerr << (counts.known_same == counts.scenarios
+                      ? "nothing changed since the last check: neither scenarios, snapshots nor "
+                        "program\n"
+                      : std::to_string(counts.known_same) + " of " +
+                            std::to_string(counts.scenarios) +
+                            " were not run again, for nothing changed of them since the last "
+                            "check\n");
+  std::cerr << snapshot::summary(counts) << '\n';
+  if (counts.failing == 0) return;
+  std::cerr << "see " << path_in(told, "report.html") << "; contactscope review goes through it, "
+            << accept_command(told, snapshot::causes(outcome).front().scenarios.front())
+            << " takes one of them\n";
+}
+
+}  // namespace
+
+const Report kTerminalReport{"terminal", [](const Told& told) { return !told.options.json; },
+                             &tell_terminal};
+
+}  // namespace contactscope::app

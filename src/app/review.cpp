@@ -1,0 +1,246 @@
+#include "app/review.h"
+
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/progress.h"
+#include "app/reports/report.h"
+#include "app/shard.h"
+#include "app/show.h"
+#include "scenario/nearest_word.h"
+#include "snapshot/accept.h"
+#include "snapshot/outcome_json.h"
+#include "snapshot/report_folder.h"
+#include "snapshot/verdict.h"
+
+namespace contactscope::app {
+namespace {
+
+using snapshot::Finding;
+using snapshot::Review;
+
+/// All findings of a run, in its order.
+std::vector<Finding*> findings_of(snapshot::Outcome& outcome) {
+  std::vector<Finding*> all;
+  for (snapshot::ScenarioOutcome& scenario : outcome.scenarios)
+    for (Finding& finding : scenario.findings) all.push_back(&finding);
+  return all;
+}
+
+void refuse_in_ci() {
+  if (snapshot::is_ci(std::getenv("CI")))
+    throw UsageError("CI=true: nothing is accepted; unset CI to accept what changed");
+}
+
+/// One key at a time from the terminal, which shows none of them.
+class Keys {
+ public:
+  Keys() {
+    if (isatty(STDIN_FILENO) != 1 || tcgetattr(STDIN_FILENO, &before_) != 0)
+      throw UsageError(
+          "review asks on a terminal, and there is none; review --list prints what there is, and "
+          "check --accept KEY takes one");
+    termios raw = before_;
+    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+    tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+  }
+  ~Keys() { tcsetattr(STDIN_FILENO, TCSANOW, &before_); }
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+
+  /// 'q' too where the terminal is gone.
+  char next() const {
+    char key = 'q';
+    if (read(STDIN_FILENO, &key, 1) != 1) {
+      stop_if_interrupted();
+      return 'q';
+    }
+    return key;
+  }
+
+ private:
+  termios before_{};
+};
+
+/// Goes through what fails, cause by cause.
+class ReviewSession {
+ public:
+  ReviewSession(const Options& options, snapshot::Outcome& outcome)
+      : options_(options), outcome_(outcome) {
+    for (const snapshot::Cause& cause : snapshot::causes(outcome)) {
+      for (const Finding* finding : cause.findings) {
+        if (finding->review == Review::Open) open_.push_back(const_cast<Finding*>(finding));
+      }
+    }
+  }
+
+  void run() {
+    if (open_.empty()) {
+      std::cout << "nothing waits for a review\n";
+      return;
+    }
+    const Keys keys;
+    std::cout << "a accept, c accept all of its cause, r reject, s skip, w show, q quit\n";
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      Finding& finding = *open_[i];
+      if (finding.review != Review::Open) continue;  // with its cause
+      std::cout << "\n[" << i + 1 << "/" << open_.size() << "] " << finding.key() << "  "
+                << snapshot::name_of(finding.kind) << '\n'
+                << finding.sentence << '\n';
+      if (!ask(finding, keys)) break;
+    }
+  }
+
+ private:
+  /// False to quit.
+  bool ask(Finding& finding, const Keys& keys) {
+    while (true) {
+      std::cout << "a c r s w q? " << std::flush;
+      const char key = keys.next();
+      std::cout << key << '\n';
+      if (key == 'q') return false;
+      if (key == 's') return true;
+      if (key == 'w')
+        show(finding, report_folder(options_).string(), terminal_pictures(), std::cout);
+      if (key == 'a' && accept(finding)) return true;
+      if (key == 'c') {
+        const std::string cause = finding.cause;
+        for (Finding* const other : open_)
+          if (other->cause == cause && other->review == Review::Open) accept(*other);
+        return true;
+      }
+      if (key == 'r') {
+        finding.review = Review::Rejected;
+        keep();
+        std::cout << "rejected: it fails until a check finds it the same\n";
+        return true;
+      }
+    }
+  }
+
+  bool accept(Finding& finding) {
+    const std::string why = snapshot::accept(report_folder(options_), outcome_.snapshots, finding);
+    if (!why.empty()) {
+      std::cout << why << '\n';
+      return false;
+    }
+    keep();
+    std::cout << "accepted " << finding.file << '\n';
+    return true;
+  }
+
+  /// After each key, so that nothing is lost where the terminal is.
+  void keep() const { snapshot::write_outcome(report_folder(options_), outcome_); }
+
+  const Options& options_;
+  snapshot::Outcome& outcome_;
+  std::vector<Finding*> open_;
+};
+
+/// A line each: its state, its key, its sentence.
+void print_list(snapshot::Outcome& outcome) {
+  for (const Finding* finding : findings_of(outcome)) {
+    const std::string state =
+        finding->review == Review::Open && finding->fails()
+            ? std::string(snapshot::name_of(finding->kind))
+            : std::string(snapshot::kReviews[static_cast<std::size_t>(finding->review)]);
+    std::cout << std::left << std::setw(18) << state << finding->key() << "  " << finding->sentence
+              << '\n';
+  }
+}
+
+ExitCode run_review(const Options& options) {
+  snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
+  const auto code = [&] {
+    return snapshot::tally(outcome).failing == 0 ? ExitCode::Same : ExitCode::Different;
+  };
+  if (options.json) {
+    std::cout << snapshot::to_json(outcome);
+    return code();
+  }
+  if (options.list_only) {
+    print_list(outcome);
+    return code();
+  }
+  refuse_in_ci();
+  ReviewSession(options, outcome).run();
+  retell_page(report_folder(options), outcome, options);
+  std::cout << snapshot::summary(snapshot::tally(outcome)) << '\n';
+  return code();
+}
+
+}  // namespace
+
+std::filesystem::path report_folder(const Options& options) {
+  return std::filesystem::path(options.out) / (options.shard ? folder_of(*options.shard) : "check");
+}
+
+std::vector<Finding*> findings_named(snapshot::Outcome& outcome,
+                                     const std::vector<std::string>& patterns) {
+  const std::vector<Finding*> all = findings_of(outcome);
+  std::vector<Finding*> chosen;
+  for (const std::string& pattern : patterns) {
+    bool is_known = false;
+    for (Finding* finding : all) {
+      if (!snapshot::names(pattern, *finding)) continue;
+      is_known = true;
+      if (std::ranges::find(chosen, finding) == chosen.end()) chosen.push_back(finding);
+    }
+    if (is_known) continue;
+    std::vector<std::string> keys;
+    for (const Finding* finding : all) keys.push_back(finding->key());
+    const std::string near =
+        nearest(pattern, std::vector<std::string_view>(keys.begin(), keys.end()));
+    throw UsageError("'" + pattern + "' names nothing in the last report; " +
+                     (near.empty() ? "" : "did you mean " + near + "? ") +
+                     "contactscope review --list has what there is");
+  }
+  return chosen;
+}
+
+ExitCode run_accept(const Options& options) {
+  refuse_in_ci();
+  if (options.scenarios.empty())
+    throw UsageError(
+        "--accept needs to know what: contactscope check --accept hull/face_contact/frame_0012, "
+        "a folder as hull, or '*' for all; contactscope review --list has what there is");
+  snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
+  int refused = 0, accepted = 0;
+  for (Finding* finding : findings_named(outcome, options.scenarios)) {
+    if (!finding->fails()) continue;
+    const std::string why = snapshot::accept(report_folder(options), outcome.snapshots, *finding,
+                                             {options.accept_as, options.note});
+    if (!why.empty()) {
+      ++refused;
+      std::cerr << why << '\n';
+      continue;
+    }
+    ++accepted;
+    if (!options.quiet)
+      std::cout << snapshot::kDone[static_cast<std::size_t>(finding->done)] << " " << finding->key()
+                << '\n';
+  }
+  snapshot::write_outcome(report_folder(options), outcome);
+  retell_page(report_folder(options), outcome, options);
+  if (!options.quiet)
+    std::cerr << snapshot::counted(accepted, "finding") << " accepted, " << refused << " refused; "
+              << snapshot::summary(snapshot::tally(outcome)) << '\n';
+  return refused == 0 ? ExitCode::Same : ExitCode::Different;
+}
+
+Verb review_verb() {
+  return {"review",
+          "Go through what the last check found, one key each: accept, reject, skip, show",
+          &run_review,
+          "--list --json --out",
+          {{"--list", "Print a line each instead of asking"},
+           {"--json", "Print the findings as JSON"}}};
+}
+
+}  // namespace contactscope::app

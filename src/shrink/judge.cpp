@@ -1,0 +1,193 @@
+#include "shrink/judge.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "core/input_error.h"
+#include "lint/linter.h"
+#include "scenario/run.h"
+#include "versus/comparison.h"
+#include "versus/request.h"
+
+namespace contactscope::shrink {
+namespace {
+
+constexpr const char* kPath = "shrink/pair.toml";
+
+PairOfTwo with_scalar(PairOfTwo pair, const std::string& scalar) {
+  std::erase_if(pair.settings, [](const Setting& setting) { return setting.first == "scalar"; });
+  pair.settings.emplace_back("scalar", quoted(scalar));
+  return pair;
+}
+
+/// What is told where a claim is: as the trace of the engine had it, in the frame of a.
+trace::Pair claimed(const PairOfTwo& pair) {
+  trace::Pair told;
+  told.a = pair.a.name;
+  told.b = pair.b.name;
+  told.manifolds = *pair.claims;
+  told.state = told.manifolds.empty() ? "separated" : "touching";
+  told.separation = told.manifolds.empty() ? 0 : std::numeric_limits<double>::infinity();
+  const Pose<double> pose = pair.a.pose();
+  for (trace::Manifold& manifold : told.manifolds) {
+    manifold.normal = pose.rotate(manifold.normal);
+    for (trace::Point& point : manifold.points) {
+      point.position = pose.transform(point.position);
+      told.separation = std::min(told.separation, point.separation);
+    }
+  }
+  return told;
+}
+
+std::string spelled_claims(const PairOfTwo& pair) {
+  std::string text;
+  if (!pair.claims) return text;
+  for (const trace::Manifold& manifold : *pair.claims) {
+    text += "\n" + spell(manifold.normal);
+    for (const trace::Point& point : manifold.points)
+      text += " " + spell(point.position) + spell(point.separation);
+  }
+  return text;
+}
+
+/// A scenario that was run once.
+struct Run {
+  explicit Run(const PairOfTwo& pair, const trace::Stages& stages = trace::Stages::none())
+      : scenario(parse_scenario(to_scenario(pair, "", ""), kPath)) {
+    Runner runner(scenario, stages);
+    trace.header = runner.header();
+    trace.frames.push_back(runner.frame(0));
+  }
+  const trace::Pair& pair() const { return trace.frames.front().pairs.front(); }
+
+  Scenario scenario;
+  trace::Trace trace;
+};
+
+Value quantity_of(const trace::Pair& pair, const std::string& quantity) {
+  if (quantity == "separation") return pair.separation;
+  if (quantity == "touching") return double(pair.state == "touching");
+  if (quantity == "overlap") return pair.overlap ? double(*pair.overlap) : kUnknown;
+  if (quantity == "manifolds") return double(pair.manifolds.size());
+  std::size_t points = 0;
+  std::string ids;
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    points += manifold.points.size();
+    for (const trace::Point& point : manifold.points) ids += (ids.empty() ? "" : ", ") + point.id;
+  }
+  if (quantity == "points") return double(points);
+  if (quantity == "ids") return ids;
+  if (pair.manifolds.empty()) {
+    if (quantity.starts_with("normal")) return kUnknown;
+    return std::string();
+  }
+  const trace::Manifold& first = pair.manifolds.front();
+  if (quantity == "axis") return first.axis;
+  if (quantity == "type") return first.type;
+  return first.normal[quantity.back() - 'x'];
+}
+
+double lint_of(const trace::Trace& trace, const std::string& cause) {
+  double found = 0;
+  for (const lint::Finding& finding : lint::lint(trace))
+    if (cause.empty() || finding.cause == cause) found += std::max(finding.count, 1);
+  return found;
+}
+
+/// What of a sentence stays the same as numbers are rounded: of counts all, of lengths the words.
+std::string unmet_words(const std::string& sentence) {
+  const std::size_t at = sentence.find("expected ");
+  std::string words = at == std::string::npos ? sentence : sentence.substr(at);
+  if (words.find(" point") != std::string::npos) return words;
+  std::erase_if(words, [](char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
+  });
+  return words;
+}
+
+std::vector<std::string> unmet_of(const Run& run) {
+  return mapped(unmet_expectations(run.scenario, run.trace.frames), unmet_words);
+}
+
+}  // namespace
+
+std::optional<trace::Pair> Judge::in_double(const PairOfTwo& pair) {
+  try {
+    return Run(with_scalar(pair, "double")).pair();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+trace::Trace Judge::trace_of(const PairOfTwo& pair) {
+  trace::Stages stages = trace::Stages::none();
+  stages.reduction = true;  // whether a point was dropped on purpose
+  trace::Trace trace = Run(pair, stages).trace;
+  if (pair.claims) {
+    trace.header.engine = "recorded";
+    trace.frames.front().pairs = {claimed(pair)};
+  }
+  return trace;
+}
+
+void Judge::remember_unmet(const PairOfTwo& pair) {
+  unmet_ = unmet_of(Run(pair));
+}
+
+bool Judge::holds(const PairOfTwo& pair) {
+  const std::string text = to_scenario(pair, "", "");
+  const std::string key = text + spelled_claims(pair);
+  const auto [known, is_new] = known_.emplace(key, false);
+  if (!is_new) return known->second;
+  ++asked_;
+  std::map<std::string, trace::Pair> told;
+  const auto tell = [&](const std::string& side) -> const trace::Pair& {
+    const auto found = told.find(side);
+    if (found != told.end()) return found->second;
+    trace::Pair answer;
+    if (side == "float" || side == "double") {
+      answer = Run(with_scalar(pair, side)).pair();
+    } else if (side == "recorded" || (side.empty() && pair.claims)) {
+      if (pair.claims) answer = claimed(pair);
+    } else if (side.empty()) {
+      answer = Run(pair).pair();
+    } else {
+      const trace::Trace request = versus::request_of(Run(pair).trace);
+      const trace::Trace answered = engines_.at(side)(request);
+      const auto found_pair = answered.frames.empty() ? std::nullopt
+                                                      : versus::pair_of(answered.frames.front(),
+                                                                        pair.a.name, pair.b.name);
+      if (found_pair) answer = *found_pair;
+      if (!found_pair) answer.state = "separated";
+      answer.separation =
+          answer.manifolds.empty() ? kUnknown : std::numeric_limits<double>::infinity();
+      for (const trace::Manifold& manifold : answer.manifolds)
+        for (const trace::Point& point : manifold.points)
+          answer.separation = std::min(answer.separation, point.separation);
+      if (!answer.manifolds.empty()) answer.state = "touching";
+    }
+    return told.emplace(side, std::move(answer)).first->second;
+  };
+  try {
+    // Hulls do not become flat ones, which is another kind of pair, unless one was from the start.
+    const std::size_t warnings = Run(pair).scenario.warnings.size();
+    if (warnings > warnings_.value_or(warnings)) return false;
+    const bool holds = expression_.holds([&](const std::string& side, const std::string& quantity) {
+      if (side == "lint") return Value(lint_of(trace_of(pair), quantity));
+      if (side == "unmet") {
+        const std::vector<std::string> unmet = unmet_of(Run(pair));
+        return Value(unmet_ && unmet != *unmet_ ? 0.0 : double(unmet.size()));
+      }
+      return quantity_of(tell(side), quantity);
+    });
+    if (holds && !warnings_) warnings_ = warnings;
+    return known_[key] = holds;
+  } catch (const InputError&) {  // no scenario
+    return false;
+  } catch (const ShapeError&) {
+    return false;
+  }
+}
+
+}  // namespace contactscope::shrink

@@ -1,0 +1,243 @@
+#include "shrink/shrink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <tuple>
+
+#include "core/at.h"
+
+namespace contactscope::shrink {
+namespace {
+
+/// Rounded to so many significant digits.
+double rounded(double number, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
+  return std::strtod(text, nullptr);
+}
+
+constexpr int kAllDigits = 17;
+
+bool has_turned_expectation(const PairOfTwo& pair) {
+  return std::ranges::count(pair.expectation, "normal", &Setting::first) > 0;
+}
+
+class Shrinker {
+ public:
+  Shrinker(const PairOfTwo& start, Judge& judge,
+           const std::function<void(const PairOfTwo&)>& progress)
+      : best_(start), judge_(judge), progress_(progress) {}
+
+  PairOfTwo run() {
+    for (auto before = measure(best_);; before = measure(best_)) {
+      for (SmallShape PairOfTwo::*const side : {&PairOfTwo::a, &PairOfTwo::b}) {
+        drop_parts(side);
+        try_without_volume(side);
+        try_as_hull(side);
+      }
+      drop_claims();
+      drop_settings();
+      simplify_places();
+      round_numbers();
+      if (measure(best_) == before) return best_;
+    }
+  }
+
+ private:
+  /// What gets smaller, in the order of what counts.
+  static std::tuple<int, int, int, int> measure(const PairOfTwo& pair) {
+    int claims = 0, triangles = 0;
+    if (pair.claims)
+      for (const trace::Manifold& manifold : *pair.claims) claims += 1 + count_of(manifold.points);
+    for (const SmallShape* const shape : {&pair.a, &pair.b})
+      triangles += count_of(shape->triangles);
+    return {pair.vertex_count() + triangles, claims, count_of(pair.settings), digits_of(pair)};
+  }
+
+  bool attempt(const PairOfTwo& pair) {
+    if (!(measure(pair) < measure(best_)) || !judge_.holds(pair)) return false;
+    best_ = pair;
+    if (progress_) progress_(best_);
+    return true;
+  }
+
+  /// ddmin over `count` parts: without(pair, first, last) leaves out some of them.
+  template <class Count, class Without>
+  void leave_out(const Count& count, const Without& without) {
+    for (int size = std::max(1, count() / 2);; size /= 2) {
+      for (int first = 0; first < count();) {
+        PairOfTwo tried = best_;
+        without(tried, first, std::min(first + size, count()));
+        if (!attempt(tried)) first += size;
+      }
+      if (size <= 1) return;
+    }
+  }
+
+  /// The vertices that no triangle has.
+  static void drop_unused(SmallShape& mesh) {
+    std::vector<int> place(mesh.vertices.size(), -1);
+    std::vector<Vec3d> used;
+    for (std::array<int, 3>& corners : mesh.triangles)
+      for (int& corner : corners) {
+        if (at(place, corner) < 0) {
+          at(place, corner) = count_of(used);
+          used.push_back(at(mesh.vertices, corner));
+        }
+        corner = at(place, corner);
+      }
+    mesh.vertices = used;
+  }
+
+  void drop_parts(SmallShape PairOfTwo::*side) {
+    if ((best_.*side).kind == SmallShape::Kind::Mesh) {
+      leave_out([&] { return count_of((best_.*side).triangles); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& triangles = (pair.*side).triangles;
+                  triangles.erase(triangles.begin() + first, triangles.begin() + last);
+                  drop_unused(pair.*side);
+                });
+    }
+    if ((best_.*side).kind == SmallShape::Kind::Hull) {
+      leave_out([&] { return count_of((best_.*side).vertices); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& vertices = (pair.*side).vertices;
+                  vertices.erase(vertices.begin() + first, vertices.begin() + last);
+                });
+    }
+  }
+
+  /// A capsule as the ball about one of its ends.
+  void try_without_volume(SmallShape PairOfTwo::*side) {
+    for (std::size_t end = 0; end < 2 && (best_.*side).kind == SmallShape::Kind::Capsule; ++end) {
+      PairOfTwo tried = best_;
+      SmallShape& ball = tried.*side;
+      ball.position = ball.pose().transform(ball.vertices[end]);
+      ball.kind = SmallShape::Kind::Sphere;
+      ball.vertices.clear();
+      attempt(tried);
+    }
+  }
+
+  /// A box as the hull of its corners, which may do with fewer.
+  void try_as_hull(SmallShape PairOfTwo::*side) {
+    if ((best_.*side).kind != SmallShape::Kind::Box) return;
+    const PairOfTwo box = best_;
+    PairOfTwo tried = best_;
+    SmallShape& hull = tried.*side;
+    hull.kind = SmallShape::Kind::Hull;
+    const Vec3d& half = hull.half_extents;
+    for (int i = 0; i < 8; ++i)
+      hull.vertices.emplace_back(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
+                                 i & 4 ? half.z() : -half.z());
+    if (!judge_.holds(tried)) return;
+    best_ = tried;
+    drop_parts(side);
+    if (best_.vertex_count() >= box.vertex_count()) best_ = box;
+  }
+
+  void drop_claims() {
+    if (!best_.claims) return;
+    leave_out([&] { return count_of(*best_.claims); },
+              [](PairOfTwo& pair, int first, int last) {
+                pair.claims->erase(pair.claims->begin() + first, pair.claims->begin() + last);
+              });
+    for (std::size_t m = 0; m < best_.claims->size(); ++m)
+      leave_out([&] { return count_of((*best_.claims)[m].points); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& points = (*pair.claims)[m].points;
+                  points.erase(points.begin() + first, points.begin() + last);
+                });
+  }
+
+  void drop_settings() {
+    leave_out([&] { return count_of(best_.settings); },
+              [](PairOfTwo& pair, int first, int last) {
+                pair.settings.erase(pair.settings.begin() + first, pair.settings.begin() + last);
+              });
+  }
+
+  static Turn turn_of(const Quatd& rotation) {
+    const Eigen::AngleAxisd turn(rotation);
+    if (turn.angle() == 0) return {};
+    // The largest part of the axis is 1, so that axes that are simple look so.
+    const Vec3d axis = turn.axis() / turn.axis().lpNorm<Eigen::Infinity>();
+    return {Turn::Form::AxisDegrees,
+            {axis.x(), axis.y(), axis.z(), turn.angle() * 180 / std::numbers::pi}};
+  }
+
+  void simplify_places() {
+    const Pose<double> a = best_.a.pose();
+    const auto attempt_with = [&](const auto& change) {
+      PairOfTwo tried = best_;
+      change(tried);
+      attempt(tried);
+    };
+    if (!has_turned_expectation(best_)) {
+      attempt_with([&](PairOfTwo& pair) {
+        const Pose<double> b_in_a = relative_pose(a, pair.b.pose());
+        pair.a.position.setZero();
+        pair.a.turn = {};
+        pair.b.position = b_in_a.position;
+        pair.b.turn = turn_of(b_in_a.rotation);
+      });
+      attempt_with([](PairOfTwo& pair) { pair.a.turn = {}; });
+    }
+    attempt_with([](PairOfTwo& pair) {
+      pair.b.position -= pair.a.position;
+      pair.a.position.setZero();
+    });
+    attempt_with([](PairOfTwo& pair) { pair.b.turn = {}; });
+    for (SmallShape PairOfTwo::*const side : {&PairOfTwo::a, &PairOfTwo::b}) {
+      if ((best_.*side).turn.form == Turn::Form::Quaternion)
+        attempt_with(
+            [&](PairOfTwo& pair) { (pair.*side).turn = turn_of((pair.*side).pose().rotation); });
+      // What is not turned may stand anywhere: its vertices begin at its place.
+      const SmallShape& shape = best_.*side;
+      if (shape.turn.form == Turn::Form::None && !shape.vertices.empty())
+        attempt_with([&](PairOfTwo& pair) {
+          for (Vec3d& vertex : (pair.*side).vertices) vertex += (pair.*side).position;
+          (pair.*side).position.setZero();
+        });
+    }
+  }
+
+  void round_numbers() {
+    for (int digits = 1; digits < kAllDigits; ++digits) {
+      PairOfTwo tried = best_;
+      for (double* const number : numbers_of(tried)) *number = rounded(*number, digits);
+      if (attempt(tried)) break;
+    }
+    PairOfTwo all = best_;
+    const std::size_t count = numbers_of(all).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double number = *numbers_of(best_)[i];
+      if (number == 0) continue;
+      const auto try_number = [&](double other) {
+        PairOfTwo tried = best_;
+        *numbers_of(tried)[i] = other;
+        return attempt(tried);
+      };
+      bool is_done = try_number(0) || try_number(std::copysign(1, number));
+      for (int digits = 1; digits < kAllDigits && !is_done; ++digits)
+        is_done = try_number(rounded(number, digits));
+    }
+  }
+
+  PairOfTwo best_;
+  Judge& judge_;
+  const std::function<void(const PairOfTwo&)>& progress_;
+};
+
+}  // namespace
+
+Shrunk shrink(const PairOfTwo& start, Judge& judge,
+              const std::function<void(const PairOfTwo&)>& progress) {
+  PairOfTwo smallest = Shrinker(start, judge, progress).run();
+  return {std::move(smallest), judge.asked()};
+}
+
+}  // namespace contactscope::shrink

@@ -1,0 +1,160 @@
+#include <algorithm>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+constexpr const char* kByCells = "by cells";
+constexpr double kUsualCells = 64;
+const std::vector<Named> kFields = {
+    {"trilinear", "trilinear"},
+    {"cubic", "cubic"},
+    {"trilinear with exact cells", "trilinear, exact cells"},
+    {"cubic with exact cells where needed", "cubic, some cells exact"},
+    {"cubic with exact cells", "cubic, exact cells"}};
+
+/// With that of another library, where it took part.
+std::vector<Named> all_fields(const trace::Study& study) {
+  std::vector<Named> named = kFields;
+  for (const trace::StudySeries& series : study.series) {
+    if (std::ranges::find(named, series.method, &Named::first) != named.end()) continue;
+    // "OpenVDB 10.0.1, trilinear"
+    named.emplace_back(series.method, series.method.substr(0, series.method.find(' ')));
+  }
+  return named;
+}
+
+void show_cells_alone(trace::Study& study) {
+  keep_panels(study, {{kByCells, ""}});
+  for (trace::StudySeries& series : study.series) series.parameter = "cells along the longest side";
+}
+
+trace::Study picture_errors(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, all_fields(measured));
+  show_cells_alone(study);
+  for (trace::StudySeries& series : study.series) {
+    series.parameter = "cells";
+    for (trace::StudyPoint& point : series.points) point.error_worst.reset();  // tables have it
+  }
+  show_least_times(study);
+  study.shown =
+      "Along a line: fields of 16, 32, 64 and 128 cells. Thick: of as many cells nothing else is "
+      "both as fast and as close.";
+  if (study.measure != "distance") return study;
+  tell(study, [&] {
+    const auto at_usual = [&](const char* method) -> const trace::StudyPoint& {
+      return point_at(series_of(measured, method, kByCells), kUsualCells);
+    };
+    const trace::StudyPoint& base = at_usual("trilinear");
+    const auto ratio = [&](double over, double under) { return number(over / under) + " times"; };
+    const auto beside = [&](const trace::StudyPoint& other) {
+      return ratio(base.error.value(), other.error.value());
+    };
+    const auto slower = [&](const trace::StudyPoint& other) {
+      return ratio(other.nanoseconds.min, base.nanoseconds.min);
+    };
+    const trace::StudyPoint &cubic = at_usual("cubic"), &exact = at_usual("cubic with exact cells");
+    return "Cubic fields are " + beside(cubic) + " as close as trilinear ones in " + slower(cubic) +
+           " the time, exact cells " + beside(exact) + " in " + slower(exact);
+  });
+  return study;
+}
+
+trace::Study picture_build(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, all_fields(measured));
+  show_cells_alone(study);
+  study.shown = "Up: milliseconds to build, on one thread";
+  if (study.measure != "build") {
+    study.shown = "Up: megabytes";
+    return study;
+  }
+  tell(study, [&] {
+    const double most = 128;
+    double fastest = 1e300, slowest = 0, peer = 0;
+    for (const trace::StudySeries& series : measured.series) {
+      if (series.panel != kByCells) continue;
+      const double time = 1e6 * error_at(series, most);
+      const bool own = std::ranges::find(kFields, series.method, &Named::first) != kFields.end();
+      if (!own) peer = time;
+      if (own) fastest = std::min(fastest, time), slowest = std::max(slowest, time);
+    }
+    const std::string field = "field of " + number(most, 3) + " cells";
+    if (peer == 0)
+      return "A " + field + " takes " + duration(fastest) + " to " + duration(slowest) +
+             " to build";
+    return "OpenVDB takes " + number(peer / slowest) + " to " + number(peer / fastest) +
+           " times as long to build a " + field + " as these five kinds of one";
+  });
+  return study;
+}
+
+trace::Study picture_missed(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, {{"sampled", "at points"}, {"conservative", "conservative search"}});
+  keep_panels(study, {{"0.01 cells deep", "A hundredth of a cell deep"},
+                      {"0.1 cells deep", "A tenth of a cell deep"},
+                      {"1 cell deep", "A cell deep"}});
+  for (trace::StudySeries& series : study.series) series.parameter = "cells between points";
+  study.unit = trace::kShare;
+  study.shown = "Up: share of the overlaps of a cube with a ball's field that a search misses";
+  tell(study, [&] {
+    const double finest = 0.5;
+    const auto missed = [&](const char* method, const char* panel) {
+      const double share = error_at(series_of(measured, method, panel), finest);
+      return share > 0 ? percent(share) : std::string("none");
+    };
+    double conservative = 0;
+    for (const trace::StudySeries& series : measured.series)
+      for (const trace::StudyPoint& point : series.points)
+        if (series.method == "conservative")
+          conservative = std::max(conservative, point.error.value_or(0));
+    return "Points half a cell apart miss " + missed("sampled", "0.01 cells deep") +
+           " of the overlaps of a hundredth of a cell; the conservative search misses " +
+           (conservative > 0 ? "up to " + percent(conservative) : "none");
+  });
+  return study;
+}
+
+trace::Study picture_plate(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, kFields);
+  join_equal(study);
+  for (trace::StudySeries& series : study.series) {
+    series.panel.clear();
+    series.parameter = "thickness of the plate, cells";
+    if (series.method.find(" and ") != std::string::npos) series.method = "with exact cells";
+  }
+  study.unit = trace::kShare;
+  study.shown =
+      "Up: share of the places in the middle of a plate beside a wall that a field calls outside";
+  tell(study, [&] {
+    const double half = 0.5, quarter = 0.25;
+    const char* const kPlate = "a plate beside a wall";
+    const auto lost = [&](const char* method, double cells) {
+      const double share = error_at(series_of(measured, method, kPlate), cells);
+      return share > 0 ? percent(share) : std::string("nothing");
+    };
+    return "Of a plate half a cell thick a trilinear field loses " + lost("trilinear", half) +
+           ", of a quarter of a cell a cubic one " + lost("cubic", quarter) +
+           ", with exact cells " + lost("cubic with exact cells", quarter);
+  });
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_distance_field(const trace::Study& measured) {
+  const std::string& measure = measured.measure;
+  if (measure == "missed") return picture_missed(measured);
+  if (measure == "plate") return picture_plate(measured);
+  return measured.form == trace::StudyForm::Curves ? picture_build(measured)
+                                                   : picture_errors(measured);
+}
+
+}  // namespace contactscope

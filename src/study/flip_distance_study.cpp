@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "core/at.h"
+#include "scenario/run.h"
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+constexpr int kDirections = 32;
+
+/// "crate-floor, by one face": a pair and its label.
+std::string name_of(const trace::Pair& pair) {
+  return pair.a + "-" + pair.b + (pair.label.empty() ? "" : " (" + pair.label + ")");
+}
+
+}  // namespace
+
+/// How far each manifold of a scenario is from having other points, see manifold/flip_distance.h: metres and radians
+/// of the second shape's pose, and steps of the last place. A line a pair, a panel a scenario; frames in which
+/// nothing changes it within a hundredth of the smaller shape count as failed, and have no number. Each frame by itself:
+/// without caches and without what a reducer kept before.
+std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
+                                              const StudyProgress& progress) {
+  const std::vector<Scenario> none;
+  const std::vector<Scenario>& scenarios = options.scenarios ? *options.scenarios : none;
+  std::vector<trace::Study> results = results_of(
+      "flip_distance", "as the scenarios say", "frame", "the points that the pair has",
+      {{"way", "The smallest way of b after which a pair has other points", "smallest way", "m"},
+       {"turn", "The smallest turn of b after which a pair has other points", "smallest turn",
+        "rad"},
+       {"last_places", "How many last places a coordinate of b is from other points",
+        "smallest number of last places"}});
+  for (trace::Study& result : results) result.form = trace::StudyForm::Curves;
+  trace::Stages stages = trace::Stages::none();
+  stages.flip = true;
+  stages.flip_directions = options.cases.value_or(kDirections);
+  stages.flip_seed = static_cast<int>(options.seed);
+  int total = 0;
+  for (const Scenario& scenario : scenarios) total += scenario.frames;
+  int done = 0;
+  for (const Scenario& scenario : scenarios) {
+    Runner runner(scenario, stages);
+    std::map<std::string, std::array<trace::StudySeries, 3>> lines;
+    for (int frame = 0; frame < scenario.frames; ++frame) {
+      progress(++done, total, scenario.name + ", frame " + std::to_string(frame));
+      if (!options.only_frames.empty() && std::ranges::count(options.only_frames, frame) == 0)
+        continue;
+      const auto begin = std::chrono::steady_clock::now();
+      const trace::Frame facts = runner.frame(frame);
+      const std::chrono::duration<double, std::nano> time =
+          std::chrono::steady_clock::now() - begin;
+      for (const trace::Pair& pair : facts.pairs) {
+        if (!pair.flip) continue;
+        const std::optional<double> numbers[] = {
+            pair.flip->way, pair.flip->turn,
+            pair.flip->last_places ? std::optional<double>(*pair.flip->last_places) : std::nullopt};
+        for (std::size_t i = 0; i < 3; ++i) {
+          trace::StudySeries& line = lines[name_of(pair)][i];
+          line.method = name_of(pair);
+          line.panel = scenario.name;
+          line.parameter = "frame";
+          const double each = time.count() / static_cast<double>(facts.pairs.size());
+          line.points.push_back({static_cast<double>(frame),
+                                 numbers[i],
+                                 numbers[i],
+                                 {each, each, each},
+                                 numbers[i] ? 0 : 1,
+                                 1});
+        }
+      }
+    }
+    for (const auto& [name, of_pair] : lines)
+      for (std::size_t i = 0; i < 3; ++i) results[i].series.push_back(of_pair[i]);
+  }
+  return results;
+}
+
+}  // namespace contactscope

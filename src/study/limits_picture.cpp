@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+constexpr double kKilometre = 1000;
+
+/// "tilt (rad)": what the axis is, and its unit.
+Named split_unit(const std::string& parameter) {
+  const std::size_t bracket = parameter.find(" (");
+  if (bracket == std::string::npos) return {parameter, ""};
+  return {parameter.substr(0, bracket),
+          parameter.substr(bracket + 2, parameter.size() - bracket - 3)};
+}
+
+double largest_of(const trace::StudySeries& series) {
+  double largest = 0;
+  for (const trace::StudyPoint& point : series.points)
+    largest = std::max(largest, point.error_worst.value_or(0));
+  return largest;
+}
+
+trace::Study picture_sweeps(const trace::Study& measured) {
+  trace::Study study = measured;
+  for (trace::StudySeries& series : study.series) {
+    const bool as_meant = series.method.find("unrounded") != std::string::npos;
+    // What drowns in rounding is lost against the geometry as it was meant too: it is counted there.
+    if (!as_meant)
+      for (trace::StudyPoint& point : series.points) point.failed = 0;
+    if (as_meant)
+      series.method = series.method.substr(0, series.method.find(',')) + ", before rounding";
+    const auto [what, unit] = split_unit(series.parameter);
+    series.panel = what == "overlap, 1 = coincident" ? "overlap" : what;
+    series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
+    series.parameter = !unit.empty()            ? unit
+                       : what == "aspect ratio" ? "length / thickness"
+                                                : "of the size; 1: coincident";
+  }
+  study.reference = study.reference.substr(0, study.reference.find(';'));
+  study.shown =
+      "Up: largest error of a contact / size of the shapes; dashed against the geometry before it "
+      "was moved "
+      "and rounded";
+  tell(study, [&] {
+    const trace::StudySeries& far = series_of(measured, "float, unrounded", "distance");
+    return "Float is off by " +
+           power(std::max(largest_of(series_of(measured, "float", "scale")),
+                          largest_of(series_of(measured, "float", "tilt")))) +
+           " of the size at any size and tilt, and by " +
+           power(point_at(far, kKilometre).error_worst.value()) +
+           " a kilometre from the origin; double by " +
+           power(point_at(series_of(measured, "double, unrounded", "distance"), kKilometre)
+                     .error_worst.value());
+  });
+  return study;
+}
+
+/// The deepest overlap, of the size, that is lost at a distance; 0 where none is.
+double lost_at(const trace::Study& study, const char* panel, double distance) {
+  double lost = 0;
+  for (const trace::StudySeries& series : study.series)
+    if (series.panel == panel && series.row && point_at(series, distance).failed > 0)
+      lost = std::max(lost, *series.row);
+  return lost;
+}
+
+/// The nearest distance at which an overlap is lost; 0 where none is.
+double nearest_loss(const trace::Study& study, const char* panel) {
+  double nearest = 0;
+  for (const trace::StudySeries& series : study.series)
+    for (const trace::StudyPoint& point : series.points)
+      if (series.panel == panel && point.failed > 0 && (nearest == 0 || point.parameter < nearest))
+        nearest = point.parameter;
+  return nearest;
+}
+
+trace::Study picture_map(const trace::Study& measured) {
+  trace::Study study = measured;
+  if (study.measure != "distance_overlap") return study;
+  keep_panels(study, {{"float, unrounded", "Float"}, {"double, unrounded", "Double"}});
+  for (trace::StudySeries& series : study.series) series.parameter = "distance from the origin, m";
+  study.row = "overlap / size";
+  study.shown =
+      "Colour: largest error of a contact against the geometry before it was rounded, in roundings "
+      "of "
+      "the pair's coordinates";
+  tell(study, [&] {
+    const double in_float = lost_at(measured, "float, unrounded", kKilometre);
+    const double in_double = nearest_loss(measured, "double, unrounded");
+    return "1 km from the origin float loses overlaps of " + power(in_float) +
+           " of the size; double loses none" +
+           (in_double > 0 ? " nearer than " + count(in_double / 1000) + " km" : "");
+  });
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_limits(const trace::Study& measured) {
+  return measured.form == trace::StudyForm::Curves ? picture_sweeps(measured)
+                                                   : picture_map(measured);
+}
+
+}  // namespace contactscope

@@ -1,0 +1,137 @@
+#include <algorithm>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+const std::vector<Named> kTrees = {{"rebuild", "rebuilt in each frame"},
+                                   {"refit", "only refitted"},
+                                   {"auto", "rebuilt where a query costs 30 % more"},
+                                   {"both trees", "both trees built"},
+                                   {"query", "query"},
+                                   {"vertices moved, one tree refitted", "one tree refitted"}};
+
+double sum_of(const trace::StudySeries& series) {
+  double sum = 0;
+  for (const trace::StudyPoint& point : series.points) sum += point.error.value_or(0);
+  return sum;
+}
+
+/// Of the method's series, wherever its panel.
+const trace::StudySeries& any_series_of(const trace::Study& study, const std::string& method) {
+  const auto found = std::ranges::find(study.series, method, &trace::StudySeries::method);
+  if (found == study.series.end()) throw std::out_of_range(method);
+  return *found;
+}
+
+/// Each error over that of `base` at the same parameter.
+void divide_by(trace::StudySeries& series, const trace::StudySeries& base) {
+  for (trace::StudyPoint& point : series.points) {
+    const double by = error_at(base, point.parameter);
+    if (point.error) point.error_worst = point.error = *point.error / by;
+  }
+}
+
+trace::Study picture_times(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, kTrees);
+  std::ranges::stable_sort(study.series, std::ranges::greater(), [](const auto& series) {
+    return series.parameter.starts_with("frames");
+  });
+  for (trace::StudySeries& series : study.series) {
+    const bool is_twist = series.parameter.starts_with("frames");
+    if (is_twist)
+      series.panel = "A ball of " + series.panel.substr(0, series.panel.find(' ')) +
+                     " triangles is twisted: update and query";
+    if (!is_twist) series.panel = "Two balls that cross in a ring";
+    series.parameter = is_twist ? "frame" : "triangles of each ball";
+  }
+  study.shown = "Up: milliseconds, the least of the repetitions";
+  tell(study, [&] {
+    const trace::StudySeries& rebuilt = any_series_of(measured, "rebuild");
+    const double ratio = sum_of(rebuilt) / sum_of(any_series_of(measured, "refit"));
+    const double automatic = sum_of(rebuilt) / sum_of(any_series_of(measured, "auto"));
+    return "Rebuilding a mesh's tree in each of " + count(double(rebuilt.points.size())) +
+           " frames takes " + number(ratio) + " times as long as refitting it, " +
+           number(automatic) + " times as rebuilding it where needed";
+  });
+  return study;
+}
+
+trace::Study picture_costs(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, {kTrees.begin(), kTrees.begin() + 3});
+  const trace::Study kept = study;
+  double refitted = 0, most_automatic = 0;
+  for (trace::StudySeries& series : study.series) {
+    const bool is_compared = series.panel == "node pairs compared";
+    divide_by(series, series_of(kept, kTrees[0].second, series.panel));
+    series.quiet = series.method == kTrees[0].second;
+    series.parameter = "frame";
+    series.panel = is_compared ? "Node pairs that a query compares"
+                               : "Boxes that a small query is expected to test";
+    if (!is_compared || series.points.empty()) continue;
+    if (series.method == kTrees[1].second) refitted = series.points.back().error.value_or(0);
+    for (const trace::StudyPoint& point : series.points)
+      if (series.method == kTrees[2].second)
+        most_automatic = std::max(most_automatic, point.error.value_or(0));
+  }
+  std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
+  study.unit = trace::kTimes;
+  study.shown = "Up: times as many as with a tree that is rebuilt in each frame";
+  if (refitted > 0)
+    study.title = "A tree that is only refitted ends at " + number(refitted) +
+                  " times the node pairs of one rebuilt; rebuilt where needed it stays within " +
+                  number(most_automatic, 3);
+  return study;
+}
+
+trace::Study picture_motion(const trace::Study& measured) {
+  trace::Study study = measured;
+  study.series.clear();
+  double least = 1e9, most = 0;
+  for (const trace::StudySeries& series : measured.series) {
+    if (series.method != "coherent") continue;
+    trace::StudySeries ratio = series;
+    divide_by(ratio, series_of(measured, "from roots", series.panel));
+    ratio.method = series.panel.find("beside") != std::string::npos ? "one ball beside the other"
+                                                                    : "one ball inside the other";
+    ratio.panel.clear();
+    ratio.look = static_cast<int>(study.series.size());
+    for (trace::StudyPoint& point : ratio.points) {
+      point.parameter /= 1000;  // millimetres
+      least = std::min(least, *point.error);
+      most = std::max(most, *point.error);
+    }
+    ratio.parameter = "mm that a ball moves in a frame";
+    study.series.push_back(ratio);
+  }
+  if (study.series.empty()) return study;
+  trace::StudySeries roots = study.series.front();
+  for (trace::StudyPoint& point : roots.points) point.error = point.error_worst = 1;
+  roots.method = "from the roots";
+  roots.quiet = true;
+  roots.look.reset();
+  study.series.push_back(roots);
+  study.unit = trace::kShare;
+  study.shown =
+      "Up: time of a query that begins where the last frame's ended, of the time of one from the "
+      "roots";
+  const std::string saved = least < 1 ? "saves at most " + percent(1 - least) : "saves nothing";
+  study.title = "To begin where the last frame's query ended " + saved + " of its time" +
+                (most > 1.005 ? ", and costs up to " + percent(most - 1) + " more" : "");
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_meshes(const trace::Study& measured) {
+  if (measured.measure == "time") return picture_times(measured);
+  return measured.measure == "cost" ? picture_costs(measured) : picture_motion(measured);
+}
+
+}  // namespace contactscope

@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+constexpr double kRod = 10;  // times as long as wide
+
+/// By length over width instead of by time, which the names of the lines say.
+trace::Study picture_bounds(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, {{"sphere", "bounding sphere"},
+                       {"AABB", "axis-aligned box"},
+                       {"OBB, six axes", "oriented box, six face normals"},
+                       {"OBB, fifteen axes", "oriented box, fifteen axes"}});
+  for (trace::StudySeries& series : study.series) {
+    series.method += ": " + duration(mean_time(series));
+    series.parameter = "length of the boxes / their width";
+  }
+  study.form = trace::StudyForm::Curves;
+  study.unit = trace::kShare;
+  study.shown =
+      "Up: share of the pairs that a bound lets through, although they are apart. Times are of one "
+      "test.";
+  tell(study, [&] {
+    const auto at_rod = [&](const char* method) {
+      return percent(error_at(series_of(measured, method), kRod));
+    };
+    return "Of rods that axis-aligned boxes let through " + at_rod("AABB") +
+           " are apart; six face normals leave " + at_rod("OBB, six axes") + ", all fifteen axes " +
+           (error_at(series_of(measured, "OBB, fifteen axes"), kRod) > 0
+                ? at_rod("OBB, fifteen axes")
+                : "none");
+  });
+  return study;
+}
+
+/// Whether every threshold is wrong in float one way or the other.
+bool every_threshold_is_wrong(const trace::Study& study, double nothing) {
+  const trace::StudySeries& missed = series_of(study, "float", "overlaps called apart");
+  const trace::StudySeries& closed = series_of(study, "float", "gaps called overlaps");
+  return std::ranges::all_of(missed.points, [&](const trace::StudyPoint& point) {
+    return point.error_worst > nothing || point_at(closed, point.parameter).error_worst > nothing;
+  });
+}
+
+std::string result_of_thresholds(const trace::Study& measured) {
+  double missed = 0, closed = 0, guarded = 0;
+  for (const trace::StudySeries& series : measured.series) {
+    double worst = 0;
+    for (const trace::StudyPoint& point : series.points)
+      if (point.error_worst > measured.resolution) worst = std::max(worst, *point.error_worst);
+    if (series.method.find("guarded") != std::string::npos) guarded = std::max(guarded, worst);
+    if (series.method == "float")
+      (series.panel == "overlaps called apart" ? missed : closed) = worst;
+  }
+  const bool each = every_threshold_is_wrong(measured, measured.resolution);
+  return std::string(each ? "Every threshold" : "A threshold") +
+         " in float misses overlaps, of up to " + number(1000 * missed) + " mm" +
+         ", or closes gaps, of up to " + number(1000 * closed) + " mm" +
+         (guarded == 0 ? "; the guarded test neither" : "");
+}
+
+trace::Study picture_thresholds(const trace::Study& measured) {
+  trace::Study study = measured;
+  drop_resolution(study);
+  keep_methods(study, {{"float", "float"},
+                       {"double", "double"},
+                       {"float, guarded", "float guarded"},
+                       {"double, guarded", "double guarded"}});
+  join_equal(study);
+  std::ranges::stable_sort(study.series, std::ranges::greater(), &trace::StudySeries::panel);
+  for (trace::StudySeries& series : study.series) {
+    if (series.method == "float guarded and double guarded") series.method = "both, guarded";
+    const bool apart = series.panel == "overlaps called apart";
+    series.panel = apart ? "Overlaps called apart" : "Gaps called overlaps";
+    series.parameter = "sine up to which cross products of edges are skipped";
+  }
+  if (study.measure == "threshold") {
+    for (trace::StudySeries& series : study.series)
+      for (trace::StudyPoint& point : series.points)
+        for (std::optional<double>* error : {&point.error, &point.error_worst})
+          if (*error) **error *= 1000;  // millimetres
+    study.shown = "Up: the deepest overlap, or widest gap, that is missed, mm";
+    tell(study, [&] { return result_of_thresholds(measured); });
+  } else {
+    study.unit = trace::kShare;
+  }
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_overlap(const trace::Study& measured) {
+  return measured.measure == "false_positives" ? picture_bounds(measured)
+                                               : picture_thresholds(measured);
+}
+
+}  // namespace contactscope

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+constexpr double kUsualSubsteps = 8;
+constexpr const char* kSubsteps = "More sub-steps, an iteration each";
+const std::vector<Named> kWarm = {{"soft, warm", "soft contacts"},
+                                  {"projection, warm", "projection"},
+                                  {"baumgarte, warm", "Baumgarte"}};
+const std::vector<Named> kCold = {
+    {"soft, cold", ""}, {"projection, cold", ""}, {"baumgarte, cold", "without warm starting"}};
+
+trace::Study picture_curves(const trace::Study& measured) {
+  trace::Study study = measured;
+  std::vector<Named> all = kWarm;
+  all.insert(all.end(), kCold.begin(), kCold.end());
+  keep_methods(study, all);
+  // Those of one panel stand together.
+  std::ranges::stable_sort(study.series, std::ranges::less(), &trace::StudySeries::panel);
+  double failed = 0, of = 0;
+  for (trace::StudySeries& series : study.series) {
+    const bool is_cold = series.method.empty() || series.method == kCold.back().second;
+    series.quiet = is_cold;
+    for (trace::StudyPoint& point : series.points) {
+      if (!is_cold) continue;
+      failed += point.failed;
+      of += point.of;
+      point.failed = 0;  // the line under the title counts them
+    }
+  }
+  study.shown = "Up: mean " + study.error + ". Along a line: 1 to 64. Crosses: stacks that fell" +
+                (of > 0 ? "; without warm starting " + percent(failed / of) + " did." : ".");
+  if (study.measure != "jitter") return study;
+  tell(study, [&] {
+    const auto speed = [&](const char* method) {
+      return error_at(series_of(measured, method, kSubsteps), kUsualSubsteps);
+    };
+    double rivals = std::min(speed("projection, warm"), speed("baumgarte, warm"));
+    for (const trace::StudySeries& series : measured.series)
+      if (series.panel == kSubsteps && series.method != "soft, warm")
+        rivals = std::min(rivals, point_at(series, kUsualSubsteps).error.value_or(rivals));
+    return "With " + number(kUsualSubsteps) + " sub-steps ten boxes on soft contacts move at " +
+           number(1000 * speed("soft, warm")) + " mm/s, with the other methods at " +
+           number(1000 * rivals) + " or more";
+  });
+  return study;
+}
+
+/// The largest ratio at which every stack of a panel stands, up to it; 0 where even equal boxes fall.
+double held_by_all(const trace::Study& study, const std::string& panel) {
+  double least = 1e300;
+  for (const trace::StudySeries& series : study.series) {
+    if (series.panel != panel) continue;
+    double held = 0;
+    for (const trace::StudyPoint& point : series.points) {
+      if (point.failed > 0) break;
+      held = point.parameter;
+    }
+    least = std::min(least, held);
+  }
+  if (least == 1e300) throw std::out_of_range(panel);
+  return least;
+}
+
+trace::Study picture_map(const trace::Study& measured) {
+  trace::Study study = measured;
+  for (trace::StudySeries& series : study.series) {
+    std::string& panel = series.panel;
+    const bool is_cold = panel.find("cold") != std::string::npos;
+    const std::string method = panel.substr(0, panel.find(','));
+    panel = method == "soft" ? "Soft contacts" : method == "baumgarte" ? "Baumgarte" : "Projection";
+    if (is_cold) panel += ", no warm starting";
+    series.parameter = "mass of the top / others";
+  }
+  study.shown = "Colour: " + study.error + ", at 16 sweeps a frame";
+  if (study.measure != "map") return study;
+  tell(study, [&] {
+    double most = 0;  // at which anything stands
+    for (const trace::StudySeries& series : measured.series)
+      for (const trace::StudyPoint& point : series.points)
+        if (point.failed < point.of) most = std::max(most, point.parameter);
+    const auto held = [&](const char* panel) { return number(held_by_all(measured, panel)); };
+    const std::string baumgarte = held("baumgarte, warm: 16 sweeps");
+    const std::string projection = held("projection, warm: 8 + 8");
+    return "Soft contacts carry " + held("soft, warm: 4 × (2 + 2)") +
+           " times the mass at every height, Baumgarte and projection " + baumgarte +
+           (projection == baumgarte ? "" : " and " + projection) + "; nothing carries more than " +
+           count(most);
+  });
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_solver(const trace::Study& measured) {
+  return measured.form == trace::StudyForm::Map ? picture_map(measured) : picture_curves(measured);
+}
+
+}  // namespace contactscope

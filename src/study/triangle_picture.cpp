@@ -1,0 +1,86 @@
+#include <algorithm>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+double worst_of(const trace::Study& study, const std::string& method) {
+  double worst = -1;
+  for (const trace::StudySeries& series : study.series)
+    if (series.method == method)
+      for (const trace::StudyPoint& point : series.points)
+        worst = std::max(worst, point.error.value_or(0));
+  if (worst < 0) throw std::out_of_range(method);
+  return worst;
+}
+
+std::string share_of(double share) {
+  return share > 0 ? percent(share) : "none";
+}
+
+trace::Study picture_wrong(const trace::Study& measured) {
+  trace::Study study = measured;
+  drop_resolution(study);
+  const trace::Study judged = study;
+  keep_methods(study, {{"float", "float"},
+                       {"float, epsilon 1e-6 m", "float, epsilon of 1 µm"},
+                       {"double, epsilon 1e-9 m", "double, epsilon of 1 nm"},
+                       {"double", "double"},
+                       {"exact", "exact"}});
+  join_equal(study);
+  for (const char* size : {"8 km", "1 m", "0.12 mm"})  // by size, the smallest first
+    std::stable_partition(study.series.begin(), study.series.end(),
+                          [&](const trace::StudySeries& series) {
+                            return series.panel == std::string("triangles of ") + size;
+                          });
+  for (trace::StudySeries& series : study.series) {
+    series.panel[0] = 'T';
+    series.parameter = "units in the last place off one plane";
+  }
+  study.unit = trace::kShare;
+  study.shown = "Up: share of wrong answers to whether two triangles share a point";
+  tell(study, [&] {
+    return "Near one plane float errs in up to " + share_of(worst_of(judged, "float")) +
+           " of its answers, with an epsilon of 1 µm in " +
+           share_of(worst_of(judged, "float, epsilon 1e-6 m")) + "; the exact test in " +
+           share_of(worst_of(judged, "exact"));
+  });
+  return study;
+}
+
+trace::Study picture_answers(const trace::Study& measured) {
+  trace::Study study = measured;
+  double corners = 0;
+  const auto wrong_in = [&](const char* panel) {
+    double wrong = 0;
+    corners = 0;
+    for (const trace::StudySeries& series : measured.series) {
+      if (series.panel != panel) continue;
+      for (const trace::StudyPoint& point : series.points) wrong += point.failed, corners += 1;
+    }
+    return wrong > 0 ? count(wrong) : std::string("none");
+  };
+  const std::string in_float = wrong_in("float"), in_double = wrong_in("double"),
+                    exact = wrong_in("exact");
+  study.title = "Of " + count(corners) + " corners beside a plane float answers " + in_float +
+                " wrong, double " + in_double + ", the exact test " + exact;
+  for (trace::StudySeries& series : study.series)
+    series.panel[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(series.panel[0])));
+  study.shown =
+      "Colour: answer for a corner moved by its last bits; on the diagonal it touches, above it "
+      "crosses";
+  return study;
+}
+
+}  // namespace
+
+trace::Study picture_triangles(const trace::Study& measured) {
+  return measured.form == trace::StudyForm::Answers ? picture_answers(measured)
+                                                    : picture_wrong(measured);
+}
+
+}  // namespace contactscope

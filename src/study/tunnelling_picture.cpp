@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "core/at.h"
+#include "study/picture.h"
+
+namespace contactscope {
+namespace {
+
+using namespace told;
+
+constexpr double kUsualSpeed = 20;  // m/s
+const std::vector<std::string> kSwept = {"swept bounding sphere", "conservative advancement",
+                                         "time of impact"};
+
+std::string result_of(const trace::Study& measured) {
+  const auto at_usual = [&](const char* method) {
+    return percent(error_at(series_of(measured, method, "spheres, a wall of 1 cm"), kUsualSpeed));
+  };
+  double swept = 0;
+  for (const trace::StudySeries& series : measured.series)
+    if (std::ranges::find(kSwept, series.method) != kSwept.end())
+      for (const trace::StudyPoint& point : series.points)
+        swept = std::max(swept, point.error.value_or(0));
+  return "At 20 m/s " + at_usual("discrete") + " of the spheres pass a wall of 1 cm, " +
+         at_usual("speculative margin of 2 cm") +
+         " with a margin of 2 cm; of those that are swept " +
+         (swept > 0 ? "up to " + percent(swept) : "none");
+}
+
+}  // namespace
+
+trace::Study picture_tunnelling(const trace::Study& measured) {
+  trace::Study study = measured;
+  keep_methods(study, {{"discrete", "tested at the end of each step"},
+                       {"speculative margin of 2 cm", "with a speculative margin of 2 cm"},
+                       {kSwept[0], kSwept[0]},
+                       {kSwept[1], kSwept[1]},
+                       {kSwept[2], kSwept[2]}});
+  keep_panels(study, {{"spheres, a wall of 1 cm", "Spheres of 10 cm"},
+                      {"boxes, a wall of 1 cm", "Boxes of about 8 cm"},
+                      {"spinning rods, a wall of 1 cm", "Spinning rods of 62 cm"}});
+  for (trace::StudySeries& series : study.series) series.parameter = "m/s";
+  if (study.measure != "passed") return study;
+  join_equal(study);
+  for (trace::StudySeries& series : study.series)
+    if (series.method == listed(kSwept)) series.method = "swept, in each of three ways";
+  study.unit = trace::kShare;
+  study.shown = "Up: share of the bullets that pass a wall of 1 cm, at 60 steps a second";
+  tell(study, [&] { return result_of(measured); });
+  return study;
+}
+
+}  // namespace contactscope

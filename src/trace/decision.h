@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.h"
+#include "trace/field.h"
+
+namespace contactscope::trace {
+
+/// Something that the pipeline chose, and by how much: what was compared would have to change by the
+/// margin for the next best to be chosen instead. Tolerances that prefer one of the two are in it.
+struct Decision {
+  /// "contact", "face_a", "face_b", "axis", "incident_face", "point 0" and on of a reducer's steps, "points"
+  /// of one that chooses all at once.
+  std::string stage;
+  std::string took;  // "face_a", "face 2", "point 3", "touching"
+  std::string over;  // the next best
+  // One of these, by what was compared:
+  std::optional<double> margin{};         // metres
+  std::optional<double> margin_area{};    // square metres
+  std::optional<double> margin_cosine{};  // of the angles of two faces
+
+  static constexpr auto fields() {
+    using D = Decision;
+    return std::tuple(field::axis("stage", &D::stage).names(), field::axis("took", &D::took),
+                      field::axis("over", &D::over), field::length("margin", &D::margin),
+                      field::area("margin_area", &D::margin_area),
+                      field::direction("margin_cosine", &D::margin_cosine));
+  }
+  friend bool operator==(const Decision&, const Decision&) = default;
+};
+
+/// The smallest change of the second shape's pose, along the directions that were tried, that changes which
+/// points the pair has, by their ids.
+struct Flip {
+  std::optional<double> way{};      // metres; none: not within a hundredth of the smaller shape
+  Vec3d direction = Vec3d::Zero();  // unit, in which b is moved
+  std::optional<double> turn{};     // radians, about the middle of the points; likewise
+  Vec3d axis = Vec3d::Zero();       // unit, about which b is turned
+  /// Steps of one coordinate of b's position, each the last place of the pair's largest length.
+  std::optional<int> last_places{};
+
+  static constexpr auto fields() {
+    using F = Flip;
+    return std::tuple(field::length("way", &F::way),
+                      field::direction_to_b("direction", &F::direction).where_set(),
+                      field::ratio("turn", &F::turn),
+                      field::direction_to_b("axis", &F::axis).where_set().says("axis of the turn"),
+                      field::exact("last_places", &F::last_places).says("units in the last place"));
+  }
+  friend bool operator==(const Flip&, const Flip&) = default;
+};
+
+}  // namespace contactscope::trace

@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "app/terminal.h"
+
+namespace contactscope::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kPrompt = "a c r s w q? ";
+
+/// A report about a scenario whose box was moved: its trace and two pictures.
+class ReviewTest : public testing::Test {
+ protected:
+  ReviewTest() {
+    folder_.write("scenarios/group/idea.toml", small_scenario());
+    EXPECT_EQ(check("--update").exit_code, 0);
+    std::string moved = small_scenario();
+    moved.replace(moved.find("0.495"), 5, "0.480");
+    folder_.write("scenarios/group/idea.toml", moved);
+    EXPECT_EQ(check().exit_code, 1);
+  }
+
+  ProgramRun check(const std::string& arguments = "",
+                   const std::string& environment = "CI=") const {
+    return run("check --scenarios '" + (folder_ / "scenarios") + "' --snapshots '" +
+                   (folder_ / "snapshots") + "' " + out() + arguments,
+               environment);
+  }
+  std::string out() const { return "--out '" + (folder_ / "out") + "' "; }
+  TerminalRun review(const std::string& keys) const {
+    return run_on_terminal("review " + out(), keys, kPrompt);
+  }
+  std::string left() const { return run("review --list " + out()).out; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReviewTest, EachKeyDoesItsThing) {
+  const TerminalRun first = review("rsa");
+  EXPECT_EQ(first.exit_code, 1);
+  EXPECT_THAT(first.shown, HasSubstr("[1/3] group/idea/trace"));
+  EXPECT_THAT(first.shown, HasSubstr("accepted group/idea/frame_000"));
+  EXPECT_THAT(left(), HasSubstr("rejected          group/idea/trace"));
+  const TerminalRun second = review("wa");
+  EXPECT_THAT(second.shown, HasSubstr("[1/1]")) << "what was rejected is not asked again";
+  EXPECT_THAT(second.shown, HasSubstr("\xE2\x96\x80")) << "the picture, in half blocks";
+  EXPECT_EQ(second.exit_code, 1) << "a rejected trace fails";
+  const ProgramRun after = check();
+  EXPECT_THAT(after.err, HasSubstr("(1 changed,"));
+  EXPECT_EQ(check("--accept group/idea/trace").exit_code, 0);
+  EXPECT_EQ(check().exit_code, 0);
+}
+
+TEST_F(ReviewTest, ACauseIsAcceptedAtOnceAndQuittingKeepsTheRest) {
+  EXPECT_EQ(review("q").exit_code, 1);
+  const TerminalRun all = review("c");
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_THAT(all.shown, HasSubstr("1 scenario: 0 the same, 0 fail, 3 accepted"));
+  EXPECT_EQ(check().exit_code, 0);
+  EXPECT_THAT(review("").shown, HasSubstr("nothing waits for a review"));
+}
+
+TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
+  const ProgramRun result = run("review " + out());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("review --list"));
+  EXPECT_EQ(run("review --list " + out()).exit_code, 1);
+  EXPECT_EQ(run("review --out '" + (folder_ / "nowhere") + "'").exit_code, 2);
+}
+
+TEST_F(ReviewTest, ACandidateThatIsStaleIsRefused) {
+  folder_.write("snapshots/group/idea/trace.jsonl", "somebody else's");
+  const ProgramRun result = check("--accept group/idea");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("group/idea/trace is stale"));
+  EXPECT_THAT(result.err, HasSubstr("2 findings accepted, 1 refused"));
+}
+
+TEST_F(ReviewTest, ShowTellsOneAndWhereItsPicturesAre) {
+  const ProgramRun plain = run("show group/idea/frame_0001 " + out());
+  EXPECT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_THAT(plain.out, HasSubstr("its facts changed, and with them"));
+  EXPECT_THAT(plain.out, HasSubstr("check/group/idea/frame_0001.difference.png"));
+  EXPECT_THAT(run("show group/idea/frame_0001 --pictures kitty " + out()).out,
+              HasSubstr("\033_Gf=100,a=T,m="));
+  EXPECT_THAT(run("show group/idea/frame_0001 --pictures sixel " + out()).out,
+              HasSubstr("\033Pq\"1;1;320;180"));
+  EXPECT_EQ(run("show group/idea/frame_0009 " + out()).exit_code, 2);
+}
+
+TEST_F(ReviewTest, OthersAreToldInTheirWays) {
+  const ProgramRun result = check("--github --junit '" + (folder_ / "junit.xml") +
+                                  "' --markdown '" + (folder_ / "summary.md") + "'");
+  EXPECT_THAT(result.out, HasSubstr("::error file="));
+  EXPECT_THAT(result.out, HasSubstr("title=group/idea/trace::group/idea frame 0, crate: moved"));
+  const std::string junit = read_text(folder_ / "junit.xml");
+  EXPECT_THAT(junit, HasSubstr("<testsuite name=\"group\" tests=\"1\" failures=\"1\">"));
+  EXPECT_THAT(junit, HasSubstr("<failure type=\"changed\" message=\"group/idea frame 0, crate"));
+  EXPECT_THAT(junit, HasSubstr("[[ATTACHMENT|/"));
+  const std::string summary = read_text(folder_ / "summary.md");
+  EXPECT_THAT(summary, HasSubstr("1 scenario: 0 the same, 1 fails"));
+  EXPECT_THAT(summary, HasSubstr("](data:image/png;base64,"));
+  EXPECT_THAT(summary, HasSubstr("contactscope check --accept group/idea"));
+}
+
+TEST_F(ReviewTest, ThePageHoldsItsPicturesAndWhatAccepts) {
+  const std::string page = read_text(folder_ / "out/check/report.html");
+  EXPECT_THAT(page, Not(HasSubstr("@REPORT@")));
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(page, HasSubstr("contactscope check --accept group/idea/frame_0000"));
+  EXPECT_EQ(check("--accept '*'").exit_code, 0);
+  EXPECT_THAT(read_text(folder_ / "out/check/report.html"), HasSubstr("0 fail"));
+}
+
+}  // namespace
+}  // namespace contactscope::test

@@ -1,0 +1,86 @@
+#include "shrink/expression.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+
+namespace contactscope::shrink {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+bool holds(const std::string& text, const std::map<std::string, Value>& facts = {}) {
+  return Expression(text).holds([&](const std::string& side, const std::string& quantity) {
+    const auto found = facts.find(side + (quantity.empty() ? "" : "." + quantity));
+    return found == facts.end() ? Value(kUnknown) : found->second;
+  });
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    Expression expression(text);
+  } catch (const ExpressionError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+TEST(Expression, BindsAsArithmeticDoes) {
+  EXPECT_TRUE(holds("1 + 2 * 3 == 7"));
+  EXPECT_TRUE(holds("(1 + 2) * 3 == 9"));
+  EXPECT_TRUE(holds("-2 - -3 == 1"));
+  EXPECT_TRUE(holds("8 / 2 / 2 == 2"));
+  EXPECT_TRUE(holds("1e-3 * 1e+3 == 1"));
+  EXPECT_TRUE(holds("abs(1 - 3) >= 2"));
+  EXPECT_TRUE(holds("1 < 2 and not 2 < 1 or 1 == 2"));
+  EXPECT_TRUE(holds("0 && 1 || !0"));
+}
+
+TEST(Expression, ComparesWhatSidesSay) {
+  const std::map<std::string, Value> facts = {{"float.points", 2.0},
+                                              {"double.points", 4.0},
+                                              {".axis", std::string("face_a")},
+                                              {"lint.x", 3.0}};
+  EXPECT_TRUE(holds("float.points != double.points", facts));
+  EXPECT_TRUE(holds("double.points - float.points == 2", facts));
+  EXPECT_TRUE(holds("axis == 'face_a'", facts));
+  EXPECT_FALSE(holds("axis != \"face_a\"", facts));
+  EXPECT_TRUE(holds("lint.x", facts));
+  EXPECT_FALSE(holds("lint.y", facts));
+}
+
+TEST(Expression, WhatNobodyKnowsIsNeitherEqualNorUnequal) {
+  EXPECT_FALSE(holds("separation == separation"));
+  EXPECT_FALSE(holds("separation != 1"));
+  EXPECT_FALSE(holds("separation"));
+  EXPECT_FALSE(holds("abs(separation) >= 0"));
+  EXPECT_FALSE(holds("axis == 3", {{".axis", std::string("3")}}));
+}
+
+TEST(Expression, MeasuresAnAngleBetweenTwoNormals) {
+  const std::map<std::string, Value> facts = {{"a.normal_x", 1.0}, {"a.normal_y", 0.0},
+                                              {"a.normal_z", 0.0}, {"b.normal_x", 0.0},
+                                              {"b.normal_y", 1.0}, {"b.normal_z", 0.0}};
+  EXPECT_TRUE(holds("abs(angle(a, b) - 90) < 1e-9", facts));
+  EXPECT_FALSE(holds("angle(a, c) > 0", facts));
+}
+
+TEST(Expression, NamesItsSides) {
+  EXPECT_THAT(Expression("angle(bullet, double) > 1 and lint.half_depths and points > 1").sides(),
+              ElementsAre("", "bullet", "double", "lint"));
+}
+
+TEST(Expression, SaysWhereItIsWrongAndWhatWouldBeRight) {
+  EXPECT_THAT(complaint("float.pionts > 1"), HasSubstr("did you mean 'points'?"));
+  EXPECT_THAT(complaint("points = 1"), HasSubstr("column 8 of 'points = 1': a single '='"));
+  EXPECT_THAT(complaint("points >"), HasSubstr("it ends where a quantity should stand"));
+  EXPECT_THAT(complaint("(points > 1"), HasSubstr("')' is missing"));
+  EXPECT_THAT(complaint("points > 1 2"), HasSubstr("'2' is one too many"));
+  EXPECT_THAT(complaint("axis == 'face"), HasSubstr("closing quote"));
+  EXPECT_THAT(complaint("1.2.3 > 1"), HasSubstr("is no number"));
+  EXPECT_THAT(complaint("angle(1, double) > 1"), HasSubstr("a side should stand here"));
+}
+
+}  // namespace
+}  // namespace contactscope::shrink

@@ -1,0 +1,95 @@
+#include "study/picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/study.h"
+
+namespace contactscope {
+namespace {
+
+using testing::HasSubstr;
+
+trace::StudySeries line(const std::string& method, const std::vector<double>& errors,
+                        const std::string& panel = {}) {
+  trace::StudySeries series{method, {}, panel};
+  double parameter = 1;
+  for (const double error : errors) {
+    series.points.push_back({parameter, error, error, {100 * parameter, 90, 120}, 0, 10});
+    parameter *= 2;
+  }
+  return series;
+}
+
+TEST(Told, NumbersHaveTwoDigitsAndNoExponent) {
+  EXPECT_EQ(told::number(0), "0");
+  EXPECT_EQ(told::number(3.456), "3.5");
+  EXPECT_EQ(told::number(9.96), "10");
+  EXPECT_EQ(told::number(-843), "−840");
+  EXPECT_EQ(told::number(1.354, 3), "1.35");
+  EXPECT_EQ(told::number(0.00012), "0.00012");
+  EXPECT_EQ(told::percent(0.8123), "81 %");
+  EXPECT_EQ(told::percent(0.0686), "6.9 %");
+  EXPECT_EQ(told::percent(1), "100 %");
+  EXPECT_EQ(told::count(1e6), "1,000,000");
+  EXPECT_EQ(told::length(0.00008), "80 µm");
+  EXPECT_EQ(told::length(0.69), "69 cm");
+  EXPECT_EQ(told::duration(5.57e9), "5.6 s");
+  EXPECT_EQ(told::power(1e-5), "10⁻⁵");
+  EXPECT_EQ(told::power(5.4e-5), "5.4 × 10⁻⁵");
+  EXPECT_EQ(told::power(0.02), "0.02");
+  EXPECT_EQ(told::listed({"spheres", "boxes", "rods"}), "spheres, boxes and rods");
+}
+
+TEST(Told, KeptMethodsHaveNamesAndTheLooksOfTheWholeStudy) {
+  trace::Study study;
+  study.series = {line("a", {1}), line("b", {2}), line("c", {3})};
+  told::keep_methods(study, {{"c", "third"}, {"a", "first"}});
+  ASSERT_EQ(study.series.size(), 2u);
+  EXPECT_EQ(study.series[0].method, "third");
+  EXPECT_EQ(study.series[0].look, 2);
+  EXPECT_EQ(study.series[1].method, "first");
+  EXPECT_EQ(study.series[1].look, 0);
+}
+
+TEST(Told, LinesAreJoinedWhereTheyAreOneInEveryPanel) {
+  trace::Study study;
+  study.series = {line("some", {0.1, 0.2}, "p"), line("none", {0, 0}, "p"),
+                  line("neither", {0, 0}, "p"),  line("some", {0, 0}, "q"),
+                  line("none", {0, 0}, "q"),     line("neither", {0, 0}, "q")};
+  told::join_equal(study);
+  ASSERT_EQ(study.series.size(), 4u);
+  EXPECT_EQ(study.series[0].method, "some");
+  EXPECT_EQ(study.series[1].method, "none and neither");
+}
+
+TEST(Picture, TheTitleIsTheResultOfTheRun) {
+  trace::Study study;
+  study.measure = "passed";
+  study.title = "Bullets that pass a wall";
+  for (const char* method : {"discrete", "speculative margin of 2 cm", "swept bounding sphere",
+                             "conservative advancement", "time of impact"})
+    study.series.push_back(line(method, {0, 0}, "spheres, a wall of 1 cm"));
+  study.series[0].points[1] = {20, 0.4, 0.4, {}, 0, 10};
+  study.series[1].points[1] = {20, 0.3, 0.3, {}, 0, 10};
+  EXPECT_EQ(picture_tunnelling(study).title,
+            "At 20 m/s 40 % of the spheres pass a wall of 1 cm, 30 % with a margin of 2 cm; of "
+            "those that are swept none");
+  study.series[3].points[1].error = 0.01;
+  EXPECT_THAT(picture_tunnelling(study).title, HasSubstr("swept up to 1 %"));
+}
+
+TEST(Picture, WhatLacksTheNumbersOfItsResultKeepsItsTitle) {
+  for (const StudyInfo& info : studies()) {
+    if (info.picture == nullptr) continue;
+    for (const char* measure : {"area", "passed", "error", "map", "jitter", "time", "wrong"}) {
+      trace::Study study;
+      study.measure = measure;
+      study.title = "What it measures";
+      EXPECT_EQ(info.picture(study).title, "What it measures") << info.name << ", " << measure;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contactscope
