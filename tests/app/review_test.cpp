@@ -67,7 +67,7 @@ TEST_F(ReviewTest, ACauseIsAcceptedAtOnceAndQuittingKeepsTheRest) {
 }
 
 TEST_F(ReviewTest, WithoutATerminalItSaysWhatElseThereIs) {
-  const ProgramRun result = run("review " + out());
+  const ProgramRun result = run("review " + out(), "CI=");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("review --list"));
   EXPECT_EQ(run("review --list " + out()).exit_code, 1);
