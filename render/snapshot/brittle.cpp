@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "snapshot/compare_facts.h"
 #include "snapshot/spelling.h"
 
 namespace contactscope::snapshot {
@@ -58,19 +59,21 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
   return sentences;
 }
 
-std::vector<std::string> take_brittle(const std::vector<int>& stored,
-                                      const std::vector<View>& views, const trace::Header& header,
-                                      std::vector<trace::Frame>& frames) {
+TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<View>& views,
+                              const trace::Header& header, std::vector<trace::Frame>& frames) {
   const bool asked =
       std::ranges::any_of(views, [](const View& view) { return view.shows(Layer::FlipDistance); });
-  std::vector<std::string> sentences;
+  TakenDecisions taken;
   for (trace::Frame& frame : frames) {
-    if (std::ranges::count(stored, frame.frame) > 0)
-      std::ranges::copy(brittle_decisions(header, frame), std::back_inserter(sentences));
+    if (std::ranges::count(stored, frame.frame) > 0) {
+      std::ranges::copy(brittle_decisions(header, frame), std::back_inserter(taken.brittle));
+      for (const trace::Pair& pair : frame.pairs)
+        if (!pair.decisions.empty()) taken.margins[{frame.frame, key_of(pair)}] = pair.decisions;
+    }
     if (asked) continue;
     for (trace::Pair& pair : frame.pairs) pair.decisions.clear();
   }
-  return sentences;
+  return taken;
 }
 
 void note_brittle(const std::vector<std::string>& sentences, bool all,

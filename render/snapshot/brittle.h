@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/view.h"
+#include "snapshot/margins.h"
 #include "trace/trace.h"
 
 namespace contactscope::snapshot {
@@ -13,11 +14,16 @@ namespace contactscope::snapshot {
 /// 0.2 nm, which is within rounding". Only frames that were run with `decisions` have any.
 std::vector<std::string> brittle_decisions(const trace::Header& header, const trace::Frame& frame);
 
-/// Those of the frames that are stored, by number. Takes the decisions out of all frames where no view asks for
-/// them, so that they are not stored.
-std::vector<std::string> take_brittle(const std::vector<int>& stored,
-                                      const std::vector<View>& views, const trace::Header& header,
-                                      std::vector<trace::Frame>& frames);
+/// What the decisions of the frames that are stored say.
+struct TakenDecisions {
+  std::vector<std::string> brittle{};  // sentences, by frame
+  Margins margins{};
+};
+
+/// Takes the decisions out of all frames where no view asks for them, so that they are not stored; `stored` are
+/// the numbers of the frames of which they are told.
+TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<View>& views,
+                              const trace::Header& header, std::vector<trace::Frame>& frames);
 
 /// Adds them to what is told beside a verdict: the first one and how many more there are, or all.
 void note_brittle(const std::vector<std::string>& sentences, bool all,

@@ -161,7 +161,8 @@ CheckedPicture check_picture(const Shelf& shelf, const PictureKey& key, const Im
   return checked;
 }
 
-CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy) {
+CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy,
+                         const Margins& margins) {
   CheckedTrace checked;
   const fs::path own = trace_path(shelf.root, shelf.scenario);
   const auto finding = [&](FindingKind kind) -> Finding& {
@@ -170,7 +171,7 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
   };
   try {
     if (const std::optional<std::string> stored = read_text_file(own)) {
-      checked.differences = compare_with_stored(*stored, own.string(), actual);
+      checked.differences = compare_with_stored(*stored, own.string(), actual, margins);
       if (!checked.differences.sentences.empty()) {
         Finding& changed = finding(FindingKind::Changed);
         changed.sentence = checked.differences.cause;

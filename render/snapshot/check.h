@@ -47,9 +47,10 @@ struct CheckedTrace : Checked {
   TraceDifferences differences{};
 };
 
-/// `actual` holds the frames that the scenario stores, no more and no fewer. Throws std::domain_error
-/// where a trace with a number that is not finite would have to be written.
-CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy);
+/// `actual` holds the frames that the scenario stores, no more and no fewer; `margins` are its own. Throws
+/// std::domain_error where a trace with a number that is not finite would have to be written.
+CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const Policy& policy,
+                         const Margins& margins = {});
 
 struct CheckedFrames : Checked {
   bool is_compared =

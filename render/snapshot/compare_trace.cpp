@@ -97,7 +97,8 @@ void tell(const std::string& place, const std::vector<Difference>& differences,
 }
 
 /// Settles `actual`, see Changes.
-TraceDifferences compare_and_settle(const Trace& expected, Trace& actual) {
+TraceDifferences compare_and_settle(const Trace& expected, Trace& actual,
+                                    const Margins& margins = {}) {
   TraceDifferences told;
   std::vector<FrameDifferences> all;
   const std::string name = actual.header.scenario;
@@ -140,7 +141,7 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual) {
     all.push_back({frame.frame, &frame, &actual.frames[j], std::move(differences)});
   }
   if (!all.empty()) {
-    FirstCause cause = first_cause(name, all);
+    FirstCause cause = first_cause(name, all, margins);
     told.cause = std::move(cause.sentence);
     told.signature = std::move(cause.signature);
   }
@@ -161,11 +162,11 @@ std::vector<std::string> compare_traces(const Trace& expected, const Trace& actu
 }
 
 TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
-                                     const Trace& actual) {
+                                     const Trace& actual, const Margins& margins) {
   std::istringstream stored(text);
   Trace settled = actual;
   const Trace expected = trace::read_trace(stored, path);
-  TraceDifferences told = compare_and_settle(expected, settled);
+  TraceDifferences told = compare_and_settle(expected, settled, margins);
   if (!told.sentences.empty()) return told;
   const std::string written = to_json_lines(settled);
   const auto [at, other] = std::ranges::mismatch(text, written);

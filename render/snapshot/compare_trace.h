@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "snapshot/margins.h"
 #include "trace/json.h"
 
 namespace contactscope::snapshot {
@@ -34,9 +35,9 @@ struct TraceDifferences {
 /// The same for the text of a stored file, down to its bytes: where no fact differs by more than its
 /// tolerance, the file must be what this program would write of `actual`, with each number that is
 /// within its tolerance as it is stored. What is not tells the first line that differs. So nothing
-/// in a file goes unnoticed, be it listed, compared and read or not. `path` is for messages. Throws
-/// core's InputError where the text is no trace.
+/// in a file goes unnoticed, be it listed, compared and read or not. `path` is for messages; `margins` are of
+/// `actual`, for its cause. Throws core's InputError where the text is no trace.
 TraceDifferences compare_with_stored(const std::string& text, const std::string& path,
-                                     const trace::Trace& actual);
+                                     const trace::Trace& actual, const Margins& margins = {});
 
 }  // namespace contactscope::snapshot

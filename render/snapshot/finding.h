@@ -114,7 +114,7 @@ struct Tally {
   int scenarios = 0, same = 0, failing = 0, known_same = 0;
   int frames = 0, pictures = 0, written = 0;
   std::array<int, kFindingKinds.size()> kinds{};  // of those that fail
-  int rejected = 0, accepted = 0;  // in a review
+  int rejected = 0, accepted = 0;                 // in a review
 };
 Tally tally(const Outcome& outcome);
 

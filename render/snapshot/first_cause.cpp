@@ -6,6 +6,7 @@
 #include <set>
 
 #include "snapshot/finding.h"
+#include "snapshot/flipped.h"
 
 namespace contactscope::snapshot {
 namespace {
@@ -15,41 +16,6 @@ const trace::Pair* find_pair(const trace::Frame* frame, const std::string& subje
   const auto found = std::ranges::find_if(
       frame->pairs, [&](const trace::Pair& pair) { return key_of(pair) == subject; });
   return found == frame->pairs.end() ? nullptr : &*found;
-}
-
-/// "face_a" in words.
-std::string spell_axis(const std::string& axis) {
-  if (axis == "face_a") return "face a";
-  if (axis == "face_b") return "face b";
-  return axis == "edge_edge" ? "an edge pair" : axis.empty() ? "none" : axis;
-}
-
-std::optional<double> separation_along(const trace::Sat& sat, const std::string& axis) {
-  if (axis == "face_a" && sat.face_a) return sat.face_a->separation;
-  if (axis == "face_b" && sat.face_b) return sat.face_b->separation;
-  if (axis == "edge_edge" && sat.edge) return sat.edge->separation;
-  return {};
-}
-
-/// The test took another axis: both with their numbers, and by how much one was nearer.
-std::string spell_decision(const trace::Sat& before, const trace::Sat& now) {
-  std::string text = "the separating axis test now takes " + spell_axis(now.chosen) +
-                     " instead of " + spell_axis(before.chosen);
-  const auto taken = separation_along(now, now.chosen), left = separation_along(now, before.chosen);
-  if (!taken || !left) return text;
-  const auto [a, b] = spell_both(*taken * 1e3, *left * 1e3);
-  text += ": separation " + a + " mm against " + b + " mm";
-  const double between = std::abs(*taken - *left);
-  return text + (between > 0 ? ", " + spell_length(between) + " between them" : ", a tie");
-}
-
-std::string spell_cause(const FrameDifferences& frame, const Difference& first) {
-  const trace::Pair* const before = find_pair(frame.expected, first.subject);
-  const trace::Pair* const now = find_pair(frame.actual, first.subject);
-  if (first.stage == Stage::Decision && before && now && before->sat && now->sat &&
-      before->sat->chosen != now->sat->chosen)
-    return spell_decision(*before->sat, *now->sat);
-  return first.text;
 }
 
 /// What follows, as things that people count.
@@ -119,9 +85,17 @@ int count_points(const FrameDifferences& frame, const std::string& subject) {
   return count;
 }
 
-/// "; so the reference face, 4 clip steps and 3 of 4 ids changed": of what the cause is of, or of the whole
-/// frame where that is no pair.
-std::string spell_effects(const FrameDifferences& frame, const Difference& first) {
+/// What the effects are counted from: a difference, or a choice that came out otherwise.
+struct Origin {
+  std::string subject;
+  Stage stage;
+  const Difference* told = nullptr;  // is no effect of itself
+  const Flipped* flip = nullptr;     // likewise
+};
+
+/// "the reference face, 4 clip steps and 3 of 4 ids changed": of what the cause is of, or of the whole frame
+/// where that is no pair. Empty where nothing follows.
+std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
   struct Effect {
     Stage stage;
     Thing thing;
@@ -137,15 +111,19 @@ std::string spell_effects(const FrameDifferences& frame, const Difference& first
     else
       ++found->count;
   };
-  const bool is_pair = find_pair(frame.actual, first.subject) != nullptr;
-  const int points = is_pair ? count_points(frame, first.subject) : 0;
+  const bool is_pair = find_pair(frame.actual, origin.subject) != nullptr;
+  const int points = is_pair ? count_points(frame, origin.subject) : 0;
   for (const Difference& difference : frame.differences) {
-    if (is_pair && difference.subject != first.subject) continue;
-    if (&difference != &first && difference.stage >= first.stage) {
+    if (is_pair && difference.subject != origin.subject) continue;
+    const bool is_told =
+        &difference == origin.told || (origin.flip && origin.flip->says(difference));
+    if (!is_told && difference.stage >= origin.stage) {
       if (const auto thing = thing_of(difference)) add(difference.stage, *thing);
     }
-    if (has_id(difference) && first.stage < Stage::Ids) add(Stage::Ids, {"id", "ids"}, points);
-    if (has_impulse(difference) && first.stage < Stage::Solver)
+    const bool is_kept = difference.stage == Stage::Points || difference.stage == Stage::Ids;
+    if (is_kept && has_id(difference) && origin.stage < Stage::Ids)
+      add(Stage::Ids, {"id", "ids"}, points);
+    if (has_impulse(difference) && origin.stage < Stage::Solver)
       add(Stage::Solver, {"impulse", "impulses"}, points);
   }
   std::ranges::stable_sort(effects, {}, &Effect::stage);
@@ -160,7 +138,57 @@ std::string spell_effects(const FrameDifferences& frame, const Difference& first
                   ? std::string("the ") + thing.one
                   : counted(count, thing.one, thing.many);
   }
-  return text.empty() ? text : "; so " + text + " changed";
+  return text.empty() ? text : text + " changed";
+}
+
+/// The first choice that came out otherwise in a frame: of the pair that is told of, where it is of one.
+std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& first,
+                               const Margins& margins) {
+  std::optional<Flipped> earliest;
+  if (frame.actual == nullptr) return earliest;
+  const bool is_pair = find_pair(frame.actual, first.subject) != nullptr;
+  for (const trace::Pair& now : frame.actual->pairs) {
+    const std::string subject = key_of(now);
+    const trace::Pair* const before = find_pair(frame.expected, subject);
+    if (before == nullptr || (is_pair && subject != first.subject)) continue;
+    const auto own = margins.find({frame.frame, subject});
+    std::optional<Flipped> flip =
+        find_flipped(*before, now, own == margins.end() ? now.decisions : own->second);
+    if (flip && (!earliest || flip->stage < earliest->stage)) {
+      flip->subject = subject;
+      earliest = std::move(flip);
+    }
+  }
+  return earliest;
+}
+
+/// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed". What only
+/// moved a little is told with the choice that it turned: in this frame, or in the next one where it did.
+std::string spell_chain(const std::vector<FrameDifferences>& frames, const FrameDifferences& frame,
+                        const Difference& first, const Margins& margins) {
+  const FrameDifferences* at = &frame;
+  std::optional<Flipped> flip = flip_in(frame, first, margins);
+  if (flip && flip->stage <= first.stage) {
+    const std::string effects = spell_effects(frame, {first.subject, flip->stage, &first, &*flip});
+    return flip->sentence + (effects.empty() ? "" : "; so " + effects);
+  }
+  const bool is_of_frames = first.stage >= Stage::Words;
+  for (const FrameDifferences& one : frames) {
+    if (flip || is_of_frames) break;
+    if (one.frame < frame.frame) continue;
+    flip = flip_in(one, first, margins);
+    at = &one;
+  }
+  if (!flip) {
+    const std::string effects = spell_effects(frame, {first.subject, first.stage, &first});
+    return first.text + (effects.empty() ? "" : "; so " + effects);
+  }
+  std::string text = first.text + "; so ";
+  if (flip->subject != first.subject) text += "for " + flip->subject + " ";
+  if (at != &frame) text += "in frame " + std::to_string(at->frame) + " ";
+  text += flip->sentence;
+  const std::string effects = spell_effects(*at, {flip->subject, flip->stage, &first, &*flip});
+  return text + (effects.empty() ? "" : "; with it " + effects);
 }
 
 /// Names of stages, values and what came or went, but no number, no name of a shape.
@@ -175,7 +203,8 @@ std::string signature_of(const Difference& first) {
 
 }  // namespace
 
-FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames) {
+FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
+                       const Margins& margins) {
   // A title, or which frames are stored, is nobody's cause while anything else differs.
   const FrameDifferences* frame = &frames.front();
   const Difference* first = &frame->differences.front();
@@ -190,7 +219,7 @@ FirstCause first_cause(const std::string& scenario, const std::vector<FrameDiffe
   cause.sentence = scenario;
   if (frame->frame >= 0) cause.sentence += " frame " + std::to_string(frame->frame);
   if (!first->subject.empty()) cause.sentence += ", " + first->subject;
-  cause.sentence += ": " + spell_cause(*frame, *first) + spell_effects(*frame, *first);
+  cause.sentence += ": " + spell_chain(frames, *frame, *first, margins);
   std::set<std::string> pairs;
   for (const Difference& difference : frame->differences)
     if (find_pair(frame->actual, difference.subject)) pairs.insert(difference.subject);

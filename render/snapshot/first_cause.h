@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "snapshot/compare_facts.h"
+#include "snapshot/margins.h"
 #include "trace/json.h"
 
 namespace contactscope::snapshot {
@@ -18,9 +19,8 @@ struct FrameDifferences {
 
 /// What a changed trace is told by.
 struct FirstCause {
-  /// "hull/face_contact frame 12, table-crate: the separating axis test now takes face b: overlap
-  /// 19.98 mm, against 20.01 mm of face a, 0.03 mm between them; so the reference face, 4 clip steps
-  /// and 3 of 4 ids changed".
+  /// "hull/face_contact frame 12, table-crate: the separating axis test now prefers face b: -19.98 mm against
+  /// -20.01 mm of face a, a tie of 0.03 mm; so the reference face, 4 clip steps and 3 of 4 ids changed".
   std::string sentence;
   /// Where and how in the pipeline, without a number or a name: equal for traces that one edit of the
   /// program may have changed.
@@ -28,7 +28,9 @@ struct FirstCause {
 };
 
 /// The first frame in which anything differs, and in it what the pipeline decides first: all else may follow
-/// from it. `frames` is not empty, in their order, the header first.
-FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames);
+/// from it. Where that is a number that moved, also the first choice that came out otherwise after it. `frames`
+/// is not empty, in their order, the header first; `margins` are of the actual ones.
+FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
+                       const Margins& margins = {});
 
 }  // namespace contactscope::snapshot

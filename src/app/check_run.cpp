@@ -99,7 +99,8 @@ class Checker {
     const Scenario& scenario = input.scenario;
     ScenarioOutcome outcome{scenario.name, scenario.path};
     const snapshot::Shelf shelf = snapshot::shelf_of(options_.snapshot_root, scenario.name);
-    Sequence sequence = facts_of(input, outcome);
+    snapshot::Margins margins;
+    Sequence sequence = facts_of(input, outcome, margins);
     snapshot::CheckedFrames frames;
     const bool has_hashes = !input.trace;
     if (has_hashes) frames = check_frames(shelf, scenario, sequence, outcome);
@@ -109,7 +110,7 @@ class Checker {
                   [&](std::size_t index) { stored.frames.push_back(sequence.frames[index]); });
     // While its pictures are drawn.
     std::future<snapshot::CheckedTrace> pending = std::async(
-        std::launch::async, [&] { return snapshot::check_trace(shelf, stored, policy_); });
+        std::launch::async, [&] { return snapshot::check_trace(shelf, stored, policy_, margins); });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
       for (const View& view : selected_views(scenario, options_))
@@ -183,8 +184,8 @@ class Checker {
     if (checked.finding) outcome.findings.push_back(std::move(*checked.finding));
   }
 
-  /// Runs the scenario, and asks it what its file expects.
-  Sequence facts_of(Input& input, ScenarioOutcome& outcome) {
+  /// Runs the scenario, and asks it what its file expects. `margins` are set to those of stored frames.
+  Sequence facts_of(Input& input, ScenarioOutcome& outcome, snapshot::Margins& margins) {
     if (input.trace) {
       outcome.file = input.file;
       return std::move(*input.trace);
@@ -193,9 +194,10 @@ class Checker {
     trace::Stages stages;
     stages.decisions = true;
     Sequence sequence = run_sequence(scenario, stages, false, ledger_);
-    snapshot::note_brittle(snapshot::take_brittle(scenario.snapshots.frames, scenario.views,
-                                                  sequence.header, sequence.frames),
-                           options_.verbose, outcome.notes);
+    snapshot::TakenDecisions decisions = snapshot::take_decisions(
+        scenario.snapshots.frames, scenario.views, sequence.header, sequence.frames);
+    snapshot::note_brittle(decisions.brittle, options_.verbose, outcome.notes);
+    margins = std::move(decisions.margins);
     const std::vector<std::string> unmet = unmet_expectations(scenario, sequence.frames);
     if (!unmet.empty()) {
       Finding finding{FindingKind::UnmetExpectation, scenario.name};

@@ -72,7 +72,10 @@ TEST(Brittle, AreasAndAnglesCountAsWell) {
 TEST(Brittle, OnlyStoredFramesAreLookedAtAndDecisionsAreNotKept) {
   std::vector<trace::Frame> frames(3, decided({"axis", "face_a", "edge_edge", 0, {}, {}}));
   for (std::size_t i = 0; i < 3; ++i) frames[i].frame = static_cast<int>(i);
-  EXPECT_EQ(take_brittle({0, 2}, {}, cubes("float"), frames).size(), 2u);
+  const TakenDecisions taken = take_decisions({0, 2}, {}, cubes("float"), frames);
+  EXPECT_EQ(taken.brittle.size(), 2u);
+  ASSERT_EQ(taken.margins.size(), 2u);
+  EXPECT_EQ(taken.margins.at({2, "floor-crate"}).front().took, "face_a");
   for (const trace::Frame& frame : frames) EXPECT_THAT(frame.pairs[0].decisions, IsEmpty());
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "snapshot/compare_trace.h"
 #include "snapshot/frame_hashes.h"
 #include "snapshot/sample_trace.h"
@@ -77,9 +79,63 @@ TEST(FirstCause, ADecisionIsToldWithBothOfItsNumbers) {
   trace::Trace now = stored;
   sample_pair(now).sat->chosen = "face_b";
   const TraceDifferences told = compare_with_stored(to_json_lines(stored), "file", now);
+  EXPECT_THAT(
+      told.cause,
+      HasSubstr("frame 12, crate-floor: the separating axis test now prefers face b: -19.980 mm "
+                "against -20.010 mm of face a, a tie of 0.03 mm"));
+  EXPECT_THAT(told.cause, Not(HasSubstr("to spare"))) << "no margin is known";
+}
+
+/// What is told where `change` is all that differs of the pair in frame 0, and a margin of now.
+std::string told_of(const std::function<void(trace::Pair&)>& change,
+                    const trace::Decision& decision) {
+  trace::Trace now = sample_trace();
+  change(now.frames[0].pairs[0]);
+  const Margins margins = {{{0, "crate-floor"}, {decision}}};
+  return compare_with_stored(to_json_lines(sample_trace()), "file", now, margins).cause;
+}
+
+TEST(FirstCause, EveryChoiceIsToldWithItsMargin) {
+  EXPECT_THAT(
+      told_of([](trace::Pair& pair) { pair.clip->incident.face = 5; },
+              {"incident_face", "face 5", "face 3", {}, {}, 1e-6}),
+      HasSubstr("crate-floor: the incident face is now face 5 instead of face 3, with 1e-06 of "
+                "a cosine to spare"));
+  EXPECT_THAT(told_of(
+                  [](trace::Pair& pair) {
+                    pair.reduction->kept = {0, 2, 1};
+                  },
+                  {"points", "points 0 1 2", "points 0 1 3", {}, 2e-6, {}}),
+              HasSubstr("the reduction now keeps points 0 2 1 instead of 0 2 1 3, with 2 mm^2 to "
+                        "spare"));
+  EXPECT_THAT(told_of([](trace::Pair& pair) { pair.sat->face_b->face = 4; },
+                      {"face_b", "face 4", "face 2", 3e-6, {}, {}}),
+              HasSubstr("the best face b is now face 4 instead of face 2, with 3 um to spare"));
+  EXPECT_THAT(told_of([](trace::Pair& pair) { pair.state = "separated"; },
+                      {"contact", "separated", "touching", 2e-8, {}, {}}),
+              HasSubstr("the shapes are now separated instead of touching, with 20 nm to spare"));
+}
+
+TEST(FirstCause, APreferenceIsToldByWhatItLeaves) {
+  const std::string told = told_of(
+      [](trace::Pair& pair) {
+        pair.sat->face_a->separation = -0.006;
+        pair.sat->chosen = "face_a";
+      },
+      {"axis", "face_a", "edge_edge", 4e-6, {}, {}});
+  EXPECT_THAT(told, HasSubstr("1 mm between them, with 4 um to spare over an edge pair"));
+}
+
+TEST(FirstCause, WhatMovedIsToldWithTheChoiceThatItTurned) {
+  trace::Trace now = sample_trace();
+  for (trace::Frame& frame : now.frames) frame.poses[0].second.position.y() += 3e-5;
+  now.frames[1].pairs[0].clip->incident.face = 5;
+  now.frames[1].pairs[0].clip->steps[0].offset += 1;
+  const TraceDifferences told = compare_with_stored(to_json_lines(sample_trace()), "file", now);
   EXPECT_THAT(told.cause,
-              HasSubstr("the separating axis test now takes face b instead of face a: separation "
-                        "-19.980 mm against -20.010 mm, 30 um between them"));
+              HasSubstr("frame 0, crate: moved 30 um along y; so for crate-floor in frame "
+                        "12 the incident face is now face 5 instead of face 3; with it 1 "
+                        "clip step changed"));
 }
 
 TEST(FirstCause, ItsSignatureHasNoNumbersOrNames) {
