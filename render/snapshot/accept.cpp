@@ -4,6 +4,7 @@
 
 #include "image/png.h"
 #include "snapshot/check.h"
+#include "snapshot/meshes.h"
 #include "snapshot/store.h"
 
 namespace contactscope::snapshot {
@@ -35,7 +36,7 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
     return finding.key() + " is stale: " + stored.generic_string() +
            " is not what the report was made against; run check again";
   if (finding.kind == FindingKind::Orphaned) {
-    remove_stored(stored);
+    remove_with_meshes(snapshots, stored);
     finding.done = Done::Removed;
     finding.review = Review::Accepted;
     return {};
@@ -54,6 +55,8 @@ std::string accept(const fs::path& report, const fs::path& snapshots, Finding& f
   }
   if (finding.is_picture())
     write_stored_picture(target, read_png(candidate.string()));
+  else if (target.extension() == ".jsonl")
+    write_stored_trace(snapshots, target, *read_text_file(candidate));
   else
     write_text(target, *read_text_file(candidate));
   if (!how.note.empty()) write_text(fs::path(target).replace_extension(".txt"), how.note + "\n");

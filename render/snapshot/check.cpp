@@ -5,6 +5,7 @@
 
 #include "image/compare.h"
 #include "image/png.h"
+#include "snapshot/meshes.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;
@@ -63,7 +64,7 @@ std::vector<Checked> found_stale(const Shelf& shelf, const std::vector<fs::path>
     Finding finding = found(FindingKind::Orphaned, shelf, file, shelf.scenario, policy);
     finding.stored_sha256 = sha256_of_file(file);
     const bool is_removed = finding.done == Done::Removed;
-    if (is_removed) remove_stored(file);
+    if (is_removed) remove_with_meshes(shelf.root, file);
     all.push_back({std::move(finding), is_removed});
   }
   return all;
@@ -170,7 +171,7 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
     return *checked.finding;
   };
   try {
-    if (const std::optional<std::string> stored = read_text_file(own)) {
+    if (const std::optional<std::string> stored = read_stored_trace(shelf.root, shelf.scenario)) {
       checked.differences = compare_with_stored(*stored, own.string(), actual, margins);
       if (!checked.differences.sentences.empty()) {
         Finding& changed = finding(FindingKind::Changed);
@@ -179,7 +180,8 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
         changed.cause = "trace: " + checked.differences.signature;
         for (const fs::path& bad : baselines_of(own)) {
           if (!is_known_bad(bad) ||
-              !compare_with_stored(*read_text_file(bad), bad.string(), actual).sentences.empty())
+              !compare_with_stored(with_meshes(*read_text_file(bad), bad), bad.string(), actual)
+                   .sentences.empty())
             continue;
           finding(FindingKind::KnownBad).sentence = shelf.scenario + ": " + note_of(bad);
           checked.finding->cause = "known bad: " + note_of(bad);
@@ -195,7 +197,7 @@ CheckedTrace check_trace(const Shelf& shelf, const trace::Trace& actual, const P
   if (checked.finding) checked.finding->stored_sha256 = sha256_of_file(own);
   checked.is_written =
       checked.finding ? checked.finding->done != Done::Nothing : policy.allowed() == Update::All;
-  if (checked.is_written) write_text(own, to_json_lines(actual));
+  if (checked.is_written) write_stored_trace(shelf.root, own, to_json_lines(actual));
   return checked;
 }
 
@@ -266,6 +268,15 @@ std::vector<Checked> check_stale_scenarios(const fs::path& root,
     if (std::ranges::find(scenarios, scenario) != scenarios.end()) continue;
     std::ranges::move(found_stale({root, scenario}, stored_files(root, scenario), policy),
                       std::back_inserter(all));
+  }
+  return all;
+}
+
+std::vector<Checked> check_stale_meshes(const fs::path& root, const Policy& policy) {
+  std::vector<Checked> all;
+  for (const fs::path& file : unnamed_meshes(root)) {
+    const std::string name = (file.parent_path().filename() / file.stem().stem()).generic_string();
+    std::ranges::move(found_stale({root, name}, {file}, policy), std::back_inserter(all));
   }
   return all;
 }

@@ -70,6 +70,9 @@ std::vector<Checked> check_stale_scenarios(const std::filesystem::path& root,
                                            std::span<const std::string> scenarios,
                                            const Policy& policy);
 
+/// Meshes that no stored trace names, each as of a scenario "meshes/<name>"; for a check of all, after the others.
+std::vector<Checked> check_stale_meshes(const std::filesystem::path& root, const Policy& policy);
+
 /// As a stored picture is written: once, and read by every clone.
 void write_stored_picture(const std::filesystem::path& path, const Image& image);
 

@@ -1,7 +1,5 @@
 #include "snapshot/report_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "core/input_error.h"
 #include "image/compare.h"
 #include "image/png.h"
+#include "snapshot/folder_lock.h"
 #include "snapshot/outcome_json.h"
 
 namespace contactscope::snapshot {
@@ -44,23 +43,6 @@ void remove_old_report(const fs::path& folder) {
     fs::remove(empty, not_empty);
   }
 }
-
-/// Nobody else publishes into a folder while this one is there.
-class Lock {
- public:
-  explicit Lock(const fs::path& folder)
-      : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (file_ >= 0) ::flock(file_, LOCK_EX);
-  }
-  ~Lock() {
-    if (file_ >= 0) ::close(file_);
-  }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
- private:
-  int file_;
-};
 
 /// What runs that were killed left aside.
 void remove_abandoned(const fs::path& out, const std::string& prefix) {
@@ -126,7 +108,7 @@ void ReportFolder::copy_file(const fs::path& from, const std::string& path) {
 fs::path ReportFolder::publish(const Outcome& outcome) {
   add_file(std::string(kFindings), to_json(outcome));
   fs::create_directories(folder_);
-  const Lock lock(out_);
+  const FolderLock lock(out_);
   remove_old_report(folder_);
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(aside_)) {
     if (!entry.is_regular_file()) continue;

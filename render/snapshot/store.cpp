@@ -13,6 +13,7 @@
 
 #include "image/sha256.h"
 #include "image/whole_file.h"
+#include "snapshot/meshes.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;
@@ -142,7 +143,8 @@ std::vector<std::string> stored_scenarios(const fs::path& root) {
 std::vector<std::string> stored_of_engines(const fs::path& root) {
   std::vector<std::string> names = stored_scenarios(root);
   std::erase_if(names, [&](const std::string& name) {
-    const std::optional<std::string> text = read_stored_trace(root, name);
+    // Its meshes are nobody's concern here.
+    const std::optional<std::string> text = read_text_file(trace_path(root, name));
     if (!text) return true;
     std::istringstream header(text->substr(0, text->find('\n')));
     return trace::read_trace(header, trace_path(root, name).string()).header.engine.empty();
@@ -190,7 +192,9 @@ std::string sha256_of_file(const fs::path& path) {
 }
 
 std::optional<std::string> read_stored_trace(const fs::path& root, const std::string& scenario) {
-  return read_text_file(trace_path(root, scenario));
+  const fs::path path = trace_path(root, scenario);
+  std::optional<std::string> text = read_text_file(path);
+  return text ? std::optional(with_meshes(*text, path)) : text;
 }
 
 std::string to_json_lines(const trace::Trace& trace) {

@@ -14,7 +14,7 @@
 ///     root/<group>/<idea>/frames.txt
 ///     root/<group>/<idea>/[<view>/]frame_0012.png
 ///
-/// with the view's folder only where a scenario has several views. Beside a picture or a trace there may be others of
+/// with the view's folder only where a scenario has several views, and large meshes in root/meshes, see meshes.h. Beside a picture or a trace there may be others of
 /// its name with a word more: frame_0012.osmesa.png of another driver, frame_0012.bad_31.png of a bug that is known, which
 /// frame_0012.bad_31.txt tells of.
 namespace contactscope::snapshot {
@@ -73,7 +73,8 @@ std::vector<std::filesystem::path> stale_files(const std::filesystem::path& root
 std::optional<std::string> read_text_file(const std::filesystem::path& path);
 /// Of its bytes, as sha256() gives it; empty where there is no file.
 std::string sha256_of_file(const std::filesystem::path& path);
-/// The text of the stored trace; nothing where there is none.
+/// The text of the stored trace, with its meshes; nothing where there is none. Throws core's InputError where one of
+/// them cannot be read.
 std::optional<std::string> read_stored_trace(const std::filesystem::path& root,
                                              const std::string& scenario);
 

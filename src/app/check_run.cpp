@@ -149,8 +149,11 @@ class Checker {
     for (const std::string& name : snapshot::stored_of_engines(options_.snapshot_root))
       names.push_back(name);
     std::vector<ScenarioOutcome> outcomes;
-    for (snapshot::Checked& file :
-         snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_)) {
+    std::vector<snapshot::Checked> files =
+        snapshot::check_stale_scenarios(options_.snapshot_root, names, policy_);
+    std::ranges::move(snapshot::check_stale_meshes(options_.snapshot_root, policy_),
+                      std::back_inserter(files));
+    for (snapshot::Checked& file : files) {
       const std::string& name = file.finding->scenario;
       if (outcomes.empty() || outcomes.back().scenario != name)
         outcomes.push_back(ScenarioOutcome{name});

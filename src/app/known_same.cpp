@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "image/sha256.h"
 #include "image/whole_file.h"
+#include "snapshot/meshes.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {
@@ -38,8 +39,14 @@ std::string content_of(const Input& input, const fs::path& snapshots) {
   const std::string text = snapshot::read_text_file(input.scenario.path).value_or("");
   std::string all = input.scenario.path + "\n" + text;
   add_named_files(text, fs::path(input.scenario.path).parent_path(), all);
-  for (const fs::path& file : snapshot::stored_files(snapshots, input.scenario.name))
-    all += sha256_of(file) + " " + file.string() + "\n";
+  for (const fs::path& file : snapshot::stored_files(snapshots, input.scenario.name)) {
+    const std::vector<std::uint8_t> bytes = read_whole_file(file.string());
+    const std::string stored(bytes.begin(), bytes.end());
+    all += sha256(stored) + " " + file.string() + "\n";
+    if (file.extension() != ".jsonl") continue;
+    for (const std::string& name : snapshot::meshes_named(stored))
+      all += snapshot::sha256_of_file(snapshot::mesh_path(snapshots, name)) + " " + name + "\n";
+  }
   return sha256(all);
 }
 

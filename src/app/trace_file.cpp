@@ -10,6 +10,8 @@
 #include <sstream>
 
 #include "core/input_error.h"
+#include "snapshot/meshes.h"
+#include "snapshot/store.h"
 
 namespace contactscope::app {
 namespace {
@@ -43,6 +45,14 @@ std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes 
     return passes == TraceFile::Passes::Several ? spooled(std::cin) : nullptr;
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in) throw InputError(path, 0, 0, "this file cannot be read; check its permissions");
+  if (!fs::is_regular_file(path)) return in;
+  std::string header;
+  std::getline(*in, header);
+  if (!snapshot::meshes_named(header).empty())  // stored by check, which keeps few frames
+    return std::make_unique<std::istringstream>(
+        snapshot::with_meshes(snapshot::read_text_file(path).value_or(""), path));
+  in->clear();
+  in->seekg(0);
   return in;
 }
 

@@ -11,6 +11,7 @@
 #include "package/picture.h"
 #include "package/stand_ins.h"
 #include "snapshot/compare_trace.h"
+#include "snapshot/meshes.h"
 #include "snapshot/store.h"
 #include "snapshot/verdict.h"
 
@@ -105,7 +106,7 @@ Comparison compare(Facts actual, const std::string& name, const SnapshotOptions&
                               : "run the test once with CONTACTSCOPE_UPDATE=1";
   const auto write = [&](const std::string& message) -> Comparison {
     try {
-      snapshot::write_text(stored, snapshot::to_json_lines(actual));
+      snapshot::write_stored_trace(folder, stored, snapshot::to_json_lines(actual));
     } catch (const std::domain_error& error) {
       return {false, name + ": not stored, for a number is not finite: " + error.what()};
     }
