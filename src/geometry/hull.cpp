@@ -1,7 +1,10 @@
 #include "geometry/hull.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "geometry/box_topology.h"
 #include "geometry/lanes.h"
 
 namespace contactscope {
@@ -18,10 +21,42 @@ void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>& vector) {
   for (std::size_t k = 0; k < 3; ++k) lanes[k * stride + i] = vector[static_cast<int>(k)];
 }
 
+/// The half extents of a box whose every number is what make_box would give it, else zero. Lengths
+/// whose squares would leave the range of S are none of a box: it is to be told by its half extents
+/// what its edges are, to the last bit.
+template <class S>
+Vec3<S> box_extents(const Hull<S>& hull) {
+  const Vec3<S> none = Vec3<S>::Zero();
+  const auto same = [](const HalfEdge& one, const HalfEdge& other) {
+    return one.origin == other.origin && one.next == other.next && one.face == other.face;
+  };
+  if (hull.vertex_count() != 8 || hull.face_count() != 6 || hull.centroid != none ||
+      !std::ranges::equal(hull.half_edges, kBox.half_edges, same) ||
+      !std::ranges::equal(hull.face_edges, kBox.face_edges) ||
+      !std::ranges::equal(hull.vertex_edges, kBox.vertex_edges))
+    return none;
+  const Vec3<S>& half = hull.vertices[7];
+  const S least = std::sqrt(std::numeric_limits<S>::min()), most = S(1) / least;
+  if (!(half.minCoeff() > least && half.maxCoeff() < most)) return none;
+  for (int i = 0; i < 8; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const S sign = (i >> axis & 1) != 0 ? S(1) : S(-1);
+      if (at(hull.vertices, i)[axis] != sign * half[axis]) return none;
+    }
+  }
+  for (int face = 0; face < 6; ++face) {
+    const Plane<S>& plane = at(hull.planes, face);
+    const Vec3<S> normal = Vec3<S>::Unit(face / 2) * S(1 - 2 * (face % 2));
+    if (plane.normal != normal || plane.offset != half[face / 2]) return none;
+  }
+  return half;
+}
+
 }  // namespace
 
 template <class S>
 void lay_out(Hull<S>& hull) {
+  hull.half_extents = box_extents(hull);
   hull.lanes.vertices.assign(lane_count(hull.vertex_count()), S(0));
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
     put(hull.lanes.vertices, i, hull.vertices[i]);
@@ -44,7 +79,8 @@ Hull<T> hull_cast(const Hull<S>& hull) {
       .planes = mapped(hull.planes, [](const Plane<S>& plane) { return plane.template cast<T>(); }),
       .lanes = {},
       .centroid = hull.centroid.template cast<T>(),
-      .radius = static_cast<T>(hull.radius)};
+      .radius = static_cast<T>(hull.radius),
+      .half_extents = Vec3<T>::Zero()};
   lay_out(cast);
   return cast;
 }

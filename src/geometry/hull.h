@@ -75,6 +75,8 @@ struct Hull {
   HullLanes<S> lanes;                  // of `vertices` and `planes`, made by lay_out
   Vec3<S> centroid = Vec3<S>::Zero();  // centre of mass at uniform density, of a flat one of area
   S radius = 0;                        // largest distance of a vertex from the centroid
+  /// Of a box as make_box makes it, numbers and all; zero of any other hull. Made by lay_out.
+  Vec3<S> half_extents = Vec3<S>::Zero();
 
   int vertex_count() const { return static_cast<int>(vertices.size()); }
   int edge_count() const { return static_cast<int>(half_edges.size() / 2); }
@@ -82,6 +84,8 @@ struct Hull {
 
   /// No other hull has two faces.
   bool flat() const { return planes.size() == 2; }
+  /// What knows boxes may go by half_extents and box_topology.h alone.
+  bool is_box() const { return half_extents.x() > S(0); }
 
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
   const Vec3<S>& origin(int half_edge) const {
@@ -100,7 +104,8 @@ struct Hull {
   }
 };
 
-/// Makes `hull.lanes` from its vertices and planes. Whoever changes those calls it anew.
+/// Makes `hull.lanes` and `hull.half_extents` from its vertices and planes. Whoever changes those calls
+/// it anew.
 template <class S>
 void lay_out(Hull<S>& hull);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/manifold.h"
+#include "geometry/box_topology.h"
 #include "geometry/hull_builder.h"
 
 namespace contactscope {
@@ -77,9 +78,9 @@ Hull<double> make_box(const Vec3d& half_extents) {
     const Vec3d signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
     vertices.emplace_back(signs.cwiseProduct(half_extents));
   }
-  Hull<double> hull = hull_from_polygons(
-      std::move(vertices),
-      {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}});
+  std::vector<std::vector<int>> faces;
+  for (const auto& face : kBoxFaces) faces.emplace_back(std::begin(face), std::end(face));
+  Hull<double> hull = hull_from_polygons(std::move(vertices), faces);
   // What is known exactly is not left to rounding.
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t face = 2 * static_cast<std::size_t>(axis);

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "manifold/collide_box_box.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/in_double.h"
 
@@ -44,6 +45,10 @@ void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     if (recorder) [[unlikely]]
       recorder->minkowski(a, b, b_in_a);
+    else if (a.is_box() && b.is_box() && pair.cache == nullptr &&
+             options.penetration == PenetrationMethod::Sat &&
+             collide_box_box(a, b, b_in_a, options, contact))
+      return S(0);  // only a record has use of it
     return collide_hull_hull(a, b, b_in_a, options, pair.cache, contact, recorder);
   });
 }

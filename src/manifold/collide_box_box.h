@@ -1,0 +1,20 @@
+#pragma once
+
+#include "geometry/hull.h"
+#include "manifold/collide_options.h"
+#include "manifold/contact.h"
+
+namespace contactscope {
+
+/// collide_hull_hull() for two boxes (Hull::is_box) by the separating axis test, where nobody watches and
+/// nothing is kept between calls: the same contact, bit for bit, in a third of the time. `contact` is
+/// empty when it is called.
+///
+/// False, and `contact` empty, where rounding would decide: two axes that are equally deep within
+/// rounding, a rotation that is not unit, contacts that are to be taken from another axis than the
+/// preferred one. Then collide_hull_hull() is to be asked.
+template <class S>
+bool collide_box_box(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                     const CollideOptions& options, Contact<S>& contact);
+
+}  // namespace contactscope

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "core/pose.h"
+#include "geometry/box_topology.h"
+#include "query/box_axes.h"
+#include "query/hull_pair.h"
+
+/// Two boxes (Hull::is_box) in registers: what HullPair is for any two hulls, and the same numbers, bit
+/// for bit. A box is its half extents: a vertex is a sum of three columns with signs, and so is what a
+/// vertex projects to on any axis. Rounding keeps order, so the least of eight such sums is the sum of
+/// the three least terms, added in the same order: no vertex has to be looked at.
+namespace contactscope::boxes {
+
+/// One bit a lane, of the four lanes of a comparison of two Three.
+template <class S, class Flags>
+[[gnu::always_inline]] inline std::uint32_t lane_bits(const Flags& holds) {
+  if constexpr (sizeof(S) == 4 || lanes::kWidest<S> == 4) {
+    return lanes::bits<S>(holds);
+  } else {
+    lanes::Flags<S> halves[2];
+    std::memcpy(halves, &holds, sizeof halves);
+    return lanes::bits<S>(halves[0]) | lanes::bits<S>(halves[1]) << 2;
+  }
+}
+
+template <class S>
+[[gnu::always_inline]] inline Three<S> three(const Vec3<S>& v, S fourth = S(0)) {
+  return Three<S>{v.x(), v.y(), v.z(), fourth};
+}
+template <class S>
+[[gnu::always_inline]] inline Vec3<S> vector(const Three<S>& v) {
+  return {v[0], v[1], v[2]};
+}
+template <class S>
+[[gnu::always_inline]] inline Three<S> all_of(S value) {
+  return Three<S>{value, value, value, value};
+}
+
+/// The signs of a vertex's coordinates.
+template <class S>
+inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
+  std::array<std::array<S, 4>, 8> signs{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) signs[i][k] = (i >> k & 1) != 0 ? S(1) : S(-1);
+  }
+  return signs;
+}();
+
+/// The sum of three products in the order in which Eigen's dot() adds them, which depends on whether its
+/// registers hold two or four numbers.
+template <class S, class P>
+[[gnu::always_inline]] inline P dot_sum(const P& x, const P& y, const P& z) {
+  using Packet = typename Eigen::internal::find_best_packet<S, 3>::type;
+  if constexpr (Eigen::internal::unpacket_traits<Packet>::size == 2) return (x + y) + z;
+  return x + (y + z);
+}
+
+template <class S>
+struct BoxPair {
+  [[gnu::always_inline]] BoxPair(const Hull<S>& hull_a, const Hull<S>& hull_b,
+                                 const Pose<S>& b_in_a)
+      : a(hull_a),
+        b(hull_b),
+        rotation(b_in_a.rotation.toRotationMatrix()),
+        position(b_in_a.position),
+        scale(hull_a.radius + hull_b.radius + b_in_a.position.norm()),
+        min_radius(std::min(hull_a.radius, hull_b.radius)),
+        // Nothing is ever farther than infinity: the fourth lane wins no comparison.
+        half_a(three(hull_a.half_extents, std::numeric_limits<S>::infinity())),
+        half_b(three(hull_b.half_extents, std::numeric_limits<S>::infinity())),
+        way(three(position)) {
+    const Mat3<S>& r = rotation;
+    for (int k = 0; k < 3; ++k) {
+      columns.of[k] = Three<S>{r(0, k), r(1, k), r(2, k), S(0)};
+      rows.of[k] = Three<S>{r(k, 0), r(k, 1), r(k, 2), S(0)};
+    }
+    arms.of[0] = columns.of[0] * spread<0>(half_b);
+    arms.of[1] = columns.of[1] * spread<1>(half_b);
+    arms.of[2] = columns.of[2] * spread<2>(half_b);
+  }
+
+  /// Unit vector along B's axis `axis`, as the half-edge that goes up along it has it.
+  [[gnu::always_inline]] Vec3<S> direction_of_b(int axis) const {
+    const S length = b.half_extents[axis] + b.half_extents[axis];
+    const Vec3<S> along = rotation.col(axis) * length;
+    return along / along.norm();
+  }
+
+  const Hull<S>& a;
+  const Hull<S>& b;
+  Mat3<S> rotation;  // of B in A's frame
+  Vec3<S> position;
+  S scale, min_radius;  // as in HullPair, metres
+  Three<S> half_a, half_b, way;
+  Columns<S> columns, rows;  // of the rotation: B's axes in A's frame, A's axes in B's
+  Columns<S> arms;           // from B's middle to the middles of its faces +x, +y, +z
+};
+
+/// The vertices of A in its own frame.
+template <class S>
+class VerticesOfA {
+ public:
+  [[gnu::always_inline]] explicit VerticesOfA(const BoxPair<S>& pair)
+      : half_(three(pair.a.half_extents)) {}
+  [[gnu::always_inline]] Three<S> operator[](int vertex) const {
+    return half_ *
+           lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(vertex)].data());
+  }
+
+ private:
+  Three<S> half_;
+};
+
+/// The vertices of B in A's frame: as place() adds them up, where opposite sums differ in sign alone.
+template <class S>
+class VerticesOfB {
+ public:
+  [[gnu::always_inline]] explicit VerticesOfB(const BoxPair<S>& pair) {
+    const auto& [x, y, z] = pair.arms.of;
+    const Three<S> sum = x + y, difference = x - y;
+    const Three<S> sums[] = {sum + z, difference + z, sum - z, difference - z};
+    placed_[7] = sums[0] + pair.way;
+    placed_[5] = sums[1] + pair.way;
+    placed_[3] = sums[2] + pair.way;
+    placed_[1] = sums[3] + pair.way;
+    placed_[0] = pair.way - sums[0];
+    placed_[2] = pair.way - sums[1];
+    placed_[4] = pair.way - sums[2];
+    placed_[6] = pair.way - sums[3];
+  }
+  [[gnu::always_inline]] const Three<S>& operator[](int vertex) const { return placed_[vertex]; }
+
+ private:
+  Three<S> placed_[8];
+};
+
+}  // namespace contactscope::boxes

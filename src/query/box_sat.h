@@ -1,0 +1,297 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/manifold.h"
+#include "query/box_pair.h"
+#include "query/sat.h"
+#include "query/tolerance.h"
+
+/// The separating axis test between two boxes: six faces and nine cross products (Gottschalk, Lin and
+/// Manocha 1996), chosen from as sat() does for any two hulls (Gregorius 2015, "Hull vs Hull: The
+/// Separating Axis Test"). Face axes are measured with the same bits as there. Edge axes are measured
+/// roughly first, three to a register and with a bound of what that may be off; most boxes touch with
+/// faces, and then that is enough. An edge pair that wins is measured again as it is there.
+///
+/// Where rounding would choose, this does not: it says Undecided, and whoever asks takes the general
+/// path, whose answer depends on the order in which it looks. So both always agree, and this file need
+/// not know that order.
+namespace contactscope::boxes {
+
+enum class Verdict {
+  Separated,  // by more than the margin
+  Face,       // `face`, of the box `reference`, makes the contact
+  Edge,       // `edge` makes it
+  Undecided,
+};
+
+template <class S>
+struct BoxAxis {
+  Verdict verdict = Verdict::Undecided;
+  Owner reference = Owner::A;
+  FaceQuery<S> face{};  // its support is not looked for
+  EdgeQuery<S>
+      edge{};     // of Edge; of Face what is to be taken should the face's contact be too shallow
+  S deepest = 0;  // metres: the largest separation of any axis, or less where that is no matter
+};
+
+/// The face of largest separation of one of two boxes.
+template <class S>
+struct BestFace {
+  bool unique;  // the general path would choose it in whatever order
+  int face;
+  S separation;
+};
+
+/// `up` and `down` are the separations along three axes and against them, with less in the fourth lane.
+template <class S>
+[[gnu::always_inline]] inline BestFace<S> best_face(const Three<S>& up, const Three<S>& down,
+                                                    S tie) {
+  const Three<S> most = lanes::largest<S>(lanes::larger(up, down));
+  const std::uint32_t ups = lane_bits<S>(up + tie >= most);
+  const std::uint32_t downs = lane_bits<S>(down + tie >= most);
+  const std::uint32_t near = ups | downs << 4;
+  const int lane = std::countr_zero(near | 0x100U);
+  return {(near & (near - 1)) == 0, 2 * (lane & 3) + (lane >> 2), most[0]};
+}
+
+template <class S>
+[[gnu::always_inline]] inline BestFace<S> query_faces_of_a(const BoxPair<S>& pair, S tie) {
+  const Three<S> reach =
+      (absolute<S>(pair.arms.of[0]) + absolute<S>(pair.arms.of[1])) + absolute<S>(pair.arms.of[2]);
+  return best_face<S>((pair.way - reach) - pair.half_a, -(pair.way + reach) - pair.half_a, tie);
+}
+
+/// Of the planes of B's faces, how far from A's origin B's middle is along each of B's axes.
+template <class S>
+[[gnu::always_inline]] inline Three<S> middle_of_b(const BoxPair<S>& pair) {
+  return (pair.rows.of[0] * spread<0>(pair.way) + pair.rows.of[1] * spread<1>(pair.way)) +
+         pair.rows.of[2] * spread<2>(pair.way);
+}
+
+template <class S>
+[[gnu::always_inline]] inline BestFace<S> query_faces_of_b(const BoxPair<S>& pair, S tie) {
+  const Three<S> reach = (absolute<S>(pair.rows.of[0] * spread<0>(pair.half_a)) +
+                          absolute<S>(pair.rows.of[1] * spread<1>(pair.half_a))) +
+                         absolute<S>(pair.rows.of[2] * spread<2>(pair.half_a));
+  const Three<S> middle = middle_of_b(pair);
+  return best_face<S>(-reach - (pair.half_b + middle), -reach - (pair.half_b - middle), tie);
+}
+
+/// Three of the nine cross products, of the axes of A with axis j of B, each as long as the sine of
+/// their angle. `gap` lies between the boxes along it, times that length.
+template <class S>
+struct Crosses {
+  Three<S>
+      way;  // of B's middle along the cross products: its sign says which way they point from A
+  Three<S> gap;
+  Three<S> sine;
+};
+
+template <int kJ, class S>
+[[gnu::always_inline]] inline Crosses<S> crosses(const BoxPair<S>& pair) {
+  constexpr int kNext = (kJ + 1) % 3, kAfter = (kJ + 2) % 3;
+  const Three<S>& column = pair.columns.of[kJ];
+  const Three<S> size = absolute<S>(column);
+  const Three<S> way = next(column) * after_next(pair.way) - after_next(column) * next(pair.way);
+  const Three<S> reach_a =
+      next(pair.half_a) * after_next(size) + after_next(pair.half_a) * next(size);
+  const Three<S> reach_b = spread<kNext>(pair.half_b) * absolute<S>(pair.columns.of[kAfter]) +
+                           spread<kAfter>(pair.half_b) * absolute<S>(pair.columns.of[kNext]);
+  const Three<S> squares = column * column;
+  const Three<S> squared = next(squares) + after_next(squares);
+  Three<S> sine;
+  for (int i = 0; i < 4; ++i) sine[i] = std::sqrt(squared[i]);
+  return {way, absolute<S>(way) - (reach_a + reach_b), sine};
+}
+
+/// Bits 0 to 8, for axis i of A and j of B bit 3 j + i.
+template <class Ask>
+[[gnu::always_inline]] inline std::uint32_t of_nine(const Ask& ask) {
+  return (ask(0) & 7U) | (ask(1) & 7U) << 3 | (ask(2) & 7U) << 6;
+}
+
+/// The edges of axis i of A and j of B that support each other along their cross product, as the
+/// general path finds them: A's half-edge is the even one, and B's goes as the arc of A's edge on the
+/// Gauss map does, from the normal of the face on the left of it to the other (gauss_map.h).
+template <class S>
+[[gnu::always_inline]] inline EdgeQuery<S> edges_along(const BoxPair<S>& pair, int i, int j,
+                                                       bool against) {
+  const auto bit = [](bool set, int axis) { return static_cast<int>(set) << axis; };
+  const auto next_of = [](int axis) { return axis == 2 ? 0 : axis + 1; };
+  const Mat3<S>& r = pair.rotation;
+  const int i1 = next_of(i), i2 = next_of(i1), j1 = next_of(j), j2 = next_of(j1);
+  // The cross product of axis i of A and j of B, or the opposite: its entries along A's axes, and along
+  // B's, away from which B's vertex lies.
+  const int vertex_a =
+      bit((r(i2, j) < S(0)) != against, i1) | bit((r(i1, j) > S(0)) != against, i2);
+  const int vertex_b =
+      bit((r(i, j2) < S(0)) != against, j1) | bit((r(i, j1) > S(0)) != against, j2);
+  EdgeQuery<S> query;
+  query.edge_a = kBox.leaving[static_cast<std::size_t>(vertex_a)][static_cast<std::size_t>(i)] & ~1;
+  const int second = kBox.face(query.edge_a ^ 1);                     // +x, -x, ...
+  const bool falls = (r(second / 2, j) < S(0)) != (second % 2 != 0);  // B's axis along its normal
+  const int from = falls ? vertex_b : vertex_b | bit(true, j);
+  query.edge_b = kBox.leaving[static_cast<std::size_t>(from)][static_cast<std::size_t>(j)];
+  return query;
+}
+
+/// One of two edges that meet, as closest_points() asks for it.
+template <class S>
+struct BoxEdge {
+  [[gnu::always_inline]] Vec3<S> direction(int) const { return along; }
+  [[gnu::always_inline]] Vec3<S> origin(int half_edge) const {
+    return half_edge == edge ? from : to;
+  }
+
+  int edge;  // half-edge
+  Vec3<S> along, from, to;
+};
+template <class S>
+[[gnu::always_inline]] inline BoxEdge<S> edge_of_a(const BoxPair<S>& pair, int edge) {
+  const VerticesOfA<S> vertices(pair);
+  const int from = kBox.origin(edge), to = kBox.origin(edge ^ 1);
+  const Vec3<S> signs =
+      vector<S>(lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(to)].data()) -
+                lanes::load_pack<Three<S>>(kVertexSigns<S>[static_cast<std::size_t>(from)].data()));
+  return {edge, signs * S(0.5), vector<S>(vertices[from]), vector<S>(vertices[to])};
+}
+template <class S>
+[[gnu::always_inline]] inline BoxEdge<S> edge_of_b(const BoxPair<S>& pair, int edge) {
+  const VerticesOfB<S> vertices(pair);
+  const int from = kBox.origin(edge), to = kBox.origin(edge ^ 1);
+  const S sign = to > from ? S(1) : S(-1);
+  return {edge, pair.direction_of_b((to ^ from) / 2) * sign, vector<S>(vertices[from]),
+          vector<S>(vertices[to])};
+}
+
+/// Separation and normal of two edges, as query_edges() measures them.
+template <class S>
+[[gnu::always_inline]] inline void measure(const BoxEdge<S>& a, const BoxEdge<S>& b,
+                                           EdgeQuery<S>& query) {
+  const Vec3<S> cross = a.along.cross(b.along);
+  const S sine = cross.norm();
+  const int first = kBox.face(a.edge), second = kBox.face(a.edge ^ 1);
+  const auto along = [&](int face) { return face % 2 == 0 ? cross[face / 2] : -cross[face / 2]; };
+  const S orientation = along(first) + along(second) >= S(0) ? S(1) : S(-1);
+  query.normal = cross * (orientation / sine);
+  const Vec3<S> between = b.from - a.from;
+  query.separation = query.normal.dot(between);
+}
+
+/// sat() for two boxes. Metres; `margin` >= 0.
+///
+/// Steps: 1. A's faces, 2. B's faces: either may separate. 3. The nine cross products: they may
+/// separate as well; else, where none can be larger than the best face, or by so little that the
+/// preference takes the face all the same, the face it is. 4. Else one of them is larger than all
+/// others by more than they may be off, and is measured.
+template <class S>
+[[gnu::always_inline]] inline BoxAxis<S> box_sat(const BoxPair<S>& pair, S margin,
+                                                 Preference preference) {
+  constexpr S kEpsilon = std::numeric_limits<S>::epsilon();
+  const bool relative = preference == Preference::Relative;
+  const S tie = relative ? tie_tolerance(pair.scale) : S(0);
+  BoxAxis<S> result;
+  const BestFace<S> face_a = query_faces_of_a(pair, tie);
+  if (face_a.separation > margin + tie) {
+    result.verdict = Verdict::Separated;
+    return result;
+  }
+  const BestFace<S> face_b = query_faces_of_b(pair, tie);
+  if (face_b.separation > margin + tie) {
+    result.verdict = Verdict::Separated;
+    return result;
+  }
+  const S floor = std::max(face_a.separation, face_b.separation);
+  if (!(face_a.unique && face_b.unique && floor <= margin)) return result;
+
+  // What a gap times a sine may be off: some ten roundings here and as many there, of products of
+  // lengths up to `scale`, with a rotation whose columns are unit and at right angles within ten.
+  const S off = S(32) * kEpsilon * pair.scale;
+  const Crosses<S> nine[] = {crosses<0>(pair), crosses<1>(pair), crosses<2>(pair)};
+  const std::uint32_t over =
+      of_nine([&](int j) { return lane_bits<S>(~(nine[j].gap + off < nine[j].sine * floor)); });
+  S most = floor;  // of all axes
+  bool has_edge = false;
+  if (over != 0) {
+    const std::uint32_t apart = of_nine(
+        [&](int j) { return lane_bits<S>(nine[j].gap - off > nine[j].sine * (margin + tie)); });
+    if (apart != 0) {
+      result.verdict = Verdict::Separated;
+      return result;
+    }
+    if (!(floor <= S(0))) return result;
+    // Nearly parallel edges make a sliver of the Minkowski difference: no axis of it is better than the
+    // faces beside it by more than its width (tolerance.h). Turn B until the edges are parallel: axes
+    // at right angles to both are those of two rectangles, where a face is the best. Supports move by
+    // the sine times a radius, and normals by the sine.
+    const S width = S(2.1) * pair.scale;  // over the sine
+    const std::uint32_t may_part =
+        over & of_nine([&](int j) {
+          return lane_bits<S>((~(nine[j].gap + off <= nine[j].sine * margin)) &
+                              (~(nine[j].sine * width <= margin - floor)));
+        });
+    if (may_part != 0) return result;
+    const S spare = relative ? S(0.9) * preference_tolerance(floor, pair.min_radius) : S(0);
+    const std::uint32_t beyond = of_nine([&](int j) {
+      return lane_bits<S>((~(nine[j].gap + off < nine[j].sine * (floor + spare))) &
+                          (nine[j].sine * width > spare));
+    });
+    if (relative && beyond == 0) {
+      most = floor + spare;
+    } else {
+      Three<S> lower[3], upper[3];
+      for (int j = 0; j < 3; ++j) {
+        const Three<S> known = nine[j].sine;
+        upper[j] = (nine[j].gap + off) / known;
+        lower[j] = (nine[j].gap - off) / known;
+      }
+      int best = 0;
+      S largest = -std::numeric_limits<S>::infinity();
+      for (int k = 0; k < 9; ++k) {
+        const S value = lower[k / 3][k % 3];
+        if ((beyond >> k & 1) != 0 && value > largest) {
+          largest = value;
+          best = k;
+        }
+      }
+      const std::uint32_t near =
+          of_nine([&](int j) { return lane_bits<S>(~(upper[j] < largest - S(2) * tie)); }) & beyond;
+      const int i = best % 3, j = best / 3;
+      const S way = nine[j].way[i], sine = nine[j].sine[i];
+      const bool clear = near == 1U << best && largest > floor + spare + tie &&
+                         sine > S(1.1) * kNoisySine<S> && std::abs(way) > off;
+      if (!clear) return result;
+      result.edge = edges_along(pair, i, j, way < S(0));
+      measure(edge_of_a(pair, result.edge.edge_a), edge_of_b(pair, result.edge.edge_b),
+              result.edge);
+      if (!(result.edge.separation <= S(0))) return result;
+      most = result.edge.separation;
+      has_edge = true;
+    }
+  }
+
+  // As choose() of sat.cpp. Where only a bound of the best axis is known, both ends have to agree.
+  const auto choose = [&](S best) __attribute__((always_inline)) {
+    const S least = best - (relative ? preference_tolerance(best, pair.min_radius) : S(0));
+    if (face_a.separation >= least) return AxisKind::FaceA;
+    return face_b.separation >= least ? AxisKind::FaceB : AxisKind::EdgeEdge;
+  };
+  const AxisKind chosen = choose(most);
+  result.deepest = has_edge ? most : floor;
+  if (!has_edge && chosen != choose(floor)) return result;
+  if (chosen == AxisKind::EdgeEdge) {
+    if (has_edge) result.verdict = Verdict::Edge;
+    return result;
+  }
+  result.verdict = Verdict::Face;
+  result.reference = chosen == AxisKind::FaceA ? Owner::A : Owner::B;
+  const BestFace<S>& face = chosen == AxisKind::FaceA ? face_a : face_b;
+  result.face.face = face.face;
+  result.face.separation = face.separation;
+  return result;
+}
+
+}  // namespace contactscope::boxes
