@@ -19,6 +19,7 @@
   ROW(Dropped, "dropped")                      \
   ROW(IncidentFace, "incident_face")           \
   ROW(Features, "features")                    \
+  ROW(Candidates, "candidates")                \
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \

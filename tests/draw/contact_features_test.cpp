@@ -49,6 +49,19 @@ TEST(Features, AFaceIsOutlinedAndACornerRinged) {
   EXPECT_EQ(corner.marks[0].kind, MarkKind::WideRing);
 }
 
+TEST(Features, ClosestPointsOfTwoEdgesShowBothAsCrossedOnesDo) {
+  for (const char* axis : {"closest_points", "edge_edge"}) {
+    TouchingCrate scene("edge-edge");
+    scene.manifold().axis = axis;
+    scene.manifold().points.front().id = "a:e0 b:e1";
+    for (trace::Shape& shape : scene.header.shapes) shape.edges = {{0, 1}, {1, 2}};
+    const Sketch sketch = scene.sketch();
+    ASSERT_EQ(sketch.lines.size(), 2u) << axis;
+    for (const Line& line : sketch.lines)
+      EXPECT_TRUE(crate_sample::same(line.style.color, kAxis)) << axis;
+  }
+}
+
 TEST(Features, APairWithoutALabelIsCalledByWhatTouches) {
   TouchingCrate scene("edge-face");
   EXPECT_THAT(feature_labels(scene.sketch()), Contains("edge on face: 2 points"));

@@ -155,6 +155,20 @@ TEST(MeshPictures, BoxesOfADeformedMeshesTreeStandInItsPose) {
   EXPECT_THAT(legend_texts(sketch), Contains("boxes of the tree, four levels down"));
 }
 
+TEST(MeshPictures, CandidatesAreShownWithoutTheBoxesThatLedToThem) {
+  TwoSurfaces scene;
+  scene.view.layers = {Layer::Candidates};
+  trace::Tree& tree = scene.frames[0].pairs[0].tree.emplace();
+  tree.shape = "level";
+  tree.box = {{0, -1, -1}, {0.1, 1, 1}};
+  tree.visits = {{{{-1, 0, -1}, {1, 0, 1}}, 0, true, true}};
+  tree.candidates = {1, 7};  // the mesh has two
+  const Sketch sketch = scene.sketch();
+  EXPECT_EQ(surfaces_of(sketch, kClipPolygon), 1);
+  EXPECT_EQ(sketch.surfaces.size(), 1u);
+  EXPECT_THAT(legend_texts(sketch), ElementsAre("candidate triangle"));
+}
+
 class MeshPanels : public ::testing::Test {
  protected:
   TwoSurfaces scene;

@@ -62,7 +62,8 @@ void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
 void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
-    if (manifold.axis == "edge_edge") {
+    // Of a capsule the closest points may be those of two edges as well.
+    if (manifold.axis == "edge_edge" || manifold.type == "edge-edge") {
       draw_crossed_edges(scene, pair, manifold, sketch);
       continue;
     }

@@ -31,14 +31,25 @@ std::vector<Vec3d> widest_cut(const trace::Box& box, const PlacedShape& mesh) {
   return corners;
 }
 
-void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const PlacedShape* mesh = pair.tree ? scene.find(pair.tree->shape) : nullptr;
+const PlacedShape* mesh_of(const Scene& scene, const trace::Pair& pair) {
+  return pair.tree ? scene.find(pair.tree->shape) : nullptr;
+}
+
+/// What a query found; each of them is then asked for contacts.
+void draw_candidates(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape* mesh = mesh_of(scene, pair);
   if (mesh == nullptr) return;
   for (const int candidate : pair.tree->candidates) {
     if (candidate < 0 || candidate >= count_of(mesh->traced().faces)) continue;
     sketch.face(mesh->polygon(candidate), with_alpha(kClipPolygon, 0.22f), {1.5f, kClipPolygon});
     sketch.explain(kClipPolygonSwatch, "candidate triangle", mean_of(mesh->polygon(candidate)));
   }
+}
+
+void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape* mesh = mesh_of(scene, pair);
+  if (mesh == nullptr) return;
+  if (!scene.shows(Layer::Candidates)) draw_candidates(scene, pair, sketch);
   // What was left out beneath what was entered, and the deepest last: it is what the query found.
   std::vector<trace::TreeVisit> visits = pair.tree->visits;
   std::ranges::stable_sort(visits, [](const auto& a, const auto& b) {
@@ -76,6 +87,13 @@ void draw_deformed_trees(const Scene& scene, Sketch& sketch) {
 
 }  // namespace
 
+const LayerDrawing kCandidatesLayer{
+    .needs = {&Stages::tree},
+    .beneath =
+        [](const Scene& scene, Sketch& sketch) {
+          for (const trace::Pair& pair : scene.frame.pairs) draw_candidates(scene, pair, sketch);
+        },
+};
 const LayerDrawing kTreeLayer{
     .needs = {&Stages::tree}, .beneath = draw_deformed_trees, .search = draw_tree};
 
