@@ -48,6 +48,7 @@ struct EndSwap {
 struct BroadPhaseRecord {
   std::vector<BroadPhaseCell> cells;  // those with something in them
   std::vector<EndSwap> swaps;
+  int swept = -1;  // the axis along which columns are swept: 0, 1 or 2
   std::vector<int>
       large;  // handles, ascending: compared with all others, as too large for any cell
 };

@@ -49,6 +49,7 @@ class Columns : public Clonable<Columns> {
   void find_pairs(BroadPhaseRecord* record) override {
     record_ = record;
     gather();
+    if (record_ != nullptr) record_->swept = axes_[0];
     divide(0, keys_.size(), Region(), 0);
     record_ = nullptr;
   }

@@ -81,9 +81,10 @@ void PairChooser::tell(const BroadPhaseRecord& structure, trace::BroadPhase& fac
                            cell.members,
                            cell.tests});
   }
+  constexpr const char* kAxes[] = {"x", "y", "z"};
+  if (structure.swept >= 0) facts.swept = kAxes[structure.swept];
   const auto name = [&](int handle) { return scenario_.shape(handle).name; };
   for (const EndSwap& swap : structure.swaps) {
-    constexpr const char* kAxes[] = {"x", "y", "z"};
     facts.end_swaps.push_back({kAxes[swap.axis], static_cast<double>(swap.place), name(swap.lower),
                                name(swap.upper), swap.meets, swap.counts});
   }

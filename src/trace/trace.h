@@ -161,6 +161,7 @@ struct BroadPhase {
   // Where somebody looks at them:
   std::vector<Cell> cells;         // those with something in them
   std::vector<EndSwap> end_swaps;  // of sweep and prune
+  std::string swept;               // of columns: "x", "y" or "z", along which they are swept
 
   static constexpr auto fields() {
     using B = BroadPhase;
@@ -170,7 +171,8 @@ struct BroadPhase {
                       field::exact("swaps", &B::swaps).optional(),
                       field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"),
                       field::facts("cells", &B::cells).where_set().entries("cell"),
-                      field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"));
+                      field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"),
+                      field::exact("swept", &B::swept).where_set());
   }
   friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
 };

@@ -79,6 +79,20 @@ TEST_P(RecordedBroadPhase, TestsOfCellsAddUpToWhatWasCompared) {
   if (GetParam() == "tree") EXPECT_GE(tests, 2 * (compared - with_large));
 }
 
+TEST(ColumnsRecord, TheAxisAlongWhichBoxesLieFarthestApartIsSwept) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto phase = make_broad_phase("columns");
+    for (int i = 0; i < 10; ++i) {
+      Vec3<float> at = Vec3<float>::Constant(0.1f * static_cast<float>(i));
+      at[axis] = static_cast<float>(i);
+      phase->add({at, at + Vec3<float>::Ones()});
+    }
+    BroadPhaseRecord record;
+    phase->pairs(&record);
+    EXPECT_EQ(record.swept, axis);
+  }
+}
+
 TEST(SweepAndPruneRecord, SwapsThatCountAreThePairsThatBeginAndEnd) {
   const auto phase = make_broad_phase("sweep_and_prune");
   RandomBoxes random(Spread::Uniform, 6, 3);

@@ -91,6 +91,26 @@ TEST_F(BroadPhasePicture, TheOnlyCellHasNoToneForThereIsNoneToCompareItWith) {
   EXPECT_THAT(legend_of(drawn), testing::ElementsAre("the only cell, of all boxes"));
 }
 
+TEST_F(BroadPhasePicture, ASweepComparesABoxWithThoseThatBeginInItsSpan) {
+  phase().method = "columns";
+  phase().cells = {{{{-1, -0.4, -1}, {1, 0.998, 1}}, 0, 2, 1}};
+  phase().swept = "x";
+  const Sketch drawn = sketch(Layer::Cells);
+  EXPECT_THAT(legend_of(drawn), testing::ElementsAre("a box and its span",
+                                                     "begins in the span, so compared: 1"));
+  ASSERT_EQ(drawn.surfaces.size(), 2u) << "the span over all of the column, and the box";
+  for (const Vec3d& corner : drawn.surfaces[0].polygon) EXPECT_EQ(std::abs(corner.x()), 1);
+  ASSERT_EQ(drawn.labels.size(), 1u);
+  EXPECT_EQ(drawn.labels[0].text, "swept along x");
+}
+
+TEST_F(BroadPhasePicture, ASweepAlongTheViewIsNotDrawn) {
+  phase().method = "columns";
+  phase().cells = {{{{-1, -0.4, -1}, {1, 0.998, 1}}, 0, 2, 1}};
+  phase().swept = "y";
+  EXPECT_TRUE(sketch(Layer::Cells).surfaces.empty());
+}
+
 TEST_F(BroadPhasePicture, WithoutCellsNothingIsDrawnAndNothingExplained) {
   const Sketch drawn = sketch(Layer::Cells);
   EXPECT_TRUE(drawn.surfaces.empty());

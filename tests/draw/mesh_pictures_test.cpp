@@ -104,6 +104,19 @@ TEST(MeshPictures, ALonePointIsADotAndTheEndOfALineIsNot) {
   EXPECT_EQ(sketch.marks[0].at, Vec3d(0, 0, -0.5));
 }
 
+TEST(MeshPictures, ATouchThatDoesNotCountIsDashedAndDrawnOnceHoweverManyTrianglesShareIt) {
+  TwoSurfaces scene;
+  scene.frames[0].pairs[0].overlap = false;
+  scene.meet("touching", {0, 0, 1}, {0, 0, 0});
+  scene.meet("touching", {0, 0, 0}, {0, 0, 1});
+  const Sketch sketch = scene.sketch();
+  const auto dashed = std::ranges::count_if(sketch.lines, [](const Line& line) {
+    return crate_sample::same(line.style.color, kContact) && line.style.dashed &&
+           line.style.hidden == LineStyle::Hidden::Same;  // what fades is drawn whole
+  });
+  EXPECT_EQ(dashed, 1);
+}
+
 TEST(MeshPictures, CoplanarAndDegenerateTrianglesHaveSignsOfTheirOwn) {
   TwoSurfaces scene;
   scene.frames[0].pairs[0].intersections = {{0, 1, "coplanar", {}},

@@ -48,9 +48,29 @@ TEST(IncrementalPicture, NewIsFilledPersistedHalfFilledAndBrokenHollowWithItsRea
   std::vector<MarkKind> states = marks(sketch);
   std::erase(states, MarkKind::Core);  // of the anchors
   EXPECT_THAT(states, ElementsAre(MarkKind::Hollow, MarkKind::Half, MarkKind::Dot));
-  EXPECT_THAT(labels(sketch), ElementsAre("slid", "7", "new"));
+  EXPECT_THAT(labels(sketch), ElementsAre(AllOf(StartsWith("slid, "), HasSubstr("mm apart")), "7", "new"));
   EXPECT_THAT(legend(sketch), Contains("new point"));
   EXPECT_THAT(legend(sketch), Contains("taken out, and why"));
+}
+
+TEST(IncrementalPicture, AReplacedPointLeadsToTheOneInItsPlaceAndSaysHowFarItIs) {
+  CrateOnSlab scene;
+  scene.persist();
+  std::vector<trace::PersistentPoint>& points = scene.pair().incremental->points;
+  const auto broken = std::ranges::find(points, "broken", &trace::PersistentPoint::state);
+  ASSERT_NE(broken, points.end());
+  broken->reason = "replaced";
+  for (trace::PersistentPoint& point : points) {
+    point.point.on_a = point.point.on_b = point.point.position;
+    if (point.state == "broken") continue;
+    point.point.position = broken->point.position + Vec3d(point.state == "new" ? 0.0125 : 0.5, 0, 0);
+    point.point.on_a = point.point.on_b = point.point.position;
+  }
+  scene.view.layers = {Layer::Persistent};
+  const Sketch sketch = scene.sketch();
+  EXPECT_THAT(labels(sketch), Contains("replaced, 12.5 mm away"));
+  ASSERT_EQ(sketch.lines.size(), 1u);
+  EXPECT_NEAR((sketch.lines[0].to - sketch.lines[0].from).norm(), 0.0125, 1e-12);
 }
 
 TEST(IncrementalPicture, DriftOfAnchorsIsDrawnToAStatedFactorAndNotWhereADotHidesIt) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "draw/layers/layer.h"
@@ -52,26 +53,129 @@ constexpr LineStyle kOnly{1.5f, rgb(0x8F969F)};
 constexpr Swatch kOnlySwatch{LegendGroup::Trees, 7,
                              [](auto& pen) { pen.box(kWhite, kOnly.color, 1.5); }};
 
+constexpr Color kSpan = rgb(0xF7EFD9), kSpanned = rgb(0xE6D29A);
+constexpr LineStyle kBegins{5.0f, rgb(0x1F2328)};
+constexpr Swatch kSpanSwatch{LegendGroup::Trees, 6, [](auto& pen) {
+                               pen.box(kSpan, kSpan, 1);
+                               pen.fill({pen.at(0, -3), pen.at(24, -3), pen.at(24, 3), pen.at(0, 3)},
+                                        kSpanned);
+                             }};
+constexpr Swatch kBeginsSwatch{LegendGroup::Trees, 7, [](auto& pen) {
+                                 pen.line(pen.at(12, -7), pen.at(12, 7), kBegins.width,
+                                          kBegins.color);
+                               }};
+constexpr double kSweptWay = 64, kBesideBox = 3.5;  // pixels
+
+/// The tile of a box on the floor of all.
+class Floor {
+ public:
+  explicit Floor(const Scene& scene)
+      : up_(scene.header.up == "z" ? 2 : 1),
+        right_(up_ == 2 ? 0 : 2),
+        ahead_(up_ == 2 ? 1 : 0),
+        floor_(scene.frame.broad_phase->cells.front().box.lower[up_]) {
+    // One floor, so that the order in which tiles are drawn is the one in which they lie.
+    for (const trace::Cell& cell : scene.frame.broad_phase->cells)
+      floor_ = std::min(floor_, cell.box.lower[up_]);
+  }
+
+  int up() const { return up_; }
+  /// The other axis of the floor.
+  int across(int axis) const { return 3 - up_ - axis; }
+
+  std::vector<Vec3d> tile_of(const trace::Box& box) const {
+    std::vector<Vec3d> tile(4, box.lower);
+    tile[1][right_] = tile[2][right_] = box.upper[right_];
+    tile[2][ahead_] = tile[3][ahead_] = box.upper[ahead_];
+    for (Vec3d& corner : tile) corner[up_] = floor_;
+    return tile;
+  }
+
+ private:
+  int up_, right_, ahead_;  // right-handed
+  double floor_;
+};
+
+/// Of the column that costs most: the box that is compared most often, and behind it those that it
+/// is compared with, which are all that begin along the axis before it ends.
+struct Sweep {
+  int axis = 0;
+  trace::Box column;
+  std::vector<const trace::Bounds*> boxes;
+};
+
+/// Nothing where columns are not what is drawn, or are swept along the view.
+std::optional<Sweep> find_sweep(const trace::BroadPhase& phase, const Floor& floor) {
+  Sweep sweep;
+  sweep.axis = phase.swept == "x" ? 0 : phase.swept == "y" ? 1 : 2;
+  if (phase.swept.empty() || sweep.axis == floor.up()) return std::nullopt;
+  sweep.column = std::ranges::max_element(phase.cells, {}, &trace::Cell::tests)->box;
+  const int across = floor.across(sweep.axis);
+  std::vector<const trace::Bounds*> members;
+  for (const trace::Bounds& bounds : phase.bounds) {
+    if (bounds.box.upper[across] >= sweep.column.lower[across] &&
+        bounds.box.lower[across] <= sweep.column.upper[across])
+      members.push_back(&bounds);
+  }
+  const auto begin = [&](const trace::Bounds* it) { return it->box.lower[sweep.axis]; };
+  std::ranges::stable_sort(members, {}, begin);
+  for (auto first = members.begin(); first != members.end(); ++first) {
+    const double its_end = (*first)->box.upper[sweep.axis];
+    const auto end = std::find_if(first, members.end(),
+                                  [&](const auto* it) { return begin(it) > its_end; });
+    if (end - first > count_of(sweep.boxes)) sweep.boxes.assign(first, end);
+  }
+  if (sweep.boxes.size() < 2) return std::nullopt;
+  return sweep;
+}
+
+void draw_span(const Sweep& sweep, const Floor& floor, Sketch& sketch) {
+  const trace::Box& box = sweep.boxes.front()->box;
+  trace::Box span = sweep.column;
+  span.lower[sweep.axis] = box.lower[sweep.axis];
+  span.upper[sweep.axis] = box.upper[sweep.axis];
+  sketch.surfaces.push_back({floor.tile_of(span), kSpan});
+  sketch.surfaces.push_back({floor.tile_of(box), kSpanned});
+  sketch.explain(kSpanSwatch, "a box and its span");
+}
+
+/// Over the boxes: the ends at which those begin that the sweep compares.
+void draw_begins(const Scene& scene, Sketch& sketch) {
+  if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
+  const trace::BroadPhase& phase = *scene.frame.broad_phase;
+  const Floor floor(scene);
+  const std::optional<Sweep> sweep = find_sweep(phase, floor);
+  if (!sweep) return;
+  const int compared = count_of(sweep->boxes) - 1, across = floor.across(sweep->axis);
+  for (const trace::Bounds* bounds : sweep->boxes) {
+    if (bounds == sweep->boxes.front()) continue;
+    Vec3d from = bounds->box.lower;
+    from[floor.up()] = bounds->box.upper[floor.up()];
+    from[sweep->axis] -= kBesideBox * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+    Vec3d to = from;
+    to[across] = bounds->box.upper[across];
+    sketch.line(from, to, kBegins);
+  }
+  sketch.explain(kBeginsSwatch, "begins in the span, so compared: " + std::to_string(compared));
+  const Vec3d from = floor.tile_of(sweep->column)[0], way = Vec3d::Unit(sweep->axis);
+  const double metres = kSweptWay * scene.scales.pixel / scene.camera.pixels_per_metre(from);
+  sketch.arrows.push_back(arrow_to_scale(from, metres * way, 2.5f, 10, kBegins.color));
+  sketch.label(from + metres * way, "swept along " + phase.swept, kBegins.color, 17, 8, way);
+}
+
 void draw_cells(const Scene& scene, Sketch& sketch) {
   if (!scene.frame.broad_phase || scene.frame.broad_phase->cells.empty()) return;
   const trace::BroadPhase& phase = *scene.frame.broad_phase;
-  const int up = scene.header.up == "z" ? 2 : 1;
-  const int right = up == 2 ? 0 : 2, ahead = up == 2 ? 1 : 0;  // right-handed with `up`
-  // One floor for all, so that the order in which they are drawn is the one in which they lie.
-  double floor = phase.cells.front().box.lower[up];
-  for (const trace::Cell& cell : phase.cells) floor = std::min(floor, cell.box.lower[up]);
-  const auto tile_of = [&](const trace::Box& box) {
-    std::vector<Vec3d> tile(4, box.lower);
-    tile[1][right] = tile[2][right] = box.upper[right];
-    tile[2][ahead] = tile[3][ahead] = box.upper[ahead];
-    for (Vec3d& corner : tile) corner[up] = floor;
-    return tile;
-  };
+  const Floor floor(scene);
+  const auto tile_of = [&](const trace::Box& box) { return floor.tile_of(box); };
+  const std::optional<Sweep> sweep = find_sweep(phase, floor);
   // A single tone would tell nothing.
   if (phase.cells.size() == 1 && phase.cells.front().members > 0) {
     sketch.outline(tile_of(phase.cells.front().box), kOnly);
-    sketch.explain(kOnlySwatch, phase.method == "columns" ? "the only column, of all boxes"
-                                                          : "the only cell, of all boxes");
+    if (sweep)
+      draw_span(*sweep, floor, sketch);
+    else
+      sketch.explain(kOnlySwatch, "the only cell, of all boxes");
     return;
   }
   std::vector<trace::Cell> cells = phase.cells;
@@ -91,6 +195,7 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
     sketch.face(tile_of(bounds.box), kTooLarge, kBorder);
     sketch.explain(kLargeSwatch, "too large for cells: tested with all");
   }
+  if (sweep) draw_span(*sweep, floor, sketch);
   const int most = cells.back().tests;
   const std::string where = phase.method == "tree" || phase.method == "octree"
                                 ? "tests at a node: up to 9"
@@ -105,6 +210,6 @@ void draw_cells(const Scene& scene, Sketch& sketch) {
 
 }  // namespace
 
-const LayerDrawing kCellsLayer{.needs = {&Stages::cells}, .beneath = draw_cells};
+const LayerDrawing kCellsLayer{.needs = {&Stages::cells}, .beneath = draw_cells, .above = draw_begins};
 
 }  // namespace contactscope::draw

@@ -14,7 +14,10 @@ namespace {
 constexpr int kMostLines = 16;         // on each side of the surface
 constexpr double kCellsBetween = 3;    // from a line to the next
 constexpr double kBetweenProbes = 14;  // pixels
-constexpr Color kOutside = rgb(0x7D8894);
+constexpr float kLineText = 17;        // pixels
+constexpr double kBesideLine = 5;      // likewise
+constexpr double kFromBorder = 0.12;   // of the view, of a line's label
+constexpr Color kOutside = rgb(0x5F6B78);
 constexpr Color kInside = rgb(0x6A4C93);
 constexpr LineStyle kOutsideLine{1.2f, kOutside};
 constexpr LineStyle kInsideLine{1.6f, kInside, true};
@@ -36,7 +39,17 @@ constexpr Color kCellBorder = with_alpha(kDropped, 0.5f);
 constexpr Swatch kBandSwatch{LegendGroup::Trees, 23,
                              [](auto& pen) { pen.box(kWhite, kCellBorder, 1); }};
 constexpr Swatch kExactSwatch{LegendGroup::Trees, 24,
-                              [](auto& pen) { pen.box(kExact, kCellBorder, 1); }};
+                              [](auto& pen) {
+                               pen.fill({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7),
+                                         pen.at(12, 7)},
+                                        kExact);
+                               pen.outline({pen.at(0, -7), pen.at(12, -7), pen.at(12, 7),
+                                            pen.at(0, 7)},
+                                           1, kCellBorder);
+                               pen.outline({pen.at(12, -7), pen.at(24, -7), pen.at(24, 7),
+                                            pen.at(12, 7)},
+                                           1, kCellBorder);
+                             }};
 constexpr Swatch kProbeSwatch{LegendGroup::Trees, 25, [](auto& pen) { pen.dot(0, 2.4, kProbe); }};
 
 /// Where cells of a slice are.
@@ -88,9 +101,6 @@ void draw_grid(const trace::FieldSlice& slice, Sketch& sketch) {
         sketch.line(cells.corner(begin, line), cells.corner(end, line), kGrid);
     });
   }
-  // Where cells ask their triangles, those stand for the grid.
-  if (!slice.band.empty() && slice.exact.empty())
-    sketch.explain(kBandSwatch, "cells of the narrow band");
 }
 
 void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
@@ -100,26 +110,63 @@ void draw_exact_cells(const trace::FieldSlice& slice, Sketch& sketch) {
                                 cells.corner(end, row + 1), cells.corner(begin, row + 1)},
                                kExact});
   });
-  if (!slice.exact.empty()) sketch.explain(kExactSwatch, "cell that asks its triangles");
 }
 
-void draw_level(const trace::FieldSlice& slice, double level, const LineStyle& style,
-                Sketch& sketch) {
+void explain_cells(const std::vector<trace::FieldSlice>& slices, Sketch& sketch) {
+  const auto any = [&](const auto& cells) {
+    return std::ranges::any_of(slices, [&](const auto& slice) { return !(slice.*cells).empty(); });
+  };
+  if (any(&trace::FieldSlice::exact))
+    sketch.explain(kExactSwatch, "cell with its own distances, tinted: asks its triangles");
+  else if (any(&trace::FieldSlice::band))
+    sketch.explain(kBandSwatch, "cell with its own distances");
+}
+
+/// Where a label has room beside it.
+bool is_well_inside(const Camera& camera, const Vec3d& at) {
+  const Rect& view = camera.viewport();
+  const std::optional<Point2> seen = camera.project(at);
+  return seen && seen->x > view.x + kFromBorder * view.width &&
+         seen->x < view.right() - kFromBorder * view.width &&
+         seen->y > view.y + kFromBorder * view.height &&
+         seen->y < view.bottom() - kFromBorder * view.height;
+}
+
+/// Returns the place on the lines that lies lowest to the right in the view, where there is one.
+std::optional<Vec3d> draw_level(const Scene& scene, const trace::FieldSlice& slice, double level,
+                                const LineStyle& style, Sketch& sketch) {
+  std::optional<Vec3d> corner;
+  const Vec3d lower_right = scene.camera.right() - scene.camera.up();
   for (const Contour& contour : contours_at(slice.distances, slice.columns, level)) {
     Curve curve{{}, style, contour.closed};
-    for (const Vec3d& place : contour.points)
-      curve.points.emplace_back(slice.origin + place.x() * slice.next + place.y() * slice.next_row);
+    for (const Vec3d& place : contour.points) {
+      const Vec3d at = slice.origin + place.x() * slice.next + place.y() * slice.next_row;
+      curve.points.push_back(at);
+      if (is_well_inside(scene.camera, at) &&
+          (!corner || lower_right.dot(at) > lower_right.dot(*corner)))
+        corner = at;
+    }
     sketch.curves.push_back(std::move(curve));
   }
+  return corner;
 }
 
-/// `spacing`: metres. Whether there are lines inside.
-bool draw_contours(const trace::FieldSlice& slice, double spacing, Sketch& sketch) {
+/// `spacing`: metres. Whether there are lines inside. The nearest line on each side says how far it is.
+bool draw_contours(const Scene& scene, const trace::FieldSlice& slice, double spacing,
+                   Sketch& sketch) {
   const auto [least, largest] = std::ranges::minmax(slice.distances);
   const double step = spacing / slice.cell;
-  for (int k = 1; k * step < largest; ++k) draw_level(slice, k * step, kOutsideLine, sketch);
-  for (int k = 1; - k * step > least; ++k) draw_level(slice, -k * step, kInsideLine, sketch);
-  draw_level(slice, 0, kSurface, sketch);
+  const std::string far = spell_quantity(spacing, "m", 1, scene.scales.length);
+  const auto draw_side = [&](double sign, double end, const LineStyle& style, const char* side) {
+    for (int k = 1; k * step < end; ++k) {
+      const std::optional<Vec3d> at = draw_level(scene, slice, sign * k * step, style, sketch);
+      if (k == 1 && at)
+        sketch.label(*at, far + side, style.color, kLineText, kBesideLine).bold = false;
+    }
+  };
+  draw_side(1, largest, kOutsideLine, " outside");
+  draw_side(-1, -least, kInsideLine, " inside");
+  draw_level(scene, slice, 0, kSurface, sketch);
   return -step > least;
 }
 
@@ -136,10 +183,11 @@ void draw_slices(const Scene& scene, Sketch& sketch) {
   for (const trace::FieldSlice& slice : scene.frame.field_slices) {
     draw_exact_cells(slice, sketch);
     draw_grid(slice, sketch);
-    inside |= draw_contours(slice, spacing, sketch);
+    inside |= draw_contours(scene, slice, spacing, sketch);
   }
+  explain_cells(scene.frame.field_slices, sketch);
   sketch.explain(inside ? kLinesSwatch : kOutsideSwatch,
-                 "distance, every " + spell_quantity(spacing, "m", 1, scene.scales.length));
+                 "surface, and lines every " + spell_quantity(spacing, "m", 1, scene.scales.length));
 }
 
 /// Of points that are nearer to each other on the screen than kBetweenProbes one is drawn.

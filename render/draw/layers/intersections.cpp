@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "draw/layers/layer.h"
@@ -16,7 +18,7 @@ constexpr Swatch kCrossingTriangleSwatch{LegendGroup::Points, 21,
                                          [](auto& pen) { pen.area(kContact, 0.22f, 1); }};
 constexpr Swatch kTouchSwatch{LegendGroup::Points, 22,
                               [](auto& pen) { pen.dot(0, 4.8, kContact); }};
-constexpr LineStyle kUncounted{2.5f, kContact, true, LineStyle::Hidden::Faint};
+constexpr LineStyle kUncounted{2.5f, kContact, true};  // what fades where it is hidden has no dashes
 constexpr Swatch kUncountedSwatch{LegendGroup::Points, 25,
                                   [](auto& pen) { pen.dashes(2.5, kContact); }};
 constexpr Swatch kCoplanarSwatch{LegendGroup::Points, 23,
@@ -51,14 +53,21 @@ void draw_degenerate(const PlacedShape* mesh, int triangle, Sketch& sketch) {
 /// where the answer is no all the same, as of an exclusive comparison.
 void draw_segments(const trace::Pair& pair, Sketch& sketch) {
   const bool counts = pair.overlap.value_or(true);
+  const auto before = [](const Vec3d& p, const Vec3d& q) {
+    return std::ranges::lexicographical_compare(p, q);
+  };
   std::vector<Vec3d> ends, points;
+  std::set<std::array<double, 6>> dashed;  // each once: dashes would fill each other's gaps
   for (const trace::Intersection& meeting : pair.intersections) {
     if (!meeting.segment) continue;
-    const auto& [from, to] = *meeting.segment;
+    auto [from, to] = *meeting.segment;
     if (from == to) {
       points.push_back(from);
       continue;
     }
+    if (before(to, from)) std::swap(from, to);
+    if (!counts && !dashed.insert({from.x(), from.y(), from.z(), to.x(), to.y(), to.z()}).second)
+      continue;
     sketch.line(from, to,
                 counts ? LineStyle{3.5f, kContact, false, LineStyle::Hidden::Faint} : kUncounted);
     if (counts)
@@ -67,9 +76,6 @@ void draw_segments(const trace::Pair& pair, Sketch& sketch) {
       sketch.explain(kUncountedSwatch, "where they touch, which does not count");
     ends.insert(ends.end(), {from, to});
   }
-  const auto before = [](const Vec3d& p, const Vec3d& q) {
-    return std::ranges::lexicographical_compare(p, q);
-  };
   std::ranges::sort(ends, before);
   for (const Vec3d& point : points) {
     if (std::ranges::binary_search(ends, point, before)) continue;

@@ -11,6 +11,8 @@ namespace {
 constexpr double kLeastAnchors = 12;  // pixels
 constexpr double kCovered = 8;        // pixels
 
+constexpr LineStyle kReplacedBy{1.5f, kDropped, true};
+
 template <PointState kState>
 constexpr Swatch kStateSwatch{
     LegendGroup::Points, 5 + static_cast<int>(kState),
@@ -27,6 +29,29 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
     const auto pixels = seen_distance(scene.camera, at, other.point.position);
     return other.state != "broken" && pixels && *pixels < kCovered * scene.scales.pixel;
   });
+}
+
+/// Why a point was taken out, and the length that decided it: how far its places slid, or how far from
+/// it the point is that took its place, to which a line leads.
+std::string told_reason(const Scene& scene, const trace::Pair& pair,
+                        const trace::PersistentPoint& point, Sketch& sketch) {
+  const auto with = [&](double metres, const char* after) {
+    return point.reason + ", " + spell_length(metres, scene.noise(pair), scene.scales.length) +
+           after;
+  };
+  if (point.reason == "slid") return with((point.on_b() - point.on_a()).norm(), " apart");
+  if (point.reason != "replaced") return point.reason;
+  const trace::PersistentPoint* nearest = nullptr;
+  const auto away = [&](const trace::PersistentPoint& other) {
+    return (other.point.position - point.point.position).norm();
+  };
+  for (const trace::PersistentPoint& other : pair.incremental->points) {
+    if (other.state != "broken" && (nearest == nullptr || away(other) < away(*nearest)))
+      nearest = &other;
+  }
+  if (nearest == nullptr) return point.reason;
+  sketch.line(point.point.position, nearest->point.position, kReplacedBy);
+  return with(away(*nearest), " away");
 }
 
 void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
@@ -50,7 +75,7 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   if (state == PointState::Broken) {
     sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
-    sketch.label(at, point.reason, kDropped, 16, 12).bold = false;
+    sketch.label(at, told_reason(scene, pair, point, sketch), kDropped, 16, 12).bold = false;
     return;
   }
   const bool is_new = state == PointState::New;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kAnswerBar = 14;      // pixels at 720 lines, the height of a row of cells
 constexpr double kBelowAnswerBar = 3;  // likewise
 constexpr double kLeastBetween = 8;    // and between two rows
-constexpr double kMostBetween = 56;
+constexpr double kMostBetween = 16;
 
 bool has_query(const trace::Pair& pair) {
   return pair.query.has_value();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
@@ -11,7 +12,8 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kLeastApproach = 130, kGoodApproach = 220;  // pixels at 720 lines
-constexpr double kApproachGutter = 52, kApproachBelow = 36, kApproachDot = 3.5;
+constexpr double kTogether = 22;  // pixels: dots whose numbers would cover each other
+constexpr double kApproachGutter = 52, kApproachAbove = 18, kApproachBelow = 36, kApproachDot = 3.5;
 
 bool is_asked_when(const trace::Pair& pair) {
   return pair.impact.has_value();
@@ -27,7 +29,7 @@ class ApproachPanel : public PanelContent {
   PanelNeed need(const PanelMoment&) const override {
     const auto high = [&](double chart) {
       return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
-             static_cast<float>(chart + kApproachBelow) * scale_;
+             static_cast<float>(chart + kApproachAbove + kApproachBelow) * scale_;
     };
     return {high(kLeastApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
   }
@@ -47,7 +49,7 @@ class ApproachPanel : public PanelContent {
                             (impact.status == "hit"
                                  ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"
                                  : ""));
-    if (!impact.steps.empty()) sheet.line("pink: they cannot meet before its end", kAxisText);
+    if (!impact.steps.empty()) sheet.line("pink, numbered: no meeting before its foot", kAxisText);
     if (!impact.distances.empty()) draw_chart(impact, sheet);
     const auto others = std::ranges::count_if(pairs, is_asked_when) - 1;
     return others == 0 ? "" : std::to_string(others) + (others == 1 ? " pair" : " pairs");
@@ -57,9 +59,9 @@ class ApproachPanel : public PanelContent {
   static void draw_chart(const trace::Impact& impact, const Sheet& sheet) {
     const Pen& pen = sheet.pen();
     const Rect rest = sheet.rest();
-    const Rect chart{rest.x + pen.px(kApproachGutter), rest.y + pen.px(4),
+    const Rect chart{rest.x + pen.px(kApproachGutter), rest.y + pen.px(kApproachAbove),
                      rest.width - pen.px(kApproachGutter + 6),
-                     rest.height - pen.px(kApproachBelow)};
+                     rest.height - pen.px(kApproachAbove + kApproachBelow)};
     if (chart.height <= 0) return;
     const double most = std::max(
         std::ranges::max_element(impact.distances, {}, &trace::DistanceAt::distance)->distance,
@@ -86,9 +88,27 @@ class ApproachPanel : public PanelContent {
       pen.line(place(step.safe, 0), place(step.safe, distance_at(impact, step.safe)), 1, kDropped,
                4);
     }
-    for (const trace::ImpactStep& step : impact.steps)
-      pen.disc(place(step.time, step.distance), kApproachDot, kAxis);
+    number_steps(impact, place, pen);
     if (impact.status == "hit") pen.disc(place(impact.time, 0), 1.4 * kApproachDot, kContact);
+  }
+
+  /// Dots where the distance was measured, with their numbers; those that fall together share one.
+  template <class Place>
+  static void number_steps(const trace::Impact& impact, const Place& place, const Pen& pen) {
+    const std::size_t count = impact.steps.size();
+    for (std::size_t first = 0; first < count;) {
+      const Point2 dot = place(impact.steps[first].time, impact.steps[first].distance);
+      std::size_t end = first;
+      for (; end < count; ++end) {
+        const Point2 next = place(impact.steps[end].time, impact.steps[end].distance);
+        if (std::hypot(next.x - dot.x, next.y - dot.y) > pen.px(kTogether)) break;
+        pen.disc(next, kApproachDot, kAxis);
+      }
+      const std::string last = end == first + 1 ? "" : " to " + std::to_string(end);
+      pen.text(std::to_string(first + 1) + last,
+               pixel(dot.x + pen.px(8), dot.y - pen.px(4)), Align::Left, kAxisText);
+      first = end;
+    }
   }
 
   static double distance_at(const trace::Impact& impact, double time) {
