@@ -92,6 +92,30 @@ TEST(PairCache, NoPointOfOneHullSeenFromTheOtherMovesFartherThanIsSaid) {
   }
 }
 
+// The vertex that was deepest at the full test need not be so any more.
+TEST(PairCache, AlongTheKeptFaceTheSeparationIsThatOfTheDeepestVertexByNow) {
+  Random random(9);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Vec3d normal;
+    PairCase<double> pair = touching_pair(random, normal);
+    const double size = pair.a.radius;
+    PairCache<double> cache;
+    collide(pair, cache);
+    if (cache.kind != CachedKind::Features || cache.axis == AxisKind::EdgeEdge) continue;
+    pair.pose_b.rotation = random.rotation_by(random.decade(-5, -1)) * pair.pose_b.rotation;
+    pair.pose_b.position += random.decade(-5, -2) * size * random.unit_vector();
+    const CacheAnswer<double> answer = ask(pair, cache);
+    if (!answer.hit) continue;
+    ++hits;
+    const Vec3d way = pair.pose_a.rotate(answer.normal);
+    ASSERT_NEAR(test::separation_along(way, pair.a, pair.pose_a, pair.b, pair.pose_b),
+                answer.separation, 1e-12 * size)
+        << i;
+  }
+  EXPECT_GT(hits, 500);
+}
+
 TEST(PairCache, ABoxThatSlidesOverTheRimIsPushedOutSideways) {
   // Far from the kept axis another one becomes shallower: the bound must notice, not the axis.
   PairCase<double> pair{test::cube(0.5), test::at(0, 0, 0), test::cube(0.5),

@@ -75,6 +75,41 @@ TYPED_TEST(PlanePairs, NothingTouchesAboveThePlaneButWithinTheMargin) {
   }
 }
 
+// Of the twelve corners of a drum four that lie evenly are as good as any other four that do: those that
+// were kept in the frame before stay, in whichever order the two shapes come.
+TYPED_TEST(PlanePairs, PointsThatWereKeptBeforeStayInEitherOrder) {
+  using S = TypeParam;
+  std::vector<Vec3d> corners;
+  for (int k = 0; k < 24; ++k) {
+    const double angle = (k / 2) * std::numbers::pi / 6;
+    corners.emplace_back(std::cos(angle), k % 2 == 0 ? 0.5 : -0.5, std::sin(angle));
+  }
+  const PlacedShapes there{build_hull(corners), test::at(0, 0.49, 0), test::ground(), {}};
+  for (const PlacedShapes& pair :
+       {there, PlacedShapes{there.b, there.pose_b, there.a, there.pose_a}}) {
+    CollideOptions options;
+    options.reducer = find_reducer("coherent");
+    options.reduction.max_points = 12;
+    std::vector<ContactPoint<S>> all;
+    for (const ContactPoint<S>& point : test::manifold_of<S>(pair, options).points)
+      all.push_back(point);
+    ASSERT_EQ(all.size(), 12u);
+    std::ranges::sort(all, {}, [](const ContactPoint<S>& point) {
+      return std::atan2(point.position.z(), point.position.x());
+    });
+    options.reduction.max_points = 4;
+    for (const std::size_t first : {0u, 1u, 2u}) {
+      const std::vector<FeatureId> kept{all[first].id, all[first + 3].id, all[first + 6].id,
+                                        all[first + 9].id};
+      options.reduction.previous = kept;
+      std::vector<FeatureId> now;
+      for (const ContactPoint<S>& point : test::manifold_of<S>(pair, options).points)
+        now.push_back(point.id);
+      EXPECT_EQ(now, kept) << first;
+    }
+  }
+}
+
 TYPED_TEST(PlanePairs, LyingCapsuleHasAPointBelowEachEnd) {
   using S = TypeParam;
   const Manifold<S> manifold =

@@ -1,51 +1,101 @@
 #!/usr/bin/env bash
 # Switches on one planted bug after the other, and notes who notices it and how it is told:
-#   tests/planted/run.sh TREE BUILD [K/N]
-# TREE was made by plant.cmake and BUILD is of it. With K/N every N-th bug from the K-th on, so that N machines, or jobs of
-# an array, share them. A line a bug on standard output: its name, the test or `check`, and the sentence, parted by tabs.
-# Exit code 1 where one was not noticed. Tests that compare traces byte for byte take no part: they notice that something
+#   CONTACTSCOPE_SHARD=2/5 tests/planted/run.sh TREE BUILD TABLE
+# TREE was made by plant.cmake and BUILD is of it. The table (README.md says what is in it) is written whole; of a shard,
+# every fifth bug from the second on, it goes to BUILD/noticed_2_of_5.tsv instead. Exit code 1 where nobody noticed a bug, 2
+# where something fails without any. Tests that compare traces byte for byte take no part: they notice that something
 # changed, and not what.
 set -u
-tree=$1 build=$2 shard=${3:-1/1}
+export TREE BUILD && TREE=$(realpath "$1") && BUILD=$(realpath "$2") || exit 2
+table=$(realpath -m "$3") shard=${CONTACTSCOPE_SHARD:-1/1}
 own=${shard%/*} of=${shard#*/}
-cd "$tree" || exit 2
-out=$(mktemp -d) && trap 'rm -rf "$out"' EXIT
+if ! [[ $shard =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || [ "$own" -gt "$of" ]; then
+  echo "CONTACTSCOPE_SHARD=$shard: a shard is K/N, as in 2/5, with K from 1 to N" >&2
+  exit 2
+fi
+[ "$shard" = 1/1 ] || table=$BUILD/noticed_${own}_of_$of.tsv
+export OUT && OUT=$(mktemp -d) && trap 'rm -rf "$OUT"' EXIT
+cp "$3" "$OUT/last" 2>/dev/null || touch "$OUT/last"
+cd "$TREE" || exit 2
+# A bug may run for ever; what takes ten seconds without one is given five minutes.
+export PATIENCE=300
 
-# The first test of a folder that fails, and the first line that says why.
+# A cell of the table: one line, at most so many bytes and no half a letter.
+cell() {
+  tr '\n\t' '  ' | sed "s|$TREE/||g; s/  */ /g; s/^ //" | cut -c1-"$1" | iconv -c -f UTF-8 -t UTF-8 2>/dev/null | sed 's/ *$//'
+}
+
+# The first test of a folder that fails, and the first lines that say why; of one test where its name is given.
 by_test() {
-  "$build/tests/$1_test" --gtest_fail_fast --gtest_brief=1 --gtest_filter='-*Slow*' >"$out/test" 2>&1
+  local folder=$1 said=$OUT/$2.test
+  timeout $PATIENCE "$BUILD/tests/${folder}_test" --gtest_fail_fast --gtest_color=no --gtest_filter="${3:--*Slow*}" >"$said" 2>&1
   local code=$?
   [ $code -eq 0 ] && return 1
   local name sentence
-  name=$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' "$out/test" | head -1)
-  sentence=$(grep -A3 -m1 ': Failure$' "$out/test" | sed 1d | tr '\n' ' ' | sed 's/  */ /g' | cut -c1-200)
-  printf '%s.%s\t%s' "$1" "${name:-died with $code}" "$sentence"
-}
-
-# The first sentence of a scenario that is not the same.
-by_check() {
-  "$build/contactscope" check --quiet --out "$out/check" >"$out/check.txt" 2>&1
-  local code=$?
-  [ $code -eq 0 ] && return 1
-  local sentence
-  sentence=$(sed -n 's/^        //p' "$out/check.txt" | head -1 | cut -c1-200)
-  printf 'check\t%s' "${sentence:-exit code $code}"
-}
-
-survivors=0 number=0
-while read -r name tests; do
-  number=$((number + 1))
-  [ $(((number - 1) % of + 1)) -eq "$own" ] || continue
-  export CONTACTSCOPE_PLANTED=$name
-  noticed=
-  for test in $tests; do
-    noticed=$(by_test "$test") && break
-  done
-  [ -n "$noticed" ] || noticed=$(by_check)
-  if [ -z "$noticed" ]; then
-    noticed=$(printf 'nobody\t')
-    survivors=$((survivors + 1))
+  name=$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' "$said" | head -1)
+  if [ -n "$name" ]; then
+    sentence=$(sed -n '/: Failure$/,/^\[  FAILED/{/: Failure$/d;/^\[  FAILED/q;p}' "$said" | head -8 | cell 240)
+  else
+    name=$(sed -n 's/^\[ RUN      \] //p' "$said" | tail -1)
+    sentence="ended with $code"
+    [ $code -eq 124 ] && sentence="ran for more than $PATIENCE s"
   fi
-  printf '%s\t%s\n' "$name" "$noticed"
-done <planted.txt
-[ $survivors -eq 0 ]
+  printf '%s.%s\t%s' "$folder" "$name" "$sentence"
+}
+
+# The first sentence of a scenario that is not the same: by its facts, which take a second, or else by its pictures.
+by_check() {
+  local said=$OUT/$1.check how code
+  for how in --facts-only ''; do
+    timeout $PATIENCE "$BUILD/contactscope" check --fresh --quiet $how --snapshots "$OUT/snapshots" --out "$OUT/$1.out" >"$said" 2>&1
+    code=$?
+    rm -rf "$OUT/$1.out"
+    [ $code -eq 0 ] && continue
+    local sentence
+    sentence=$(head -1 "$said" | cell 240)
+    [ $code -eq 124 ] && sentence="ran for more than $PATIENCE s"
+    printf 'check%s\t%s' "${how:+ $how}" "${sentence:-exit code $code}"
+    return 0
+  done
+  return 1
+}
+
+# A line of the table, for a line of planted.txt. Who noticed it the last time is asked first.
+try() {
+  local file=$1 name=$2 folder noticed='' begin=$EPOCHREALTIME last
+  export CONTACTSCOPE_PLANTED=$name
+  last=$(awk -F'\t' -v name="$name" '$2 == name { print $3 }' "$OUT/last")
+  case $last in
+    check*) noticed=$(by_check "$name") ;;
+    *.*) [ -x "$BUILD/tests/${last%%.*}_test" ] && noticed=$(by_test "${last%%.*}" "$name" "${last#*.}") ;;
+  esac
+  [ -n "$noticed" ] || for folder in "${@:3}"; do noticed=$(by_test "$folder" "$name") && break; done
+  [ -n "$noticed" ] || noticed=$(by_check "$name") || noticed=$'nobody\t'
+  rm -f "$OUT/$name".*
+  printf '%s\t%s\t%s\n' "$file" "$name" "$noticed" >"$OUT/$name.line"
+  printf '%5.1f s  %s: %s\n' "$(awk "BEGIN { print $EPOCHREALTIME - $begin }")" "$name" "${noticed%%$'\t'*}"
+}
+export -f cell by_test by_check try
+
+# Without any bug all has to be well: the snapshots are of this very program, so that those of the tree may lag behind.
+echo "no bug: what is stored"
+unset CONTACTSCOPE_PLANTED
+if ! "$BUILD/contactscope" check --quiet --update=all --snapshots "$OUT/snapshots" --out "$OUT/none" >"$OUT/none.txt" 2>&1 ||
+  ! "$BUILD/contactscope" check --quiet --fresh --snapshots "$OUT/snapshots" --out "$OUT/none" >"$OUT/none.txt" 2>&1; then
+  echo "check finds something without any bug:" && cat "$OUT/none.txt"
+  exit 2
+fi >&2
+rm -rf "$OUT/none"
+awk -v own="$own" -v of="$of" '(NR - 1) % of + 1 == own' planted.txt >"$OUT/chosen"
+for folder in $(cut -d' ' -f3- "$OUT/chosen" | tr ' ' '\n' | sort -u); do
+  echo "no bug: ${folder}_test"
+  if noticed=$(by_test "$folder" none); then
+    echo "a test fails without any bug: $noticed" >&2
+    exit 2
+  fi
+done
+
+xargs -a "$OUT/chosen" -P "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" -L 1 bash -c 'try "$@"' try
+cat "$OUT"/*.line | LC_ALL=C sort >"$table"
+echo "$table: $(wc -l <"$table") bugs"
+! grep $'\tnobody\t' "$table"

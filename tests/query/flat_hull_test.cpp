@@ -186,6 +186,56 @@ TYPED_TEST(FlatHulls, SideBySideOnOnePlaneAreApart) {
   }
 }
 
+// Along a side of either one, by the direction in which the other is: the normal points from A to B, and
+// both lie on their own side of the gap along it.
+TYPED_TEST(FlatHulls, SideBySideOnOnePlaneHaveANormalThatPartsThem) {
+  using S = TypeParam;
+  const auto flat = [](const std::vector<Vec3d>& corners) {
+    return build_hull(corners, {.allow_flat = true});
+  };
+  const Hull<double> plate = flat({{-0.5, 0, -0.3}, {0.5, 0, -0.3}, {0.5, 0, 0.3}, {-0.5, 0, 0.3}});
+  const Hull<double> triangle = flat({{-0.4, 0, -0.3}, {0.5, 0, -0.2}, {0, 0, 0.4}});
+  int of_first = 0, of_second = 0;
+  for (int turn = 0; turn < 32; ++turn) {
+    const double angle = turn * std::numbers::pi / 16;
+    const Vec3d place = 1.3 * Vec3d(std::cos(angle), 0, std::sin(angle));
+    const PairCase<double> exact{
+        plate, Pose<double>(), triangle, {test::about(Vec3d::UnitY(), 0.7 * turn), place}};
+    const PairCase<S> pair = exact.template cast<S>();
+    const HullPair<S> placed(pair.a, pair.b, relative_pose(pair.pose_a, pair.pose_b));
+    const auto gap_along = [&](const Vec3d& way) {
+      return test::separation_along(way, exact.a, exact.pose_a, exact.b, exact.pose_b);
+    };
+    const auto gap = [&](const EdgeQuery<S>& found) {
+      return gap_along(found.normal.template cast<double>());
+    };
+    // The largest gap along the directions away from the edges of one.
+    const auto gap_beside = [&](const Hull<double>& hull, const Pose<double>& pose, double to_b) {
+      double most = -std::numeric_limits<double>::infinity();
+      for (int edge = 0; edge < 2 * hull.edge_count(); ++edge) {
+        const Vec3d along = (hull.target(edge) - hull.origin(edge)).normalized();
+        const Vec3d normal = hull.planes[static_cast<std::size_t>(
+                                             hull.half_edges[static_cast<std::size_t>(edge)].face)]
+                                 .normal;
+        most = std::max(most, gap_along(Vec3d(to_b * pose.rotate(Vec3d(along.cross(normal))))));
+      }
+      return most;
+    };
+    const EdgeQuery<S> sides = query_sides(placed);
+    const double of_a = gap_beside(exact.a, exact.pose_a, 1);
+    const double of_b = gap_beside(exact.b, exact.pose_b, -1);
+    EXPECT_NEAR(sides.separation, std::max(of_a, of_b), 1e-5) << turn;
+    EXPECT_NEAR(gap(sides), sides.separation, 1e-5) << turn;
+    ++(of_a > of_b ? of_first : of_second);
+    const SatResult<S> axes = sat(placed, S(0), Preference::Relative);
+    ASSERT_EQ(axes.status, SatStatus::Separated) << turn;
+    EXPECT_GT(axes.edge.separation, 0.1) << turn;
+    EXPECT_NEAR(gap(axes.edge), axes.edge.separation, 1e-5) << turn;
+  }
+  EXPECT_GT(of_first, 5);
+  EXPECT_GT(of_second, 5);
+}
+
 TYPED_TEST(FlatHulls, OnOnePlaneTouchWithDepthZero) {
   using S = TypeParam;
   const Hull<double> plate = build_hull(

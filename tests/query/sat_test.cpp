@@ -110,11 +110,13 @@ TYPED_TEST(Sat, NearlyParallelEdgesNeverSeparateOverlappingBoxes) {
 
 TYPED_TEST(Sat, ExactTiesKeepTheEarlierFaceWhereverThePairStands) {
   using S = TypeParam;
-  // A cube in the middle of a cube: all six faces tie, in both queries.
+  // A cube in the middle of a cube: all six faces tie, in both queries, and quarter turns round.
   test::Random random(1597);
   for (int i = 0; i < 200; ++i) {
+    const Quatd turn = about(Vec3d::UnitX(), 90 * kDegree * random.index(4)) *
+                       about(Vec3d::UnitY(), 90 * kDegree * random.index(4));
     const PairCase<double> pair = test::moved(
-        PairCase<double>{cube(0.5), at(0, 0, 0), cube(0.4), at(0, 0, 0)}, random.pose(5));
+        PairCase<double>{cube(0.5), at(0, 0, 0), cube(0.4), {turn, Vec3d::Zero()}}, random.pose(5));
     const SatResult<S> result = sat_of(pair.cast<S>(), Preference::Relative);
     ASSERT_EQ(result.face_a.face, 0);
     ASSERT_EQ(result.face_b.face, 0);

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "reduce/brute_force.h"
 #include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
+#include "reduce/steps.h"
 #include "support/random_geometry.h"
 
 namespace contactscope {
@@ -94,6 +96,42 @@ TYPED_TEST(AreaReducer, HonoursEveryMaximum) {
   EXPECT_GT(before, 3.0);
 }
 
+// Of points on a convex polygon, in any order, a point sees one edge of those that are kept: the triangle
+// that it adds there is the area that the hull of them gains.
+TYPED_TEST(AreaReducer, EachPointFromTheThirdOnAddsTheMostArea) {
+  using S = TypeParam;
+  test::Random random(9);
+  int chosen = 0;
+  for (const char* const reducer : {"area", "area_deepest"}) {
+    for (const test::Shape shape :
+         {test::Shape::Polygon, test::Shape::Clockwise, test::Shape::Shuffled}) {
+      for (int i = 0; i < 50; ++i) {
+        const auto patch = test::random_patch<S>(random, shape, 12);
+        const std::vector<test::Place> places = test::seen_along(patch.points, patch.normal);
+        const double rounding = test::area_rounding(patch.points, places);
+        ReduceOptions options;
+        options.max_points = 9;
+        const KeptIndices kept =
+            reduce<S>(find_reducer(reducer), patch.points, patch.normal, options);
+        std::vector<int> so_far(kept.begin(), kept.begin() + 2);
+        for (std::size_t k = 2; k < kept.size(); ++k) {
+          double most = 0;
+          for (int q = 0; q < 12; ++q) {
+            so_far.push_back(q);
+            most = std::max(most, test::hull_area(test::at(places, so_far)));
+            so_far.pop_back();
+          }
+          so_far.push_back(kept[k]);
+          ASSERT_GE(test::hull_area(test::at(places, so_far)), most - rounding)
+              << reducer << ", case " << i << ", point " << k + 1;
+          ++chosen;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(chosen, 2 * 3 * 50 * 7);
+}
+
 TYPED_TEST(AreaReducer, KeepsTheTwoExtremesOfALineInAnyDirection) {
   using S = TypeParam;
   for (int turn = 0; turn < 64; ++turn) {
@@ -105,6 +143,20 @@ TYPED_TEST(AreaReducer, KeepsTheTwoExtremesOfALineInAnyDirection) {
     const auto points = points_at<S>(line);
     EXPECT_THAT(reduced(points, 4), UnorderedElementsAre(1, 4)) << "direction " << turn;
   }
+}
+
+// All are equally far along the fixed direction, so the support point is the first of them, which lies
+// between the others.
+TYPED_TEST(AreaReducer, KeepsTheTwoExtremesOfALineAcrossTheFixedDirection) {
+  using S = TypeParam;
+  const Vec3<S> fixed = steps::fixed_direction<S>(Vec3<S>::UnitY());
+  const Vec3<S> across(-fixed.z(), 0, fixed.x());
+  std::vector<ContactPoint<S>> points;
+  // Powers of two, which round nothing.
+  for (const double t : {0.0, 1.0, -2.0, 0.5, 4.0, -0.25})
+    points.push_back({static_cast<S>(t) * across, S(0), FeatureId{}});
+  for (const ContactPoint<S>& point : points) ASSERT_EQ(fixed.dot(point.position), S(0));
+  EXPECT_THAT(reduced(points, 4), UnorderedElementsAre(2, 4));
 }
 
 TYPED_TEST(AreaReducer, KeepsOneOfCoincidentPoints) {

@@ -342,6 +342,30 @@ TYPED_TEST(CoherentReducer, LetsGoOfOldPointsWhenTheDeepestIsNotAmongThem) {
   EXPECT_EQ(kept.back(), 0);
 }
 
+// As of a patch on several triangles of a mesh. The four that were kept are within the tolerance of the
+// largest choice, which is the other four.
+TYPED_TEST(CoherentReducer, TellsPointsOfOneIdApartByTheirOrder) {
+  using S = TypeParam;
+  const auto points = points_at<S>({{1, 1},
+                                    {0.99, 0.99},
+                                    {-1, 1},
+                                    {-0.99, 0.99},
+                                    {-1, -1},
+                                    {-0.99, -0.99},
+                                    {1, -1},
+                                    {0.99, -0.99}},
+                                   std::vector<double>(8, -0.01));
+  const std::vector<int> old = {1, 3, 5, 7};
+  for (const int twin : {3, 5, 7}) {
+    auto doubled = points;
+    doubled[static_cast<std::size_t>(twin)].id = doubled[1].id;
+    EXPECT_EQ(
+        reduced<S>(find_reducer("coherent"), doubled, Vec3<S>::UnitZ(), 4, ids_of(doubled, old)),
+        old)
+        << twin;
+  }
+}
+
 TYPED_TEST(CoherentReducer, KeepsTheExtremesOfALineWhileTheyAreNearlyExtreme) {
   using S = TypeParam;
   const Vec3<S> up = Vec3<S>::UnitZ();
